@@ -1,0 +1,56 @@
+# Everything from outside. What is missing is collected and reported once, with the names of Debian's packages.
+set(mimo_missing "")
+set(mimo_missing_packages "")
+
+# mimo_find(<what people call it> <Debian package> <arguments of find_package...>)
+macro(mimo_find title debian package)
+  find_package(${package} ${ARGN} QUIET)
+  if(NOT ${package}_FOUND)
+    list(APPEND mimo_missing ${title})
+    list(APPEND mimo_missing_packages ${debian})
+  endif()
+endmacro()
+
+mimo_find("MuJoCo 2.2" libmujoco-dev mujoco 2.2...<2.3)
+mimo_find("Eigen 3" libeigen3-dev Eigen3)
+mimo_find("pugixml" libpugixml-dev pugixml)
+mimo_find("fmt" libfmt-dev fmt)
+if(MIMO_PROGRAM)
+  mimo_find("CLI11" libcli11-dev CLI11)
+  mimo_find("nlohmann_json" nlohmann-json3-dev nlohmann_json)
+  mimo_find("libpng" libpng-dev PNG)
+endif()
+if(MIMO_TESTS)
+  mimo_find("GoogleTest" libgtest-dev GTest)
+endif()
+
+# OSMesa is loaded with dlopen at run time, so only its header is needed, and nothing is linked.
+find_path(MIMO_OSMESA_INCLUDE_DIR GL/osmesa.h)
+if(NOT MIMO_OSMESA_INCLUDE_DIR)
+  list(APPEND mimo_missing "the header GL/osmesa.h")
+  list(APPEND mimo_missing_packages libosmesa6-dev)
+endif()
+
+if(mimo_missing)
+  list(JOIN mimo_missing ", " missing)
+  list(JOIN mimo_missing_packages " " packages)
+  if(mujoco_VERSION AND NOT mujoco_FOUND)
+    string(APPEND missing " (found is MuJoCo ${mujoco_VERSION}; set mujoco_ROOT to another)")
+  endif()
+  message(FATAL_ERROR "libmimo needs ${missing}.\nOn Debian: apt-get install ${packages}")
+endif()
+
+# The static pugixml, where there is one, keeps libmimo.so free of a dependency that users would have to install.
+if(TARGET pugixml::static)
+  set(MIMO_PUGIXML pugixml::static)
+else()
+  set(MIMO_PUGIXML pugixml::pugixml)
+endif()
+
+# Header-only things as targets, so that rooms name them like everything else.
+add_library(mimo_header INTERFACE)
+target_include_directories(mimo_header INTERFACE ${PROJECT_SOURCE_DIR}/include)
+add_library(mimo_osmesa_header INTERFACE)
+target_include_directories(mimo_osmesa_header SYSTEM INTERFACE ${MIMO_OSMESA_INCLUDE_DIR})
+
+message(STATUS "MuJoCo ${mujoco_VERSION}")

@@ -1,0 +1,20 @@
+# What `cmake --install` puts where, and the packages by which other projects find it.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS mimo EXPORT mimoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET mimo_program)
+  install(TARGETS mimo_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY include/mimo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo/models PATTERN art EXCLUDE)
+
+# find_package(mimo) and the target mimo::mimo
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mimo)
+install(EXPORT mimoTargets NAMESPACE mimo:: FILE mimoConfig.cmake DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake DESTINATION ${package_dir})
+
+# pkg-config --cflags --libs mimo
+file(RELATIVE_PATH MIMO_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/mimo.pc.in mimo.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/mimo.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

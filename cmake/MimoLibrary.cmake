@@ -1,0 +1,16 @@
+# libmimo.so: the objects of all rooms, with nothing but mimo_* visible from outside.
+set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
+file(STRINGS ${exports} version_node REGEX "^MIMO_${MIMO_ABI_VERSION} ")
+if(NOT version_node)
+  message(FATAL_ERROR "${exports} does not name MIMO_${MIMO_ABI_VERSION}, the ABI version in mimo.h")
+endif()
+
+add_library(mimo SHARED)
+add_library(mimo::mimo ALIAS mimo)
+mimo_link_room(mimo capi)
+target_include_directories(mimo PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed)
+set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
+                      SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION}
+                      INSTALL_RPATH_USE_LINK_PATH ON)

@@ -1,0 +1,45 @@
+# The rooms: one object library for each folder of src/.
+#
+# Headers are included as "engine/guard.h". Each room has an include directory of its own that holds nothing but a
+# link to its folder, and rooms are linked to the rooms they depend on: a header of a room that is not among the
+# dependencies is simply not found. That is how the direction of dependencies is enforced.
+
+# mimo_room(<name> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>])
+# Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only.
+function(mimo_room name)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "DEPENDS;LIBRARIES;SOURCES")
+  set(folder ${PROJECT_SOURCE_DIR}/src/${name})
+  set(include_dir ${PROJECT_BINARY_DIR}/rooms/${name})
+  file(MAKE_DIRECTORY ${include_dir})
+  file(CREATE_LINK ${folder} ${include_dir}/${name} SYMBOLIC)
+
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  list(APPEND sources ${room_SOURCES})
+  set(scope PUBLIC)
+  if(sources)
+    add_library(mimo_${name} OBJECT ${sources})
+    target_compile_definitions(mimo_${name} PRIVATE MIMO_BUILDING)
+  else()
+    add_library(mimo_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  list(TRANSFORM room_DEPENDS PREPEND mimo_ OUTPUT_VARIABLE dependencies)
+  target_include_directories(mimo_${name} ${scope} ${include_dir})
+  target_link_libraries(mimo_${name} ${scope} ${dependencies} ${room_LIBRARIES})
+
+  # The room and all rooms below it. Objects, unlike include directories, do not travel along links.
+  set(below mimo_${name})
+  foreach(dependency IN LISTS room_DEPENDS)
+    get_property(further GLOBAL PROPERTY mimo_below_${dependency})
+    list(APPEND below ${further})
+  endforeach()
+  list(REMOVE_DUPLICATES below)
+  set_property(GLOBAL PROPERTY mimo_below_${name} ${below})
+  set_property(GLOBAL APPEND PROPERTY mimo_rooms ${name})
+endfunction()
+
+# mimo_link_room(<target> <room>): links the objects of a room and of all rooms that it depends on.
+function(mimo_link_room target name)
+  get_property(below GLOBAL PROPERTY mimo_below_${name})
+  target_link_libraries(${target} PRIVATE ${below})
+endfunction()

@@ -1,0 +1,20 @@
+// The built-in models: every .xml and .png of models/, compiled into the library by cmake/EmbedModels.cmake.
+#ifndef MIMO_SCENE_RESOURCES_H
+#define MIMO_SCENE_RESOURCES_H
+
+#include <cstddef>
+
+namespace mimo::scene {
+
+struct Resource {
+  const char *path;           // Relative to models/: "mitten.xml", "textures/face.png".
+  const unsigned char *data;  // The file's bytes; one zero byte follows that is not part of size.
+  std::size_t size;
+};
+
+extern const Resource kResources[];  // Sorted by path, as strcmp would.
+extern const std::size_t kResourceCount;
+
+}  // namespace mimo::scene
+
+#endif
