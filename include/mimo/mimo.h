@@ -1,0 +1,536 @@
+/*
+ * libmimo: MIMo, the multimodal infant model, as a C library.  MIT licence, see LICENSE.
+ *
+ * In the order of use:
+ *   1. versions and status       5. stepping and observations
+ *   2. logging                   6. named access: joints, bodies, contacts by name
+ *   3. scenes and agents         7. pictures
+ *   4. environments              8. timing
+ *
+ * Rules that hold everywhere (docs/ has an article on each):
+ *   Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
+ *             mimo_last_error() then holds one line that names the argument, its value and what was
+ *             expected. When an argument is refused, nothing is written anywhere.
+ *   Handles   mimo_scene and mimo_env are opaque. Destroy accepts NULL; a destroyed handle is refused by
+ *             every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before
+ *             fork() answers MIMO_E_FORKED in the child.
+ *   Threads   Functions that take a const handle may run at the same time on one handle; functions that
+ *             take a handle without const need it for themselves; different handles are independent.
+ *             Any thread may call.
+ *   Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
+ *             in bytes). One that is too short is refused and stays as it was. Strings passed in are UTF-8
+ *             and copied; who owns a string passed out is said where it is declared.
+ *   Structs   Versioned structs start with struct_size and are filled by their _init function, called as
+ *             mimo_X_init(&x, sizeof x). They only ever grow at the end.
+ *   Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
+ *             of a free joint is linear in the world frame, then angular in the body's own frame.
+ */
+#ifndef MIMO_H
+#define MIMO_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "mimo_export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------------------------------------------
+ * 1. Versions and status
+ * ------------------------------------------------------------------------------------------------- */
+
+#define MIMO_VERSION_MAJOR 0 /**< Version of this header; mimo_version() gives the library's. */
+#define MIMO_VERSION_MINOR 1
+#define MIMO_VERSION_PATCH 0
+#define MIMO_ABI_VERSION 0 /**< Changes when old callers would break; equals the SONAME's number. */
+
+/** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
+typedef int32_t mimo_status;
+
+#define MIMO_OK 0                   /**< The call did what it says. */
+#define MIMO_E_INVALID_ARGUMENT -1  /**< An argument is NULL, out of range or not finite. */
+#define MIMO_E_BAD_HANDLE -2        /**< Not a handle of that kind, or one already destroyed. */
+#define MIMO_E_BUFFER_TOO_SMALL -3  /**< A caller's buffer is shorter than needed; nothing was written. */
+#define MIMO_E_STRUCT_SIZE -4       /**< struct_size unknown, or an unknown tail of the struct is not zero. */
+#define MIMO_E_NOT_FOUND -5         /**< No body, joint, scene, file... of that name. */
+#define MIMO_E_MODEL -6             /**< A model does not compile; the message is MuJoCo's. */
+#define MIMO_E_SIMULATION -7        /**< The simulation failed or diverged; reset makes the world usable again. */
+#define MIMO_E_RENDER -8            /**< The renderer failed. */
+#define MIMO_E_UNSUPPORTED -9       /**< Not possible here, for example no OSMesa on this machine. */
+#define MIMO_E_OUT_OF_MEMORY -10    /**< An allocation failed. */
+#define MIMO_E_FORKED -11           /**< The handle was made in the parent process, before fork(). */
+#define MIMO_E_INTERNAL -12         /**< A defect in libmimo; please report the message. */
+
+/** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
+MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;
+
+/** Version of the loaded library, "major.minor.patch". Static string. */
+MIMO_API const char *mimo_version(void) MIMO_NOEXCEPT;
+
+/** Version of the MuJoCo that the library runs on, "2.2.2". Static string. */
+MIMO_API const char *mimo_mujoco_version(void) MIMO_NOEXCEPT;
+
+/** Name of a status, "MIMO_E_NOT_FOUND"; "MIMO_E_UNKNOWN" for a number that is none. Static string. */
+MIMO_API const char *mimo_status_name(mimo_status status) MIMO_NOEXCEPT;
+
+/**
+ * What the last failed call on this thread complained about, one line, never NULL, "" if nothing failed yet.
+ * The string belongs to the library and is valid until the next failing call on the same thread. Calls that
+ * succeed, and the destroy functions, leave it alone.
+ */
+MIMO_API const char *mimo_last_error(void) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 2. Logging. The library never writes to stdout, stderr or files by itself.
+ * ------------------------------------------------------------------------------------------------- */
+
+#define MIMO_LOG_WARNING 1 /**< Something is not as the user probably meant it. */
+#define MIMO_LOG_INFO 2    /**< Worth knowing, once. */
+
+/**
+ * Receives messages; NULL in a config means silence. Called on the thread that called the library, before
+ * that call returns; the message is valid during the callback only. Must not call back into the library with
+ * the same handle, nor throw or longjmp.
+ */
+typedef void (*mimo_log_fn)(void *user, int32_t level, const char *message);
+
+/* ---------------------------------------------------------------------------------------------------
+ * 3. Scenes and agents. A scene describes a room, objects and infants; environments are made from it.
+ * ------------------------------------------------------------------------------------------------- */
+
+/** A description of what is to be simulated. It may be changed or destroyed once environments exist. */
+typedef struct mimo_scene mimo_scene;
+
+/** How a scene starts. At most one of name, file and xml may be set; none of them gives an empty world. */
+typedef struct mimo_scene_config {
+  uint32_t struct_size;  /**< sizeof(mimo_scene_config), set by mimo_scene_config_init. */
+  uint32_t reserved;     /**< 0. */
+  const char *name;      /**< Built-in scene: "benchmark", "free"; see mimo_scene_builtin. */
+  const char *file;      /**< Path of an MJCF file. Its includes may name built-in files as "mimo/mitten.xml". */
+  const char *xml;       /**< MJCF text; relative paths in it start from the working directory. */
+  const char *model_dir; /**< Folder to take built-in models from instead of those inside the library, or NULL. */
+  mimo_log_fn log;       /**< Messages about the scene's making, or NULL. */
+  void *log_user;        /**< Passed to log. */
+} mimo_scene_config;
+
+/**
+ * Fills a config with defaults: an empty world, silent.
+ * @param size sizeof(mimo_scene_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_scene_config_init(mimo_scene_config *config, size_t size) MIMO_NOEXCEPT;
+
+/** Name of the index-th built-in scene, or NULL past the last. Static string. */
+MIMO_API const char *mimo_scene_builtin(size_t index) MIMO_NOEXCEPT;
+
+/**
+ * Makes a scene. Parses the MJCF but compiles nothing yet.
+ * @param config NULL means defaults.
+ * @param scene  receives the handle; destroy it with mimo_scene_destroy.
+ */
+MIMO_API mimo_status mimo_scene_create(const mimo_scene_config *config, mimo_scene **scene) MIMO_NOEXCEPT;
+
+/** Destroys a scene. NULL and destroyed handles are ignored. Environments made from it live on. */
+MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
+
+#define MIMO_PROPRIOCEPTION_VELOCITY 0x01u     /**< Joint velocities, rad/s. */
+#define MIMO_PROPRIOCEPTION_TORQUE 0x02u       /**< Three-axis torque sensors at the joints, Nm. */
+#define MIMO_PROPRIOCEPTION_LIMIT 0x04u        /**< Limit sensors, 1 at a joint's limit. */
+#define MIMO_PROPRIOCEPTION_ACTUATION 0x08u    /**< Control inputs and motor torques. */
+#define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
+#define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
+#define MIMO_PROPRIOCEPTION_DEFAULT 0x2fu      /**< All but JOINT_TORQUE, as the original. */
+#define MIMO_PROPRIOCEPTION_ALL 0x3fu          /**< Everything. */
+
+#define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
+#define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
+#define MIMO_VISION_SEGMENTATION 0x04u /**< Geom id of each pixel, int32 H x W, -1 is background. */
+
+/** One infant: where it is and what it senses. */
+typedef struct mimo_agent_config {
+  uint32_t struct_size;          /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
+  uint32_t place_given;          /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
+  const char *name;              /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
+  const char *body;              /**< "mitten"; or "scene": the body is already part of the scene's MJCF. */
+  double position[3];            /**< Of the root body mimo_location, metres, world frame. */
+  double orientation[4];         /**< Of the root body, w x y z; need not be normalised. */
+  uint32_t proprioception;       /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
+  uint32_t vestibular;           /**< 1: accelerometer and gyroscope in the head; 0: none. */
+  double limit_threshold;        /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
+  uint32_t vision;               /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
+  uint32_t vision_width;         /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t vision_height;        /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t reserved;             /**< 0. */
+  double vision_fovy;            /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
+} mimo_agent_config;
+
+/**
+ * Fills a config with defaults: the mitten body at the scene's place, all senses on.
+ * @param size sizeof(mimo_agent_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Adds an infant.
+ * @param config NULL means defaults.
+ * @param agent  receives its number, 0 for the first; may be NULL.
+ * Errors: MIMO_E_UNSUPPORTED for a second agent (not yet in this version); MIMO_E_NOT_FOUND for an unknown body.
+ */
+MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
+                                          int32_t *agent) MIMO_NOEXCEPT;
+
+#define MIMO_SHAPE_SPHERE 1    /**< size: radius. */
+#define MIMO_SHAPE_CAPSULE 2   /**< size: radius, half length of the cylindrical part (along z). */
+#define MIMO_SHAPE_ELLIPSOID 3 /**< size: three radii. */
+#define MIMO_SHAPE_CYLINDER 4  /**< size: radius, half length (along z). */
+#define MIMO_SHAPE_BOX 5       /**< size: three half lengths. */
+
+/** A rigid object of one primitive shape. */
+typedef struct mimo_object_config {
+  uint32_t struct_size;  /**< sizeof(mimo_object_config), set by mimo_object_config_init. */
+  int32_t shape;         /**< A MIMO_SHAPE_ constant. */
+  const char *name;      /**< Of its body and its geom; needed, unique among bodies and geoms. */
+  double size[3];        /**< Metres, by shape; unused entries are ignored. */
+  double position[3];    /**< Metres, world frame. */
+  double orientation[4]; /**< w x y z; need not be normalised. */
+  double mass;           /**< Kilograms; 0: a density of 1000 kg/m^3. */
+  double rgba[4];        /**< Colour, 0 to 1. */
+  uint32_t fixed;        /**< 1: part of the world; 0: it moves freely. */
+  uint32_t reserved;     /**< 0. */
+} mimo_object_config;
+
+/**
+ * Fills a config with defaults: a red sphere of 4 cm radius and 0.1 kg at the origin, free to move, without name.
+ * @param size sizeof(mimo_object_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_object_config_init(mimo_object_config *config, size_t size) MIMO_NOEXCEPT;
+
+/** Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use. */
+MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_config *config) MIMO_NOEXCEPT;
+
+/**
+ * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools.
+ * @param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only.
+ * @param length receives the length without the terminating zero; may be NULL.
+ */
+MIMO_API mimo_status mimo_scene_xml(const mimo_scene *scene, char *text, size_t capacity,
+                                    size_t *length) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 4. Environments: one simulated world with its agents' senses.
+ * ------------------------------------------------------------------------------------------------- */
+
+/** A world: physics, agents, senses, observation layout. */
+typedef struct mimo_env mimo_env;
+
+#define MIMO_JACOBIAN_MODEL 0  /**< As the model says; built-in scenes say sparse. */
+#define MIMO_JACOBIAN_DENSE 1  /**< As the original solves; for comparing trajectories to the last digit. */
+#define MIMO_JACOBIAN_SPARSE 2 /**< The same solution to rounding, about twice as fast. */
+
+#define MIMO_DISABLE_CONTACT 0x1u /**< No contacts. */
+#define MIMO_DISABLE_GRAVITY 0x2u /**< No gravity. */
+
+/** How a world is simulated. */
+typedef struct mimo_env_config {
+  uint32_t struct_size;  /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
+  uint32_t frame_skip;   /**< Physics steps per environment step, 1 to 1000. Default 2 (of 5 ms each). */
+  int32_t jacobian;      /**< A MIMO_JACOBIAN_ constant. */
+  uint32_t disable;      /**< MIMO_DISABLE_ bits. */
+  const char *renderer;  /**< "auto" (default), "osmesa", or "none": then eyes must be off. */
+  uint32_t max_steps;    /**< Steps after which an episode is truncated; 0: never. */
+  uint32_t timing;       /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
+  mimo_log_fn log;       /**< Messages during create, reset and step, or NULL. */
+  void *log_user;        /**< Passed to log. */
+} mimo_env_config;
+
+/**
+ * Fills a config with defaults.
+ * @param size sizeof(mimo_env_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Compiles a scene and makes a world of it, in its initial state.
+ * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
+ * @param scene  is not needed any more afterwards.
+ * @param config NULL means defaults.
+ * Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_UNSUPPORTED when eyes are on and no renderer works here.
+ */
+MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
+                                     mimo_env **env) MIMO_NOEXCEPT;
+
+/** The usual case in one call: a built-in scene by name, one infant with all senses, default settings. */
+MIMO_API mimo_status mimo_env_make(const char *scene_name, mimo_env **env) MIMO_NOEXCEPT;
+
+/** Destroys a world. NULL and destroyed handles are ignored. */
+MIMO_API void mimo_env_destroy(mimo_env *env) MIMO_NOEXCEPT;
+
+/** What is to be known of one agent of a world. */
+typedef struct mimo_agent_info {
+  uint32_t struct_size;   /**< sizeof(mimo_agent_info), set by the caller. */
+  uint32_t action_offset; /**< Where its actions start in the action array. */
+  uint32_t action_count;  /**< How many they are. */
+  uint32_t reserved;      /**< 0. */
+  const char *name;       /**< Owned by the environment. */
+  double mass;            /**< Of its whole body, kg. */
+  double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
+} mimo_agent_info;
+
+/** Number of agents; also the length of the reward, terminated and truncated arrays of a step. */
+MIMO_API mimo_status mimo_env_agent_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
+
+/** Describes the index-th agent. Set info->struct_size first. */
+MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agent_info *info) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 5. Stepping and observations. An observation is one block of bytes that holds all fields.
+ * ------------------------------------------------------------------------------------------------- */
+
+#define MIMO_U8 1  /**< uint8_t */
+#define MIMO_I32 2 /**< int32_t */
+#define MIMO_F32 3 /**< float */
+#define MIMO_F64 4 /**< double */
+
+#define MIMO_AT_END 1        /**< Belongs to the end of the step. */
+#define MIMO_AT_LAST_START 2 /**< Belongs to the start of the last physics step, one time step (5 ms) before the end. */
+
+/** One field of the observation block. */
+typedef struct mimo_field {
+  uint32_t struct_size; /**< sizeof(mimo_field), set by the caller. */
+  int32_t dtype;        /**< MIMO_U8, MIMO_I32, MIMO_F32 or MIMO_F64. */
+  const char *name;     /**< Path, "proprioception/position", "vision/eye_left". Owned by the environment. */
+  const char *unit;     /**< "rad", "m/s^2", "" for none. Owned by the environment. */
+  const char *frame;    /**< Frame of reference: "joint", "site", "camera", "" for none. Owned by the environment. */
+  size_t offset;        /**< Bytes from the start of the block, a multiple of 64. */
+  size_t bytes;         /**< Length. */
+  size_t shape[4];      /**< C order; the first ndim entries count, the others are 0. */
+  uint32_t ndim;        /**< 1 to 4. */
+  int32_t time;         /**< MIMO_AT_END or MIMO_AT_LAST_START. */
+  double low;           /**< Smallest possible value; -infinity where there is none. */
+  double high;          /**< Largest possible value; infinity where there is none. */
+} mimo_field;
+
+/**
+ * Size of an observation block.
+ * @param bytes  receives the block's size, a multiple of 64; may be NULL. The block should be 64-byte aligned.
+ * @param fields receives the number of fields; may be NULL.
+ */
+MIMO_API mimo_status mimo_env_observation_size(const mimo_env *env, size_t *bytes, size_t *fields) MIMO_NOEXCEPT;
+
+/** Describes the index-th field. Set field->struct_size first. */
+MIMO_API mimo_status mimo_env_observation_field(const mimo_env *env, size_t index, mimo_field *field) MIMO_NOEXCEPT;
+
+/**
+ * What one element of a field is: the joint, sensor or actuator it belongs to, "robot:left_elbow".
+ * @param element position in the flattened field; pictures have no labels.
+ * @param label   receives a string owned by the environment.
+ */
+MIMO_API mimo_status mimo_env_observation_label(const mimo_env *env, size_t index, size_t element,
+                                                const char **label) MIMO_NOEXCEPT;
+
+/** Number of actions of all agents together. */
+MIMO_API mimo_status mimo_env_action_size(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
+
+/**
+ * Bounds of the actions. An action is the control input of one motor, as a share of its largest torque.
+ * @param low, high arrays of count elements; either may be NULL.
+ */
+MIMO_API mimo_status mimo_env_action_bounds(const mimo_env *env, float *low, float *high,
+                                            size_t count) MIMO_NOEXCEPT;
+
+/** Name of the index-th action, its actuator's: "act:left_elbow". The string is owned by the environment. */
+MIMO_API mimo_status mimo_env_action_name(const mimo_env *env, size_t index, const char **name) MIMO_NOEXCEPT;
+
+/**
+ * Starts an episode from the scene's initial state.
+ * @param seed  points to the seed of the world's random numbers; NULL goes on with its own stream.
+ * @param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
+ */
+MIMO_API mimo_status mimo_env_reset(mimo_env *env, const uint64_t *seed, void *block,
+                                    size_t block_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards.
+ * @param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the
+ *                     controls as they are (0 after a reset, or as set by mimo_env_set).
+ * @param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
+ * @param reward       one per agent; may be NULL.
+ * @param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL.
+ * @param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL.
+ * @param agents       length of the last three arrays, 0 if all are NULL.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action (nothing happens then);
+ *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified and the
+ *         world takes nothing but reset and destroy until it has been reset.
+ */
+MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
+                                   size_t block_bytes, double *reward, uint8_t *terminated, uint8_t *truncated,
+                                   size_t agents) MIMO_NOEXCEPT;
+
+/**
+ * The observation of the current state, without changing the trajectory. All its fields belong to the current
+ * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START.
+ */
+MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Bare physics: count physics steps with the controls as they are, without actuation, senses or task.
+ * What MuJoCo alone costs; also for hosts that bring senses and control of their own.
+ */
+MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
+
+/** Simulated seconds since reset. */
+MIMO_API mimo_status mimo_env_time(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
+
+/** Length of one physics step, seconds. */
+MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 6. Named access, for rewards and experiments of one's own. Look ids up once, then read and write many at a time.
+ * ------------------------------------------------------------------------------------------------- */
+
+#define MIMO_BODY 1     /**< Rigid bodies; 0 is the world. */
+#define MIMO_JOINT 2    /**< Joints: hinges, slides, balls, free joints. */
+#define MIMO_GEOM 3     /**< Shapes of bodies. */
+#define MIMO_SITE 4     /**< Marked places on bodies. */
+#define MIMO_CAMERA 5   /**< Cameras. */
+#define MIMO_ACTUATOR 6 /**< Motors. */
+#define MIMO_SENSOR 7   /**< MuJoCo's sensors. */
+
+#define MIMO_JOINT_POSITION 1      /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
+#define MIMO_JOINT_VELOCITY 2      /**< Joint: 1, 3 or 6. Writable. */
+#define MIMO_JOINT_FORCE 3         /**< Joint: 1, 3 or 6; generalised force applied by you until changed. Writable. */
+#define MIMO_JOINT_ACCELERATION 4  /**< Joint: 1, 3 or 6. */
+#define MIMO_JOINT_RANGE 5         /**< Joint: 2, low and high; -inf and inf when not limited. */
+#define MIMO_BODY_POSITION 6       /**< Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint. */
+#define MIMO_BODY_ORIENTATION 7    /**< Body: 4, w x y z. Writable for bodies with a free joint. */
+#define MIMO_BODY_VELOCITY 8       /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
+#define MIMO_BODY_FORCE 9          /**< Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable. */
+#define MIMO_BODY_MASS 10          /**< Body: 1, kg. */
+#define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
+#define MIMO_GEOM_POSITION 12      /**< Geom: 3, world, m. */
+#define MIMO_GEOM_ORIENTATION 13   /**< Geom: 4, w x y z. */
+#define MIMO_GEOM_SIZE 14          /**< Geom: 3, by shape. */
+#define MIMO_SITE_POSITION 15      /**< Site: 3, world, m. */
+#define MIMO_SITE_ORIENTATION 16   /**< Site: 4, w x y z. */
+#define MIMO_CAMERA_POSITION 17    /**< Camera: 3, world, m. */
+#define MIMO_CAMERA_ORIENTATION 18 /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
+#define MIMO_ACTUATOR_CONTROL 19   /**< Actuator: 1, control input. Writable. */
+#define MIMO_ACTUATOR_FORCE 20     /**< Actuator: 1, N or Nm. */
+#define MIMO_SENSOR_VALUE 21       /**< Sensor: its dimension. */
+
+/** How many of a kind (MIMO_BODY ...) the world has. */
+MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
+
+/**
+ * Finds something by its name in the model.
+ * Errors: MIMO_E_NOT_FOUND; the message lists names that are there.
+ */
+MIMO_API mimo_status mimo_env_find(const mimo_env *env, int32_t kind, const char *name, int32_t *id) MIMO_NOEXCEPT;
+
+/** Name of something; "" where the model gives none. The string is owned by the environment. */
+MIMO_API mimo_status mimo_env_name(const mimo_env *env, int32_t kind, int32_t id, const char **name) MIMO_NOEXCEPT;
+
+/** The body that a joint, geom, site or camera belongs to, or the parent of a body. */
+MIMO_API mimo_status mimo_env_body_of(const mimo_env *env, int32_t kind, int32_t id, int32_t *body) MIMO_NOEXCEPT;
+
+/** How many values a quantity (MIMO_JOINT_POSITION ...) has for a list of ids together. */
+MIMO_API mimo_status mimo_env_width(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+                                    size_t *value_count) MIMO_NOEXCEPT;
+
+/**
+ * Reads a quantity of many at once, one after the other.
+ * Positions and velocities of joints, controls and forces set by you are current. Everything else was computed by
+ * the last physics step from its start (MIMO_AT_LAST_START), or by reset, set and mimo_env_update, whichever came last.
+ * @param value_count length of values, as mimo_env_width gives it.
+ */
+MIMO_API mimo_status mimo_env_get(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+                                  double *values, size_t value_count) MIMO_NOEXCEPT;
+
+/**
+ * Writes a quantity of many at once. Quaternions are normalised. When joints or bodies were moved, the poses of
+ * everything are recomputed (as by mimo_env_update); a moved body keeps its velocity.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, or values that are not finite.
+ */
+MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+                                  const double *values, size_t value_count) MIMO_NOEXCEPT;
+
+/** Recomputes poses (bodies, geoms, sites, cameras) from the current joint positions. The trajectory stays as it was. */
+MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;
+
+#define MIMO_CONTACT_IDS 4     /**< Per contact: geom 1, geom 2, body of geom 1, body of geom 2. */
+#define MIMO_CONTACT_VALUES 19 /**< Per contact: position 3, frame 9 (rows: normal from geom 1 to geom 2, two tangents; world), distance 1 (negative: overlap), force on body 2 in that frame 3, torque 3. */
+
+/**
+ * The contacts that the last physics step computed (or reset), with their forces.
+ * @param ids      n x MIMO_CONTACT_IDS, C order; may be NULL.
+ * @param values   n x MIMO_CONTACT_VALUES, C order; SI units; may be NULL.
+ * @param capacity how many contacts the arrays have room for.
+ * @param count    receives how many there are.
+ * Errors: MIMO_E_BUFFER_TOO_SMALL when there are more than capacity and an array is given; count is set all the same.
+ */
+MIMO_API mimo_status mimo_env_contacts(const mimo_env *env, int32_t *ids, double *values, size_t capacity,
+                                       size_t *count) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 7. Pictures for people: any camera of the model, or a free one that looks at a point.
+ * ------------------------------------------------------------------------------------------------- */
+
+/** What to draw. */
+typedef struct mimo_picture_config {
+  uint32_t struct_size; /**< sizeof(mimo_picture_config), set by mimo_picture_config_init. */
+  uint32_t width;       /**< Pixels, 1 to 4096. Default 640. */
+  uint32_t height;      /**< Pixels, 1 to 4096. Default 480. */
+  uint32_t reserved;    /**< 0. */
+  const char *camera;   /**< A camera of the model; NULL: the free camera below. */
+  double look_at[3];    /**< Free camera: the point in the middle, world, m. */
+  double distance;      /**< Free camera: from that point, m, > 0. */
+  double azimuth;       /**< Free camera: degrees; 0 looks along +x, 90 along +y. */
+  double elevation;     /**< Free camera: degrees; negative looks down. */
+  double fovy;          /**< Vertical field of view, degrees; 0: the camera's own. */
+} mimo_picture_config;
+
+/**
+ * Fills a config with defaults: a free camera that sees the infant from the front.
+ * @param size sizeof(mimo_picture_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Draws the current state.
+ * @param rgb          height x width x 3 bytes, row 0 is the top; NULL with rgb_bytes 0: not wanted.
+ * @param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted.
+ * @param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted.
+ */
+MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *config, uint8_t *rgb, size_t rgb_bytes,
+                                     float *depth, size_t depth_count, int32_t *segmentation,
+                                     size_t segmentation_count) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 8. Timing: where a step's time goes.
+ * ------------------------------------------------------------------------------------------------- */
+
+/** Seconds spent in the parts of steps since the last call of mimo_env_timing_reset. */
+typedef struct mimo_timing {
+  uint32_t struct_size;  /**< sizeof(mimo_timing), set by the caller. */
+  uint32_t reserved;     /**< 0. */
+  uint64_t steps;        /**< Environment steps counted. */
+  double total;          /**< Everything. */
+  double physics;        /**< MuJoCo's steps. */
+  double touch;          /**< 0 in this version. */
+  double vision;         /**< Drawing the eyes' pictures. */
+  double proprioception; /**< Joint senses. */
+  double vestibular;     /**< Accelerometer and gyroscope. */
+} mimo_timing;
+
+/** Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first. */
+MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) MIMO_NOEXCEPT;
+
+/** Starts counting anew. */
+MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

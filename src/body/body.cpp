@@ -1,0 +1,102 @@
+#include "body/body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/fail.h"
+
+namespace mimo::body {
+namespace {
+
+using engine::Kind;
+
+bool starts_with(const char* text, const std::string& prefix) {
+  return std::string_view(text).substr(0, prefix.size()) == prefix;
+}
+
+std::vector<int> ids_with_prefix(const mjModel& model, Kind kind, const std::string& prefix) {
+  std::vector<int> ids;
+  for (int id = 0; id < engine::count(model, kind); ++id) {
+    if (starts_with(engine::name(model, kind, id), prefix)) ids.push_back(id);
+  }
+  return ids;
+}
+
+std::vector<int> subtree(const mjModel& model, int root) {
+  std::vector<int> bodies;
+  for (int body = root; body < model.nbody; ++body) {
+    int ancestor = body;
+    while (ancestor > root) ancestor = model.body_parentid[ancestor];
+    if (ancestor == root) bodies.push_back(body);
+  }
+  return bodies;
+}
+
+Joint joint(const mjModel& model, int id) {
+  if (model.jnt_type[id] != mjJNT_HINGE) {
+    fail(Status::kModel, "joint {} is not a hinge", engine::name(model, Kind::kJoint, id));
+  }
+  return {id, model.jnt_qposadr[id], model.jnt_dofadr[id], model.jnt_range[2 * id], model.jnt_range[2 * id + 1]};
+}
+
+Sensor sensor(const mjModel& model, int id) { return {id, model.sensor_adr[id], model.sensor_dim[id]}; }
+
+std::optional<Sensor> find_sensor(const mjModel& model, const std::string& name) {
+  const int id = engine::find(model, Kind::kSensor, name.c_str());
+  if (id < 0) return std::nullopt;
+  return sensor(model, id);
+}
+
+// Half the extent of a geom along the world's z axis.
+double half_height(const mjModel& model, const mjData& data, int geom) {
+  const double* size = model.geom_size + 3 * geom;
+  const double* z = data.geom_xmat + 9 * geom + 6;  // the world's z axis in the geom's frame
+  switch (model.geom_type[geom]) {
+    case mjGEOM_SPHERE: return size[0];
+    case mjGEOM_CAPSULE: return size[0] + std::abs(z[2]) * size[1];
+    case mjGEOM_CYLINDER: return size[0] * std::hypot(z[0], z[1]) + size[1] * std::abs(z[2]);
+    case mjGEOM_BOX: return size[0] * std::abs(z[0]) + size[1] * std::abs(z[1]) + size[2] * std::abs(z[2]);
+    case mjGEOM_ELLIPSOID: return std::hypot(size[0] * z[0], size[1] * z[1], size[2] * z[2]);
+    default: return model.geom_rbound[geom];
+  }
+}
+
+}  // namespace
+
+Body find_body(const mjModel& model, const std::string& prefix) {
+  Body body;
+  body.prefix = prefix;
+  body.root = engine::find_or_fail(model, Kind::kBody, prefix + "mimo_location");
+  body.head = engine::find_or_fail(model, Kind::kBody, prefix + "head");
+  body.bodies = subtree(model, body.root);
+  for (const int id : ids_with_prefix(model, Kind::kJoint, prefix + "robot:")) body.joints.push_back(joint(model, id));
+  body.actuators = ids_with_prefix(model, Kind::kActuator, prefix + "act:");
+  for (const int id : ids_with_prefix(model, Kind::kSensor, prefix + "proprio:")) {
+    body.torques.push_back(sensor(model, id));
+  }
+  body.accelerometer = find_sensor(model, prefix + "vestibular_acc");
+  body.gyroscope = find_sensor(model, prefix + "vestibular_gyro");
+  body.eye_left = engine::find(model, Kind::kCamera, (prefix + "eye_left").c_str());
+  body.eye_right = engine::find(model, Kind::kCamera, (prefix + "eye_right").c_str());
+  return body;
+}
+
+double mass(const mjModel& model, const Body& body) { return model.body_subtreemass[body.root]; }
+
+double height(const mjModel& model, const mjData& data, const Body& body) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const int id : body.bodies) {
+    for (int geom = model.body_geomadr[id]; geom < model.body_geomadr[id] + model.body_geomnum[id]; ++geom) {
+      const double center = data.geom_xpos[3 * geom + 2];
+      const double half = half_height(model, data, geom);
+      low = std::min(low, center - half);
+      high = std::max(high, center + half);
+    }
+  }
+  return high > low ? high - low : 0;
+}
+
+}  // namespace mimo::body

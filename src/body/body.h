@@ -1,0 +1,47 @@
+// What belongs to one infant in a compiled model, looked up by name once.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/physics.h"
+
+namespace mimo::body {
+
+struct Joint {
+  int id = 0;
+  int qpos = 0;  // address in qpos
+  int dof = 0;   // address in qvel
+  double low = 0, high = 0;  // range, rad
+};
+
+// Consecutive values of one MuJoCo sensor.
+struct Sensor {
+  int id = 0;
+  int address = 0;
+  int dimension = 0;
+};
+
+struct Body {
+  std::string prefix;             // of all its names, "" or "anna/"
+  int root = 0;                   // body mimo_location
+  int head = 0;
+  std::vector<int> bodies;        // the whole subtree, in model order
+  std::vector<Joint> joints;      // robot:*, in model order
+  std::vector<int> actuators;     // act:*, in model order
+  std::vector<Sensor> torques;    // proprio:*, three axes each
+  std::optional<Sensor> accelerometer;
+  std::optional<Sensor> gyroscope;
+  int eye_left = -1, eye_right = -1;  // cameras
+};
+
+// Throws Status::kNotFound when the model has no such infant.
+Body find_body(const mjModel& model, const std::string& prefix);
+
+double mass(const mjModel& model, const Body& body);
+
+// Vertical extent of the body's geoms at the poses that data holds, m.
+double height(const mjModel& model, const mjData& data, const Body& body);
+
+}  // namespace mimo::body

@@ -1,0 +1,149 @@
+// Named access.
+#include "env/access.h"
+
+#include <algorithm>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+
+namespace mimo::capi {
+namespace {
+
+using engine::Kind;
+
+void check_id(const mjModel& model, Kind kind, std::int32_t id) {
+  const int limit = engine::count(model, kind);
+  require(id >= 0 && id < limit, "id is {}, expected a {} id from 0 to {}", id, engine::word(kind), limit - 1);
+}
+
+int body_of(const mjModel& model, Kind kind, std::int32_t id) {
+  switch (kind) {
+    case Kind::kBody: return model.body_parentid[id];
+    case Kind::kJoint: return model.jnt_bodyid[id];
+    case Kind::kGeom: return model.geom_bodyid[id];
+    case Kind::kSite: return model.site_bodyid[id];
+    case Kind::kCamera: return model.cam_bodyid[id];
+    default:
+      fail(Status::kInvalidArgument, "kind is {} ({}), expected body, joint, geom, site or camera",
+           static_cast<int>(kind), engine::word(kind));
+  }
+}
+
+void write_contact(const mjModel& model, const mjData& data, int index, std::int32_t* ids, double* values) {
+  const mjContact& contact = data.contact[index];
+  if (ids != nullptr) {
+    const std::int32_t all[MIMO_CONTACT_IDS] = {contact.geom1, contact.geom2, model.geom_bodyid[contact.geom1],
+                                                model.geom_bodyid[contact.geom2]};
+    std::copy(std::begin(all), std::end(all), ids + MIMO_CONTACT_IDS * index);
+  }
+  if (values != nullptr) {
+    double* at = values + MIMO_CONTACT_VALUES * index;
+    at = std::copy_n(contact.pos, 3, at);
+    at = std::copy_n(contact.frame, 9, at);
+    *at++ = contact.dist;
+    const auto force = engine::contact_force(model, data, index);
+    std::copy(force.begin(), force.end(), at);
+  }
+}
+
+void check_width(const mjModel& model, env::Quantity quantity, Span<const std::int32_t> ids, std::size_t count) {
+  const std::size_t expected = env::width(model, quantity, ids);
+  if (count < expected) fail(Status::kBufferTooSmall, "value_count is {}, but {} are needed", count, expected);
+  require(count == expected, "value_count is {}, expected {}", count, expected);
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_env_count(const mimo_env* env, int32_t kind, size_t* count) noexcept {
+  return guard([&] {
+    const mjModel& model = open(env).world.model();
+    out(count, "count") = static_cast<size_t>(engine::count(model, env::kind_from(kind)));
+  });
+}
+
+mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, int32_t* id) noexcept {
+  return guard([&] {
+    const mjModel& model = open(env).world.model();
+    require(name != nullptr, "name is NULL");
+    out(id, "id") = engine::find_or_fail(model, env::kind_from(kind), name);
+  });
+}
+
+mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const char** name) noexcept {
+  return guard([&] {
+    const mjModel& model = open(env).world.model();
+    const Kind of = env::kind_from(kind);
+    check_id(model, of, id);
+    out(name, "name") = engine::name(model, of, id);
+  });
+}
+
+mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int32_t* body) noexcept {
+  return guard([&] {
+    const mjModel& model = open(env).world.model();
+    const Kind of = env::kind_from(kind);
+    check_id(model, of, id);
+    out(body, "body") = body_of(model, of, id);
+  });
+}
+
+mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count,
+                           size_t* value_count) noexcept {
+  return guard([&] {
+    const mjModel& model = open(env).world.model();
+    out(value_count, "value_count") =
+        env::width(model, env::quantity_from(quantity), array(ids, id_count, "ids"));
+  });
+}
+
+mimo_status mimo_env_get(const mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count, double* values,
+                         size_t value_count) noexcept {
+  return guard([&] {
+    const engine::Physics& physics = open(env).world.physics();
+    const env::Quantity what = env::quantity_from(quantity);
+    const auto which = array(ids, id_count, "ids");
+    const auto where = array(values, value_count, "values");
+    check_width(physics.model(), what, which, value_count);
+    env::get(physics, what, which, where);
+  });
+}
+
+mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count, const double* values,
+                         size_t value_count) noexcept {
+  return guard([&] {
+    engine::Physics& physics = open(env).world.physics();
+    const env::Quantity what = env::quantity_from(quantity);
+    const auto which = array(ids, id_count, "ids");
+    const auto from = array(values, value_count, "values");
+    check_width(physics.model(), what, which, value_count);
+    env::set(physics, what, which, from);
+  });
+}
+
+mimo_status mimo_env_update(mimo_env* env) noexcept {
+  return guard([&] { open(env).world.physics().update_poses(); });
+}
+
+mimo_status mimo_env_contacts(const mimo_env* env, int32_t* ids, double* values, size_t capacity,
+                              size_t* count) noexcept {
+  return guard([&] {
+    const env::World& world = open(env).world;
+    const mjData& data = world.data();
+    const auto found = static_cast<size_t>(data.ncon);
+    out(count, "count") = found;
+    const bool wanted = ids != nullptr || values != nullptr;
+    if (wanted && capacity < found) {
+      fail(Status::kBufferTooSmall, "capacity is {}, but there are {} contacts", capacity, found);
+    }
+    for (int i = 0; wanted && i < data.ncon; ++i) write_contact(world.model(), data, i, ids, values);
+  });
+}
+
+}  // extern "C"

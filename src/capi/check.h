@@ -1,0 +1,52 @@
+// Checks that many functions of the border share.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "base/fail.h"
+#include "base/span.h"
+
+namespace mimo::capi {
+
+// An output parameter that must be there.
+template <typename T>
+T& out(T* pointer, const char* argument) {
+  require(pointer != nullptr, "{} is NULL", argument);
+  return *pointer;
+}
+
+// An optional buffer: NULL with length 0, or of at least `needed` elements.
+template <typename T>
+void check_buffer(const T* buffer, std::size_t length, std::size_t needed, const char* argument) {
+  require(buffer != nullptr || length == 0, "{} is NULL, but its length is {}", argument, length);
+  if (buffer != nullptr && length < needed) {
+    fail(Status::kBufferTooSmall, "{} has a length of {}, but {} are needed", argument, length, needed);
+  }
+}
+
+// An array that must be there unless it is empty.
+template <typename T>
+Span<T> array(T* data, std::size_t count, const char* argument) {
+  require(data != nullptr || count == 0, "{} is NULL, but its length is {}", argument, count);
+  return {data, count};
+}
+
+// A config's string; NULL counts as "".
+inline std::string text(const char* string) { return string == nullptr ? std::string() : std::string(string); }
+
+inline void check_finite(const double* values, std::size_t count, const char* argument) {
+  for (std::size_t i = 0; i < count; ++i) {
+    require(std::isfinite(values[i]), "{}[{}] is {}, expected a finite number", argument, i, values[i]);
+  }
+}
+
+inline void check_flag(std::uint32_t value, const char* argument) {
+  require(value <= 1, "{} is {}, expected 0 or 1", argument, value);
+}
+
+inline void check_bits(std::uint32_t value, std::uint32_t all, const char* argument) {
+  require((value & ~all) == 0, "{} is {:#x}, expected bits of {:#x}", argument, value, all);
+}
+
+}  // namespace mimo::capi

@@ -1,0 +1,100 @@
+#include <mutex>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+mimo_env_config default_env_config() {
+  mimo_env_config config{};
+  config.struct_size = sizeof config;
+  config.frame_skip = 2;
+  config.jacobian = MIMO_JACOBIAN_MODEL;
+  config.renderer = "auto";
+  return config;
+}
+
+env::EnvOptions env_options(const mimo_env_config& config) {
+  env::EnvOptions options;
+  require(config.frame_skip >= 1 && config.frame_skip <= 1000, "frame_skip is {}, expected 1 to 1000",
+          config.frame_skip);
+  options.frame_skip = static_cast<int>(config.frame_skip);
+  require(config.jacobian >= MIMO_JACOBIAN_MODEL && config.jacobian <= MIMO_JACOBIAN_SPARSE,
+          "jacobian is {}, expected a MIMO_JACOBIAN_ constant, 0 to 2", config.jacobian);
+  options.physics.jacobian = static_cast<engine::Jacobian>(config.jacobian);
+  check_bits(config.disable, MIMO_DISABLE_CONTACT | MIMO_DISABLE_GRAVITY, "disable");
+  options.physics.contacts = (config.disable & MIMO_DISABLE_CONTACT) == 0;
+  options.physics.gravity = (config.disable & MIMO_DISABLE_GRAVITY) == 0;
+  options.renderer = text(config.renderer);
+  require(options.renderer == "auto" || options.renderer == "osmesa" || options.renderer == "none",
+          "renderer is \"{}\", expected auto, osmesa or none", options.renderer);
+  options.max_steps = config.max_steps;
+  check_flag(config.timing, "timing");
+  options.timing = config.timing != 0;
+  options.log = {config.log, config.log_user};
+  return options;
+}
+
+mimo_env* make_env(const SceneObject& object, const mimo_env_config& config) {
+  const env::EnvOptions options = env_options(config);
+  const scene::Composition composition = object.scene.compose();
+  engine::ModelPtr model = engine::compile(composition.xml, composition.assets, object.log);
+  return wrap<mimo_env>(std::make_unique<EnvObject>(std::move(model), object.agents, options));
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_env_config_init(mimo_env_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_env_config(), "config"); });
+}
+
+mimo_status mimo_env_create(const mimo_scene* scene, const mimo_env_config* config, mimo_env** env) noexcept {
+  return guard([&] {
+    mimo_env*& result = out(env, "env");
+    result = make_env(open(scene), read_struct(config, default_env_config(), "config"));
+  });
+}
+
+mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
+  return guard([&] {
+    mimo_env*& result = out(env, "env");
+    require(scene_name != nullptr, "scene_name is NULL");
+    scene::Source source;
+    source.name = scene_name;
+    SceneObject object{scene::Scene(source), {env::AgentOptions()}, {}};
+    object.scene.add_body("mitten", "", nullptr);
+    result = make_env(object, default_env_config());
+  });
+}
+
+void mimo_env_destroy(mimo_env* env) noexcept { destroy(env); }
+
+mimo_status mimo_env_agent_count(const mimo_env* env, size_t* count) noexcept {
+  return guard([&] { out(count, "count") = open(env).world.agents().size(); });
+}
+
+mimo_status mimo_env_agent(const mimo_env* env, size_t index, mimo_agent_info* info) noexcept {
+  return guard([&] {
+    const auto& agents = open(env).world.agents();
+    require(index < agents.size(), "index is {}, but there are {} agents", index, agents.size());
+    const env::Agent& agent = agents[index];
+    mimo_agent_info ours{};
+    ours.action_offset = static_cast<uint32_t>(agent.action_offset);
+    ours.action_count = static_cast<uint32_t>(agent.actuation->size());
+    ours.name = agent.name.c_str();
+    ours.mass = agent.mass;
+    ours.height = agent.height;
+    write_described(info, ours, "info");
+  });
+}
+
+}  // extern "C"

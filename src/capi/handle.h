@@ -1,0 +1,50 @@
+// Opaque handles. A handle points to a small control block that is never given back to the system, so that a
+// destroyed or wrong-kind handle is recognised instead of crashing the host.
+#pragma once
+
+#include <memory>
+
+#include "base/fail.h"
+
+namespace mimo::capi {
+
+enum class HandleKind : unsigned { kScene = 1, kEnv = 2 };
+
+// Makes a handle that owns the object.
+void* make_handle(HandleKind kind, void* object);
+// The object behind a handle. Throws Status::kBadHandle or kForked; `argument` names the parameter.
+void* open_handle(const void* handle, HandleKind kind, const char* argument);
+// Retires a handle and returns its object, or null for null, retired and foreign handles.
+void* retire_handle(void* handle, HandleKind kind) noexcept;
+
+// What each public handle type stands for; specialised in objects.h.
+template <typename Public>
+struct HandleTraits;
+
+template <typename Public>
+using Object = typename HandleTraits<Public>::Type;
+
+template <typename Public>
+Public* wrap(std::unique_ptr<Object<Public>> object) {
+  void* handle = make_handle(HandleTraits<Public>::kKind, object.get());
+  object.release();
+  return static_cast<Public*>(handle);
+}
+
+template <typename Public>
+Object<Public>& open(Public* handle) {
+  using Traits = HandleTraits<Public>;
+  return *static_cast<Object<Public>*>(open_handle(handle, Traits::kKind, Traits::kName));
+}
+
+template <typename Public>
+const Object<Public>& open(const Public* handle) {
+  return open(const_cast<Public*>(handle));
+}
+
+template <typename Public>
+void destroy(Public* handle) noexcept {
+  delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kKind));
+}
+
+}  // namespace mimo::capi

@@ -1,0 +1,81 @@
+// Pictures for people.
+#include <algorithm>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+mimo_picture_config default_picture_config() {
+  mimo_picture_config config{};
+  config.struct_size = sizeof config;
+  config.width = 640;
+  config.height = 480;
+  config.look_at[0] = 0.05;
+  config.look_at[2] = 0.45;
+  config.distance = 1.6;
+  config.azimuth = 150;
+  config.elevation = -12;
+  return config;
+}
+
+void check_picture_config(const mimo_picture_config& config) {
+  require(config.width >= 1 && config.width <= 4096, "width is {}, expected 1 to 4096", config.width);
+  require(config.height >= 1 && config.height <= 4096, "height is {}, expected 1 to 4096", config.height);
+  require(config.fovy == 0 || (config.fovy >= 1 && config.fovy <= 170),
+          "fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.fovy);
+  if (config.camera != nullptr) return;
+  check_finite(config.look_at, 3, "look_at");
+  require(config.distance > 0 && std::isfinite(config.distance), "distance is {}, expected metres above 0",
+          config.distance);
+  require(std::isfinite(config.azimuth) && std::isfinite(config.elevation), "azimuth {}, elevation {}: not finite",
+          config.azimuth, config.elevation);
+}
+
+render::View view(const env::World& world, const mimo_picture_config& config, int camera) {
+  if (camera >= 0) return render::camera_view(world.model(), world.data(), camera, config.fovy);
+  const double fovy = config.fovy > 0 ? config.fovy : static_cast<double>(world.model().vis.global.fovy);
+  return render::orbit_view({config.look_at[0], config.look_at[1], config.look_at[2]}, config.distance,
+                            config.azimuth, config.elevation, fovy);
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_picture_config_init(mimo_picture_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_picture_config(), "config"); });
+}
+
+mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, uint8_t* rgb, size_t rgb_bytes,
+                            float* depth, size_t depth_count, int32_t* segmentation,
+                            size_t segmentation_count) noexcept {
+  return guard([&] {
+    env::World& world = open(env).world;
+    const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
+    check_picture_config(ours);
+    const std::size_t pixels = std::size_t{ours.width} * ours.height;
+    check_buffer(rgb, rgb_bytes, 3 * pixels, "rgb");
+    check_buffer(depth, depth_count, pixels, "depth");
+    check_buffer(segmentation, segmentation_count, pixels, "segmentation");
+    const int camera =
+        ours.camera == nullptr ? -1 : engine::find_or_fail(world.model(), engine::Kind::kCamera, ours.camera);
+    world.physics().update_poses();
+    render::Picture picture;
+    picture.width = static_cast<int>(ours.width);
+    picture.height = static_cast<int>(ours.height);
+    picture.rgb = rgb;
+    picture.depth = depth;
+    picture.segmentation = segmentation;
+    world.draw(view(world, ours, camera), picture);
+  });
+}
+
+}  // extern "C"

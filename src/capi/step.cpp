@@ -1,0 +1,155 @@
+// Stepping and observations.
+#include <algorithm>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+const senses::Field& field_at(const env::World& world, std::size_t index) {
+  require(index < world.layout().size(), "index is {}, but there are {} fields", index, world.layout().size());
+  return world.layout()[index];
+}
+
+std::uint8_t* block_bytes_of(const env::World& world, void* block, std::size_t bytes) {
+  auto* start = static_cast<std::uint8_t*>(block);
+  check_buffer(start, bytes, world.layout().bytes(), "block");
+  return start;
+}
+
+void check_actions(const env::World& world, Span<const float> actions) {
+  require(actions.empty() || actions.size() == world.action_size(), "action_count is {}, expected {} or 0",
+          actions.size(), world.action_size());
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    require(!std::isnan(actions[i]), "action[{}] is not a number", i);
+  }
+}
+
+template <typename T>
+Span<T> per_agent(T* values, std::size_t count) {
+  return values == nullptr ? Span<T>() : Span<T>(values, count);
+}
+
+void check_agents(const env::World& world, std::size_t agents, bool any) {
+  const std::size_t expected = any ? world.agents().size() : 0;
+  if (any && agents < expected) {
+    fail(Status::kBufferTooSmall, "agents is {}, but reward, terminated and truncated need {}", agents, expected);
+  }
+}
+
+mimo_field describe(const senses::Field& field) {
+  mimo_field ours{};
+  ours.dtype = static_cast<int32_t>(field.type);
+  ours.name = field.name.c_str();
+  ours.unit = field.unit.c_str();
+  ours.frame = field.frame.c_str();
+  ours.offset = field.offset;
+  ours.bytes = field.bytes();
+  std::copy(field.shape.begin(), field.shape.end(), std::begin(ours.shape));
+  ours.ndim = static_cast<uint32_t>(field.shape.size());
+  ours.time = static_cast<int32_t>(field.time);
+  ours.low = field.low;
+  ours.high = field.high;
+  return ours;
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_env_observation_size(const mimo_env* env, size_t* bytes, size_t* fields) noexcept {
+  return guard([&] {
+    const env::Layout& layout = open(env).world.layout();
+    if (bytes != nullptr) *bytes = layout.bytes();
+    if (fields != nullptr) *fields = layout.size();
+  });
+}
+
+mimo_status mimo_env_observation_field(const mimo_env* env, size_t index, mimo_field* field) noexcept {
+  return guard([&] { write_described(field, describe(field_at(open(env).world, index)), "field"); });
+}
+
+mimo_status mimo_env_observation_label(const mimo_env* env, size_t index, size_t element, const char** label) noexcept {
+  return guard([&] {
+    const senses::Field& field = field_at(open(env).world, index);
+    require(element < field.count(), "element is {}, but {} has {} elements", element, field.name, field.count());
+    out(label, "label") = field.label(element);
+  });
+}
+
+mimo_status mimo_env_action_size(const mimo_env* env, size_t* count) noexcept {
+  return guard([&] { out(count, "count") = open(env).world.action_size(); });
+}
+
+mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high, size_t count) noexcept {
+  return guard([&] {
+    const env::World& world = open(env).world;
+    if (count < world.action_size()) {
+      fail(Status::kBufferTooSmall, "count is {}, but there are {} actions", count, world.action_size());
+    }
+    for (const env::Agent& agent : world.agents()) {
+      const actuation::Actuation& actuation = *agent.actuation;
+      if (low != nullptr) std::copy(actuation.low().begin(), actuation.low().end(), low + agent.action_offset);
+      if (high != nullptr) std::copy(actuation.high().begin(), actuation.high().end(), high + agent.action_offset);
+    }
+  });
+}
+
+mimo_status mimo_env_action_name(const mimo_env* env, size_t index, const char** name) noexcept {
+  return guard([&] {
+    const auto [agent, local] = open(env).world.action(index);
+    out(name, "name") = agent->actuation->names()[local].c_str();
+  });
+}
+
+mimo_status mimo_env_reset(mimo_env* env, const uint64_t* seed, void* block, size_t block_bytes) noexcept {
+  return guard([&] {
+    env::World& world = open(env).world;
+    world.reset(seed, block_bytes_of(world, block, block_bytes));
+  });
+}
+
+mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_count, void* block, size_t block_bytes,
+                          double* reward, uint8_t* terminated, uint8_t* truncated, size_t agents) noexcept {
+  return guard([&] {
+    env::World& world = open(env).world;
+    const Span<const float> actions = array(action, action_count, "action");
+    check_actions(world, actions);
+    check_agents(world, agents, reward != nullptr || terminated != nullptr || truncated != nullptr);
+    std::uint8_t* start = block_bytes_of(world, block, block_bytes);
+    const std::size_t count = world.agents().size();
+    world.step(actions, start, {per_agent(reward, count), per_agent(terminated, count), per_agent(truncated, count)});
+  });
+}
+
+mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noexcept {
+  return guard([&] {
+    env::World& world = open(env).world;
+    require(block != nullptr, "block is NULL");
+    world.observe(block_bytes_of(world, block, block_bytes));
+  });
+}
+
+mimo_status mimo_env_physics_step(mimo_env* env, size_t count) noexcept {
+  return guard([&] {
+    require(count <= 1000000, "count is {}, expected up to 1000000", count);
+    open(env).world.physics_step(static_cast<int>(count));
+  });
+}
+
+mimo_status mimo_env_time(const mimo_env* env, double* seconds) noexcept {
+  return guard([&] { out(seconds, "seconds") = open(env).world.data().time; });
+}
+
+mimo_status mimo_env_timestep(const mimo_env* env, double* seconds) noexcept {
+  return guard([&] { out(seconds, "seconds") = open(env).world.model().opt.timestep; });
+}
+
+}  // extern "C"

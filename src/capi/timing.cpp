@@ -1,0 +1,30 @@
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
+  return guard([&] {
+    const env::Timing& inner = open(env).world.timing();
+    const auto of = [&](senses::Part part) { return inner.senses[static_cast<std::size_t>(part)]; };
+    mimo_timing ours{};
+    ours.steps = inner.steps;
+    ours.total = inner.total;
+    ours.physics = inner.physics;
+    ours.touch = of(senses::Part::kTouch);
+    ours.vision = of(senses::Part::kVision);
+    ours.proprioception = of(senses::Part::kProprioception);
+    ours.vestibular = of(senses::Part::kVestibular);
+    write_described(timing, ours, "timing");
+  });
+}
+
+mimo_status mimo_env_timing_reset(mimo_env* env) noexcept {
+  return guard([&] { open(env).world.reset_timing(); });
+}
+
+}  // extern "C"

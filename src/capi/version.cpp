@@ -1,0 +1,51 @@
+#include "base/status.h"
+#include "engine/physics.h"
+#include "mimo/mimo.h"
+
+#define MIMO_TEXT_OF(x) #x
+#define MIMO_TEXT(x) MIMO_TEXT_OF(x)
+
+// Inside, the statuses are an enum of their own, so that no room below depends on the public header.
+static_assert(MIMO_E_INVALID_ARGUMENT == static_cast<int>(mimo::Status::kInvalidArgument));
+static_assert(MIMO_E_BAD_HANDLE == static_cast<int>(mimo::Status::kBadHandle));
+static_assert(MIMO_E_BUFFER_TOO_SMALL == static_cast<int>(mimo::Status::kBufferTooSmall));
+static_assert(MIMO_E_STRUCT_SIZE == static_cast<int>(mimo::Status::kStructSize));
+static_assert(MIMO_E_NOT_FOUND == static_cast<int>(mimo::Status::kNotFound));
+static_assert(MIMO_E_MODEL == static_cast<int>(mimo::Status::kModel));
+static_assert(MIMO_E_SIMULATION == static_cast<int>(mimo::Status::kSimulation));
+static_assert(MIMO_E_RENDER == static_cast<int>(mimo::Status::kRender));
+static_assert(MIMO_E_UNSUPPORTED == static_cast<int>(mimo::Status::kUnsupported));
+static_assert(MIMO_E_OUT_OF_MEMORY == static_cast<int>(mimo::Status::kOutOfMemory));
+static_assert(MIMO_E_FORKED == static_cast<int>(mimo::Status::kForked));
+static_assert(MIMO_E_INTERNAL == static_cast<int>(mimo::Status::kInternal));
+
+extern "C" {
+
+uint32_t mimo_abi_version(void) noexcept { return MIMO_ABI_VERSION; }
+
+const char* mimo_version(void) noexcept {
+  return MIMO_TEXT(MIMO_VERSION_MAJOR) "." MIMO_TEXT(MIMO_VERSION_MINOR) "." MIMO_TEXT(MIMO_VERSION_PATCH);
+}
+
+const char* mimo_mujoco_version(void) noexcept { return mimo::engine::mujoco_version(); }
+
+const char* mimo_status_name(mimo_status status) noexcept {
+  switch (status) {
+    case MIMO_OK: return "MIMO_OK";
+    case MIMO_E_INVALID_ARGUMENT: return "MIMO_E_INVALID_ARGUMENT";
+    case MIMO_E_BAD_HANDLE: return "MIMO_E_BAD_HANDLE";
+    case MIMO_E_BUFFER_TOO_SMALL: return "MIMO_E_BUFFER_TOO_SMALL";
+    case MIMO_E_STRUCT_SIZE: return "MIMO_E_STRUCT_SIZE";
+    case MIMO_E_NOT_FOUND: return "MIMO_E_NOT_FOUND";
+    case MIMO_E_MODEL: return "MIMO_E_MODEL";
+    case MIMO_E_SIMULATION: return "MIMO_E_SIMULATION";
+    case MIMO_E_RENDER: return "MIMO_E_RENDER";
+    case MIMO_E_UNSUPPORTED: return "MIMO_E_UNSUPPORTED";
+    case MIMO_E_OUT_OF_MEMORY: return "MIMO_E_OUT_OF_MEMORY";
+    case MIMO_E_FORKED: return "MIMO_E_FORKED";
+    case MIMO_E_INTERNAL: return "MIMO_E_INTERNAL";
+    default: return "MIMO_E_UNKNOWN";
+  }
+}
+
+}  // extern "C"

@@ -1,0 +1,273 @@
+// mimo bench: how fast the world steps, and what the same physics costs without it.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "allocations.h"
+#include "commands.h"
+#include "progress.h"
+#include "random_actions.h"
+#include "text.h"
+#include "timing.h"
+#include "world.h"
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BenchOptions {
+  WorldOptions world;
+  std::size_t steps = 1000;
+  int worlds = 1, threads = 1;
+  bool json = false;
+};
+
+using Actions = std::vector<std::vector<float>>;
+
+// Seconds of many repetitions of one thing.
+class Samples {
+ public:
+  explicit Samples(std::size_t room) { seconds_.reserve(room); }
+  void add(double seconds) { seconds_.push_back(seconds); }
+  double sum() const { return std::accumulate(seconds_.begin(), seconds_.end(), 0.0); }
+  double mean() const { return seconds_.empty() ? 0 : sum() / static_cast<double>(seconds_.size()); }
+  double median() const {
+    if (seconds_.empty()) return 0;
+    auto sorted = seconds_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+  }
+
+ private:
+  std::vector<double> seconds_;
+};
+
+// The world as users run it.
+class FullWorld {
+ public:
+  explicit FullWorld(const BenchOptions& options)
+      : env_(open_world(options.world, timed_config())), block_(env_.make_block()), times_(options.steps) {
+    env_.reset(options.world.seed, block_);
+  }
+
+  // The first step of a world makes what later ones reuse; it is not measured.
+  void warm_up(const Actions& actions) {
+    for (const auto& action : actions) env_.step(action, block_);
+    check(mimo_env_timing_reset(env_.get()));
+  }
+
+  void run(const Actions& actions) {
+    for (const auto& action : actions) {
+      Allocations::start();
+      const auto start = Clock::now();
+      env_.step(action, block_);
+      times_.add(seconds_since(start));
+      Allocations::stop();
+      std::size_t contacts = 0;
+      check(mimo_env_contacts(env_.get(), nullptr, nullptr, 0, &contacts));
+      contacts_ += contacts;
+    }
+  }
+
+  const Env& env() const { return env_; }
+  const Samples& times() const { return times_; }
+  std::size_t contacts() const { return contacts_; }
+
+ private:
+  static mimo_env_config timed_config() {
+    auto config = make_env_config();
+    config.timing = 1;
+    return config;
+  }
+
+  Env env_;
+  Block block_;
+  Samples times_;
+  std::size_t contacts_ = 0;
+};
+
+// Nothing but physics steps, with the same motor commands.
+class BareWorld {
+ public:
+  BareWorld(const WorldOptions& world, std::int32_t jacobian, std::size_t steps)
+      : env_(open_bare_world(world, bare_config(jacobian))), times_(steps) {
+    for (const std::string& name : env_.action_names()) actuators_.push_back(env_.find(MIMO_ACTUATOR, name));
+    Block nothing(0);
+    env_.reset(world.seed, nothing);
+  }
+
+  void run(const Actions& actions) {
+    const std::size_t frame_skip = bare_config(0).frame_skip;
+    for (const auto& action : actions) {
+      env_.set(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
+      const auto start = Clock::now();
+      env_.physics_step(frame_skip);
+      times_.add(seconds_since(start) / static_cast<double>(frame_skip));
+    }
+  }
+  void warm_up(const Actions& actions) {
+    run(actions);
+    times_ = Samples(0);
+  }
+
+  const Env& env() const { return env_; }
+  const Samples& times() const { return times_; }
+
+ private:
+  static mimo_env_config bare_config(std::int32_t jacobian) {
+    auto config = make_env_config();
+    config.jacobian = jacobian;
+    return config;
+  }
+
+  Env env_;
+  std::vector<std::int32_t> actuators_;
+  Samples times_;
+};
+
+// The world in which the original was measured.
+WorldOptions reference_world(const WorldOptions& options) {
+  WorldOptions world;
+  world.scene = "benchmark";
+  world.body = "mitten";
+  world.seed = options.seed;
+  return world;
+}
+
+Actions draw(RandomActions& random, std::size_t count) {
+  Actions actions(count);
+  std::generate(actions.begin(), actions.end(), [&] { return random.draw(); });
+  return actions;
+}
+
+// The three worlds side by side. They take turns every few steps, so that a busy machine slows all alike.
+class Bench {
+ public:
+  explicit Bench(const BenchOptions& options)
+      : options_(options),
+        full_(options),
+        raw_(options.world, MIMO_JACOBIAN_MODEL, options.steps),
+        reference_(reference_world(options.world), MIMO_JACOBIAN_DENSE, options.steps),
+        actions_(full_.env(), options.world.seed),
+        reference_actions_(reference_.env(), options.world.seed) {}
+
+  void run();
+  Json result() const;
+
+ private:
+  static constexpr std::size_t kTurn = 50;
+
+  bool twins_agree() const {
+    const auto joints = full_.env().ids(MIMO_JOINT);
+    return full_.env().get(MIMO_JOINT_POSITION, joints) == raw_.env().get(MIMO_JOINT_POSITION, joints);
+  }
+
+  const BenchOptions& options_;
+  FullWorld full_;
+  BareWorld raw_, reference_;
+  RandomActions actions_, reference_actions_;
+};
+
+void Bench::run() {
+  const Actions first = draw(actions_, 1);
+  full_.warm_up(first);
+  raw_.warm_up(first);
+  reference_.warm_up(draw(reference_actions_, 1));
+
+  Progress progress(options_.steps);
+  for (std::size_t done = 0; done < options_.steps;) {
+    const std::size_t turn = std::min(kTurn, options_.steps - done);
+    const Actions actions = draw(actions_, turn);
+    full_.run(actions);
+    raw_.run(actions);
+    reference_.run(draw(reference_actions_, turn));
+    progress.show(done += turn);
+  }
+  if (!twins_agree()) std::fputs("mimo: warning: senses changed the trajectory: raw_physics_us is of another one\n", stderr);
+}
+
+Json split_of(const Env& env, double step_ms) {
+  Json split = Json::object();
+  for (const auto& [part, ms] : split_ms(env, step_ms)) split[part] = ms;
+  return split;
+}
+
+Json Bench::result() const {
+  const Samples &full = full_.times(), &raw = raw_.times(), &reference = reference_.times();
+  const double steps = static_cast<double>(options_.steps);
+  const double frame_skip = make_env_config().frame_skip;
+  const double simulated = steps * frame_skip * full_.env().timestep();
+  const double step_ms = full.mean() * 1e3;
+  const double allocations = static_cast<double>(Allocations::counted()) / steps;
+  return {{"steps", options_.steps},
+          {"wall_s", full.sum()},
+          {"realtime_factor", simulated / full.sum()},
+          {"ms_per_step", step_ms},
+          {"split_ms", split_of(full_.env(), step_ms)},
+          {"touch_sensors", 0},
+          {"mean_contacts", static_cast<double>(full_.contacts()) / steps},
+          {"raw_physics_us", raw.mean() * 1e6},
+          {"reference_us", reference.mean() * 1e6},
+          {"step_vs_raw", full.mean() / (frame_skip * raw.mean())},
+          {"allocations_per_step", Allocations::countable() ? Json(allocations) : Json()},
+          {"median", {{"ms_per_step", full.median() * 1e3},
+                      {"raw_physics_us", raw.median() * 1e6},
+                      {"reference_us", reference.median() * 1e6}}}};
+}
+
+void print_for_people(const Json& result) {
+  Table table(1);
+  for (const auto& [key, value] : result.items()) {
+    if (!value.is_structured()) table.add({key, value.is_number_float() ? text("%.4g", value.get<double>()) : value.dump()});
+  }
+  for (const char* group : {"split_ms", "median"}) {
+    for (const auto& [key, value] : result[group].items()) {
+      table.add({std::string(group) + " " + key, text("%.4g", value.get<double>())});
+    }
+  }
+  table.print(std::cout);
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = program.add_subcommand("bench", "Measure how fast the world steps");
+  add_scene_options(*command, options->world);
+  add_vision_options(*command, options->world);
+  command->add_option("--steps", options->steps, "Steps to measure, of two physics steps (10 ms) each")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000000).description(""))
+      ->capture_default_str();
+  const auto only_one = [](const std::string& text) {
+    return text == "1" ? std::string() : "this version simulates one world on one thread, not " + text;
+  };
+  command->add_option("--worlds", options->worlds, "Worlds at a time: 1")->type_name("1")->check(only_one);
+  command->add_option("--threads", options->threads, "Threads: 1")->type_name("1")->check(only_one);
+  add_seed_option(*command, options->world);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer(
+      "raw_physics_us is one bare physics step of a twin of the world that follows the same trajectory; reference_us is\n"
+      "one of the benchmark scene solved as the original does (dense Jacobian). All are measured in turns.\n"
+      "step_vs_raw is a step's time over that of its bare physics steps.\n"
+      "Examples:\n"
+      "  mimo bench\n"
+      "  mimo bench --vision off --steps 5000 --json");
+  command->callback([options] {
+    Bench bench(*options);
+    bench.run();
+    const Json result = bench.result();
+    if (options->json) {
+      std::cout << result.dump(2) << '\n';
+    } else {
+      print_for_people(result);
+    }
+  });
+}
+
+}  // namespace cli

@@ -1,0 +1,111 @@
+#include "csv.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+#include "api.h"
+
+namespace cli {
+namespace {
+
+std::string_view trim(std::string_view cell) {
+  const auto first = cell.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return cell.substr(first, cell.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
+    cells.push_back(trim(line.substr(0, comma)));
+    line.remove_prefix(comma + 1);
+  }
+  cells.push_back(trim(line));
+  return cells;
+}
+
+// Reads lines and knows where it is.
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path), file_(path) {
+    if (!file_) throw Failure("cannot read " + path + ": " + std::strerror(errno));
+  }
+
+  bool next(std::string& line) {
+    ++number_;
+    return static_cast<bool>(std::getline(file_, line));
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Failure(path_ + ", line " + std::to_string(number_) + ": " + what);
+  }
+
+ private:
+  std::string path_;
+  std::ifstream file_;
+  std::size_t number_ = 0;
+};
+
+std::vector<std::string> read_header(Reader& reader, const std::string& line) {
+  std::vector<std::string> names;
+  for (const std::string_view cell : split(line)) {
+    if (cell.empty()) reader.fail("column " + std::to_string(names.size() + 1) + " has no actuator's name");
+    if (std::find(names.begin(), names.end(), cell) != names.end()) {
+      reader.fail("there are two columns '" + std::string(cell) + "'");
+    }
+    names.emplace_back(cell);
+  }
+  return names;
+}
+
+// Numbers are read the same way whatever the locale.
+double read_number(const Reader& reader, std::string_view cell, const std::string& column) {
+  const char* begin = cell.data() + (cell.size() > 1 && cell[0] == '+' && cell[1] != '-' ? 1 : 0);
+  const char* end = cell.data() + cell.size();
+  double value = 0;
+  const auto result = std::from_chars(begin, end, value);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) {
+    reader.fail("column '" + column + "' should be a finite number, not '" + std::string(cell) + "'");
+  }
+  return value;
+}
+
+std::vector<double> read_row(Reader& reader, const std::string& line, const std::vector<std::string>& names) {
+  const auto cells = split(line);
+  if (cells.size() != names.size()) {
+    reader.fail("expected " + std::to_string(names.size()) + " numbers as the header has names, found " +
+                std::to_string(cells.size()));
+  }
+  std::vector<double> row;
+  for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(read_number(reader, cells[i], names[i]));
+  return row;
+}
+
+}  // namespace
+
+ControlTable read_controls(const std::string& path) {
+  Reader reader(path);
+  std::string line;
+  if (!reader.next(line) || trim(line).empty()) reader.fail("expected a header of actuator names");
+  if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // the mark that some spreadsheets put first
+  ControlTable table;
+  table.names = read_header(reader, line);
+  bool ended = false;
+  while (reader.next(line)) {
+    if (trim(line).empty()) {
+      ended = true;  // files may end with empty lines
+      continue;
+    }
+    if (ended) reader.fail("there is an empty line before this one");
+    table.rows.push_back(read_row(reader, line, table.names));
+  }
+  if (table.rows.empty()) throw Failure(path + ": no rows of controls follow the header");
+  return table;
+}
+
+}  // namespace cli

@@ -1,0 +1,93 @@
+// mimo info: what a scene holds and what its infant senses.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "text.h"
+#include "world.h"
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Infinite bounds become null: JSON has no infinity.
+Json describe(const Field& field) {
+  return {{"name", field.name},   {"dtype", field.dtype_name()}, {"shape", field.shape}, {"unit", field.unit},
+          {"frame", field.frame}, {"time", field.time_name()},   {"low", field.low},     {"high", field.high},
+          {"offset", field.offset}};
+}
+
+Json describe(const Env& env) {
+  const auto joints = env.ids(MIMO_JOINT);
+  const auto agent = env.agent();
+  Json info = {{"nq", env.width(MIMO_JOINT_POSITION, joints)},
+               {"nv", env.width(MIMO_JOINT_VELOCITY, joints)},
+               {"nu", env.count(MIMO_ACTUATOR)},
+               {"bodies", env.count(MIMO_BODY)},
+               {"joints", env.count(MIMO_JOINT)},
+               {"geoms", env.count(MIMO_GEOM)},
+               {"cameras", env.count(MIMO_CAMERA)},
+               {"touch_sensors", 0},
+               {"mass_kg", agent ? Json(agent->mass) : Json()},
+               {"height_m", agent ? Json(agent->height) : Json()}};
+  info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
+  info["observation_bytes"] = env.make_block().bytes();
+  info["observation_fields"] = Json::array();
+  for (const Field& field : env.fields()) info["observation_fields"].push_back(describe(field));
+  return info;
+}
+
+void print_for_people(const Json& info, const std::vector<Field>& fields) {
+  Table counts(1);
+  for (const auto& [key, value] : info.items()) {
+    if (value.is_number()) counts.add({key, value.dump()});
+  }
+  for (const auto& [key, value] : info["versions"].items()) {
+    counts.add({key, value.is_string() ? value.get<std::string>() : value.dump()});
+  }
+  counts.print(std::cout);
+
+  std::cout << "\nobservation fields\n";
+  Table table(8);
+  table.add({"field", "type", "shape", "unit", "frame", "time", "low", "high", "offset"});
+  for (const Field& f : fields) {
+    table.add({f.name, f.dtype_name(), f.shape_text(), f.unit.empty() ? "-" : f.unit, f.frame.empty() ? "-" : f.frame,
+               f.time_name(), text("%g", f.low), text("%g", f.high), std::to_string(f.offset)});
+  }
+  table.print(std::cout);
+}
+
+}  // namespace
+
+void add_info(CLI::App& program) {
+  struct InfoOptions {
+    WorldOptions world;
+    bool json = false;
+  };
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = program.add_subcommand("info", "Count what a scene holds and list what its infant senses");
+  add_scene_options(*command, options->world);
+  add_vision_options(*command, options->world);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer(
+      "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
+      "motors. mass_kg and height_m are the infant's. Fields of time 'end' belong to the end of a step, those of time\n"
+      "'last_start' to the start of its last physics step.\n"
+      "Examples:\n"
+      "  mimo info\n"
+      "  mimo info --scene my_room.xml --json");
+  command->callback([options] {
+    const Env env = open_world(options->world, make_env_config());
+    const Json info = describe(env);
+    if (options->json) {
+      std::cout << info.dump(2) << '\n';
+    } else {
+      print_for_people(info, env.fields());
+    }
+  });
+}
+
+}  // namespace cli

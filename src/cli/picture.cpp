@@ -1,0 +1,103 @@
+#include "picture.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+namespace cli {
+namespace {
+
+// Hue, saturation and value, each 0 to 1.
+Rgb from_hsv(double hue, double saturation, double value) {
+  const auto channel = [&](double offset) {
+    const double k = std::fmod(offset + hue * 6, 6);
+    const double share = value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0));
+    return static_cast<std::uint8_t>(std::lround(255 * share));
+  };
+  return {channel(5), channel(3), channel(1)};
+}
+
+void write_png(const std::string& path, std::uint32_t format, std::uint32_t width, std::uint32_t height,
+               const void* pixels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = width;
+  image.height = height;
+  image.format = format;
+  if (png_image_write_to_file(&image, path.c_str(), 0, pixels, 0, nullptr) == 0) {
+    throw Failure("cannot write " + path + ": " + image.message);
+  }
+}
+
+template <typename Pixel>
+void write_npy(const std::string& path, const char* type, const Picture<Pixel>& picture) {
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the types below are named as little-endian");
+  std::string header = "{'descr': '" + std::string(type) + "', 'fortran_order': False, 'shape': (" +
+                       std::to_string(picture.height) + ", " + std::to_string(picture.width) + "), }";
+  constexpr std::size_t kPreamble = 10;  // magic, version, length of the header
+  header.append(63 - (kPreamble + header.size()) % 64, ' ');
+  header += '\n';
+  const char length[2] = {static_cast<char>(header.size() & 0xff), static_cast<char>(header.size() >> 8)};
+
+  std::ofstream file(path, std::ios::binary);
+  file.write("\x93NUMPY\x01\x00", 8).write(length, 2) << header;
+  file.write(reinterpret_cast<const char*>(picture.pixels.data()),
+             static_cast<std::streamsize>(picture.pixels.size() * sizeof(Pixel)));
+  file.close();
+  if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+ColorPicture anaglyph(const ColorPicture& left, const ColorPicture& right) {
+  ColorPicture both = right;
+  for (std::size_t i = 0; i < both.pixels.size(); ++i) both.pixels[i].r = left.pixels[i].r;
+  return both;
+}
+
+ColorPicture color_coded(const Picture<std::int32_t>& ids) {
+  ColorPicture colors{ids.width, ids.height, {}};
+  for (const std::int32_t id : ids.pixels) {
+    // Steps of the golden ratio around the colour wheel never come close to each other.
+    const double hue = std::fmod(id * 0.618033988749895, 1.0);
+    colors.pixels.push_back(id < 0 ? Rgb{0, 0, 0} : from_hsv(hue, 0.55 + 0.15 * (id % 3), 1.0 - 0.2 * (id % 2)));
+  }
+  return colors;
+}
+
+Picture<std::uint16_t> millimetres(const Picture<float>& metres) {
+  Picture<std::uint16_t> picture{metres.width, metres.height, {}};
+  for (const float depth : metres.pixels) {
+    const double value = std::round(depth * 1000.0);
+    const bool fits = value >= 0 && value <= std::numeric_limits<std::uint16_t>::max();  // false for NaN
+    picture.pixels.push_back(fits ? static_cast<std::uint16_t>(value) : 0);
+  }
+  return picture;
+}
+
+void write_png(const std::string& path, const ColorPicture& picture) {
+  write_png(path, PNG_FORMAT_RGB, picture.width, picture.height, picture.pixels.data());
+}
+
+void write_png(const std::string& path, const Picture<std::uint16_t>& picture) {
+  write_png(path, PNG_FORMAT_LINEAR_Y, picture.width, picture.height, picture.pixels.data());
+}
+
+void write_npy(const std::string& path, const Picture<float>& picture) { write_npy(path, "<f4", picture); }
+
+void write_npy(const std::string& path, const Picture<std::int32_t>& picture) { write_npy(path, "<i4", picture); }
+
+ColorPicture take_picture(Env& env, const mimo_picture_config& config) {
+  ColorPicture picture{config.width, config.height, {}};
+  picture.pixels.resize(std::size_t{config.width} * config.height);
+  auto* bytes = reinterpret_cast<std::uint8_t*>(picture.pixels.data());
+  check(mimo_env_render(env.get(), &config, bytes, picture.pixels.size() * sizeof(Rgb), nullptr, 0, nullptr, 0));
+  return picture;
+}
+
+}  // namespace cli

@@ -1,0 +1,45 @@
+// Pictures: taking them, turning numbers into colours, writing files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "api.h"
+
+namespace cli {
+
+// Row 0 is the top.
+template <typename Pixel>
+struct Picture {
+  std::uint32_t width, height;
+  std::vector<Pixel> pixels;
+};
+struct Rgb {
+  std::uint8_t r, g, b;
+};
+static_assert(sizeof(Rgb) == 3, "a picture is an array of bytes r g b");
+
+using ColorPicture = Picture<Rgb>;
+
+// Red from the left eye, green and blue from the right: for red-cyan glasses.
+ColorPicture anaglyph(const ColorPicture& left, const ColorPicture& right);
+
+// A colour for each id that is easy to tell from its neighbours'; black for -1.
+ColorPicture color_coded(const Picture<std::int32_t>& ids);
+
+// Metres as 16-bit millimetres; 0 where there is nothing, or nothing nearer than 65.5 m.
+Picture<std::uint16_t> millimetres(const Picture<float>& metres);
+
+// Write a file or throw a Failure. .npy is NumPy's format.
+void write_png(const std::string& path, const ColorPicture& picture);
+void write_png(const std::string& path, const Picture<std::uint16_t>& picture);
+void write_npy(const std::string& path, const Picture<float>& picture);
+void write_npy(const std::string& path, const Picture<std::int32_t>& picture);
+
+// A free camera that sees everything that can move, from the right and in front of the infant.
+mimo_picture_config overview(const Env& env, std::uint32_t width = 640, std::uint32_t height = 480);
+
+ColorPicture take_picture(Env& env, const mimo_picture_config& config);
+
+}  // namespace cli

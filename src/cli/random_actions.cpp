@@ -1,0 +1,23 @@
+#include "random_actions.h"
+
+namespace cli {
+
+RandomActions::RandomActions(const Env& env, std::uint64_t seed) : generator_(seed) {
+  std::size_t count = 0;
+  check(mimo_env_action_size(env.get(), &count));
+  low_.resize(count);
+  high_.resize(count);
+  if (count != 0) check(mimo_env_action_bounds(env.get(), low_.data(), high_.data(), count));
+}
+
+std::vector<float> RandomActions::draw() {
+  std::vector<float> action(low_.size());
+  for (std::size_t i = 0; i < action.size(); ++i) {
+    // Not std::uniform_real_distribution, whose numbers differ between standard libraries.
+    const double share = static_cast<double>(generator_() >> 11) * 0x1.0p-53;
+    action[i] = static_cast<float>(low_[i] + share * (static_cast<double>(high_[i]) - low_[i]));
+  }
+  return action;
+}
+
+}  // namespace cli

@@ -1,0 +1,113 @@
+// mimo render: one picture of a scene's initial state.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "picture.h"
+#include "world.h"
+
+namespace cli {
+namespace {
+
+struct RenderOptions {
+  WorldOptions world;
+  std::string camera;
+  std::uint32_t width = 640, height = 480;
+  std::vector<double> look_at;
+  std::optional<double> distance, azimuth, elevation;
+  std::string out, depth, segmentation;
+};
+
+bool is_png(const std::string& path) { return path.size() >= 4 && path.compare(path.size() - 4, 4, ".png") == 0; }
+
+mimo_picture_config view(const Env& env, const RenderOptions& options) {
+  auto config = overview(env, options.width, options.height);
+  if (!options.camera.empty()) {
+    config.camera = options.camera.c_str();
+    config.fovy = 0;  // the camera's own
+  }
+  std::copy(options.look_at.begin(), options.look_at.end(), config.look_at);
+  config.distance = options.distance.value_or(config.distance);
+  config.azimuth = options.azimuth.value_or(config.azimuth);
+  config.elevation = options.elevation.value_or(config.elevation);
+  return config;
+}
+
+void render(const RenderOptions& options) {
+  Env env = open_world(options.world, make_env_config());
+  Block nothing(0);
+  env.reset(options.world.seed, nothing);
+  const auto config = view(env, options);
+
+  const std::size_t pixels = std::size_t{config.width} * config.height;
+  ColorPicture color{config.width, config.height, std::vector<Rgb>(pixels)};
+  Picture<float> depth{config.width, config.height, std::vector<float>(options.depth.empty() ? 0 : pixels)};
+  Picture<std::int32_t> ids{config.width, config.height,
+                            std::vector<std::int32_t>(options.segmentation.empty() ? 0 : pixels)};
+  check(mimo_env_render(env.get(), &config, &color.pixels[0].r, pixels * sizeof(Rgb),
+                        depth.pixels.empty() ? nullptr : depth.pixels.data(), depth.pixels.size(),
+                        ids.pixels.empty() ? nullptr : ids.pixels.data(), ids.pixels.size()));
+
+  write_png(options.out, color);
+  if (!options.depth.empty()) {
+    is_png(options.depth) ? write_png(options.depth, millimetres(depth)) : write_npy(options.depth, depth);
+  }
+  if (!options.segmentation.empty()) {
+    is_png(options.segmentation) ? write_png(options.segmentation, color_coded(ids))
+                                 : write_npy(options.segmentation, ids);
+  }
+}
+
+void add_camera_options(CLI::App& command, RenderOptions& options) {
+  CLI::Option* camera =
+      command.add_option("--camera", options.camera, "Camera of the model, such as eye_left. Default: a free one")
+          ->option_text("NAME");
+  const std::vector<CLI::Option*> free = {
+      command.add_option("--look-at", options.look_at, "The point in the middle, metres")
+          ->expected(3)
+          ->option_text("X Y Z"),
+      command.add_option("--distance", options.distance, "From that point, metres")
+          ->check(CLI::Range(1e-3, 1e6))
+          ->option_text("M"),
+      command.add_option("--azimuth", options.azimuth, "Degrees; 0 looks along +x, 90 along +y")->option_text("DEG"),
+      command.add_option("--elevation", options.elevation, "Degrees; negative looks down")->option_text("DEG")};
+  for (CLI::Option* option : free) option->group("Free camera; by default it shows all that can move")->excludes(camera);
+}
+
+void add_size_option(CLI::App& command, const std::string& name, std::uint32_t& value) {
+  command.add_option(name, value, "Pixels")->type_name("N")->check(CLI::Range(1, 4096).description(""))->capture_default_str();
+}
+
+}  // namespace
+
+void add_render(CLI::App& program) {
+  auto options = std::make_shared<RenderOptions>();
+  options->world.vision = "off";  // no eyes: only the camera asked for is drawn
+  CLI::App* command = program.add_subcommand("render", "Draw one picture of a scene as it starts");
+  add_scene_options(*command, options->world);
+  add_camera_options(*command, *options);
+  add_size_option(*command, "--width", options->width);
+  add_size_option(*command, "--height", options->height);
+  add_renderer_option(*command, options->world);
+  add_seed_option(*command, options->world);
+  command->add_option("--out", options->out, "The picture, a PNG file")->type_name("FILE.png")->required();
+  command
+      ->add_option("--depth", options->depth,
+                   "Depth along the camera's axis: a .png of 16-bit millimetres, 0 for\n"
+                   "more than 65.5 m; any other name: NumPy's .npy, float32 metres")
+      ->type_name("FILE");
+  command
+      ->add_option("--segmentation", options->segmentation,
+                   "The geom that each pixel shows: a .png of colours, black for none;\n"
+                   "any other name: NumPy's .npy, int32 ids, -1 for none")
+      ->type_name("FILE");
+  command->footer(
+      "Examples:\n"
+      "  mimo render --out scene.png\n"
+      "  mimo render --camera eye_left --width 512 --height 512 --out left.png --depth left.npy\n"
+      "  mimo render --look-at 0 0 0.6 --distance 0.6 --azimuth 180 --elevation 0 --out face.png");
+  command->callback([options] { render(*options); });
+}
+
+}  // namespace cli

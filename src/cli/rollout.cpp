@@ -1,0 +1,185 @@
+// mimo rollout: applies a stored control sequence and writes down the states.
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "csv.h"
+#include "progress.h"
+#include "world.h"
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RolloutOptions {
+  WorldOptions world;
+  std::string controls, out, jacobian;
+  std::uint64_t every = 1;
+  bool no_contact = false, no_gravity = false;
+};
+
+mimo_env_config config_of(const RolloutOptions& options) {
+  auto config = make_env_config();
+  if (options.no_contact) config.disable |= MIMO_DISABLE_CONTACT;
+  if (options.no_gravity) config.disable |= MIMO_DISABLE_GRAVITY;
+  if (options.jacobian == "dense") config.jacobian = MIMO_JACOBIAN_DENSE;
+  if (options.jacobian == "sparse") config.jacobian = MIMO_JACOBIAN_SPARSE;
+  return config;
+}
+
+// How the model calls a joint; "free:<body>" for one that moves a whole body and has no name.
+std::string joint_label(const Env& env, std::int32_t joint) {
+  const std::string name = env.name(MIMO_JOINT, joint);
+  if (!name.empty()) return name;
+  const bool free = env.width(MIMO_JOINT_POSITION, {joint}) == 7;
+  const std::string body = env.name(MIMO_BODY, env.body_of(MIMO_JOINT, joint));
+  return free && !body.empty() ? "free:" + body : "joint:" + std::to_string(joint);
+}
+
+std::string body_label(const Env& env, std::int32_t body) {
+  const std::string name = env.name(MIMO_BODY, body);
+  return name.empty() ? "body:" + std::to_string(body) : name;
+}
+
+// One quantity of all of a kind, by name.
+class NamedQuantity {
+ public:
+  NamedQuantity(const Env& env, std::int32_t kind, std::int32_t quantity, std::string (*label)(const Env&, std::int32_t))
+      : quantity_(quantity), ids_(env.ids(kind)) {
+    for (const std::int32_t id : ids_) {
+      labels_.push_back(label(env, id));
+      widths_.push_back(env.width(quantity, {id}));
+    }
+  }
+
+  std::vector<double> read(const Env& env) const { return env.get(quantity_, ids_); }
+
+  Json to_json(const std::vector<double>& values) const {
+    Json json = Json::object();
+    auto next = values.begin();
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      const auto end = next + static_cast<std::ptrdiff_t>(widths_[i]);
+      json[labels_[i]] = std::vector<double>(next, end);
+      next = end;
+    }
+    return json;
+  }
+
+ private:
+  std::int32_t quantity_;
+  std::vector<std::int32_t> ids_;
+  std::vector<std::string> labels_;
+  std::vector<std::size_t> widths_;
+};
+
+// The states of a rollout as bare numbers: nothing is written before all went well.
+class Recording {
+ public:
+  explicit Recording(const Env& env)
+      : qpos_(env, MIMO_JOINT, MIMO_JOINT_POSITION, joint_label),
+        qvel_(env, MIMO_JOINT, MIMO_JOINT_VELOCITY, joint_label),
+        xpos_(env, MIMO_BODY, MIMO_BODY_POSITION, body_label) {}
+
+  void add(Env& env, std::size_t step) {
+    check(mimo_env_update(env.get()));  // else the bodies are where they were one physics step ago
+    states_.push_back({step, qpos_.read(env), qvel_.read(env), xpos_.read(env)});
+  }
+
+  void write(const std::string& path) const {
+    std::ofstream file(path);
+    file << "{\"states\": [";
+    for (const State& state : states_) file << (&state == states_.data() ? "\n" : ",\n") << to_json(state).dump();
+    file << "\n]}\n";
+    file.close();
+    if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+  }
+
+ private:
+  struct State {
+    std::size_t step;
+    std::vector<double> qpos, qvel, xpos;
+  };
+
+  Json to_json(const State& state) const {
+    return {{"step", state.step},
+            {"qpos", qpos_.to_json(state.qpos)},
+            {"qvel", qvel_.to_json(state.qvel)},
+            {"xpos", xpos_.to_json(state.xpos)}};
+  }
+
+  NamedQuantity qpos_, qvel_, xpos_;
+  std::vector<State> states_;
+};
+
+// The actuators that the columns of a file are for.
+std::vector<std::int32_t> find_actuators(const Env& env, const ControlTable& controls, const std::string& path) {
+  std::vector<std::int32_t> actuators;
+  for (const std::string& name : controls.names) {
+    try {
+      actuators.push_back(env.find(MIMO_ACTUATOR, name));
+    } catch (const MimoError& error) {
+      throw Failure(path + ", line 1: " + error.what());
+    }
+  }
+  return actuators;
+}
+
+void roll_out(const RolloutOptions& options) {
+  const ControlTable controls = read_controls(options.controls);
+  Env env = open_bare_world(options.world, config_of(options));
+  const auto actuators = find_actuators(env, controls, options.controls);
+  Recording recording(env);
+  {
+    Progress progress(controls.rows.size());
+    for (std::size_t step = 0; step < controls.rows.size(); ++step) {
+      if (step % options.every == 0) recording.add(env, step);
+      env.set(MIMO_ACTUATOR_CONTROL, actuators, controls.rows[step]);
+      env.physics_step(1);
+      progress.show(step + 1);
+    }
+  }
+  recording.add(env, controls.rows.size());
+  recording.write(options.out);
+}
+
+}  // namespace
+
+void add_rollout(CLI::App& program) {
+  auto options = std::make_shared<RolloutOptions>();
+  CLI::App* command = program.add_subcommand("rollout", "Apply stored motor commands and write down the states");
+  add_scene_options(*command, options->world);
+  command
+      ->add_option("--controls", options->controls,
+                   "A header of actuator names, then a row of numbers a physics step;\n"
+                   "actuators that are not named stay at 0")
+      ->type_name("FILE.csv")
+      ->required();
+  command->add_option("--out", options->out, "The states")->type_name("FILE.json")->required();
+  command->add_option("--every", options->every, "Keep every K-th state; the last one is always kept")
+      ->type_name("K")
+      ->check(CLI::Range(1, 1000000000).description(""))
+      ->capture_default_str();
+  command->add_flag("--no-contact", options->no_contact, "Let bodies pass through each other");
+  command->add_flag("--no-gravity", options->no_gravity, "Let everything float");
+  command
+      ->add_option("--jacobian", options->jacobian,
+                   "dense: as the original solves; sparse: the same to rounding, and\n"
+                   "faster. Default: as the scene says")
+      ->type_name("dense|sparse")
+      ->check(CLI::IsMember({"dense", "sparse"}).description(""));
+  command->footer(
+      "Starts from the scene's stored state; nothing is random. Writes\n"
+      "  {\"states\": [{\"step\": 0, \"qpos\": {joint: [..]}, \"qvel\": {joint: [..]}, \"xpos\": {body: [x, y, z]}}, ...]}\n"
+      "with the states before steps 0, K, 2K, ... and after the last one. Free joints without a name are called\n"
+      "free:<body>.\n"
+      "Example:\n"
+      "  mimo rollout --controls controls.csv --every 20 --out states.json");
+  command->callback([options] { roll_out(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,167 @@
+// mimo run: random movements, all senses, pictures, and a table of what each sense gave.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "picture.h"
+#include "progress.h"
+#include "random_actions.h"
+#include "statistics.h"
+#include "text.h"
+#include "timing.h"
+#include "world.h"
+
+namespace cli {
+namespace {
+
+struct RunOptions {
+  WorldOptions world;
+  double seconds = 10;
+  std::string out = "mimo_run";
+};
+
+// The colour picture in an observation block.
+ColorPicture picture_in(const Field& field, const Block& block) {
+  const Rgb* pixels = reinterpret_cast<const Rgb*>(block.data() + field.offset);
+  return {static_cast<std::uint32_t>(field.shape[1]), static_cast<std::uint32_t>(field.shape[0]),
+          std::vector<Rgb>(pixels, pixels + field.bytes / sizeof(Rgb))};
+}
+
+class Run {
+ public:
+  explicit Run(const RunOptions& options);
+  void simulate();
+  void report() const;
+
+ private:
+  void save(const std::string& name, const ColorPicture& picture, const std::string& what);
+  void save_pictures(const std::string& prefix, const std::string& when);
+  void save_eyes(const std::string& prefix, const std::string& when);
+
+  static mimo_env_config config() {
+    auto config = make_env_config();
+    config.timing = 1;
+    return config;
+  }
+
+  const RunOptions& options_;
+  Env env_;
+  Block block_;
+  std::vector<FieldStatistics> statistics_;
+  Table pictures_{2};
+  std::size_t steps_ = 0;
+  double simulated_ = 0, wall_ = 0;
+};
+
+Run::Run(const RunOptions& options)
+    : options_(options), env_(open_world(options.world, config())), block_(env_.make_block()) {
+  for (const Field& field : env_.fields()) statistics_.emplace_back(field);
+  std::filesystem::create_directories(options.out);
+}
+
+void Run::simulate() {
+  const double dt = env_.timestep() * config().frame_skip;
+  const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(options_.seconds / dt)));
+  RandomActions actions(env_, options_.world.seed);
+  env_.reset(options_.world.seed, block_);
+  save_pictures("start_", "at the start");
+  {
+    Progress progress(steps);
+    while (steps_ < steps) {
+      const auto action = actions.draw();
+      const auto start = Clock::now();
+      env_.step(action, block_);
+      wall_ += seconds_since(start);
+      simulated_ = static_cast<double>(++steps_) * dt;
+      for (FieldStatistics& field : statistics_) field.add(block_);
+      progress.show(steps_);
+    }
+  }
+  save_pictures("", "at the end");
+}
+
+void Run::save(const std::string& name, const ColorPicture& picture, const std::string& what) {
+  const std::string path = (std::filesystem::path(options_.out) / (name + ".png")).string();
+  write_png(path, picture);
+  pictures_.add({path, what});
+}
+
+void Run::save_eyes(const std::string& prefix, const std::string& when) {
+  const Field *left = nullptr, *right = nullptr;
+  for (const FieldStatistics& field : statistics_) {
+    if (field.field().name == "vision/eye_left") left = &field.field();
+    if (field.field().name == "vision/eye_right") right = &field.field();
+  }
+  if (left == nullptr || right == nullptr) return;
+  const ColorPicture left_picture = picture_in(*left, block_), right_picture = picture_in(*right, block_);
+  save(prefix + "left", left_picture, "the left eye's view " + when);
+  save(prefix + "right", right_picture, "the right eye's view " + when);
+  save(prefix + "anaglyph", anaglyph(left_picture, right_picture), "both, for red-cyan glasses");
+}
+
+void Run::save_pictures(const std::string& prefix, const std::string& when) {
+  save_eyes(prefix, when);
+  try {
+    save(prefix + "outside", take_picture(env_, overview(env_)), "seen from outside " + when);
+  } catch (const MimoError& error) {
+    if (error.status() != MIMO_E_UNSUPPORTED) throw;
+    pictures_.add({"none " + when + ":", error.what()});
+  }
+}
+
+void Run::report() const {
+  const double step_ms = 1000 * wall_ / static_cast<double>(steps_);
+  std::cout << text("%.2f s of scene %s simulated in %.2f s: %.2f x real time, %.3f ms a step\n", simulated_,
+                    options_.world.scene.c_str(), wall_, simulated_ / wall_, step_ms);
+  std::cout << "\nmilliseconds a step\n";
+  Table times(1);
+  for (const auto& [part, ms] : split_ms(env_, step_ms)) times.add({part, text("%.3f", ms)});
+  times.print(std::cout);
+
+  std::cout << "\nsenses over all steps\n";
+  Table senses(4);
+  senses.add({"field", "type", "shape", "unit", "min", "mean", "max"});
+  for (const FieldStatistics& field : statistics_) {
+    const Field& f = field.field();
+    senses.add({f.name, f.dtype_name(), f.shape_text(), f.unit.empty() ? "-" : f.unit, text("%.4g", field.min()),
+                text("%.4g", field.mean()), text("%.4g", field.max())});
+  }
+  senses.print(std::cout);
+
+  std::cout << "\npictures\n";
+  pictures_.print(std::cout);
+}
+
+}  // namespace
+
+void add_run(CLI::App& program) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = program.add_subcommand("run", "Move at random with all senses on; write pictures and a report");
+  add_scene_options(*command, options->world);
+  command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
+      ->type_name("S")
+      ->check(CLI::Range(0.01, 1e6).description(""))
+      ->capture_default_str();
+  add_vision_options(*command, options->world);
+  add_seed_option(*command, options->world);
+  command->add_option("--out", options->out, "Folder for the pictures; made if it is not there")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->footer(
+      "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses) and outside.png as things are at\n"
+      "the end, and the same with start_ before the name as they were at the start.\n"
+      "Examples:\n"
+      "  mimo run\n"
+      "  mimo run --seconds 2 --vision 512 --seed 7 --out pictures\n"
+      "  mimo run --scene my_room.xml --body mitten");
+  command->callback([options] {
+    Run run(*options);
+    run.simulate();
+    run.report();
+  });
+}
+
+}  // namespace cli

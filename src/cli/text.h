@@ -1,0 +1,27 @@
+// Text for people: printf-style strings and tables.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+std::string text(const char* format, ...);
+
+// Rows of cells, printed in columns: the first `left` columns flush left, the others flush right.
+class Table {
+ public:
+  explicit Table(std::size_t left) : left_(left) {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void print(std::ostream& out) const;
+
+ private:
+  std::size_t left_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace cli

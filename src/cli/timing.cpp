@@ -1,0 +1,21 @@
+#include "timing.h"
+
+namespace cli {
+
+std::vector<std::pair<std::string, double>> split_ms(const Env& env, double total_ms) {
+  mimo_timing timing{};
+  timing.struct_size = sizeof timing;
+  check(mimo_env_timing(env.get(), &timing));
+  const double scale = timing.steps == 0 ? 0 : 1000.0 / static_cast<double>(timing.steps);
+  std::vector<std::pair<std::string, double>> split = {{"physics", timing.physics * scale},
+                                                       {"touch", timing.touch * scale},
+                                                       {"vision", timing.vision * scale},
+                                                       {"proprioception", timing.proprioception * scale},
+                                                       {"vestibular", timing.vestibular * scale}};
+  double other = total_ms;
+  for (const auto& part : split) other -= part.second;
+  split.emplace_back("other", other);
+  return split;
+}
+
+}  // namespace cli

@@ -1,0 +1,23 @@
+// Where the time of steps went, and a stopwatch.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api.h"
+
+namespace cli {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Milliseconds a step: physics, touch, vision, proprioception, vestibular, and `other`, which makes the sum
+// equal to the given total.
+std::vector<std::pair<std::string, double>> split_ms(const Env& env, double total_ms);
+
+}  // namespace cli

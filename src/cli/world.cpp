@@ -1,0 +1,149 @@
+#include "world.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+namespace cli {
+namespace {
+
+bool is_builtin(const std::string& scene) {
+  for (std::size_t i = 0; const char* name = mimo_scene_builtin(i); ++i) {
+    if (scene == name) return true;
+  }
+  return false;
+}
+
+// What is no built-in name and looks like a path is one; the library complains best about anything else.
+bool is_file(const std::string& scene) {
+  return !is_builtin(scene) && scene.find_first_of("./\\") != std::string::npos;
+}
+
+std::string builtin_names() {
+  std::string names;
+  for (std::size_t i = 0; const char* name = mimo_scene_builtin(i); ++i) names += (i ? ", " : "") + std::string(name);
+  return names;
+}
+
+Scene load_scene(const WorldOptions& options) {
+  auto config = defaults(mimo_scene_config_init);
+  (is_file(options.scene) ? config.file : config.name) = options.scene.c_str();
+  config.log = print_message;
+  return Scene(config);
+}
+
+// Only the compiled model knows: the body may come from an include.
+bool file_holds_infant(const WorldOptions& options) {
+  auto config = defaults(mimo_env_config_init);
+  config.renderer = "none";
+  return Env(load_scene(options), config).has(MIMO_BODY, "mimo_location");
+}
+
+std::uint32_t pixels(const WorldOptions& options) {
+  if (options.vision == "off") return 0;
+  return options.vision.empty() ? 256 : static_cast<std::uint32_t>(std::stoul(options.vision));
+}
+
+std::string check_vision(const std::string& text) {
+  const bool number = !text.empty() && text.size() <= 4 && std::all_of(text.begin(), text.end(), [](char c) {
+    return c >= '0' && c <= '9';
+  });
+  const bool good = text == "off" || (number && std::stoul(text) >= 1 && std::stoul(text) <= 4096);
+  return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
+}
+
+// The parser alone would take -1 and make something of it.
+std::string check_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool good = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  return good ? "" : "expected a whole number from 0 to 18446744073709551615, not '" + text + "'";
+}
+
+mimo_agent_config agent_config(const WorldOptions& options, Senses senses) {
+  auto agent = defaults(mimo_agent_config_init);
+  const std::uint32_t size = senses == Senses::kAll ? pixels(options) : 0;
+  if (size == 0) {
+    agent.vision = 0;
+  } else {
+    agent.vision_width = agent.vision_height = size;
+  }
+  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = 0;
+  return agent;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, WorldOptions& options) {
+  command.add_option("--scene", options.scene, "Built-in scene (" + builtin_names() + ") or MJCF file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  command
+      .add_option("--body", options.body,
+                  "Body of the infant: mitten. A file that holds an infant keeps that\n"
+                  "one; a file without gets one only if this is given")
+      ->type_name("BODY");
+}
+
+void add_vision_options(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--vision", options.vision,
+                  "Pixels a side of each eye's picture, or off.\nDefault: 256, or off where nothing can draw")
+      ->type_name("PX|off")
+      ->check(CLI::Validator(check_vision, ""));
+  add_renderer_option(command, options);
+}
+
+void add_renderer_option(CLI::App& command, WorldOptions& options) {
+  command.add_option("--renderer", options.renderer, "What draws pictures: auto or osmesa")
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+void add_seed_option(CLI::App& command, WorldOptions& options) {
+  command.add_option("--seed", options.seed, "Seed of everything random")
+      ->type_name("N")
+      ->check(CLI::Validator(check_seed, ""))
+      ->capture_default_str();
+}
+
+std::string body_of_scene(const WorldOptions& options) {
+  if (is_file(options.scene)) {
+    return file_holds_infant(options) ? "scene" : options.body;
+  }
+  return options.body.empty() ? "mitten" : options.body;
+}
+
+Scene make_scene(const WorldOptions& options, Senses senses) {
+  Scene scene = load_scene(options);
+  const std::string body = body_of_scene(options);
+  if (body.empty()) return scene;
+  mimo_agent_config agent = agent_config(options, senses);
+  agent.body = body.c_str();
+  scene.add_agent(agent);
+  return scene;
+}
+
+mimo_env_config make_env_config() {
+  auto config = defaults(mimo_env_config_init);
+  config.log = print_message;
+  return config;
+}
+
+Env open_world(const WorldOptions& options, mimo_env_config config) {
+  config.renderer = options.renderer.c_str();
+  try {
+    return Env(make_scene(options, Senses::kAll), config);
+  } catch (const MimoError& error) {
+    if (error.status() != MIMO_E_UNSUPPORTED || !options.vision.empty()) throw;
+    std::fprintf(stderr, "mimo: vision is off: %s\n", error.what());
+    return Env(make_scene(options, Senses::kAllButVision), config);
+  }
+}
+
+Env open_bare_world(const WorldOptions& options, mimo_env_config config) {
+  config.renderer = "none";
+  return Env(make_scene(options, Senses::kNone), config);
+}
+
+}  // namespace cli

@@ -1,0 +1,118 @@
+#include "engine/guard.h"
+
+#include <mujoco/mujoco.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <mutex>
+
+// Exported by MuJoCo 2.2 but not declared in its headers. Weak: a build of MuJoCo may lack them.
+extern "C" {
+using mimo_mujoco_handler = void (*)(const char*);
+__attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_error_fn();
+__attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_warning_fn();
+__attribute__((weak)) void _mjPRIVATE__set_tls_error_fn(mimo_mujoco_handler handler);
+__attribute__((weak)) void _mjPRIVATE__set_tls_warning_fn(mimo_mujoco_handler handler);
+}
+
+namespace mimo::engine {
+namespace {
+
+struct Frame {
+  std::jmp_buf jump;
+  Complaint* complaint;
+  Frame* outer;
+};
+
+thread_local Frame* current = nullptr;
+
+void copy_text(std::array<char, 512>& to, const char* from) {
+  std::snprintf(to.data(), to.size(), "%s", from == nullptr ? "" : from);
+}
+
+void on_error(const char* text) {
+  copy_text(current->complaint->error, text);
+  std::longjmp(current->jump, 1);
+}
+
+void on_warning(const char* text) {
+  if (current->complaint->warnings++ == 0) copy_text(current->complaint->warning, text);
+}
+
+bool has_thread_handlers() { return _mjPRIVATE__set_tls_error_fn != nullptr; }
+
+// Fallback for a MuJoCo without thread-local handlers: process-wide ones that chain to what the host had set.
+mimo_mujoco_handler host_error = nullptr;
+mimo_mujoco_handler host_warning = nullptr;
+
+void on_global_error(const char* text) {
+  if (current != nullptr) on_error(text);
+  if (host_error != nullptr) host_error(text);
+}
+
+void on_global_warning(const char* text) {
+  if (current != nullptr) {
+    on_warning(text);
+  } else if (host_warning != nullptr) {
+    host_warning(text);
+  }
+}
+
+void install_global_handlers() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    host_error = mju_user_error;
+    host_warning = mju_user_warning;
+    mju_user_error = on_global_error;
+    mju_user_warning = on_global_warning;
+  });
+}
+
+// Puts our handlers in place and gives the host's back, also when an exception passes.
+class Handlers {
+ public:
+  explicit Handlers(Frame& frame) {
+    frame.outer = current;
+    current = &frame;
+    if (!has_thread_handlers()) {
+      install_global_handlers();
+      return;
+    }
+    error_ = _mjPRIVATE__get_tls_error_fn();
+    warning_ = _mjPRIVATE__get_tls_warning_fn();
+    _mjPRIVATE__set_tls_error_fn(on_error);
+    _mjPRIVATE__set_tls_warning_fn(on_warning);
+  }
+
+  ~Handlers() {
+    current = current->outer;
+    if (!has_thread_handlers()) return;
+    _mjPRIVATE__set_tls_error_fn(error_);
+    _mjPRIVATE__set_tls_warning_fn(warning_);
+  }
+
+  Handlers(const Handlers&) = delete;
+  Handlers& operator=(const Handlers&) = delete;
+
+ private:
+  mimo_mujoco_handler error_ = nullptr;
+  mimo_mujoco_handler warning_ = nullptr;
+};
+
+// In a function of its own, so that no object with a destructor lives in the frame that setjmp returns to.
+bool run(Frame& frame, void (*call)(void*), void* argument) {
+  if (setjmp(frame.jump) != 0) return false;
+  call(argument);
+  return true;
+}
+
+}  // namespace
+
+void call_guarded(void (*call)(void*), void* argument, Complaint& complaint) {
+  Frame frame;
+  frame.complaint = &complaint;
+  const Handlers handlers(frame);
+  complaint.failed = !run(frame, call, argument);
+}
+
+}  // namespace mimo::engine

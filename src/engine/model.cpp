@@ -1,0 +1,154 @@
+#include "engine/model.h"
+
+#include <locale.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "base/fail.h"
+#include "engine/guard.h"
+
+namespace mimo::engine {
+namespace {
+
+// MuJoCo's virtual file system: 2 MB, so on the heap.
+class VirtualFiles {
+ public:
+  VirtualFiles() : vfs_(std::make_unique<mjVFS>()) { mj_defaultVFS(vfs_.get()); }
+  ~VirtualFiles() { mj_deleteVFS(vfs_.get()); }
+  VirtualFiles(const VirtualFiles&) = delete;
+  VirtualFiles& operator=(const VirtualFiles&) = delete;
+
+  void add(const char* name, const void* bytes, std::size_t size) {
+    int result = 0;
+    const Complaint complaint =
+        guarded([&] { result = mj_makeEmptyFileVFS(vfs_.get(), name, static_cast<int>(size)); });
+    if (complaint.failed) fail(Status::kOutOfMemory, "file {} of {} bytes: {}", name, size, complaint.error.data());
+    if (result != 0) fail(Status::kModel, "file {} cannot be handed to MuJoCo (code {})", name, result);
+    std::memcpy(vfs_->filedata[vfs_->nfile - 1], bytes, size);
+  }
+
+  const mjVFS* get() const { return vfs_.get(); }
+
+ private:
+  std::unique_ptr<mjVFS> vfs_;
+};
+
+// Numbers in XML have a decimal point whatever the host's locale says. Only this thread is affected.
+class PlainNumbers {
+ public:
+  PlainNumbers() : plain_(newlocale(LC_ALL_MASK, "C", nullptr)), previous_(uselocale(plain_)) {}
+  ~PlainNumbers() {
+    uselocale(previous_);
+    if (plain_ != nullptr) freelocale(plain_);
+  }
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+
+ private:
+  locale_t plain_;
+  locale_t previous_;
+};
+
+// MuJoCo's message may have several lines; ours have one.
+std::string one_line(const char* text) {
+  std::string line(text);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  return line;
+}
+
+mjtObj object_type(Kind kind) {
+  switch (kind) {
+    case Kind::kBody: return mjOBJ_BODY;
+    case Kind::kJoint: return mjOBJ_JOINT;
+    case Kind::kGeom: return mjOBJ_GEOM;
+    case Kind::kSite: return mjOBJ_SITE;
+    case Kind::kCamera: return mjOBJ_CAMERA;
+    case Kind::kActuator: return mjOBJ_ACTUATOR;
+    case Kind::kSensor: return mjOBJ_SENSOR;
+  }
+  return mjOBJ_UNKNOWN;
+}
+
+std::string some_names(const mjModel& model, Kind kind) {
+  constexpr int kShown = 60;
+  std::string names;
+  int shown = 0;
+  for (int id = 0; id < count(model, kind); ++id) {
+    const char* text = name(model, kind, id);
+    if (*text == '\0') continue;
+    if (++shown > kShown) return names + ", ...";
+    if (!names.empty()) names += ", ";
+    names += text;
+  }
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
+
+ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log) {
+  constexpr const char* kDocument = "mimo_scene.xml";
+  VirtualFiles files;
+  files.add(kDocument, xml.data(), xml.size());
+  for (const Asset& asset : assets) files.add(asset.name.c_str(), asset.bytes.data(), asset.bytes.size());
+
+  const PlainNumbers plain_numbers;
+  std::array<char, 1024> text{};
+  mjModel* model = nullptr;
+  const Complaint complaint = guarded(
+      [&] { model = mj_loadXML(kDocument, files.get(), text.data(), static_cast<int>(text.size())); });
+  if (complaint.failed) fail(Status::kModel, "{}", one_line(complaint.error.data()));
+  if (model == nullptr) fail(Status::kModel, "{}", one_line(text.data()));
+  ModelPtr owned(model, [](const mjModel* m) { mj_deleteModel(const_cast<mjModel*>(m)); });
+  if (text[0] != '\0') log(LogLevel::kWarning, one_line(text.data()));
+  if (complaint.warnings > 0) log(LogLevel::kWarning, one_line(complaint.warning.data()));
+  return owned;
+}
+
+int count(const mjModel& model, Kind kind) {
+  switch (kind) {
+    case Kind::kBody: return model.nbody;
+    case Kind::kJoint: return model.njnt;
+    case Kind::kGeom: return model.ngeom;
+    case Kind::kSite: return model.nsite;
+    case Kind::kCamera: return model.ncam;
+    case Kind::kActuator: return model.nu;
+    case Kind::kSensor: return model.nsensor;
+  }
+  return 0;
+}
+
+const char* name(const mjModel& model, Kind kind, int id) {
+  const char* text = mj_id2name(&model, object_type(kind), id);
+  return text == nullptr ? "" : text;
+}
+
+int find(const mjModel& model, Kind kind, const char* name) {
+  return *name == '\0' ? -1 : mj_name2id(&model, object_type(kind), name);
+}
+
+int find_or_fail(const mjModel& model, Kind kind, const std::string& name) {
+  const int id = find(model, kind, name.c_str());
+  if (id < 0) {
+    fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", word(kind), name, some_names(model, kind));
+  }
+  return id;
+}
+
+const char* word(Kind kind) {
+  switch (kind) {
+    case Kind::kBody: return "body";
+    case Kind::kJoint: return "joint";
+    case Kind::kGeom: return "geom";
+    case Kind::kSite: return "site";
+    case Kind::kCamera: return "camera";
+    case Kind::kActuator: return "actuator";
+    case Kind::kSensor: return "sensor";
+  }
+  return "element";
+}
+
+}  // namespace mimo::engine

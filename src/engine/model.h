@@ -1,0 +1,37 @@
+// An immutable compiled model, shared by all worlds made from it.
+#pragma once
+
+#include <mujoco/mjmodel.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/log.h"
+#include "base/span.h"
+
+namespace mimo::engine {
+
+using ModelPtr = std::shared_ptr<const mjModel>;
+
+// A file that the document refers to by name and that is given in memory.
+struct Asset {
+  std::string name;
+  Span<const unsigned char> bytes;
+};
+
+// Compiles MJCF text. Files not among the assets are read from disk; relative paths start from the working
+// directory. Throws Status::kModel with MuJoCo's message. Warnings of the compiler go to the log.
+ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log);
+
+// Kinds of model elements, as mimo.h numbers them (MIMO_BODY ...).
+enum class Kind : int { kBody = 1, kJoint = 2, kGeom = 3, kSite = 4, kCamera = 5, kActuator = 6, kSensor = 7 };
+
+int count(const mjModel& model, Kind kind);
+const char* name(const mjModel& model, Kind kind, int id);  // "" where the model gives none
+int find(const mjModel& model, Kind kind, const char* name);  // -1 when there is none
+// Like find, but throws Status::kNotFound with some of the names that are there.
+int find_or_fail(const mjModel& model, Kind kind, const std::string& name);
+const char* word(Kind kind);  // "joint"
+
+}  // namespace mimo::engine

@@ -1,0 +1,127 @@
+#include "engine/physics.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+
+#include "base/fail.h"
+#include "engine/guard.h"
+
+namespace mimo::engine {
+namespace {
+
+// MuJoCo resets a diverged state by itself and says so in these counters; for us the world has failed.
+constexpr mjtWarning kDivergence[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
+// Trouble that the simulation survives, but that its user must hear of.
+constexpr mjtWarning kSurvivable[] = {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADCTRL};
+
+void apply(const PhysicsOptions& options, mjOption& opt) {
+  if (options.jacobian == Jacobian::kDense) opt.jacobian = mjJAC_DENSE;
+  if (options.jacobian == Jacobian::kSparse) opt.jacobian = mjJAC_SPARSE;
+  if (!options.contacts) opt.disableflags |= mjDSBL_CONTACT;
+  if (!options.gravity) opt.disableflags |= mjDSBL_GRAVITY;
+}
+
+}  // namespace
+
+Physics::Physics(ModelPtr model, const PhysicsOptions& options)
+    : shared_(std::move(model)), model_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
+  apply(options, model_.opt);
+  warmstart_.resize(static_cast<std::size_t>(model_.nv));
+  mjData* data = nullptr;
+  const Complaint complaint = guarded([&] { data = mj_makeData(&model_); });
+  if (complaint.failed || data == nullptr) {
+    fail(Status::kOutOfMemory, "no memory for the simulation's data: {}", complaint.error.data());
+  }
+  data_.reset(data);
+  reset();
+}
+
+void Physics::reset() {
+  failed_ = false;
+  run([this] { mj_resetData(&model_, data_.get()); });
+  warned_.fill(0);
+  forward();
+}
+
+void Physics::step(int count) {
+  require_usable();
+  run([this, count] {
+    for (int i = 0; i < count; ++i) mj_step(&model_, data_.get());
+  });
+  check_divergence();
+}
+
+void Physics::forward() {
+  require_usable();
+  // The solver starts from the last acceleration: putting it back is what keeps the trajectory to the bit.
+  std::copy_n(data_->qacc_warmstart, model_.nv, warmstart_.data());
+  run([this] { mj_forward(&model_, data_.get()); });
+  std::copy_n(warmstart_.data(), model_.nv, data_->qacc_warmstart);
+}
+
+void Physics::update_poses() {
+  require_usable();
+  run([this] {
+    mj_kinematics(&model_, data_.get());
+    mj_comPos(&model_, data_.get());
+    mj_camlight(&model_, data_.get());
+  });
+}
+
+void Physics::require_usable() const {
+  if (failed_) fail(Status::kSimulation, "this world has failed before and needs a reset first");
+}
+
+std::string Physics::take_warnings() {
+  std::string text;
+  for (const mjtWarning kind : kSurvivable) {
+    const mjWarningStat& stat = data_->warning[kind];
+    if (stat.number <= warned_[kind]) continue;
+    if (warned_[kind] == 0) {  // once an episode is enough
+      if (!text.empty()) text += "; ";
+      text += mju_warningText(kind, stat.lastinfo);
+    }
+    warned_[kind] = stat.number;
+  }
+  return text;
+}
+
+void Physics::fail_world(const std::string& why) {
+  failed_ = true;
+  fail(Status::kSimulation, "the simulation failed at {:.4f} s: {}", data_->time, why);
+}
+
+void Physics::check_divergence() {
+  for (const mjtWarning kind : kDivergence) {
+    if (data_->warning[kind].number > 0) fail_world(mju_warningText(kind, data_->warning[kind].lastinfo));
+  }
+}
+
+template <typename Call>
+void Physics::run(Call&& call) {
+  const Complaint complaint = guarded(call);
+  if (complaint.failed) fail_world(complaint.error.data());
+}
+
+std::array<double, 6> contact_force(const mjModel& model, const mjData& data, int contact) {
+  std::array<double, 6> force{};
+  mj_contactForce(&model, &data, contact, force.data());
+  return force;
+}
+
+std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body) {
+  std::array<double, 6> spatial{};  // angular, then linear
+  mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, spatial.data(), 0);
+  return {spatial[3], spatial[4], spatial[5], spatial[0], spatial[1], spatial[2]};
+}
+
+std::array<double, 4> quaternion(const double* matrix) {
+  std::array<double, 4> quat{};
+  mju_mat2Quat(quat.data(), matrix);
+  return quat;
+}
+
+const char* mujoco_version() { return mj_versionString(); }
+
+}  // namespace mimo::engine

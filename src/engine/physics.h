@@ -1,0 +1,78 @@
+// One world's physics: its state, stepped under the guard.
+#pragma once
+
+#include <mujoco/mjdata.h>
+#include <mujoco/mjmodel.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/model.h"
+
+namespace mimo::engine {
+
+enum class Jacobian { kModel = 0, kDense = 1, kSparse = 2 };
+
+struct PhysicsOptions {
+  Jacobian jacobian = Jacobian::kModel;
+  bool contacts = true;
+  bool gravity = true;
+};
+
+class Physics {
+ public:
+  Physics(ModelPtr model, const PhysicsOptions& options);
+
+  // The world's own view of the model: a copy of the struct, arrays shared with all other worlds.
+  const mjModel& model() const { return model_; }
+  mjData& data() { return *data_; }
+  const mjData& data() const { return *data_; }
+
+  // Back to qpos0 at rest, nothing applied; makes a failed world usable again.
+  void reset();
+
+  // Physics steps. Throws Status::kSimulation when MuJoCo gives up or the state diverges; the world is then failed.
+  void step(int count);
+
+  // Recomputes everything that follows from the state, without changing the trajectory.
+  void forward();
+
+  // Recomputes poses only (bodies, geoms, sites, cameras, lights).
+  void update_poses();
+
+  bool failed() const { return failed_; }
+  // Throws Status::kSimulation when the world has failed and has not been reset.
+  void require_usable() const;
+
+  // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.
+  std::string take_warnings();
+
+ private:
+  void fail_world(const std::string& why);
+  void check_divergence();
+  template <typename Call>
+  void run(Call&& call);
+
+  ModelPtr shared_;
+  mjModel model_;
+  std::unique_ptr<mjData, void (*)(mjData*)> data_;
+  std::array<int, mjNWARNING> warned_{};
+  std::vector<double> warmstart_;  // room for forward() to keep the solver's start
+  bool failed_ = false;
+};
+
+// Force and torque of a contact in its frame, acting on the body of geom 2: {fn, ft1, ft2, tn, tt1, tt2}.
+std::array<double, 6> contact_force(const mjModel& model, const mjData& data, int contact);
+
+// Velocity of a body's origin in the world frame: linear, then angular.
+std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body);
+
+// w x y z of a rotation matrix (row-major).
+std::array<double, 4> quaternion(const double* matrix);
+
+// MuJoCo's version as "2.2.2".
+const char* mujoco_version();
+
+}  // namespace mimo::engine

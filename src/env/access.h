@@ -1,0 +1,48 @@
+// Named access: reading and writing quantities of many model elements at once.
+#pragma once
+
+#include <cstdint>
+
+#include "base/span.h"
+#include "engine/physics.h"
+
+namespace mimo::env {
+
+// As mimo.h numbers them (MIMO_JOINT_POSITION ...).
+enum class Quantity : int {
+  kJointPosition = 1,
+  kJointVelocity,
+  kJointForce,
+  kJointAcceleration,
+  kJointRange,
+  kBodyPosition,
+  kBodyOrientation,
+  kBodyVelocity,
+  kBodyForce,
+  kBodyMass,
+  kBodyCenterOfMass,
+  kGeomPosition,
+  kGeomOrientation,
+  kGeomSize,
+  kSitePosition,
+  kSiteOrientation,
+  kCameraPosition,
+  kCameraOrientation,
+  kActuatorControl,
+  kActuatorForce,
+  kSensorValue,
+};
+
+// Both throw Status::kInvalidArgument for a number that is none.
+engine::Kind kind_from(int number);
+Quantity quantity_from(int number);
+
+// How many values a quantity has for all ids together. Throws for ids out of range.
+std::size_t width(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids);
+
+// `values` has exactly the width.
+void get(const engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<double> values);
+// Checks everything before it writes anything; recomputes poses when something moved.
+void set(engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values);
+
+}  // namespace mimo::env

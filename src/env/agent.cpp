@@ -1,0 +1,40 @@
+#include "env/agent.h"
+
+#include "base/fail.h"
+#include "senses/vestibular.h"
+
+namespace mimo::env {
+namespace {
+
+bool any(const senses::ProprioceptionOptions& p) {
+  return p.position || p.velocity || p.torque || p.limit || p.actuation || p.joint_torque;
+}
+
+}  // namespace
+
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, render::Renderer* renderer) {
+  const mjModel& model = physics.model();
+  Agent agent;
+  agent.name = options.name;
+  agent.body = body::find_body(model, options.prefix());
+  agent.mass = body::mass(model, agent.body);
+  agent.height = body::height(model, physics.data(), agent.body);
+  agent.actuation = std::make_unique<actuation::Torque>(model, agent.body);
+  if (any(options.proprioception)) {
+    agent.senses.push_back(
+        std::make_unique<senses::Proprioception>(model, agent.body, options.proprioception));
+  }
+  if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));
+  if (options.vision.any()) {
+    if (renderer == nullptr) {
+      fail(Status::kInvalidArgument, "renderer \"none\": the eyes are on; switch vision off or choose a renderer");
+    }
+    agent.senses.push_back(std::make_unique<senses::Vision>(model, agent.body, options.vision, *renderer));
+  }
+  for (const auto& sense : agent.senses) {
+    for (senses::Field& field : sense->fields()) field.name = options.prefix() + field.name;
+  }
+  return agent;
+}
+
+}  // namespace mimo::env

@@ -1,0 +1,27 @@
+// One infant in a world: its body, its actuation, its senses.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "actuation/actuation.h"
+#include "body/body.h"
+#include "env/options.h"
+#include "senses/sense.h"
+
+namespace mimo::env {
+
+struct Agent {
+  std::string name;
+  body::Body body;
+  std::unique_ptr<actuation::Actuation> actuation;
+  std::vector<std::unique_ptr<senses::Sense>> senses;
+  std::size_t action_offset = 0;
+  double mass = 0;
+  double height = 0;
+};
+
+// Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision.
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, render::Renderer* renderer);
+
+}  // namespace mimo::env

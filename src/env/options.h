@@ -1,0 +1,32 @@
+// What a world is made of: the inner form of mimo_agent_config and mimo_env_config.
+#pragma once
+
+#include <string>
+
+#include "base/log.h"
+#include "engine/physics.h"
+#include "senses/proprioception.h"
+#include "senses/vision.h"
+
+namespace mimo::env {
+
+struct AgentOptions {
+  std::string name;  // "" for a sole agent
+  senses::ProprioceptionOptions proprioception;
+  bool vestibular = true;
+  senses::VisionOptions vision;
+
+  // Prefix of its model names and fields.
+  std::string prefix() const { return name.empty() ? "" : name + "/"; }
+};
+
+struct EnvOptions {
+  int frame_skip = 2;
+  engine::PhysicsOptions physics;
+  std::string renderer = "auto";
+  std::uint32_t max_steps = 0;
+  bool timing = false;
+  LogSink log;
+};
+
+}  // namespace mimo::env

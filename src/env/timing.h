@@ -1,0 +1,36 @@
+// Where a step's time goes.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+
+#include "senses/sense.h"
+
+namespace mimo::env {
+
+struct Timing {
+  std::uint64_t steps = 0;
+  double total = 0;
+  double physics = 0;
+  std::array<double, 4> senses{};  // by senses::Part
+};
+
+// Adds the seconds of its own life to a sum; does nothing when switched off.
+class Stopwatch {
+ public:
+  Stopwatch(bool on, double& sum) : sum_(on ? &sum : nullptr) {
+    if (sum_ != nullptr) start_ = std::chrono::steady_clock::now();
+  }
+  ~Stopwatch() {
+    if (sum_ != nullptr) *sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double* sum_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace mimo::env

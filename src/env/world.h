@@ -1,0 +1,72 @@
+// One world: physics, agents with their senses, a task, random numbers.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/random.h"
+#include "engine/physics.h"
+#include "env/agent.h"
+#include "env/layout.h"
+#include "env/options.h"
+#include "env/timing.h"
+#include "render/renderer.h"
+#include "tasks/task.h"
+
+namespace mimo::env {
+
+// Per-agent results of a step, each as long as there are agents or empty.
+struct Results {
+  Span<double> reward;
+  Span<std::uint8_t> terminated;
+  Span<std::uint8_t> truncated;
+};
+
+class World {
+ public:
+  World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
+
+  const mjModel& model() const { return physics_.model(); }
+  const mjData& data() const { return physics_.data(); }
+  engine::Physics& physics() { return physics_; }
+  const engine::Physics& physics() const { return physics_; }
+  const std::vector<Agent>& agents() const { return agents_; }
+  const Layout& layout() const { return layout_; }
+  std::size_t action_size() const { return action_size_; }
+  // Agent and index in its actuation of an action.
+  std::pair<const Agent*, std::size_t> action(std::size_t index) const;
+  const Timing& timing() const { return timing_; }
+  void reset_timing() { timing_ = {}; }
+
+  // A block may be null: then nothing is observed.
+  void reset(const std::uint64_t* seed, std::uint8_t* block);
+  // Without actions the controls stay as they are. Actions are finite.
+  void step(Span<const float> actions, std::uint8_t* block, const Results& results);
+  void observe(std::uint8_t* block);
+  void physics_step(int count);
+
+  // Draws the poses as they are with the world's renderer, which is made when first needed.
+  void draw(const render::View& view, const render::Picture& picture);
+
+ private:
+  void make_renderer();
+  void sense(std::uint8_t* block);
+  void evaluate(const Results& results);
+  void report_warnings();
+
+  EnvOptions options_;
+  engine::ModelPtr shared_model_;
+  engine::Physics physics_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::vector<Agent> agents_;
+  std::unique_ptr<tasks::Task> task_;
+  Layout layout_;
+  Random random_;
+  std::size_t action_size_ = 0;
+  std::uint64_t elapsed_ = 0;
+  std::vector<double> reward_;             // used when the caller does not want them
+  std::vector<std::uint8_t> terminated_;
+  Timing timing_;
+};
+
+}  // namespace mimo::env

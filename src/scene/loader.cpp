@@ -1,0 +1,154 @@
+#include "scene/loader.h"
+
+#include <array>
+
+#include "base/fail.h"
+#include "scene/xml.h"
+
+namespace mimo::scene {
+namespace {
+
+constexpr const char* kLibraryPrefix = "mimo/";
+
+bool has_prefix(const std::string& text, const std::string& prefix) { return text.rfind(prefix, 0) == 0; }
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+}
+
+std::string join(const std::string& folder, const std::string& path) {
+  if (folder.empty() || has_prefix(path, "/")) return path;
+  return folder.back() == '/' ? folder + path : folder + "/" + path;
+}
+
+// Attributes that name files, and the compiler attribute that names their folder.
+struct FileAttribute {
+  const char* element;
+  const char* attribute;
+  const char* folder;
+};
+constexpr std::array<FileAttribute, 10> kFiles = {{{"mesh", "file", "meshdir"},
+                                                   {"hfield", "file", "meshdir"},
+                                                   {"skin", "file", "meshdir"},
+                                                   {"texture", "file", "texturedir"},
+                                                   {"texture", "fileright", "texturedir"},
+                                                   {"texture", "fileleft", "texturedir"},
+                                                   {"texture", "fileup", "texturedir"},
+                                                   {"texture", "filedown", "texturedir"},
+                                                   {"texture", "filefront", "texturedir"},
+                                                   {"texture", "fileback", "texturedir"}}};
+
+// A setting of the document's compiler elements; the last one counts, as in MuJoCo.
+std::string compiler_setting(pugi::xml_node root, const char* attribute) {
+  std::string value;
+  for (pugi::xml_node compiler : root.children("compiler")) {
+    if (compiler.attribute(attribute)) value = compiler.attribute(attribute).value();
+  }
+  return value;
+}
+
+}  // namespace
+
+bool in_radians(pugi::xml_node root) {
+  return compiler_setting(root, "angle") == "radian";
+}
+
+void convert_to_radians(pugi::xml_node root) {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  walk(root, [](pugi::xml_node node) {
+    if (std::string(node.name()) != "joint") return;  // all joints of the bodies are hinges
+    for (const char* name : {"range", "ref", "springref"}) {
+      const pugi::xml_attribute attribute = node.attribute(name);
+      if (attribute.empty()) continue;
+      std::vector<double> values = numbers(attribute);
+      for (double& value : values) value *= kDegree;
+      set(node, name, Span<const double>(values));
+    }
+  });
+}
+
+pugi::xml_document Loader::built_in(const std::string& path) {
+  const auto content = library_.text(path);
+  if (!content) {
+    fail(Status::kNotFound, "no built-in model {}{}", path,
+         library_.built_in() ? "" : " in model_dir " + library_.folder());
+  }
+  return load(*content, path, {true, ""});
+}
+
+pugi::xml_document Loader::file(const std::string& path) {
+  const auto content = read_file(path);
+  if (!content) fail(Status::kNotFound, "file {} cannot be read", path);
+  return load(*content, path, {false, folder_of(path)});
+}
+
+pugi::xml_document Loader::text(const std::string& xml) { return load(xml, "xml text", {false, ""}); }
+
+pugi::xml_document Loader::load(const std::string& text, const std::string& name, const Origin& origin) {
+  pugi::xml_document document = parse(text, name);
+  const pugi::xml_node root = document.document_element();
+  expand_includes(root, origin, in_radians(root));
+  locate_assets(root, origin);
+  return document;
+}
+
+void Loader::expand_includes(pugi::xml_node root, const Origin& origin, bool host_in_radians) {
+  std::vector<pugi::xml_node> includes;  // collected first: inserting changes what is being walked over
+  walk(root, [&](pugi::xml_node node) {
+    if (std::string(node.name()) == "include") includes.push_back(node);
+  });
+  for (const pugi::xml_node include : includes) insert(include, origin, host_in_radians);
+}
+
+// Puts the content of an included file in place of the include element.
+void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_radians) {
+  std::string path = include.attribute("file").value();
+  if (path.empty()) fail(Status::kModel, "an include element has no file");
+  Origin from = origin;
+  if (!from.library && has_prefix(path, kLibraryPrefix)) {
+    from = {true, ""};
+    path = path.substr(std::string(kLibraryPrefix).size());
+  }
+  const std::string key = from.library ? kLibraryPrefix + path : join(from.folder, path);
+  if (!included_.insert(key).second) fail(Status::kModel, "file {} is included twice", key);
+
+  const auto content = from.library ? library_.text(path) : read_file(key);
+  if (!content) fail(Status::kNotFound, "included file {} cannot be read", key);
+  const pugi::xml_document document = parse(*content, key);
+  const pugi::xml_node root = document.document_element();
+  const bool crosses = from.library && !origin.library;
+  expand_includes(root, from, host_in_radians);
+  if (crosses) {
+    // A built-in file in a user's document: the user's compiler settings stay, the file adapts to them.
+    locate_assets(root, from);
+    while (root.child("compiler")) pugi::xml_node(root).remove_child("compiler");
+    if (host_in_radians) convert_to_radians(root);
+  }
+  pugi::xml_node parent = include.parent();
+  for (pugi::xml_node child : root.children()) {
+    if (parent.insert_copy_before(child, include).empty()) throw std::bad_alloc();
+  }
+  parent.remove_child(include);
+}
+
+// Gives every asset file its full path, so that documents from different folders can be put together. Built-in files
+// are named "mimo/..."; the builder hands them to MuJoCo in memory.
+void Loader::locate_assets(pugi::xml_node root, const Origin& origin) const {
+  const std::string base = origin.library ? (library_.built_in() ? kLibraryPrefix : library_.folder()) : origin.folder;
+  const bool strip = compiler_setting(root, "strippath") == "true";
+  walk(root, [&](pugi::xml_node node) {
+    for (const FileAttribute& entry : kFiles) {
+      if (std::string(node.name()) != entry.element) continue;
+      std::string path = node.attribute(entry.attribute).value();
+      if (path.empty() || has_prefix(path, kLibraryPrefix)) continue;
+      if (strip) path = path.substr(folder_of(path).size());
+      set(node, entry.attribute, join(join(base, compiler_setting(root, entry.folder)), path));
+    }
+  });
+  for (pugi::xml_node compiler : root.children("compiler")) {
+    for (const char* attribute : {"meshdir", "texturedir", "strippath"}) compiler.remove_attribute(attribute);
+  }
+}
+
+}  // namespace mimo::scene

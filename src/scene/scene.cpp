@@ -1,0 +1,182 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/fail.h"
+#include "scene/loader.h"
+#include "scene/names.h"
+#include "scene/xml.h"
+
+namespace mimo::scene {
+namespace {
+
+constexpr const char* kScenes[] = {"benchmark", "free"};
+constexpr const char* kBodies[] = {"mitten"};
+constexpr const char* kRootBody = "mimo_location";
+constexpr const char* kPlaces = "mimo:place";  // custom number of a room: 7 values a place
+
+template <std::size_t N>
+const char* entry(const char* const (&list)[N], std::size_t index) {
+  return index < N ? list[index] : nullptr;
+}
+
+template <std::size_t N>
+void require_known(const char* what, const char* const (&list)[N], const std::string& name) {
+  if (std::find(std::begin(list), std::end(list), name) != std::end(list)) return;
+  fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", what, name, fmt::join(list, ", "));
+}
+
+pugi::xml_document load(const Library& library, const Source& source) {
+  Loader loader(library);
+  if (!source.name.empty()) {
+    require_known("scene", kScenes, source.name);
+    return loader.built_in(source.name + ".xml");
+  }
+  if (!source.file.empty()) return loader.file(source.file);
+  if (!source.xml.empty()) return loader.text(source.xml);
+  return loader.text("<mujoco><include file=\"mimo/parts/options.xml\"/></mujoco>");
+}
+
+const char* shape_name(Shape shape) {
+  switch (shape) {
+    case Shape::kSphere: return "sphere";
+    case Shape::kCapsule: return "capsule";
+    case Shape::kEllipsoid: return "ellipsoid";
+    case Shape::kCylinder: return "cylinder";
+    case Shape::kBox: return "box";
+  }
+  return "";
+}
+
+void set_pose(pugi::xml_node body, const Pose& pose) {
+  for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"}) body.remove_attribute(other);
+  set(body, "pos", Span<const double>(pose.position));
+  set(body, "quat", Span<const double>(pose.orientation));
+}
+
+pugi::xml_node section(pugi::xml_node root, const char* name) {
+  const pugi::xml_node found = root.child(name);
+  return found.empty() ? append(root, name) : found;
+}
+
+// MuJoCo sizes its buffers for the worst case, 19 MB a world. What an infant needs at most was measured over an hour
+// of random movement (docs/memory.md); a buffer that is full after all shows as a warning, never as a crash.
+constexpr int kContactsPerBody = 150;
+constexpr int kConstraintsPerBody = 500;
+constexpr int kStackPerBody = 400000;  // numbers of 8 bytes, touched only as far as needed
+
+void size_buffers(pugi::xml_node root, int bodies) {
+  if (bodies == 0) return;
+  const pugi::xml_node size = section(root, "size");
+  for (const pugi::xml_node given : root.children("size")) {
+    for (const char* name : {"njmax", "nconmax", "nstack", "memory"}) {
+      if (given.attribute(name)) return;  // the document's author has decided
+    }
+  }
+  set(size, "nconmax", std::to_string(kContactsPerBody * bodies));
+  set(size, "njmax", std::to_string(kConstraintsPerBody * bodies));
+  set(size, "nstack", std::to_string(kStackPerBody * bodies));
+}
+
+}  // namespace
+
+const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
+const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
+
+Scene::Scene(const Source& source) : library_(source.model_dir), document_(load(library_, source)) {}
+
+void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose) {
+  require_known("body", kBodies, body);
+  const std::string root_name = prefix + kRootBody;
+  require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
+  const Pose place = pose != nullptr ? *pose : next_place();
+
+  const pugi::xml_document guest = Loader(library_).built_in(body + ".xml");
+  const pugi::xml_node guest_root = guest.document_element();
+  const pugi::xml_node root = document_.document_element();
+  prefix_names(guest_root, prefix);
+  if (in_radians(root)) convert_to_radians(guest_root);
+  for (const pugi::xml_node part : guest_root.children()) {
+    const std::string name = part.name();
+    const bool shared = name == "default" || name == "asset";
+    if (name == "compiler" || part.type() != pugi::node_element) continue;
+    if (shared && body_assets_added_) continue;
+    copy_into(root, part);
+  }
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
+    if (!added.empty()) set_pose(added, place);
+  }
+  body_assets_added_ = true;
+  ++bodies_;
+}
+
+void Scene::add_object(const Object& object) {
+  require(!has_name("body", object.name) && !has_name("geom", object.name),
+          "object name \"{}\": the scene already has a body or geom of that name", object.name);
+  const pugi::xml_node body = append(section(document_.document_element(), "worldbody"), "body");
+  set(body, "name", object.name);
+  set_pose(body, object.pose);
+  if (!object.fixed) set(append(body, "freejoint"), "name", object.name);
+  const pugi::xml_node geom = append(body, "geom");
+  set(geom, "name", object.name);
+  set(geom, "type", shape_name(object.shape));
+  set(geom, "size", Span<const double>(object.size));
+  set(geom, "rgba", Span<const double>(object.rgba));
+  if (object.mass > 0) {
+    set(geom, "mass", Span<const double>(&object.mass, 1));
+  } else {
+    set(geom, "density", "1000");
+  }
+  // Spelt out, so that main defaults of a user's document do not change what was asked for.
+  set(geom, "condim", "6");
+  set(geom, "friction", "1 0.005 0.0001");
+  set(geom, "solref", "0.005 1");
+  set(geom, "solimp", "0.95 0.99 0.001 0.5 1");
+}
+
+Composition Scene::compose() const {
+  pugi::xml_document copy;
+  copy.reset(document_);
+  const pugi::xml_node root = copy.document_element();
+  size_buffers(root, bodies_);
+  Composition composition;
+  std::set<std::string> seen;
+  walk(root, [&](pugi::xml_node node) {
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const std::string value = attribute.value();
+      if (std::string(attribute.name()).rfind("file", 0) != 0 || value.rfind("mimo/", 0) != 0) continue;
+      const auto bytes = built_in_file(value.substr(5));
+      if (!bytes.empty() && seen.insert(value).second) composition.assets.push_back({value, bytes});
+    }
+  });
+  composition.xml = print(copy);
+  return composition;
+}
+
+bool Scene::has_name(const char* element, const std::string& name) const {
+  bool found = false;
+  walk(document_.document_element(), [&](pugi::xml_node node) {
+    found = found || (std::string(node.name()) == element && name == node.attribute("name").value());
+  });
+  return found;
+}
+
+// The room's next free place for an infant; the origin in a room that names none.
+Pose Scene::next_place() const {
+  std::vector<double> places;
+  for (const pugi::xml_node custom : document_.document_element().children("custom")) {
+    const pugi::xml_node node = custom.find_child_by_attribute("numeric", "name", kPlaces);
+    if (!node.empty()) places = numbers(node.attribute("data"));
+  }
+  const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
+  if (places.empty() && bodies_ == 0) return {};
+  require(places.size() >= first + 7, "position: the scene has no place for infant number {}; give one", bodies_ + 1);
+  Pose pose;
+  std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first), 3, pose.position.begin());
+  std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first) + 3, 4, pose.orientation.begin());
+  return pose;
+}
+
+}  // namespace mimo::scene

@@ -1,0 +1,69 @@
+// A scene under construction: one MJCF document that grows with every call, and the agents in it.
+#pragma once
+
+#include <array>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "base/log.h"
+#include "engine/model.h"
+#include "scene/library.h"
+
+namespace mimo::scene {
+
+struct Pose {
+  std::array<double, 3> position{};
+  std::array<double, 4> orientation{1, 0, 0, 0};  // w x y z
+};
+
+// At most one of name, file and xml is not empty.
+struct Source {
+  std::string name;
+  std::string file;
+  std::string xml;
+  std::string model_dir;
+};
+
+enum class Shape : int { kSphere = 1, kCapsule = 2, kEllipsoid = 3, kCylinder = 4, kBox = 5 };
+
+struct Object {
+  std::string name;
+  Shape shape = Shape::kSphere;
+  std::array<double, 3> size{};
+  Pose pose;
+  double mass = 0;  // 0: from a density of 1000 kg/m^3
+  std::array<double, 4> rgba{};
+  bool fixed = false;
+};
+
+struct Composition {
+  std::string xml;
+  std::vector<engine::Asset> assets;  // built-in files that the document refers to
+};
+
+class Scene {
+ public:
+  explicit Scene(const Source& source);
+
+  // Adds the body of an infant ("mitten"). Its model names get the prefix; no pose means the scene's own place.
+  void add_body(const std::string& body, const std::string& prefix, const Pose* pose);
+  void add_object(const Object& object);
+
+  Composition compose() const;
+
+ private:
+  bool has_name(const char* element, const std::string& name) const;
+  Pose next_place() const;
+
+  Library library_;
+  pugi::xml_document document_;
+  int bodies_ = 0;
+  bool body_assets_added_ = false;
+};
+
+// Names of the built-in scenes and bodies; nullptr past the last.
+const char* built_in_scene(std::size_t index);
+const char* built_in_body(std::size_t index);
+
+}  // namespace mimo::scene

@@ -1,0 +1,39 @@
+// Small helpers over pugixml, which reports a failed allocation by an empty node.
+#pragma once
+
+#include <new>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+
+namespace mimo::scene {
+
+// Parses a document whose root is <mujoco> or <mujocoinclude>; `origin` is for messages. Throws Status::kModel.
+pugi::xml_document parse(const std::string& text, const std::string& origin);
+
+std::string print(const pugi::xml_document& document);
+
+pugi::xml_node append(pugi::xml_node parent, const char* name);
+void copy_into(pugi::xml_node parent, pugi::xml_node node);
+
+// Sets an attribute, in place of one of that name.
+void set(pugi::xml_node node, const char* name, const std::string& value);
+void set(pugi::xml_node node, const char* name, Span<const double> values);
+
+// Numbers of an attribute, independent of the locale. Throws Status::kModel if it holds anything else.
+std::vector<double> numbers(pugi::xml_attribute attribute);
+
+// Calls visit(node) for a node and all elements below it.
+template <typename Visit>
+void walk(pugi::xml_node node, Visit&& visit) {
+  visit(node);
+  for (pugi::xml_node child = node.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();  // the visitor may replace or remove the child
+    if (child.type() == pugi::node_element) walk(child, visit);
+    child = next;
+  }
+}
+
+}  // namespace mimo::scene

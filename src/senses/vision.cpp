@@ -1,0 +1,54 @@
+#include "senses/vision.h"
+
+#include <limits>
+
+#include "base/fail.h"
+
+namespace mimo::senses {
+
+Vision::Vision(const mjModel& model, const body::Body& body, const VisionOptions& options, render::Renderer& renderer)
+    : options_(options), renderer_(renderer) {
+  if (body.eye_left < 0 || body.eye_right < 0) {
+    fail(Status::kNotFound, "vision is on, but the model has no cameras {0}eye_left and {0}eye_right", body.prefix);
+  }
+  eyes_.push_back(eye(model, "eye_left", body.eye_left));
+  eyes_.push_back(eye(model, "eye_right", body.eye_right));
+}
+
+Vision::Eye Vision::eye(const mjModel& model, const char* name, int camera) {
+  const std::string path = std::string("vision/") + name;
+  const double far = model.vis.map.zfar * model.stat.extent;
+  Eye eye{camera, kNone, kNone, kNone};
+  if (options_.rgb) eye.rgb = add(path, Type::kU8, "", 0, 255);
+  if (options_.depth) eye.depth = add(path + "_depth", Type::kF32, "m", 0, far);
+  if (options_.segmentation) eye.segmentation = add(path + "_segmentation", Type::kI32, "", -1, model.ngeom - 1);
+  return eye;
+}
+
+int Vision::add(const std::string& name, Type type, const char* unit, double low, double high) {
+  Field field;
+  field.name = name;
+  field.type = type;
+  field.shape = {static_cast<std::size_t>(options_.height), static_cast<std::size_t>(options_.width)};
+  if (type == Type::kU8) field.shape.push_back(3);
+  field.unit = unit;
+  field.frame = "camera";
+  field.low = low;
+  field.high = high;
+  fields_.push_back(std::move(field));
+  return static_cast<int>(fields_.size()) - 1;
+}
+
+void Vision::write(const mjModel& model, const mjData& data, std::uint8_t* block) {
+  for (const Eye& eye : eyes_) {
+    render::Picture picture;
+    picture.width = options_.width;
+    picture.height = options_.height;
+    picture.rgb = pixels<std::uint8_t>(block, eye.rgb);
+    picture.depth = pixels<float>(block, eye.depth);
+    picture.segmentation = pixels<std::int32_t>(block, eye.segmentation);
+    renderer_.draw(model, data, render::camera_view(model, data, eye.camera, options_.fovy), picture);
+  }
+}
+
+}  // namespace mimo::senses
