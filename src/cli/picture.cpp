@@ -70,11 +70,11 @@ ColorPicture color_coded(const Picture<std::int32_t>& ids) {
   return colors;
 }
 
-Picture<std::uint16_t> millimetres(const Picture<float>& metres) {
+Picture<std::uint16_t> millimetres(const Picture<float>& metres, const Picture<std::int32_t>& ids) {
   Picture<std::uint16_t> picture{metres.width, metres.height, {}};
-  for (const float depth : metres.pixels) {
-    const double value = std::round(depth * 1000.0);
-    const bool fits = value >= 0 && value <= std::numeric_limits<std::uint16_t>::max();  // false for NaN
+  for (std::size_t i = 0; i < metres.pixels.size(); ++i) {
+    const double value = std::round(metres.pixels[i] * 1000.0);
+    const bool fits = ids.pixels[i] >= 0 && value >= 0 && value <= std::numeric_limits<std::uint16_t>::max();
     picture.pixels.push_back(fits ? static_cast<std::uint16_t>(value) : 0);
   }
   return picture;

@@ -28,8 +28,8 @@ ColorPicture anaglyph(const ColorPicture& left, const ColorPicture& right);
 // A colour for each id that is easy to tell from its neighbours'; black for -1.
 ColorPicture color_coded(const Picture<std::int32_t>& ids);
 
-// Metres as 16-bit millimetres; 0 where there is nothing, or nothing nearer than 65.5 m.
-Picture<std::uint16_t> millimetres(const Picture<float>& metres);
+// Metres as 16-bit millimetres; 0 where there is nothing (an id of -1), or nothing nearer than 65.5 m.
+Picture<std::uint16_t> millimetres(const Picture<float>& metres, const Picture<std::int32_t>& ids);
 
 // Write a file or throw a Failure. .npy is NumPy's format.
 void write_png(const std::string& path, const ColorPicture& picture);

@@ -40,18 +40,17 @@ void render(const RenderOptions& options) {
   env.reset(options.world.seed, nothing);
   const auto config = view(env, options);
 
-  const std::size_t pixels = std::size_t{config.width} * config.height;
-  ColorPicture color{config.width, config.height, std::vector<Rgb>(pixels)};
-  Picture<float> depth{config.width, config.height, std::vector<float>(options.depth.empty() ? 0 : pixels)};
-  Picture<std::int32_t> ids{config.width, config.height,
-                            std::vector<std::int32_t>(options.segmentation.empty() ? 0 : pixels)};
-  check(mimo_env_render(env.get(), &config, &color.pixels[0].r, pixels * sizeof(Rgb),
-                        depth.pixels.empty() ? nullptr : depth.pixels.data(), depth.pixels.size(),
-                        ids.pixels.empty() ? nullptr : ids.pixels.data(), ids.pixels.size()));
+  const std::uint32_t width = config.width, height = config.height;
+  const std::size_t pixels = std::size_t{width} * height;
+  ColorPicture color{width, height, std::vector<Rgb>(pixels)};
+  Picture<float> depth{width, height, std::vector<float>(pixels)};
+  Picture<std::int32_t> ids{width, height, std::vector<std::int32_t>(pixels)};
+  check(mimo_env_render(env.get(), &config, &color.pixels[0].r, pixels * sizeof(Rgb), depth.pixels.data(), pixels,
+                        ids.pixels.data(), pixels));
 
   write_png(options.out, color);
   if (!options.depth.empty()) {
-    is_png(options.depth) ? write_png(options.depth, millimetres(depth)) : write_npy(options.depth, depth);
+    is_png(options.depth) ? write_png(options.depth, millimetres(depth, ids)) : write_npy(options.depth, depth);
   }
   if (!options.segmentation.empty()) {
     is_png(options.segmentation) ? write_png(options.segmentation, color_coded(ids))
@@ -95,7 +94,7 @@ void add_render(CLI::App& program) {
   command
       ->add_option("--depth", options->depth,
                    "Depth along the camera's axis: a .png of 16-bit millimetres, 0 for\n"
-                   "more than 65.5 m; any other name: NumPy's .npy, float32 metres")
+                   "nothing or more than 65.5 m; any other name: NumPy's .npy, float32 metres")
       ->type_name("FILE");
   command
       ->add_option("--segmentation", options->segmentation,

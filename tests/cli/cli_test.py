@@ -341,12 +341,15 @@ class Render(Case):
 
     def test_depth_in_both_formats_agrees(self):
         for name in ("depth.png", "depth.npy"):
-            self.mimo("render", "--width", "32", "--height", "24", "--out", "a.png", "--depth", name)
+            self.mimo("render", "--width", "32", "--height", "24", "--elevation", "0", "--out", "a.png", "--depth", name,
+                      "--segmentation", "ids.npy")
         rows = read_png(self.folder / "depth.png")[4]
         metres = read_npy(self.folder / "depth.npy")[2]
+        ids = read_npy(self.folder / "ids.npy")[2]
+        self.assertIn(-1, ids)
         millimetres = [value for row in rows for value in struct.unpack(">32H", row)]
-        for mm, m in zip(millimetres, metres):
-            self.assertAlmostEqual(mm, m * 1000 if m < 65.5 else 0, delta=0.51)
+        for mm, m, i in zip(millimetres, metres, ids):
+            self.assertAlmostEqual(mm, m * 1000 if i >= 0 and m < 65.5 else 0, delta=0.51)
 
     def test_free_camera(self):
         self.mimo("render", "--out", "a.png")
