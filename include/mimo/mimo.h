@@ -175,7 +175,8 @@ MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t si
  * Adds an infant.
  * @param config NULL means defaults.
  * @param agent  receives its number, 0 for the first; may be NULL.
- * Errors: MIMO_E_UNSUPPORTED for a second agent (not yet in this version); MIMO_E_NOT_FOUND for an unknown body.
+ * Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a name in use, or no name where there are
+ * several agents, or when the scene has no place left and none is given.
  */
 MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
                                           int32_t *agent) MIMO_NOEXCEPT;
@@ -210,7 +211,8 @@ MIMO_API mimo_status mimo_object_config_init(mimo_object_config *config, size_t 
 MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_config *config) MIMO_NOEXCEPT;
 
 /**
- * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools.
+ * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it
+ * names "mimo/..." are the built-in ones, installed as share/mimo/models.
  * @param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only.
  * @param length receives the length without the terminating zero; may be NULL.
  */

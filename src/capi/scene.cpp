@@ -224,7 +224,7 @@ mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* c
 
 mimo_status mimo_scene_xml(const mimo_scene* scene, char* text, size_t capacity, size_t* length) noexcept {
   return guard([&] {
-    const std::string xml = open(scene).scene.compose().xml;
+    const std::string xml = open(scene).scene.xml();
     check_buffer(text, capacity, xml.size() + 1, "text");
     if (text != nullptr) std::copy_n(xml.c_str(), xml.size() + 1, text);
     if (length != nullptr) *length = xml.size();

@@ -1,6 +1,5 @@
 // The built-in models: every .xml and .png of models/, compiled into the library by cmake/EmbedModels.cmake.
-#ifndef MIMO_SCENE_RESOURCES_H
-#define MIMO_SCENE_RESOURCES_H
+#pragma once
 
 #include <cstddef>
 
@@ -16,5 +15,3 @@ extern const Resource kResources[];  // Sorted by path, as strcmp would.
 extern const std::size_t kResourceCount;
 
 }  // namespace mimo::scene
-
-#endif

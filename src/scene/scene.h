@@ -37,9 +37,10 @@ struct Object {
   bool fixed = false;
 };
 
+// A document ready to compile, with the built-in files that it refers to.
 struct Composition {
   std::string xml;
-  std::vector<engine::Asset> assets;  // built-in files that the document refers to
+  std::vector<engine::Asset> assets;
 };
 
 class Scene {
@@ -50,15 +51,19 @@ class Scene {
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose);
   void add_object(const Object& object);
 
+  // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png".
+  std::string xml() const;
   Composition compose() const;
 
  private:
+  pugi::xml_document finished() const;
   bool has_name(const char* element, const std::string& name) const;
   Pose next_place() const;
 
   Library library_;
   pugi::xml_document document_;
   int bodies_ = 0;
+  int objects_ = 0;
   bool body_assets_added_ = false;
 };
 
