@@ -1,0 +1,974 @@
+// Compiled once for each instruction set: foreach_target includes this file again and again.
+//
+// Nothing here is fused or approximated by the hardware: sums, products, quotients and roots are IEEE's, so that all
+// paths give the same picture, bit by bit.
+#include "render/ray/kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#define HWY_IS_DEBUG_BUILD 0
+// The vectors below are members of structs, which scalable vectors cannot be; of the x86 sets, these are enough.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/ray/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace mimo::render::ray {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, kTile>;
+using DI = hn::RebindToSigned<D>;
+using DU = hn::RebindToUnsigned<D>;
+using V = hn::Vec<D>;
+using VI = hn::Vec<DI>;
+using VU = hn::Vec<DU>;
+using M = hn::Mask<D>;
+
+constexpr int kRays = kTile * kTile;
+constexpr float kMiss = 1e30F;
+
+HWY_INLINE V Set(float v) { return hn::Set(D(), v); }
+HWY_INLINE VI Whole(V v) { return hn::ConvertTo(DI(), v); }
+HWY_INLINE V Real(VI v) { return hn::ConvertTo(D(), v); }
+HWY_INLINE VI SetI(int v) { return hn::Set(DI(), v); }
+HWY_INLINE V Zero() { return hn::Zero(D()); }
+HWY_INLINE V Load(const float* p) { return hn::Load(D(), p); }
+HWY_INLINE void Store(V v, float* p) { hn::Store(v, D(), p); }
+HWY_INLINE V Pick(M m, V a, V b) { return hn::IfThenElse(m, a, b); }
+HWY_INLINE bool None(M m) { return hn::AllFalse(D(), m); }
+HWY_INLINE bool All(M m) { return hn::AllTrue(D(), m); }
+
+struct V3 {
+  V x, y, z;
+};
+HWY_INLINE V3 Set(const std::array<float, 3>& v) { return {Set(v[0]), Set(v[1]), Set(v[2])}; }
+HWY_INLINE V Dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE V3 operator+(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+HWY_INLINE V3 operator-(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE V3 operator*(const V3& a, V k) { return {a.x * k, a.y * k, a.z * k}; }
+HWY_INLINE V3 Pick(M m, const V3& a, const V3& b) { return {Pick(m, a.x, b.x), Pick(m, a.y, b.y), Pick(m, a.z, b.z)}; }
+
+// ---------------------------------------------------------------------------------------------- where rays meet solids
+
+struct Ray {
+  V3 o, d;
+};
+
+// Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids are convex, and what is seen
+// from inside is not drawn: the entry is all there is to know.
+template <Kind kKind>
+HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
+  const V miss = Set(kMiss);
+  V3 o = ray.o;
+  V3 d = ray.d;
+  if (kKind == Kind::kPlane) {
+    const V t = (Zero() - o.z) / d.z;
+    M hit = hn::Gt(t, Zero());
+    if (solid.size[0] > 0) hit = hn::And(hit, hn::Le(hn::Abs(o.x + t * d.x), Set(solid.size[0])));
+    if (solid.size[1] > 0) hit = hn::And(hit, hn::Le(hn::Abs(o.y + t * d.y), Set(solid.size[1])));
+    return Pick(hit, t, miss);
+  }
+  if (kKind == Kind::kSphere || kKind == Kind::kEllipsoid) {
+    V r2 = Set(solid.size[0] * solid.size[0]);
+    if (kKind == Kind::kEllipsoid) {
+      const V3 shrink = {Set(1 / solid.size[0]), Set(1 / solid.size[1]), Set(1 / solid.size[2])};
+      o = {o.x * shrink.x, o.y * shrink.y, o.z * shrink.z};
+      d = {d.x * shrink.x, d.y * shrink.y, d.z * shrink.z};
+      r2 = Set(1.0F);
+    }
+    // The distance from the centre is |o x d| / |d|: this keeps its digits where o.o - r^2 would lose them.
+    const V3 k = {o.y * d.z - o.z * d.y, o.z * d.x - o.x * d.z, o.x * d.y - o.y * d.x};
+    const V a = Dot(d, d);
+    const V h = r2 * a - Dot(k, k);
+    const M hit = hn::Gt(h, Zero());
+    if (None(hit)) return miss;
+    return Pick(hit, (Zero() - Dot(o, d) - hn::Sqrt(hn::Max(h, Zero()))) / a, miss);
+  }
+  if (kKind == Kind::kCapsule) {
+    const V r2 = Set(solid.size[0] * solid.size[0]);
+    const V length = Set(solid.size[1]);
+    const V k = o.x * d.y - o.y * d.x;
+    const V a = hn::Max(d.x * d.x + d.y * d.y, Set(1e-30F));
+    const V h = r2 * a - k * k;
+    const M near_axis = hn::Gt(h, Zero());
+    if (None(near_axis)) return miss;
+    const V b = o.x * d.x + o.y * d.y;
+    const V side = (Zero() - b - hn::Sqrt(hn::Max(h, Zero()))) / a;
+    const V z = o.z + side * d.z;
+    const M on_side = hn::Le(hn::Abs(z), length);
+    V t = Pick(near_axis, side, miss);
+    if (!All(hn::Or(on_side, hn::Not(near_axis)))) {
+      const V oz = o.z - hn::CopySign(length, z);
+      const V ka = o.y * d.z - oz * d.y;
+      const V kb = oz * d.x - o.x * d.z;
+      const V a3 = a + d.z * d.z;
+      const V h3 = r2 * a3 - (ka * ka + kb * kb + k * k);
+      const V end = (Zero() - (b + oz * d.z) - hn::Sqrt(hn::Max(h3, Zero()))) / a3;
+      t = Pick(on_side, t, Pick(hn::And(near_axis, hn::Gt(h3, Zero())), end, miss));
+    }
+    return t;
+  }
+  if (kKind == Kind::kCylinder) {
+    const V k = o.x * d.y - o.y * d.x;
+    const V a = hn::Max(d.x * d.x + d.y * d.y, Set(1e-30F));
+    const V h = Set(solid.size[0] * solid.size[0]) * a - k * k;
+    const M near_axis = hn::Gt(h, Zero());
+    if (None(near_axis)) return miss;
+    const V b = o.x * d.x + o.y * d.y;
+    const V root = hn::Sqrt(hn::Max(h, Zero()));
+    const V over_a = Set(1.0F) / a;
+    const V over_z = Set(1.0F) / d.z;
+    const V length = Set(solid.size[1]);
+    const V z0 = (Zero() - length - o.z) * over_z;
+    const V z1 = (length - o.z) * over_z;
+    const V in = hn::Max((Zero() - b - root) * over_a, hn::Min(z0, z1));
+    const V out = hn::Min((root - b) * over_a, hn::Max(z0, z1));
+    return Pick(hn::And(near_axis, hn::Lt(in, out)), in, miss);
+  }
+  // A box: the last entry into three slabs comes before the first exit.
+  const V3 over = {Set(1.0F) / d.x, Set(1.0F) / d.y, Set(1.0F) / d.z};
+  const V3 size = Set(solid.size);
+  const V3 lo = {(Zero() - size.x - o.x) * over.x, (Zero() - size.y - o.y) * over.y, (Zero() - size.z - o.z) * over.z};
+  const V3 hi = {(size.x - o.x) * over.x, (size.y - o.y) * over.y, (size.z - o.z) * over.z};
+  const V in = hn::Max(hn::Max(hn::Min(lo.x, hi.x), hn::Min(lo.y, hi.y)), hn::Min(lo.z, hi.z));
+  const V out = hn::Min(hn::Min(hn::Max(lo.x, hi.x), hn::Max(lo.y, hi.y)), hn::Max(lo.z, hi.z));
+  return Pick(hn::Lt(in, out), in, miss);
+}
+
+// The rays of one tile and what they meet.
+struct Tile {
+  alignas(64) float x[kTile];  // slopes
+  float y[kTile];
+  float dx, dy;
+  alignas(64) float t[kRays];          // depth of the nearest solid, kMiss for none
+  alignas(64) std::int32_t id[kRays];  // its aspect, -1 for none
+};
+
+// The rows and columns of a tile that an aspect may touch; empty if first > last.
+struct Window {
+  int row0, row1, column0, column1;
+};
+
+HWY_INLINE int Clamped(float v) { return static_cast<int>(std::min(std::max(v, -1.0F), kTile + 1.0F)); }
+
+HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
+  const float over_x = 1 / tile.dx;
+  const float over_y = 1 / tile.dy;  // negative: rows go down
+  Window w;
+  w.column0 = std::max(Clamped((aspect.left - tile.x[0]) * over_x), 0);
+  w.column1 = std::min(Clamped((aspect.right - tile.x[0]) * over_x + 1), kTile) - 1;
+  w.row0 = std::max(Clamped((aspect.top - tile.y[0]) * over_y), 0);
+  w.row1 = std::min(Clamped((aspect.bottom - tile.y[0]) * over_y + 1), kTile) - 1;
+  return w;
+}
+
+// Casts the tile's rays at one solid. `from` is the depth from which on it is seen: for all rays, or for each.
+template <Kind kKind, bool kFromEach>
+HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, const Tile& tile, const Window& w,
+                         const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const int first = w.column0 / lanes * lanes;
+  const V3 bx = Set(aspect.bx);
+  const VI index_v = hn::Set(DI(), index);
+  Ray ray;
+  ray.o = Set(aspect.o);
+  for (int row = w.row0; row <= w.row1; ++row) {
+    const float y = tile.y[row];
+    const V3 base = {Set(aspect.a[0] + y * aspect.by[0]), Set(aspect.a[1] + y * aspect.by[1]),
+                     Set(aspect.a[2] + y * aspect.by[2])};
+    for (int column = first; column <= w.column1; column += lanes) {
+      const int i = row * kTile + column;
+      ray.d = base + bx * Load(tile.x + column);
+      const V t = Enter<kKind>(solid, ray);
+      const V old = Load(best + i);
+      const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, kFromEach ? Load(from + i) : Set(*from)));
+      if (None(seen)) continue;
+      Store(Pick(seen, t, old), best + i);
+      const VI old_id = hn::Load(DI(), id + i);
+      hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), index_v, old_id), DI(), id + i);
+    }
+  }
+}
+
+template <bool kFromEach>
+void Cast(const Scene& scene, const Eye& eye, int index, const Tile& tile, const Window& w, const float* from,
+          float* best, std::int32_t* id) {
+  const Aspect& aspect = eye.aspects[index];
+  const Solid& solid = scene.solids[aspect.solid];
+  switch (solid.kind) {
+    case Kind::kPlane: CastAt<Kind::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Kind::kSphere: CastAt<Kind::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Kind::kCapsule: CastAt<Kind::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Kind::kEllipsoid: CastAt<Kind::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Kind::kCylinder: CastAt<Kind::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Kind::kBox: CastAt<Kind::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+  }
+}
+
+// ----------------------------------------------------------------------------------------------------------- shadows
+
+// The points of a tile as a light sees them, and how far they are lit.
+struct Shade {
+  alignas(64) float u[kRays];
+  float v[kRays];
+  float w[kRays];  // depth; negative where there is nothing to light
+  float lit[kRays];
+};
+
+template <Kind kKind, Rays kRaysKind>
+HWY_NOINLINE void ShadowAt(const Solid& solid, const Aspect& aspect, const Tile& tile, Shade& shade) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V3 a = Set(aspect.a);
+  const V3 bx = Set(aspect.bx);
+  const V3 by = Set(aspect.by);
+  const V3 o = Set(aspect.o);
+  const VI self = hn::Set(DI(), aspect.self);
+  for (int i = 0; i < kRays; i += lanes) {
+    const V u = Load(shade.u + i);
+    const V v = Load(shade.v + i);
+    const V w = Load(shade.w + i);
+    Ray ray;
+    if (kRaysKind == Rays::kPerspective) {
+      ray.o = o;
+      ray.d = a + bx * u + by * v;
+    } else if (kRaysKind == Rays::kParallel) {
+      ray.o = a + bx * u + by * v;
+      ray.d = o;
+    } else {
+      ray.o = o;
+      ray.d = a * w + bx * u + by * v;
+    }
+    const V t = Enter<kKind>(solid, ray);
+    M dark;
+    if (kRaysKind == Rays::kPerspective) {
+      dark = hn::And(hn::Gt(t, Zero()), hn::Lt(t, w * Set(0.99998F)));
+    } else if (kRaysKind == Rays::kParallel) {
+      dark = hn::Lt(t, w - Set(1e-5F) * hn::Abs(w) - Set(1e-5F));
+    } else {
+      dark = hn::And(hn::Gt(t, Zero()), hn::Lt(t, Set(0.99998F)));
+    }
+    dark = hn::And(dark, hn::RebindMask(D(), hn::Ne(hn::Load(DI(), tile.id + i), self)));
+    Store(hn::IfThenZeroElse(dark, Load(shade.lit + i)), shade.lit + i);
+  }
+}
+
+template <Rays kRaysKind>
+void Shadow(const Solid& solid, const Aspect& aspect, const Tile& tile, Shade& shade) {
+  switch (solid.kind) {
+    case Kind::kPlane: ShadowAt<Kind::kPlane, kRaysKind>(solid, aspect, tile, shade); break;
+    case Kind::kSphere: ShadowAt<Kind::kSphere, kRaysKind>(solid, aspect, tile, shade); break;
+    case Kind::kCapsule: ShadowAt<Kind::kCapsule, kRaysKind>(solid, aspect, tile, shade); break;
+    case Kind::kEllipsoid: ShadowAt<Kind::kEllipsoid, kRaysKind>(solid, aspect, tile, shade); break;
+    case Kind::kCylinder: ShadowAt<Kind::kCylinder, kRaysKind>(solid, aspect, tile, shade); break;
+    case Kind::kBox: ShadowAt<Kind::kBox, kRaysKind>(solid, aspect, tile, shade); break;
+  }
+}
+
+template <Rays kRaysKind>
+void CastShadows(const Scene& scene, const Eye& light, const Tile& tile, Shade& shade) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V3 a = Set(light.a);
+  const V3 bx = Set(light.bx);
+  const V3 o = Set(light.o);
+  const V big = Set(kMiss);
+  V u0 = big, v0 = big, w0 = big;
+  V u1 = Zero() - big, v1 = u1, w1 = u1;
+  for (int row = 0; row < kTile; ++row) {
+    const V3 base = a + Set(light.by) * Set(tile.y[row]);
+    for (int column = 0; column < kTile; column += lanes) {
+      const int i = row * kTile + column;
+      const V3 p = o + (base + bx * Load(tile.x + column)) * Load(tile.t + i);
+      M valid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), tile.id + i), SetI(-1)));
+      V u = p.x;
+      V v = p.y;
+      if (kRaysKind == Rays::kPerspective) {
+        valid = hn::And(valid, hn::Gt(p.z, Zero()));
+        const V over = Set(1.0F) / p.z;
+        u = u * over;
+        v = v * over;
+      }
+      Store(u, shade.u + i);
+      Store(v, shade.v + i);
+      Store(Pick(valid, p.z, Zero() - big), shade.w + i);
+      Store(Set(1.0F), shade.lit + i);
+      u0 = hn::Min(u0, Pick(valid, u, big));
+      v0 = hn::Min(v0, Pick(valid, v, big));
+      w0 = hn::Min(w0, Pick(valid, p.z, big));
+      u1 = hn::Max(u1, Pick(valid, u, Zero() - big));
+      v1 = hn::Max(v1, Pick(valid, v, Zero() - big));
+      w1 = hn::Max(w1, Pick(valid, p.z, Zero() - big));
+    }
+  }
+  const float left = hn::GetLane(hn::MinOfLanes(D(), u0));
+  const float right = hn::GetLane(hn::MaxOfLanes(D(), u1));
+  const float bottom = hn::GetLane(hn::MinOfLanes(D(), v0));
+  const float top = hn::GetLane(hn::MaxOfLanes(D(), v1));
+  const float deepest = hn::GetLane(hn::MaxOfLanes(D(), w1));
+  if (left > right) return;
+  // For rays around a point: a ball that holds the tile's points, and everything between it and the light.
+  float center[3] = {0, 0, 0};
+  float radius = 0;
+  if (kRaysKind == Rays::kAround) {
+    const float shallowest = hn::GetLane(hn::MinOfLanes(D(), w0));
+    center[0] = 0.5F * (left + right);
+    center[1] = 0.5F * (bottom + top);
+    center[2] = 0.5F * (shallowest + deepest);
+    radius = 0.5F * std::sqrt((right - left) * (right - left) + (top - bottom) * (top - bottom) +
+                              (deepest - shallowest) * (deepest - shallowest));
+  }
+  for (int k = 0; k < light.count; ++k) {
+    const Aspect& aspect = light.aspects[k];
+    if (kRaysKind == Rays::kAround) {
+      const auto& c = aspect.center;
+      const float square = center[0] * center[0] + center[1] * center[1] + center[2] * center[2];
+      const float along = square > 0 ? (c[0] * center[0] + c[1] * center[1] + c[2] * center[2]) / square : 0;
+      const float s = std::min(std::max(along, 0.0F), 1.0F);
+      float distance = 0;
+      for (int j = 0; j < 3; ++j) distance += (c[j] - s * center[j]) * (c[j] - s * center[j]);
+      const float reach = aspect.radius + radius;
+      if (distance > reach * reach) continue;
+    } else {
+      if (aspect.nearest > deepest) break;
+      if (aspect.left > right || aspect.right < left || aspect.bottom > top || aspect.top < bottom) continue;
+    }
+    Shadow<kRaysKind>(scene.solids[aspect.solid], aspect, tile, shade);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------- textures
+
+// Mixes two pairs of 8-bit numbers in 16-bit halves, by a weight of 0..256 in both halves.
+HWY_INLINE VU Mix(VU a, VU b, VU weight) {
+#if HWY_TARGET == HWY_SCALAR
+  // One lane has no halves; no product below reaches into the other half.
+  const VU w = hn::And(weight, hn::Set(DU(), 0xFFFF));
+  const VU sum = hn::Add(hn::Add(hn::Mul(a, hn::Sub(hn::Set(DU(), 256), w)), hn::Mul(b, w)),
+                         hn::Set(DU(), 0x00800080U));
+  return hn::And(hn::ShiftRight<8>(sum), hn::Set(DU(), 0x00FF00FFU));
+#else
+  const hn::Repartition<std::uint16_t, D> ds;
+  const auto w = hn::BitCast(ds, weight);
+  const auto rest = hn::Sub(hn::Set(ds, 256), w);
+  const auto sum = hn::Add(hn::Add(hn::Mul(hn::BitCast(ds, a), rest), hn::Mul(hn::BitCast(ds, b), w)),
+                           hn::Set(ds, 128));
+  return hn::BitCast(DU(), hn::ShiftRight<8>(sum));
+#endif
+}
+
+struct Texel {
+  VU rb, g;
+};
+
+HWY_INLINE Texel Fetch(const std::uint32_t* texels, VI index) {
+  const VU texel = hn::GatherIndex(DU(), texels, index);
+  const VU mask = hn::Set(DU(), 0x00FF00FFU);
+  return {hn::And(texel, mask), hn::And(hn::ShiftRight<8>(texel), mask)};
+}
+
+HWY_INLINE VU Weight(V fraction) {
+  const VU w = hn::BitCast(DU(), Whole(fraction * Set(256.0F) + Set(0.5F)));
+  return hn::Or(w, hn::ShiftLeft<16>(w));
+}
+
+HWY_INLINE Texel Mix(const Texel& a, const Texel& b, VU w) { return {Mix(a.rb, b.rb, w), Mix(a.g, b.g, w)}; }
+
+// One level, between four texels. `start` is where the level (and face) begins; s and t are in 0..1 for cube maps,
+// and repeat for flat ones.
+template <bool kRepeat>
+HWY_INLINE Texel Bilinear(const std::uint32_t* texels, VI start, VI width, VI height, V s, V t) {
+  const V w = Real(width);
+  const V h = Real(height);
+  V u = s;
+  V v = t;
+  if (kRepeat) {
+    u = u - hn::Floor(u);
+    v = v - hn::Floor(v);
+  }
+  u = u * w - Set(0.5F);
+  v = v * h - Set(0.5F);
+  const V u0 = hn::Floor(u);
+  const V v0 = hn::Floor(v);
+  VI i0 = Whole(u0);
+  VI j0 = Whole(v0);
+  VI i1 = hn::Add(i0, SetI(1));
+  VI j1 = hn::Add(j0, SetI(1));
+  const VI last_i = hn::Sub(width, SetI(1));
+  const VI last_j = hn::Sub(height, SetI(1));
+  const VI zero = hn::Zero(DI());
+  if (kRepeat) {
+    i0 = hn::IfThenElse(hn::Lt(i0, zero), last_i, hn::Min(i0, last_i));
+    j0 = hn::IfThenElse(hn::Lt(j0, zero), last_j, hn::Min(j0, last_j));
+    i1 = hn::IfThenElse(hn::Gt(i1, last_i), zero, i1);
+    j1 = hn::IfThenElse(hn::Gt(j1, last_j), zero, j1);
+  } else {
+    i0 = hn::Min(hn::Max(i0, zero), last_i);
+    j0 = hn::Min(hn::Max(j0, zero), last_j);
+    i1 = hn::Min(hn::Max(i1, zero), last_i);
+    j1 = hn::Min(hn::Max(j1, zero), last_j);
+  }
+  const VI row0 = hn::Add(start, hn::Mul(j0, width));
+  const VI row1 = hn::Add(start, hn::Mul(j1, width));
+  const VU wu = Weight(u - u0);
+  const Texel upper = Mix(Fetch(texels, hn::Add(row0, i0)), Fetch(texels, hn::Add(row0, i1)), wu);
+  const Texel lower = Mix(Fetch(texels, hn::Add(row1, i0)), Fetch(texels, hn::Add(row1, i1)), wu);
+  return Mix(upper, lower, Weight(v - v0));
+}
+
+// log2 of a positive number, to 1e-4.
+HWY_INLINE V Log2(V x) {
+  const VI bits = hn::BitCast(DI(), x);
+  const V exponent = Real(hn::Sub(hn::ShiftRight<23>(bits), SetI(127)));
+  const V m = hn::BitCast(D(), hn::Or(hn::And(bits, SetI(0x007FFFFF)), SetI(0x3F800000)));  // 1..2
+  // ln(m) = 2 atanh(z) with z = (m - 1) / (m + 1) in 0..1/3.
+  const V z = (m - Set(1.0F)) / (m + Set(1.0F));
+  const V z2 = z * z;
+  const V series = ((z2 * Set(0.41219858F) + Set(0.57707802F)) * z2 + Set(0.96179669F)) * z2 + Set(2.88539008F);
+  return exponent + z * series;
+}
+
+// 2^x for x in -126..126.
+HWY_INLINE V Exp2(V x) {
+  const V whole = hn::Floor(x);
+  const V f = x - whole;
+  const V p = ((((f * Set(0.0018775767F) + Set(0.0089893397F)) * f + Set(0.055826318F)) * f + Set(0.24015361F)) * f +
+               Set(0.69315308F)) * f + Set(0.99999994F);
+  const VI scale = hn::ShiftLeft<23>(hn::Add(Whole(whole), SetI(127)));
+  return p * hn::BitCast(D(), scale);
+}
+
+// x^exponent from x^2 in 0..1.
+HWY_INLINE V Pow(const Power& power, V square) {
+  if (power.whole >= 0) {
+    V result = Set(1.0F);
+    V base = square;
+    for (int n = power.whole; n > 0; n >>= 1) {
+      if (n & 1) result = result * base;
+      base = base * base;
+    }
+    return result;
+  }
+  return Exp2(hn::Max(Log2(hn::Max(square, Set(1e-30F))) * Set(power.half), Set(-100.0F)));
+}
+
+struct Texturing {
+  VI start, face_step;  // of level 0; how much the face adds, in faces
+};
+
+// Colour 0..1 of a texture at s, t (of a cube face), with `spread` the square of the texels that a pixel spans.
+template <bool kCube>
+HWY_INLINE V3 Sample(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t, V spread) {
+  const VI width = SetI(texture.width);
+  const VI height = SetI(texture.height);
+  Texel texel;
+  if (texture.levels == 1 || All(hn::Le(spread, Set(1.0F)))) {
+    VI start = SetI(texture.offset[0]);
+    if (kCube) start = hn::Add(start, hn::Mul(face, SetI(texture.width * texture.height)));
+    texel = Bilinear<!kCube>(texels, start, width, height, s, t);
+  } else {
+    const V level = hn::Min(hn::Max(Set(0.5F) * Log2(hn::Min(hn::Max(spread, Set(1.0F)), Set(1e12F))), Zero()),
+                            Set(static_cast<float>(texture.levels - 1)));
+    const V below = hn::Floor(level);
+    const VI l0 = Whole(below);
+    const VI l1 = hn::Min(hn::Add(l0, SetI(1)), SetI(texture.levels - 1));
+    const VI one = SetI(1);
+    const VI w0 = hn::Max(hn::Shr(width, l0), one);
+    const VI h0 = hn::Max(hn::Shr(height, l0), one);
+    const VI w1 = hn::Max(hn::Shr(width, l1), one);
+    const VI h1 = hn::Max(hn::Shr(height, l1), one);
+    VI start0 = hn::GatherIndex(DI(), texture.offset.data(), l0);
+    VI start1 = hn::GatherIndex(DI(), texture.offset.data(), l1);
+    if (kCube) {
+      start0 = hn::Add(start0, hn::Mul(face, hn::Mul(w0, h0)));
+      start1 = hn::Add(start1, hn::Mul(face, hn::Mul(w1, h1)));
+    }
+    texel = Mix(Bilinear<!kCube>(texels, start0, w0, h0, s, t), Bilinear<!kCube>(texels, start1, w1, h1, s, t),
+                Weight(level - below));
+  }
+  const VU byte = hn::Set(DU(), 255);
+  const V k = Set(1.0F / 255);
+  return {Real(hn::BitCast(DI(), hn::And(texel.rb, byte))) * k, Real(hn::BitCast(DI(), hn::And(texel.g, byte))) * k,
+          Real(hn::BitCast(DI(), hn::ShiftRight<16>(texel.rb))) * k};
+}
+
+// A cube texture in direction q; gx and gy are how q changes from pixel to pixel.
+HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, const V3& q, const V3& gx,
+                         const V3& gy) {
+  const V ax = hn::Abs(q.x);
+  const V ay = hn::Abs(q.y);
+  const V az = hn::Abs(q.z);
+  const M on_x = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az));
+  const M on_y = hn::AndNot(on_x, hn::Ge(ay, az));
+  const V major = Pick(on_x, q.x, Pick(on_y, q.y, q.z));
+  const M negative = hn::Lt(major, Zero());
+  const V minus_z = Zero() - q.z;
+  const V sc = Pick(on_x, Pick(negative, q.z, minus_z),
+                    Pick(on_y, q.x, Pick(negative, Zero() - q.x, q.x)));
+  const V tc = Pick(on_y, Pick(negative, minus_z, q.z), Zero() - q.y);
+  const V half = Set(0.5F) / hn::Max(hn::Abs(major), Set(1e-30F));
+  const M on_x_i = on_x;
+  VI face = hn::IfThenElse(hn::RebindMask(DI(), on_x_i), hn::Zero(DI()),
+                           hn::IfThenElse(hn::RebindMask(DI(), on_y), SetI(2), SetI(4)));
+  face = hn::Add(face, hn::IfThenElse(hn::RebindMask(DI(), negative), SetI(1), hn::Zero(DI())));
+  const V texels_each = half * Set(static_cast<float>(texture.width));
+  const V spread = hn::Max(Dot(gx, gx), Dot(gy, gy)) * (texels_each * texels_each);
+  return Sample<true>(texels, texture, face, sc * half + Set(0.5F), tc * half + Set(0.5F), spread);
+}
+
+// ---------------------------------------------------------------------------------------------------------- lighting
+
+// The colour of a solid where rays meet it. `shades` are the shadows, one a caster, null where none are wanted; then
+// all light is added up before it is cut at white, as OpenGL does for what receives no shadows.
+template <Kind kKind, bool kGray>
+HWY_NOINLINE V3 Color(const Scene& scene, const Aspect& aspect, float dx, float dy, V x, V y, V t,
+                      const Shade* shades, int i, float dim) {
+  const Solid& solid = scene.solids[aspect.solid];
+  const Material& material = solid.material;
+  const V3 bx = Set(aspect.bx);
+  const V3 by = Set(aspect.by);
+  const V3 ray = Set(aspect.a) + by * y + bx * x;
+  const V3 p = Set(aspect.o) + ray * t;
+  const V one = Set(1.0F);
+  V3 n;
+  switch (kKind) {
+    case Kind::kPlane: n = {Zero(), Zero(), one}; break;
+    case Kind::kSphere: n = p * Set(1 / solid.size[0]); break;
+    case Kind::kCapsule: {
+      const V length = Set(solid.size[1]);
+      const V z = hn::Min(hn::Max(p.z, Zero() - length), length);
+      n = V3{p.x, p.y, p.z - z} * Set(1 / solid.size[0]);
+      break;
+    }
+    case Kind::kEllipsoid: {
+      n = {p.x * Set(1 / (solid.size[0] * solid.size[0])), p.y * Set(1 / (solid.size[1] * solid.size[1])),
+           p.z * Set(1 / (solid.size[2] * solid.size[2]))};
+      n = n * (one / hn::Sqrt(Dot(n, n)));
+      break;
+    }
+    case Kind::kCylinder: {
+      // How far p lies beyond the end, against how far beyond the side.
+      const V beyond = hn::Abs(p.z) - Set(solid.size[1]);
+      const V aside = (p.x * p.x + p.y * p.y) * Set(0.5F / solid.size[0]) - Set(0.5F * solid.size[0]);
+      const M end = hn::Gt(beyond, aside);
+      const V over = Set(1 / solid.size[0]);
+      n = Pick(end, {Zero(), Zero(), hn::CopySign(one, p.z)}, {p.x * over, p.y * over, Zero()});
+      break;
+    }
+    case Kind::kBox: {
+      const V3 beyond = {hn::Abs(p.x) - Set(solid.size[0]), hn::Abs(p.y) - Set(solid.size[1]),
+                         hn::Abs(p.z) - Set(solid.size[2])};
+      const M on_x = hn::And(hn::Ge(beyond.x, beyond.y), hn::Ge(beyond.x, beyond.z));
+      const M on_y = hn::AndNot(on_x, hn::Ge(beyond.y, beyond.z));
+      const M on_z = hn::Not(hn::Or(on_x, on_y));
+      n = {hn::IfThenElseZero(on_x, hn::CopySign(one, p.x)), hn::IfThenElseZero(on_y, hn::CopySign(one, p.y)),
+           hn::IfThenElseZero(on_z, hn::CopySign(one, p.z))};
+      break;
+    }
+  }
+
+  const bool shiny = material.specular > 0;
+  V3 to_eye = ray;
+  if (shiny) to_eye = ray * (Set(-1.0F) / hn::Sqrt(Dot(ray, ray)));
+
+  const V3 rgb = {Set(material.rgb[0] * dim), Set(material.rgb[1] * dim), Set(material.rgb[2] * dim)};
+  // Light that falls in: what the colour scatters and what it mirrors (y and z only where light is coloured).
+  V3 diffuse = {Set(scene.ambient), Set(scene.ambient), Set(scene.ambient)};
+  V3 mirrored = {Zero(), Zero(), Zero()};
+  V3 extra = {Zero(), Zero(), Zero()};  // of lights with shadows
+  for (int k = 0; k < scene.light_count; ++k) {
+    const Light& light = scene.lights[k];
+    const LocalLight& place = scene.local[static_cast<std::size_t>(aspect.solid) * kMaxLights + k];
+    const bool separate = shades != nullptr && light.caster >= 0;
+    V lit = one;
+    if (separate) {
+      lit = Load(shades[light.caster].lit + i);
+      if (All(hn::Eq(lit, Zero()))) continue;
+    }
+    V3 to_light = Set(place.position);
+    V strength = one;
+    if (!light.directional) {
+      to_light = to_light - p;
+      const V square = Dot(to_light, to_light);
+      const V length = hn::Sqrt(square);
+      const V over = one / length;
+      to_light = to_light * over;
+      if (light.attenuated) {
+        strength = one / (Set(light.attenuation[0]) + Set(light.attenuation[1]) * length +
+                          Set(light.attenuation[2]) * square);
+      }
+      if (light.spot) {
+        const V cosine = Zero() - Dot(to_light, Set(place.direction));
+        const M inside = hn::Ge(cosine, Set(light.cos_cutoff));
+        if (None(inside)) continue;
+        strength = hn::IfThenElseZero(inside, strength * Pow(light.exponent, cosine * cosine));
+      }
+    }
+    const V facing = hn::Max(Dot(n, to_light), Zero());
+    V glint = Zero();
+    if (shiny && light.bright) {
+      const V3 half = to_light + to_eye;
+      const V nh = hn::Max(Dot(n, half), Zero());
+      const V square = (nh * nh) / hn::Max(Dot(half, half), Set(1e-20F));
+      glint = hn::IfThenElseZero(hn::Gt(facing, Zero()), Pow(material.shininess, hn::Min(square, one)));
+      glint = glint * Set(material.specular);
+    }
+    // A light with shadows is drawn in a pass of its own and cut at white by itself; it does not reach faces that
+    // look away from it, not even with its ambient part.
+    if (separate) {
+      const V on = hn::IfThenElseZero(hn::Gt(facing, Zero()), lit);
+      if (kGray) {
+        const V d = strength * (Set(light.ambient[0]) + facing * Set(light.diffuse[0]));
+        const V s = strength * glint * Set(light.specular[0]);
+        extra.x = extra.x + on * hn::Min(rgb.x * d + s, one);
+        extra.y = extra.y + on * hn::Min(rgb.y * d + s, one);
+        extra.z = extra.z + on * hn::Min(rgb.z * d + s, one);
+      } else {
+        const V3 d = (Set(light.ambient) + Set(light.diffuse) * facing) * strength;
+        const V3 s = Set(light.specular) * (glint * strength);
+        extra.x = extra.x + on * hn::Min(rgb.x * d.x + s.x, one);
+        extra.y = extra.y + on * hn::Min(rgb.y * d.y + s.y, one);
+        extra.z = extra.z + on * hn::Min(rgb.z * d.z + s.z, one);
+      }
+    } else if (kGray) {
+      diffuse.x = diffuse.x + strength * (Set(light.ambient[0]) + facing * Set(light.diffuse[0]));
+      mirrored.x = mirrored.x + strength * glint * Set(light.specular[0]);
+    } else {
+      diffuse = diffuse + (Set(light.ambient) + Set(light.diffuse) * facing) * strength;
+      mirrored = mirrored + Set(light.specular) * (glint * strength);
+    }
+  }
+  V3 color;
+  if (kGray) {
+    color = rgb * diffuse.x + V3{mirrored.x, mirrored.x, mirrored.x};
+  } else {
+    color = {rgb.x * diffuse.x + mirrored.x, rgb.y * diffuse.y + mirrored.y, rgb.z * diffuse.z + mirrored.z};
+  }
+  const V3 emission = {Set(material.emission[0] * dim), Set(material.emission[1] * dim),
+                       Set(material.emission[2] * dim)};
+  color = color + emission;
+  color = {hn::Min(color.x, one) + extra.x, hn::Min(color.y, one) + extra.y, hn::Min(color.z, one) + extra.z};
+
+  if (material.mapping != Mapping::kNone) {
+    // How the point moves on its tangent plane from pixel to pixel.
+    const V over = one / Dot(n, ray);
+    const V3 along_x = (bx - ray * (Dot(n, bx) * over)) * (t * Set(dx));
+    const V3 along_y = (by - ray * (Dot(n, by) * over)) * (t * Set(dy));
+    V3 texel;
+    if (material.mapping == Mapping::kFlat) {
+      const Texture& texture = *material.texture;
+      const V su = Set(material.scale[0]);
+      const V tv = Set(material.scale[1]);
+      const V wu = Set(material.scale[0] * static_cast<float>(texture.width));
+      const V hv = Set(material.scale[1] * static_cast<float>(texture.height));
+      const V spread_x = (along_x.x * wu) * (along_x.x * wu) + (along_x.y * hv) * (along_x.y * hv);
+      const V spread_y = (along_y.x * wu) * (along_y.x * wu) + (along_y.y * hv) * (along_y.y * hv);
+      texel = Sample<false>(scene.texels, texture, hn::Zero(DI()), p.x * su - Set(0.5F), p.y * tv - Set(0.5F),
+                            hn::Max(spread_x, spread_y));
+    } else {
+      const V fold = Set(material.fold);
+      const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
+      const V3 scale = {Set(material.scale[0]), Set(material.scale[1]), Set(material.scale[2])};
+      const V3 q = {p.x * scale.x, p.y * scale.y, z * scale.z + (p.z - z) * Set(material.scale[3])};
+      const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
+      const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
+      texel = SampleCube(scene.texels, *material.texture, q, gx, gy);
+    }
+    color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
+  }
+  return {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
+}
+
+template <bool kGray>
+HWY_INLINE V3 ColorOf(const Scene& scene, const Aspect& aspect, float dx, float dy, V x, V y, V t,
+                      const Shade* shades, int i, float dim) {
+  switch (scene.solids[aspect.solid].kind) {
+    case Kind::kPlane: return Color<Kind::kPlane, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
+    case Kind::kSphere: return Color<Kind::kSphere, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
+    case Kind::kCapsule: return Color<Kind::kCapsule, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
+    case Kind::kEllipsoid: return Color<Kind::kEllipsoid, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
+    case Kind::kCylinder: return Color<Kind::kCylinder, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
+    default: return Color<Kind::kBox, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
+  }
+}
+
+// Colours of the solids that the rays i.. meet, black where they meet none.
+HWY_INLINE V3 Solids(const Scene& scene, const Eye& eye, const Tile& tile, V x, V y, V t, VI id, const Shade* shades,
+                     int i, float dim) {
+  V3 color = {Zero(), Zero(), Zero()};
+  M left = hn::RebindMask(D(), hn::Gt(id, SetI(-1)));
+  while (!None(left)) {
+    const std::size_t lane = static_cast<std::size_t>(hn::FindFirstTrue(D(), left));
+    const int which = hn::ExtractLane(id, lane);
+    const M mine = hn::And(left, hn::RebindMask(D(), hn::Eq(id, SetI(which))));
+    const Aspect& aspect = eye.aspects[which];
+    const V3 c = scene.gray ? ColorOf<true>(scene, aspect, tile.dx, tile.dy, x, y, t, shades, i, dim)
+                            : ColorOf<false>(scene, aspect, tile.dx, tile.dy, x, y, t, shades, i, dim);
+    color = Pick(mine, c, color);
+    left = hn::AndNot(mine, left);
+  }
+  return color;
+}
+
+// -------------------------------------------------------------------------------------------------- sky, haze and fog
+
+HWY_INLINE V3 Sky(const Scene& scene, const Tile& tile, V x, V y) {
+  const V3 bx = Set(scene.sky_bx);
+  const V3 by = Set(scene.sky_by);
+  return SampleCube(scene.texels, *scene.sky, Set(scene.sky_a) + by * y + bx * x, bx * Set(tile.dx),
+                    by * Set(tile.dy));
+}
+
+// The haze is a cone that rises from the ground at distance (1 - r) of the sky's to the height of the eye at the sky;
+// its density grows linearly up to `turn` and falls again. `far` is 1 where something lies before it.
+HWY_NOINLINE V3 Haze(const Scene& scene, V3 color, V x, V y, V t) {
+  const Aspect& plane = scene.camera.aspects[scene.seen[scene.haze_plane]];
+  const V3 ray = Set(plane.a) + Set(plane.by) * y + Set(plane.bx) * x;
+  const V level = hn::Sqrt(ray.x * ray.x + ray.y * ray.y);
+  const V drop = (Zero() - ray.z) / hn::Max(level, Set(1e-20F));
+  const V e = Set(scene.haze_elevation / scene.haze_radius);
+  const V distance = e / hn::Max(e + drop, Set(1e-20F));
+  const V height = Set(1.0F) - (Set(1.0F) - distance) * Set(1 / scene.haze_radius);
+  const V turn = Set(scene.haze_turn);
+  V alpha = hn::Min(height / turn, (Set(1.0F) - height) / (Set(1.0F) - turn));
+  const M here = hn::And(hn::And(hn::Ge(drop, Zero()), hn::Gt(alpha, Zero())),
+                         hn::Gt(t * level, distance * Set(scene.sky_limit)));
+  alpha = hn::IfThenElseZero(here, hn::Min(alpha, Set(1.0F)));
+  const V rest = Set(1.0F) - alpha;
+  return color * rest + Set(scene.haze_rgb) * alpha;
+}
+
+// ------------------------------------------------------------------------------------------------------------ tiles
+
+HWY_INLINE std::uint32_t Average(const std::uint32_t* color, int samples) {
+  std::uint32_t sum[3] = {0, 0, 0};
+  for (int row = 0; row < samples; ++row) {
+    for (int column = 0; column < samples; ++column) {
+      const std::uint32_t c = color[row * kTile + column];
+      for (int k = 0; k < 3; ++k) sum[k] += (c >> (8 * k)) & 255U;
+    }
+  }
+  const std::uint32_t count = static_cast<std::uint32_t>(samples * samples);
+  std::uint32_t mean = 0;
+  for (int k = 0; k < 3; ++k) mean |= ((sum[k] + count / 2) / count) << (8 * k);
+  return mean;
+}
+
+void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32_t* color) {
+  const int n = job.samples;
+  const int size = kTile / n;
+  const int width = std::min(size, job.width - tile_column * size);
+  const int height = std::min(size, job.height - tile_row * size);
+  for (int row = 0; row < height; ++row) {
+    std::uint8_t* to = job.rgb + 3 * (static_cast<std::size_t>(tile_row * size + row) * job.width + tile_column * size);
+    const std::uint32_t* from = color + row * n * kTile;
+    if (n == 1) {
+      // Four bytes at a time where the fourth is overwritten by the next pixel anyway.
+      for (int column = 0; column + 1 < width; ++column) std::memcpy(to + 3 * column, from + column, 4);
+      std::memcpy(to + 3 * (width - 1), from + width - 1, 3);
+    } else {
+      for (int column = 0; column < width; ++column) {
+        const std::uint32_t mean = Average(from + column * n, n);
+        std::memcpy(to + 3 * column, &mean, 3);
+      }
+    }
+  }
+}
+
+// Colours of all rays of a tile, as 0x00BBGGRR.
+void ColorTile(const Scene& scene, const Tile& tile, std::uint32_t* out) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const Eye& camera = scene.camera;
+  const V one = Set(1.0F);
+
+  Shade shades[kMaxLights];
+  for (int k = 0; k < scene.caster_count; ++k) {
+    switch (scene.casters[k].rays) {
+      case Rays::kPerspective: CastShadows<Rays::kPerspective>(scene, scene.casters[k], tile, shades[k]); break;
+      case Rays::kParallel: CastShadows<Rays::kParallel>(scene, scene.casters[k], tile, shades[k]); break;
+      case Rays::kAround: CastShadows<Rays::kAround>(scene, scene.casters[k], tile, shades[k]); break;
+    }
+  }
+
+  // What shows in the mirror, where the tile shows the mirror.
+  const int mirror = scene.mirror < 0 ? -2 : scene.seen[scene.mirror];
+  alignas(64) float mirror_t[kRays];
+  alignas(64) std::int32_t mirror_id[kRays];
+  bool mirrors = false;
+  if (mirror >= 0) {
+    for (int k = 0; k < scene.mirrored.count; ++k) {
+      const Window w = WindowOf(scene.mirrored.aspects[k], tile);
+      if (w.row0 > w.row1 || w.column0 > w.column1) continue;
+      if (!mirrors) {
+        mirrors = true;
+        std::fill_n(mirror_t, kRays, kMiss);
+        std::fill_n(mirror_id, kRays, -1);
+      }
+      Cast<true>(scene, scene.mirrored, k, tile, w, tile.t, mirror_t, mirror_id);
+    }
+  }
+
+  for (int i = 0; i < kRays; i += lanes) {
+    const V x = Load(tile.x + i % kTile);
+    const V y = Set(tile.y[i / kTile]);
+    V t = Load(tile.t + i);
+    VI id = hn::Load(DI(), tile.id + i);
+    // The sky hides what is farther away than it is.
+    if (scene.sky_limit > 0 && !All(hn::Lt(t, Set(0.4F * scene.sky_limit)))) {
+      const V3 d = Set(scene.sky_a) + Set(scene.sky_by) * y + Set(scene.sky_bx) * x;
+      const V limit = Set(scene.sky_limit);
+      const M hidden = hn::Or(hn::Gt(t * hn::Sqrt(d.x * d.x + d.z * d.z), limit), hn::Gt(t * hn::Abs(d.y), limit));
+      id = hn::IfThenElse(hn::RebindMask(DI(), hidden), SetI(-1), id);
+    }
+    V3 color = Solids(scene, camera, tile, x, y, t, id, shades, i, 1.0F);
+    if (mirrors) {
+      M reflecting = hn::RebindMask(D(), hn::Eq(id, SetI(mirror)));
+      if (!None(reflecting)) {
+        const Solid& solid = scene.solids[scene.mirror];
+        if (solid.kind == Kind::kBox) {
+          const Aspect& aspect = camera.aspects[mirror];
+          const V z = Set(aspect.o[2]) + t * (Set(aspect.a[2]) + Set(aspect.by[2]) * y + Set(aspect.bx[2]) * x);
+          reflecting = hn::And(reflecting, hn::Gt(z, Set(solid.size[2] * 0.9999F)));
+        }
+        const VI shown = hn::IfThenElse(hn::RebindMask(DI(), reflecting), hn::Load(DI(), mirror_id + i), SetI(-1));
+        color = color + Solids(scene, scene.mirrored, tile, x, y, Load(mirror_t + i), shown, nullptr, i,
+                               scene.reflectance);
+      }
+    }
+    if (scene.fog) {
+      const M solid = hn::RebindMask(D(), hn::Gt(id, SetI(-1)));
+      const V f = hn::IfThenElseZero(
+          solid, hn::Min(hn::Max((t - Set(scene.fog_start)) * Set(scene.fog_scale), Zero()), one));
+      color = color * (one - f) + Set(scene.fog_rgb) * f;
+    }
+    if (scene.sky != nullptr) {
+      const M empty = hn::RebindMask(D(), hn::Lt(id, hn::Zero(DI())));
+      if (!None(empty)) color = Pick(empty, Sky(scene, tile, x, y), color);
+      if (scene.haze && scene.seen[scene.haze_plane] >= 0 && !All(hn::Lt(t, Set(0.3F * scene.sky_limit)))) {
+        color = Haze(scene, color, x, y, t);
+      }
+    }
+    // Transparent things, as MuJoCo blends them: front to back, then back to front.
+    for (int k = 0; k < 2 * scene.transparent_count; ++k) {
+      const int n = scene.transparent_count;
+      const int which = scene.transparent[k < n ? k : 2 * n - 1 - k];
+      const Aspect& aspect = camera.aspects[which];
+      const Window w = WindowOf(aspect, tile);
+      const int row = i / kTile;
+      const int column = i % kTile;
+      if (row < w.row0 || row > w.row1 || column + lanes <= w.column0 || column > w.column1) continue;
+      alignas(64) float best[kRays];
+      alignas(64) std::int32_t best_id[kRays];
+      Store(t, best + i);
+      hn::Store(SetI(-1), DI(), best_id + i);
+      const Window here = {row, row, column, column};
+      Cast<false>(scene, camera, which, tile, here, &scene.near_plane, best, best_id);
+      const VI hit = hn::Load(DI(), best_id + i);
+      const M seen = hn::RebindMask(D(), hn::Gt(hit, SetI(-1)));
+      if (None(seen)) continue;
+      const V3 c = Solids(scene, camera, tile, x, y, Load(best + i), hit, nullptr, i, 1.0F);
+      const V alpha = hn::IfThenElseZero(seen, Set(scene.solids[aspect.solid].material.alpha));
+      color = color * (one - alpha) + c * alpha;
+    }
+    const V scale = Set(255.0F);
+    const V half = Set(0.5F);
+    const VI r = Whole(hn::Min(color.x, one) * scale + half);
+    const VI g = Whole(hn::Min(color.y, one) * scale + half);
+    const VI b = Whole(hn::Min(color.z, one) * scale + half);
+    const VI packed = hn::Or(r, hn::Or(hn::ShiftLeft<8>(g), hn::ShiftLeft<16>(b)));
+    hn::Store(packed, DI(), reinterpret_cast<std::int32_t*>(out) + i);
+  }
+}
+
+void DrawOneTile(const Job& job, int index) {
+  const Scene& scene = *job.scene;
+  const int tile_row = index / job.tile_columns();
+  const int tile_column = index % job.tile_columns();
+  Tile tile;
+  tile.dx = job.dx;
+  tile.dy = job.dy;
+  for (int k = 0; k < kTile; ++k) {
+    tile.x[k] = job.x + static_cast<float>(tile_column * kTile + k) * job.dx;
+    tile.y[k] = job.y + static_cast<float>(tile_row * kTile + k) * job.dy;
+  }
+  std::fill_n(tile.t, kRays, kMiss);
+  std::fill_n(tile.id, kRays, -1);
+  for (int k = 0; k < scene.camera.count; ++k) {
+    const Aspect& aspect = scene.camera.aspects[k];
+    const Window w = WindowOf(aspect, tile);
+    if (w.row0 > w.row1 || w.column0 > w.column1) continue;
+    if (scene.solids[aspect.solid].transparent) continue;
+    Cast<false>(scene, scene.camera, k, tile, w, &scene.near_plane, tile.t, tile.id);
+  }
+
+  if (job.rgb != nullptr) {
+    alignas(64) std::uint32_t color[kRays];
+    ColorTile(scene, tile, color);
+    WriteColor(job, tile_row, tile_column, color);
+  }
+  const int width = std::min(kTile, job.columns - tile_column * kTile);
+  const int height = std::min(kTile, job.rows - tile_row * kTile);
+  if (job.depth != nullptr || job.segmentation != nullptr) {
+    for (int k = 0; k < scene.transparent_count; ++k) {
+      const int which = scene.transparent[k];
+      const Window w = WindowOf(scene.camera.aspects[which], tile);
+      if (w.row0 > w.row1 || w.column0 > w.column1) continue;
+      Cast<false>(scene, scene.camera, which, tile, w, &scene.near_plane, tile.t, tile.id);
+    }
+    for (int row = 0; row < height; ++row) {
+      const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * job.columns + tile_column * kTile;
+      for (int column = 0; column < width; ++column) {
+        const int i = row * kTile + column;
+        const bool hit = tile.t[i] <= scene.far_plane;
+        if (job.depth != nullptr) job.depth[start + column] = hit ? tile.t[i] : scene.far_plane;
+        if (job.segmentation != nullptr) {
+          job.segmentation[start + column] = hit ? scene.solids[scene.camera.aspects[tile.id[i]].solid].id : -1;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mimo::render::ray
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace mimo::render::ray {
+
+std::vector<Path> paths() {
+  std::vector<Path> result;
+#if HWY_ARCH_X86
+#if HWY_TARGETS & HWY_AVX3
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd")) {
+    result.push_back({"AVX3", &N_AVX3::DrawOneTile});
+  }
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
+    result.push_back({"AVX2", &N_AVX2::DrawOneTile});
+  }
+#endif
+#if HWY_TARGETS & HWY_SSE4
+  if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul")) {
+    result.push_back({"SSE4", &N_SSE4::DrawOneTile});
+  }
+#endif
+#endif
+  // What the compiler may assume of every machine that this build is for.
+  const char* const baseline = HWY_STATIC_TARGET == HWY_EMU128 ? "portable" : hwy::TargetName(HWY_STATIC_TARGET);
+  if (result.empty() || std::strcmp(result.back().name, baseline) != 0) {
+    result.push_back({baseline, &HWY_STATIC_DISPATCH(DrawOneTile)});
+  }
+  return result;
+}
+
+}  // namespace mimo::render::ray
+
+#endif  // HWY_ONCE
