@@ -42,7 +42,7 @@ class RayRenderer : public Renderer {
     if (picture.width < 1 || picture.height < 1) {
       fail(Status::kRender, "a picture of {} x {} pixels was asked for", picture.width, picture.height);
     }
-    scene_.prepare(model, data, view, *textures_, settings_);
+    scene_.prepare(model, data, view, static_cast<double>(picture.width) / picture.height, *textures_, settings_);
     const bool one_pass = samples_ == 1 || picture.rgb == nullptr;
     if (one_pass || picture.depth != nullptr || picture.segmentation != nullptr) {
       ray::Job job = job_for(view, picture, 1);

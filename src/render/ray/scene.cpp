@@ -32,9 +32,10 @@ std::array<float, 3> three(const float* v) { return {v[0], v[1], v[2]}; }
 
 Power power(double exponent) {
   Power p;
-  p.half = static_cast<float>(exponent / 2);
-  const double rounded = std::round(exponent / 2);
-  p.whole = std::abs(rounded - exponent / 2) < 1e-6 && rounded <= 64 ? static_cast<std::int32_t>(rounded) : -1;
+  p.exponent = static_cast<float>(exponent);
+  const double rounded = std::round(exponent);
+  const bool whole = std::abs(rounded - exponent) < 1e-4 || exponent > 8;
+  p.whole = whole ? static_cast<std::int32_t>(rounded) : -1;
   return p;
 }
 
@@ -48,47 +49,94 @@ class Bounds {
     const double depth = std::sqrt(std::max(zz, 0.0));
     nearest_ = std::min(nearest_, c[2] - depth);
     farthest_ = std::max(farthest_, c[2] + depth);
-    if (parallel_) {
-      extend(0, c[0] - std::sqrt(xx), c[0] + std::sqrt(xx));
-      extend(1, c[1] - std::sqrt(yy), c[1] + std::sqrt(yy));
-    } else if (c[2] - depth <= near_) {
-      extend(0, -kAll, kAll);
-      extend(1, -kAll, kAll);
-    } else {
-      tangents(0, c[0], c[2], xx, zz, xz);
-      tangents(1, c[1], c[2], yy, zz, yz);
-    }
+    box_[0].extend(c[0], std::sqrt(std::max(xx, 0.0)));
+    box_[1].extend(c[1], std::sqrt(std::max(yy, 0.0)));
+    if (parallel_ || nearest_ <= near_) return;
+    tangents(slope_[0], c[0], c[2], xx, zz, xz);
+    tangents(slope_[1], c[1], c[2], yy, zz, yz);
   }
 
-  double low(int k) const { return low_[k]; }
-  double high(int k) const { return high_[k]; }
+  // An unlimited plane.
+  void add_everything() {
+    nearest_ = -kAll;
+    farthest_ = kAll;
+    box_[0].extend(0, kAll);
+    box_[1].extend(0, kAll);
+  }
+
+  bool cut() const { return nearest_ <= near_; }  // some of it is too near
+  double low(int k) const {
+    if (parallel_) return box_[k].low;
+    if (!cut()) return slope_[k].low;
+    // What is left of a box when it is cut off at the near plane.
+    return box_[k].low / (box_[k].low < 0 ? near_ : farthest_);
+  }
+  double high(int k) const {
+    if (parallel_) return box_[k].high;
+    if (!cut()) return slope_[k].high;
+    return box_[k].high / (box_[k].high > 0 ? near_ : farthest_);
+  }
   double nearest() const { return nearest_; }
   double farthest() const { return farthest_; }
 
   static constexpr double kAll = 1e9;
 
  private:
-  void extend(int k, double low, double high) {
-    low_[k] = std::min(low_[k], low);
-    high_[k] = std::max(high_[k], high);
-  }
+  struct Range {
+    double low = kAll;
+    double high = -kAll;
+
+    void extend(double middle, double half) {
+      low = std::min(low, middle - half);
+      high = std::max(high, middle + half);
+    }
+  };
 
   // Slopes s = x / z of the lines through the eye that touch the ellipse: (x - s z)^2 = xx - 2 s xz + s^2 zz.
-  void tangents(int k, double x, double z, double xx, double zz, double xz) {
+  static void tangents(Range& range, double x, double z, double xx, double zz, double xz) {
     const double a = z * z - zz;
     const double b = x * z - xz;
     const double c = x * x - xx;
-    const double root = std::sqrt(std::max(b * b - a * c, 0.0));
-    extend(k, (b - root) / a, (b + root) / a);
+    range.extend(b / a, std::sqrt(std::max(b * b - a * c, 0.0)) / a);
   }
 
   bool parallel_;
   double near_;
-  double low_[2] = {kAll, kAll};
-  double high_[2] = {-kAll, -kAll};
+  Range box_[2];
+  Range slope_[2];
   double nearest_ = kAll;
   double farthest_ = -kAll;
 };
+
+// The direction from a point of a solid's surface to `eye`, such that the solid lies behind the plane through that
+// point across it; zero if the eye is inside. All in the solid's frame. (For a plane, which has no inside: zero.)
+Vec away_from(const Solid& solid, const Vec& eye) {
+  const double s0 = solid.size[0];
+  const double s1 = solid.size[1];
+  const double s2 = solid.size[2];
+  const Vec none = {0, 0, 0};
+  switch (solid.kind) {
+    case Kind::kPlane: return none;
+    case Kind::kSphere: return dot(eye, eye) > s0 * s0 ? eye : none;
+    case Kind::kEllipsoid: {
+      const Vec n = {eye[0] / (s0 * s0), eye[1] / (s1 * s1), eye[2] / (s2 * s2)};
+      return dot(eye, n) > 1 ? n : none;
+    }
+    case Kind::kCapsule: {
+      const Vec n = {eye[0], eye[1], eye[2] - std::clamp(eye[2], -s1, s1)};
+      return dot(n, n) > s0 * s0 ? n : none;
+    }
+    case Kind::kCylinder: {
+      const double r = std::hypot(eye[0], eye[1]);
+      const double aside = r > s0 ? 1 - s0 / r : 0;
+      return {eye[0] * aside, eye[1] * aside, eye[2] - std::clamp(eye[2], -s1, s1)};
+    }
+    case Kind::kBox:
+      return {eye[0] - std::clamp(eye[0], -s0, s0), eye[1] - std::clamp(eye[1], -s1, s1),
+              eye[2] - std::clamp(eye[2], -s2, s2)};
+  }
+  return none;
+}
 
 // Adds a solid to what an eye sees, unless all of it is behind the eye or too far away.
 void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
@@ -113,7 +161,7 @@ void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
           bounds.add(plus(plus(c, axis[0], k & 1 ? s0 : -s0), axis[1], k & 2 ? s1 : -s1), 0, 0, 0, 0, 0);
         }
       } else {
-        bounds.add({0, 0, 0}, Bounds::kAll, Bounds::kAll, Bounds::kAll * Bounds::kAll, 0, 0);
+        bounds.add_everything();
       }
       break;
     case Kind::kSphere:
@@ -152,7 +200,8 @@ void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
       }
       break;
   }
-  if (eye.rays != Rays::kAround && (bounds.farthest() < near_depth || bounds.nearest() > eye.reach)) return;
+  const bool directed = eye.rays != Rays::kAround;
+  if (directed && (bounds.farthest() < near_depth || bounds.nearest() > eye.reach)) return;
   // A hair of slack for what is rounded below.
   const auto slack = [](double v) { return 1e-5 * (1 + std::abs(v)); };
   aspect.left = static_cast<float>(bounds.low(0) - slack(bounds.low(0)));
@@ -163,10 +212,27 @@ void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
   aspect.center = narrow(c);
   aspect.radius = static_cast<float>(solid.kind == Kind::kPlane ? Bounds::kAll : solid.radius);
 
+  if (directed && (aspect.left > eye.wide || aspect.right < -eye.wide || aspect.bottom > eye.high ||
+                   aspect.top < -eye.high)) {
+    return;
+  }
+
   const Vec from_solid = to_local(solid, minus(eye.position, solid.position));
-  aspect.bx = narrow(to_local(solid, eye.axes[0]));
-  aspect.by = narrow(to_local(solid, eye.axes[1]));
-  const std::array<float, 3> forward = narrow(to_local(solid, eye.axes[2]));
+  const Vec right = to_local(solid, eye.axes[0]);
+  const Vec up = to_local(solid, eye.axes[1]);
+  const Vec ahead = to_local(solid, eye.axes[2]);
+  if (eye.rays == Rays::kPerspective && bounds.cut() && solid.kind != Kind::kPlane) {
+    const Vec away = away_from(solid, from_solid);
+    if (dot(away, away) == 0) return;  // seen from inside: not at all
+    const double middle = dot(away, ahead);
+    const double x = dot(away, right);
+    const double y = dot(away, up);
+    if (middle - std::abs(x) * eye.wide - std::abs(y) * eye.high >= 0) return;
+    aspect.facing = narrow({middle, x, y});
+  }
+  aspect.bx = narrow(right);
+  aspect.by = narrow(up);
+  const std::array<float, 3> forward = narrow(ahead);
   if (eye.rays == Rays::kParallel) {
     aspect.a = narrow(from_solid);
     aspect.o = forward;
@@ -270,8 +336,8 @@ Scene::Scene(const mjModel& model) {
   for (int i = 0; i < shadows; ++i) casters[i].aspects.resize(room);
 }
 
-void Scene::prepare(const mjModel& model, const mjData& data, const View& view, const Textures& textures,
-                    const Settings& settings) {
+void Scene::prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio,
+                    const Textures& textures, const Settings& settings) {
   texels = textures.texels();
   near_plane = static_cast<float>(model.vis.map.znear * model.stat.extent);
   far_plane = static_cast<float>(model.vis.map.zfar * model.stat.extent);
@@ -284,6 +350,8 @@ void Scene::prepare(const mjModel& model, const mjData& data, const View& view, 
   camera.axes[2] = column(view.rotation, 2);
   for (double& v : camera.axes[2]) v = -v;
   camera.reach = far_plane;
+  camera.high = std::tan(view.fovy * kPi / 360);
+  camera.wide = camera.high * aspect_ratio;
   camera.count = 0;
 
   // Solids: geoms and sites of the groups that MuJoCo shows by default.
@@ -420,12 +488,21 @@ void Scene::prepare(const mjModel& model, const mjData& data, const View& view, 
     }
   }
 
-  // Shadows: what each light sees.
+  // Shadows: what each light sees. An unlimited opaque plane never comes between a light and what a camera on the
+  // same side sees.
+  const auto never_shades = [this](const Solid& solid, const Eye& eye) {
+    if (solid.kind != Kind::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
+    const Vec normal = column(solid.rotation, 2);
+    const double light_side = eye.rays == Rays::kParallel ? -dot(eye.axes[2], normal)
+                                                          : dot(minus(eye.position, solid.position), normal);
+    return light_side * dot(minus(camera.position, solid.position), normal) > 0;
+  };
   for (int k = 0; k < caster_count; ++k) {
     Eye& eye = casters[k];
     eye.count = 0;
-    eye.reach = std::numeric_limits<double>::max();
+    eye.reach = eye.wide = eye.high = std::numeric_limits<double>::max();
     for (int i = 0; i < solid_count; ++i) {
+      if (never_shades(solids[i], eye)) continue;
       // MuJoCo lets transparent things cast shadows, too. A light of parallel rays shines from infinitely far away.
       look_at(solids[i], i, eye, eye.rays == Rays::kParallel ? -Bounds::kAll : 0.0);
     }
@@ -456,6 +533,8 @@ void Scene::prepare(const mjModel& model, const mjData& data, const View& view, 
         mirrored.axes[k] = plus(camera.axes[k], normal, -2 * dot(camera.axes[k], normal));
       }
       mirrored.reach = far_plane;
+      mirrored.wide = camera.wide;
+      mirrored.high = camera.high;
       for (int i = 0; i < solid_count; ++i) {
         // Only what rises above the mirror shows in it.
         const Solid& other = solids[i];

@@ -25,10 +25,11 @@ enum class Kind : std::int32_t { kPlane, kSphere, kCapsule, kEllipsoid, kCylinde
 
 enum class Mapping : std::int32_t { kNone, kFlat, kCube };
 
-// x^exponent for x in 0..1, given as x squared: by repeated squaring where the exponent allows.
+// x^exponent for x in 0..1: by repeated squaring where the exponent is whole or so large that it may be rounded, which
+// changes the result by less than 1 / 40.
 struct Power {
-  float half = 0;          // exponent / 2
-  std::int32_t whole = 0;  // the same if it is a whole number, else -1
+  float exponent = 0;
+  std::int32_t whole = 0;  // the rounded exponent, -1 where it must not be rounded
 };
 
 struct Material {
@@ -85,6 +86,8 @@ struct Aspect {
   float nearest = 0;                               // and of depth
   std::int32_t solid = 0;
   std::int32_t self = -2;  // among the camera's aspects, the one of the same solid
+  // Rays with facing[0] + x facing[1] + y facing[2] > 0 lead away from the solid.
+  std::array<float, 3> facing{};
   // For rays around a point: the bounding sphere, seen from the eye.
   std::array<float, 3> center{};
   float radius = 0;
@@ -95,6 +98,7 @@ struct Eye {
   std::array<double, 3> position{};
   std::array<std::array<double, 3>, 3> axes{};  // x (right), y (up), z (forward)
   double reach = 0;                             // nothing farther is of interest
+  double wide = 0, high = 0;                    // nor anything outside of -wide..wide and -high..high
   std::vector<Aspect> aspects;                  // room for all solids; the first `count` count, nearest first
   int count = 0;
   // The camera's rays in the frame of this eye: o + t (a + x bx + y by).
@@ -153,8 +157,8 @@ struct Scene {
   const std::uint32_t* texels = nullptr;
 
   explicit Scene(const mjModel& model);
-  void prepare(const mjModel& model, const mjData& data, const View& view, const Textures& textures,
-               const Settings& settings);
+  void prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio,
+               const Textures& textures, const Settings& settings);
 };
 
 // The geom that this renderer cannot draw, -1 if it can draw them all.

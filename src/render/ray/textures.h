@@ -17,8 +17,10 @@ struct Texture {
   std::int32_t width = 0;   // of level 0; cube textures have square faces
   std::int32_t height = 0;
   std::int32_t levels = 0;
-  // Where each level starts, in texels; the faces of a cube follow each other within a level.
-  std::array<std::int32_t, kMaxLevels> offset{};
+  // Where texel (0, 0) of each level is. Around each picture runs a border of one texel (what is beyond the edge: the
+  // other side of a flat texture, the same edge of a cube's face), so rows are width + 2 texels apart, and a cube's
+  // faces (width + 2) (height + 2).
+  std::array<std::int32_t, kMaxLevels> origin{};
 };
 
 class Textures {
