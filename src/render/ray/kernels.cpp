@@ -157,6 +157,8 @@ struct Window {
 
 constexpr Window kNothing = {0, -1, 0, -1};
 
+HWY_INLINE bool IsEmpty(const Window& w) { return w.row0 > w.row1 || w.column0 > w.column1; }
+
 HWY_INLINE int Clamped(float v) { return static_cast<int>(std::min(std::max(v, -1.0F), kTile + 1.0F)); }
 
 HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
@@ -552,60 +554,77 @@ HWY_INLINE V Along(const V3& n, const V3& v) {
   return kKind == Kind::kPlane ? v.z : Dot(n, v);
 }
 
-// The colour of a solid where rays meet it. `shades` are the shadows, one a caster, null where none are wanted; then
-// all light is added up before it is cut at white, as OpenGL does for what receives no shadows.
-template <Kind kKind, bool kGray>
-HWY_NOINLINE V3 Color(const Scene& scene, const Aspect& aspect, float dx, float dy, V x, V y, V t,
-                      const Shade* shades, int i, float dim) {
-  const Solid& solid = scene.solids[aspect.solid];
-  const Material& material = solid.material;
-  const V3 bx = Set(aspect.bx);
-  const V3 by = Set(aspect.by);
-  const V3 ray = Set(aspect.a) + by * y + bx * x;
-  const V3 p = Set(aspect.o) + ray * t;
+// The colours of a tile's rays.
+struct Canvas {
+  alignas(64) float r[kRays];
+  float g[kRays];
+  float b[kRays];
+};
+
+enum class Brush { kPut, kAdd, kBlend };
+
+// What is painted: the rays of a tile that met the solid which aspect `index` shows.
+struct Subject {
+  const Scene* scene;
+  const Eye* eye;
+  int index;
+  const Tile* tile;
+  const float* t;
+  const std::int32_t* id;
+  const Shade* shades;  // one a caster; null where no shadows are wanted
+  float dim;            // what the colour is multiplied by
+};
+
+// The normal of a solid at a point of its surface, in its frame.
+template <Kind kKind>
+HWY_INLINE V3 Normal(const Solid& solid, const V3& p) {
   const V one = Set(1.0F);
-  V3 n;
   switch (kKind) {
-    case Kind::kPlane: n = {Zero(), Zero(), one}; break;
-    case Kind::kSphere: n = p * Set(1 / solid.size[0]); break;
+    case Kind::kPlane: return {Zero(), Zero(), one};
+    case Kind::kSphere: return p * Set(1 / solid.size[0]);
     case Kind::kCapsule: {
       const V length = Set(solid.size[1]);
       const V z = hn::Min(hn::Max(p.z, Zero() - length), length);
-      n = V3{p.x, p.y, p.z - z} * Set(1 / solid.size[0]);
-      break;
+      return V3{p.x, p.y, p.z - z} * Set(1 / solid.size[0]);
     }
     case Kind::kEllipsoid: {
-      n = {p.x * Set(1 / (solid.size[0] * solid.size[0])), p.y * Set(1 / (solid.size[1] * solid.size[1])),
-           p.z * Set(1 / (solid.size[2] * solid.size[2]))};
-      n = n * Rsqrt(Dot(n, n));
-      break;
+      const V3 n = {p.x * Set(1 / (solid.size[0] * solid.size[0])), p.y * Set(1 / (solid.size[1] * solid.size[1])),
+                    p.z * Set(1 / (solid.size[2] * solid.size[2]))};
+      return n * Rsqrt(Dot(n, n));
     }
     case Kind::kCylinder: {
       // How far p lies beyond the end, against how far beyond the side.
       const V beyond = hn::Abs(p.z) - Set(solid.size[1]);
       const V aside = (p.x * p.x + p.y * p.y) * Set(0.5F / solid.size[0]) - Set(0.5F * solid.size[0]);
-      const M end = hn::Gt(beyond, aside);
       const V over = Set(1 / solid.size[0]);
-      n = Pick(end, {Zero(), Zero(), hn::CopySign(one, p.z)}, {p.x * over, p.y * over, Zero()});
-      break;
+      return Pick(hn::Gt(beyond, aside), {Zero(), Zero(), hn::CopySign(one, p.z)}, {p.x * over, p.y * over, Zero()});
     }
-    case Kind::kBox: {
+    default: {
       const V3 beyond = {hn::Abs(p.x) - Set(solid.size[0]), hn::Abs(p.y) - Set(solid.size[1]),
                          hn::Abs(p.z) - Set(solid.size[2])};
       const M on_x = hn::And(hn::Ge(beyond.x, beyond.y), hn::Ge(beyond.x, beyond.z));
       const M on_y = hn::AndNot(on_x, hn::Ge(beyond.y, beyond.z));
       const M on_z = hn::Not(hn::Or(on_x, on_y));
-      n = {hn::IfThenElseZero(on_x, hn::CopySign(one, p.x)), hn::IfThenElseZero(on_y, hn::CopySign(one, p.y)),
-           hn::IfThenElseZero(on_z, hn::CopySign(one, p.z))};
-      break;
+      return {hn::IfThenElseZero(on_x, hn::CopySign(one, p.x)), hn::IfThenElseZero(on_y, hn::CopySign(one, p.y)),
+              hn::IfThenElseZero(on_z, hn::CopySign(one, p.z))};
     }
   }
+}
 
+// The light that falls on a solid, scattered and mirrored towards the eye: its colour without the texture. A light
+// with shadows is added after what all others give is cut at white, and cut by itself, as OpenGL does, which draws
+// it in a pass of its own.
+template <Kind kKind, bool kGray>
+HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, int i) {
+  const Scene& scene = *subject.scene;
+  const Material& material = scene.solids[aspect.solid].material;
+  const V one = Set(1.0F);
   const bool shiny = material.specular > 0;
   V3 to_eye = ray;
   if (shiny) to_eye = ray * (Zero() - Rsqrt(Dot(ray, ray)));
 
-  const V3 rgb = {Set(material.rgb[0] * dim), Set(material.rgb[1] * dim), Set(material.rgb[2] * dim)};
+  const V dim = Set(subject.dim);
+  const V3 rgb = Set(material.rgb) * dim;
   // Light that falls in: what the colour scatters and what it mirrors (y and z only where light is coloured).
   V3 diffuse = {Set(scene.ambient), Set(scene.ambient), Set(scene.ambient)};
   V3 mirrored = {Zero(), Zero(), Zero()};
@@ -613,10 +632,10 @@ HWY_NOINLINE V3 Color(const Scene& scene, const Aspect& aspect, float dx, float 
   for (int k = 0; k < scene.light_count; ++k) {
     const Light& light = scene.lights[k];
     const LocalLight& place = scene.local[static_cast<std::size_t>(aspect.solid) * kMaxLights + k];
-    const bool separate = shades != nullptr && light.caster >= 0;
+    const bool separate = subject.shades != nullptr && light.caster >= 0;
     V lit = one;
     if (separate) {
-      lit = Load(shades[light.caster].lit + i);
+      lit = Load(subject.shades[light.caster].lit + i);
       if (All(hn::Eq(lit, Zero()))) continue;
     }
     V3 to_light = Set(place.position);
@@ -646,8 +665,7 @@ HWY_NOINLINE V3 Color(const Scene& scene, const Aspect& aspect, float dx, float 
       glint = hn::IfThenElseZero(hn::Gt(facing, Zero()), Pow(material.shininess, hn::Min(cosine, one)));
       glint = glint * Set(material.specular);
     }
-    // A light with shadows is drawn in a pass of its own and cut at white by itself; it does not reach faces that
-    // look away from it, not even with its ambient part.
+    // It does not reach faces that look away from it either, not even with its ambient part.
     if (separate) {
       const V on = hn::IfThenElseZero(hn::Gt(facing, Zero()), lit);
       if (kGray) {
@@ -677,98 +695,157 @@ HWY_NOINLINE V3 Color(const Scene& scene, const Aspect& aspect, float dx, float 
   } else {
     color = {rgb.x * diffuse.x + mirrored.x, rgb.y * diffuse.y + mirrored.y, rgb.z * diffuse.z + mirrored.z};
   }
-  const V3 emission = {Set(material.emission[0] * dim), Set(material.emission[1] * dim),
-                       Set(material.emission[2] * dim)};
-  color = color + emission;
-  color = {hn::Min(color.x, one) + extra.x, hn::Min(color.y, one) + extra.y, hn::Min(color.z, one) + extra.z};
+  color = color + Set(material.emission) * dim;
+  return {hn::Min(color.x, one) + extra.x, hn::Min(color.y, one) + extra.y, hn::Min(color.z, one) + extra.z};
+}
 
-  if (material.mapping != Mapping::kNone) {
-    // How the point moves on its tangent plane from pixel to pixel.
-    const V over = one / Along<kKind>(n, ray);
-    const V3 along_x = (bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(dx));
-    const V3 along_y = (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(dy));
-    V3 texel;
-    if (material.mapping == Mapping::kFlat) {
-      const Texture& texture = *material.texture;
-      const V su = Set(material.scale[0]);
-      const V tv = Set(material.scale[1]);
-      const V wu = Set(material.scale[0] * static_cast<float>(texture.width));
-      const V hv = Set(material.scale[1] * static_cast<float>(texture.height));
-      const V spread_x = (along_x.x * wu) * (along_x.x * wu) + (along_x.y * hv) * (along_x.y * hv);
-      const V spread_y = (along_y.x * wu) * (along_y.x * wu) + (along_y.y * hv) * (along_y.y * hv);
-      texel = Sample<false>(scene.texels, texture, hn::Zero(DI()), p.x * su - Set(0.5F), p.y * tv - Set(0.5F),
-                            hn::Max(spread_x, spread_y));
-    } else {
-      const V fold = Set(material.fold);
-      const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
-      const V3 scale = {Set(material.scale[0]), Set(material.scale[1]), Set(material.scale[2])};
-      const V3 q = {p.x * scale.x, p.y * scale.y, z * scale.z + (p.z - z) * Set(material.scale[3])};
-      const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
-      const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
-      texel = SampleCube(scene.texels, *material.texture, q, gx, gy);
+// The colour of a solid's texture.
+template <Kind kKind>
+HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, V t) {
+  const Scene& scene = *subject.scene;
+  const Material& material = scene.solids[aspect.solid].material;
+  const Texture& texture = *material.texture;
+  const V3 bx = Set(aspect.bx);
+  const V3 by = Set(aspect.by);
+  // How the point moves on its tangent plane from pixel to pixel.
+  const V over = Set(1.0F) / Along<kKind>(n, ray);
+  const V3 along_x = (bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx));
+  const V3 along_y = (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy));
+  if (material.mapping == Mapping::kFlat) {
+    const V wide = Set(material.scale[0] * static_cast<float>(texture.width));
+    const V high = Set(material.scale[1] * static_cast<float>(texture.height));
+    const V spread_x = (along_x.x * wide) * (along_x.x * wide) + (along_x.y * high) * (along_x.y * high);
+    const V spread_y = (along_y.x * wide) * (along_y.x * wide) + (along_y.y * high) * (along_y.y * high);
+    return Sample<false>(scene.texels, texture, hn::Zero(DI()), p.x * Set(material.scale[0]) - Set(0.5F),
+                         p.y * Set(material.scale[1]) - Set(0.5F), hn::Max(spread_x, spread_y));
+  }
+  const V fold = Set(material.fold);
+  const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
+  const V3 scale = {Set(material.scale[0]), Set(material.scale[1]), Set(material.scale[2])};
+  const V3 q = {p.x * scale.x, p.y * scale.y, z * scale.z + (p.z - z) * Set(material.scale[3])};
+  const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
+  const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
+  return SampleCube(scene.texels, texture, q, gx, gy);
+}
+
+template <Kind kKind, bool kGray, Brush kBrush>
+HWY_NOINLINE void PaintKind(const Subject& subject, const Window& w, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const Aspect& aspect = subject.eye->aspects[subject.index];
+  const Solid& solid = subject.scene->solids[aspect.solid];
+  const V one = Set(1.0F);
+  for (int row = w.row0; row <= w.row1; ++row) {
+    for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
+      const int i = row * kTile + column;
+      const M mine = hn::RebindMask(D(), hn::Eq(hn::Load(DI(), subject.id + i), SetI(subject.index)));
+      if (None(mine)) continue;
+      const V t = Load(subject.t + i);
+      const V3 ray =
+          Set(aspect.a) + Set(aspect.by) * Set(subject.tile->y[row]) + Set(aspect.bx) * Load(subject.tile->x + column);
+      const V3 p = Set(aspect.o) + ray * t;
+      const V3 n = Normal<kKind>(solid, p);
+      V3 color = Lit<kKind, kGray>(subject, aspect, ray, p, n, i);
+      if (solid.material.mapping != Mapping::kNone) {
+        const V3 texel = Textured<kKind>(subject, aspect, ray, p, n, t);
+        color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
+      }
+      color = {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
+      V3 old = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
+      if (kBrush == Brush::kAdd) color = color + old;
+      if (kBrush == Brush::kBlend) {
+        const V alpha = Set(solid.material.alpha);
+        color = old * (one - alpha) + color * alpha;
+      }
+      Store(Pick(mine, color.x, old.x), canvas.r + i);
+      Store(Pick(mine, color.y, old.y), canvas.g + i);
+      Store(Pick(mine, color.z, old.z), canvas.b + i);
     }
-    color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
-  }
-  return {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
-}
-
-template <bool kGray>
-HWY_INLINE V3 ColorOf(const Scene& scene, const Aspect& aspect, float dx, float dy, V x, V y, V t,
-                      const Shade* shades, int i, float dim) {
-  switch (scene.solids[aspect.solid].kind) {
-    case Kind::kPlane: return Color<Kind::kPlane, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
-    case Kind::kSphere: return Color<Kind::kSphere, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
-    case Kind::kCapsule: return Color<Kind::kCapsule, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
-    case Kind::kEllipsoid: return Color<Kind::kEllipsoid, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
-    case Kind::kCylinder: return Color<Kind::kCylinder, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
-    default: return Color<Kind::kBox, kGray>(scene, aspect, dx, dy, x, y, t, shades, i, dim);
   }
 }
 
-// Colours of the solids that the rays i.. meet, black where they meet none.
-HWY_INLINE V3 Solids(const Scene& scene, const Eye& eye, const Tile& tile, V x, V y, V t, VI id, const Shade* shades,
-                     int i, float dim) {
-  V3 color = {Zero(), Zero(), Zero()};
-  M left = hn::RebindMask(D(), hn::Gt(id, SetI(-1)));
-  while (!None(left)) {
-    const std::size_t lane = static_cast<std::size_t>(hn::FindFirstTrue(D(), left));
-    const int which = hn::ExtractLane(id, lane);
-    const M mine = hn::And(left, hn::RebindMask(D(), hn::Eq(id, SetI(which))));
-    const Aspect& aspect = eye.aspects[which];
-    const V3 c = scene.gray ? ColorOf<true>(scene, aspect, tile.dx, tile.dy, x, y, t, shades, i, dim)
-                            : ColorOf<false>(scene, aspect, tile.dx, tile.dy, x, y, t, shades, i, dim);
-    color = Pick(mine, c, color);
-    left = hn::AndNot(mine, left);
+template <Kind kKind, Brush kBrush>
+HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& canvas) {
+  if (subject.scene->gray) {
+    PaintKind<kKind, true, kBrush>(subject, w, canvas);
+  } else {
+    PaintKind<kKind, false, kBrush>(subject, w, canvas);
   }
-  return color;
+}
+
+template <Brush kBrush>
+void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
+  switch (subject.scene->solids[subject.eye->aspects[subject.index].solid].kind) {
+    case Kind::kPlane: PaintGrayOrNot<Kind::kPlane, kBrush>(subject, w, canvas); break;
+    case Kind::kSphere: PaintGrayOrNot<Kind::kSphere, kBrush>(subject, w, canvas); break;
+    case Kind::kCapsule: PaintGrayOrNot<Kind::kCapsule, kBrush>(subject, w, canvas); break;
+    case Kind::kEllipsoid: PaintGrayOrNot<Kind::kEllipsoid, kBrush>(subject, w, canvas); break;
+    case Kind::kCylinder: PaintGrayOrNot<Kind::kCylinder, kBrush>(subject, w, canvas); break;
+    case Kind::kBox: PaintGrayOrNot<Kind::kBox, kBrush>(subject, w, canvas); break;
+  }
 }
 
 // -------------------------------------------------------------------------------------------------- sky, haze and fog
 
-HWY_INLINE V3 Sky(const Scene& scene, const Tile& tile, V x, V y) {
+void PaintSky(const Scene& scene, const Tile& tile, const std::int32_t* id, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 bx = Set(scene.sky_bx);
   const V3 by = Set(scene.sky_by);
-  return SampleCube(scene.texels, *scene.sky, Set(scene.sky_a) + by * y + bx * x, bx * Set(tile.dx),
-                    by * Set(tile.dy));
+  const V3 gx = bx * Set(tile.dx);
+  const V3 gy = by * Set(tile.dy);
+  for (int i = 0; i < kRays; i += lanes) {
+    const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
+    if (None(empty)) continue;
+    const V3 d = Set(scene.sky_a) + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
+    const V3 color = SampleCube(scene.texels, *scene.sky, d, gx, gy);
+    Store(Pick(empty, color.x, Load(canvas.r + i)), canvas.r + i);
+    Store(Pick(empty, color.y, Load(canvas.g + i)), canvas.g + i);
+    Store(Pick(empty, color.z, Load(canvas.b + i)), canvas.b + i);
+  }
 }
 
 // The haze is a cone that rises from the ground at distance (1 - r) of the sky's to the height of the eye at the sky;
-// its density grows linearly up to `turn` and falls again. `far` is 1 where something lies before it.
-HWY_NOINLINE V3 Haze(const Scene& scene, V3 color, V x, V y, V t) {
-  const Aspect& plane = scene.camera.aspects[scene.seen[scene.haze_plane]];
-  const V3 ray = Set(plane.a) + Set(plane.by) * y + Set(plane.bx) * x;
-  const V level = hn::Sqrt(ray.x * ray.x + ray.y * ray.y);
-  const V drop = (Zero() - ray.z) / hn::Max(level, Set(1e-20F));
+// its density grows linearly up to `turn` and falls again.
+void PaintHaze(const Scene& scene, const Tile& tile, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V3 a = Set(scene.haze_a);
+  const V3 bx = Set(scene.haze_bx);
+  const V3 by = Set(scene.haze_by);
+  const V one = Set(1.0F);
   const V e = Set(scene.haze_elevation / scene.haze_radius);
-  const V distance = e / hn::Max(e + drop, Set(1e-20F));
-  const V height = Set(1.0F) - (Set(1.0F) - distance) * Set(1 / scene.haze_radius);
   const V turn = Set(scene.haze_turn);
-  V alpha = hn::Min(height / turn, (Set(1.0F) - height) / (Set(1.0F) - turn));
-  const M here = hn::And(hn::And(hn::Ge(drop, Zero()), hn::Gt(alpha, Zero())),
-                         hn::Gt(t * level, distance * Set(scene.sky_limit)));
-  alpha = hn::IfThenElseZero(here, hn::Min(alpha, Set(1.0F)));
-  const V rest = Set(1.0F) - alpha;
-  return color * rest + Set(scene.haze_rgb) * alpha;
+  for (int i = 0; i < kRays; i += lanes) {
+    const V t = Load(tile.t + i);
+    if (All(hn::Lt(t, Set(0.3F * scene.sky_limit)))) continue;
+    const V3 ray = a + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
+    const M down = hn::Lt(ray.z, Zero());
+    if (None(down)) continue;
+    const V level = hn::Sqrt(ray.x * ray.x + ray.y * ray.y);
+    const V drop = (Zero() - ray.z) / hn::Max(level, Set(1e-20F));
+    const V distance = e / hn::Max(e + drop, Set(1e-20F));
+    const V height = one - (one - distance) * Set(1 / scene.haze_radius);
+    V alpha = hn::Min(height / turn, (one - height) / (one - turn));
+    const M here = hn::And(hn::And(down, hn::Gt(alpha, Zero())),
+                           hn::Gt(t * level, distance * Set(scene.sky_limit)));
+    if (None(here)) continue;
+    alpha = hn::IfThenElseZero(here, hn::Min(alpha, one));
+    const V rest = one - alpha;
+    Store(Load(canvas.r + i) * rest + Set(scene.haze_rgb[0]) * alpha, canvas.r + i);
+    Store(Load(canvas.g + i) * rest + Set(scene.haze_rgb[1]) * alpha, canvas.g + i);
+    Store(Load(canvas.b + i) * rest + Set(scene.haze_rgb[2]) * alpha, canvas.b + i);
+  }
+}
+
+void PaintFog(const Scene& scene, const Tile& tile, const std::int32_t* id, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V one = Set(1.0F);
+  for (int i = 0; i < kRays; i += lanes) {
+    const M solid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), id + i), SetI(-1)));
+    const V part = (Load(tile.t + i) - Set(scene.fog_start)) * Set(scene.fog_scale);
+    const V f = hn::IfThenElseZero(solid, hn::Min(hn::Max(part, Zero()), one));
+    Store(Load(canvas.r + i) * (one - f) + Set(scene.fog_rgb[0]) * f, canvas.r + i);
+    Store(Load(canvas.g + i) * (one - f) + Set(scene.fog_rgb[1]) * f, canvas.g + i);
+    Store(Load(canvas.b + i) * (one - f) + Set(scene.fog_rgb[2]) * f, canvas.b + i);
+  }
 }
 
 // ------------------------------------------------------------------------------------------------------------ tiles
@@ -808,11 +885,64 @@ void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32
   }
 }
 
+// The mirror's reflections, where the tile shows the mirror.
+void PaintMirror(const Scene& scene, const Tile& tile, const std::int32_t* shown, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const int mirror = scene.seen[scene.mirror];
+  if (mirror < 0) return;
+  const Window all = WindowOf(scene.camera.aspects[mirror], tile);
+  if (IsEmpty(all)) return;
+  alignas(64) float t[kRays];
+  alignas(64) std::int32_t id[kRays];
+  bool any = false;
+  for (int k = 0; k < scene.mirrored.count; ++k) {
+    const Window w = WindowOf(scene.mirrored.aspects[k], tile);
+    if (IsEmpty(w)) continue;
+    if (!any) {
+      any = true;
+      std::fill_n(t, kRays, kMiss);
+      std::fill_n(id, kRays, -1);
+    }
+    Cast<true>(scene, scene.mirrored, k, tile, w, tile.t, t, id);
+  }
+  if (!any) return;
+  // Of a box, only the upper face mirrors.
+  const Solid& solid = scene.solids[scene.mirror];
+  const Aspect& aspect = scene.camera.aspects[mirror];
+  const V upper = Set(solid.kind == Kind::kBox ? solid.size[2] * 0.9999F : -kMiss);
+  for (int i = 0; i < kRays; i += lanes) {
+    const V z = Set(aspect.o[2]) + Load(tile.t + i) * (Set(aspect.a[2]) + Set(aspect.by[2]) * Set(tile.y[i / kTile]) +
+                                                       Set(aspect.bx[2]) * Load(tile.x + i % kTile));
+    M reflects = hn::RebindMask(D(), hn::Eq(hn::Load(DI(), shown + i), SetI(mirror)));
+    reflects = hn::And(reflects, hn::Gt(z, upper));
+    hn::Store(hn::IfThenElse(hn::RebindMask(DI(), reflects), hn::Load(DI(), id + i), SetI(-1)), DI(), id + i);
+  }
+  for (int k = 0; k < scene.mirrored.count; ++k) {
+    const Window w = WindowOf(scene.mirrored.aspects[k], tile);
+    if (IsEmpty(w)) continue;
+    Paint<Brush::kAdd>({&scene, &scene.mirrored, k, &tile, t, id, nullptr, scene.reflectance}, w, canvas);
+  }
+}
+
+// Transparent things, as MuJoCo blends them: front to back, and then again back to front.
+void PaintTransparent(const Scene& scene, const Tile& tile, Canvas& canvas) {
+  const int n = scene.transparent_count;
+  for (int k = 0; k < 2 * n; ++k) {
+    const int index = scene.transparent[k < n ? k : 2 * n - 1 - k];
+    const Window w = WindowOf(scene.camera.aspects[index], tile);
+    if (IsEmpty(w)) continue;
+    alignas(64) float t[kRays];
+    alignas(64) std::int32_t id[kRays];
+    std::copy_n(tile.t, kRays, t);
+    std::fill_n(id, kRays, -1);
+    Cast<false>(scene, scene.camera, index, tile, w, &scene.near_plane, t, id);
+    Paint<Brush::kBlend>({&scene, &scene.camera, index, &tile, t, id, nullptr, 1.0F}, w, canvas);
+  }
+}
+
 // Colours of all rays of a tile, as 0x00BBGGRR.
 void ColorTile(const Scene& scene, const Tile& tile, std::uint32_t* out) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
-  const Eye& camera = scene.camera;
-  const V one = Set(1.0F);
 
   Shade shades[kMaxLights];
   for (int k = 0; k < scene.caster_count; ++k) {
@@ -823,93 +953,56 @@ void ColorTile(const Scene& scene, const Tile& tile, std::uint32_t* out) {
     }
   }
 
-  // What shows in the mirror, where the tile shows the mirror.
-  const int mirror = scene.mirror < 0 ? -2 : scene.seen[scene.mirror];
-  alignas(64) float mirror_t[kRays];
-  alignas(64) std::int32_t mirror_id[kRays];
-  bool mirrors = false;
-  if (mirror >= 0) {
-    for (int k = 0; k < scene.mirrored.count; ++k) {
-      const Window w = WindowOf(scene.mirrored.aspects[k], tile);
-      if (w.row0 > w.row1 || w.column0 > w.column1) continue;
-      if (!mirrors) {
-        mirrors = true;
-        std::fill_n(mirror_t, kRays, kMiss);
-        std::fill_n(mirror_id, kRays, -1);
-      }
-      Cast<true>(scene, scene.mirrored, k, tile, w, tile.t, mirror_t, mirror_id);
-    }
-  }
-
+  // The sky hides what is farther away than it is.
+  alignas(64) std::int32_t shown[kRays];
+  bool solids = false;
+  bool empty = false;
   for (int i = 0; i < kRays; i += lanes) {
-    const V x = Load(tile.x + i % kTile);
-    const V y = Set(tile.y[i / kTile]);
-    V t = Load(tile.t + i);
     VI id = hn::Load(DI(), tile.id + i);
-    // The sky hides what is farther away than it is.
+    const V t = Load(tile.t + i);
     if (scene.sky_limit > 0 && !All(hn::Lt(t, Set(0.4F * scene.sky_limit)))) {
-      const V3 d = Set(scene.sky_a) + Set(scene.sky_by) * y + Set(scene.sky_bx) * x;
+      const V3 d = Set(scene.sky_a) + Set(scene.sky_by) * Set(tile.y[i / kTile]) +
+                   Set(scene.sky_bx) * Load(tile.x + i % kTile);
       const V limit = Set(scene.sky_limit);
       const M hidden = hn::Or(hn::Gt(t * hn::Sqrt(d.x * d.x + d.z * d.z), limit), hn::Gt(t * hn::Abs(d.y), limit));
       id = hn::IfThenElse(hn::RebindMask(DI(), hidden), SetI(-1), id);
     }
-    V3 color = Solids(scene, camera, tile, x, y, t, id, shades, i, 1.0F);
-    if (mirrors) {
-      M reflecting = hn::RebindMask(D(), hn::Eq(id, SetI(mirror)));
-      if (!None(reflecting)) {
-        const Solid& solid = scene.solids[scene.mirror];
-        if (solid.kind == Kind::kBox) {
-          const Aspect& aspect = camera.aspects[mirror];
-          const V z = Set(aspect.o[2]) + t * (Set(aspect.a[2]) + Set(aspect.by[2]) * y + Set(aspect.bx[2]) * x);
-          reflecting = hn::And(reflecting, hn::Gt(z, Set(solid.size[2] * 0.9999F)));
-        }
-        const VI shown = hn::IfThenElse(hn::RebindMask(DI(), reflecting), hn::Load(DI(), mirror_id + i), SetI(-1));
-        color = color + Solids(scene, scene.mirrored, tile, x, y, Load(mirror_t + i), shown, nullptr, i,
-                               scene.reflectance);
-      }
-    }
-    if (scene.fog) {
-      const M solid = hn::RebindMask(D(), hn::Gt(id, SetI(-1)));
-      const V f = hn::IfThenElseZero(
-          solid, hn::Min(hn::Max((t - Set(scene.fog_start)) * Set(scene.fog_scale), Zero()), one));
-      color = color * (one - f) + Set(scene.fog_rgb) * f;
-    }
-    if (scene.sky != nullptr) {
-      const M empty = hn::RebindMask(D(), hn::Lt(id, hn::Zero(DI())));
-      if (!None(empty)) color = Pick(empty, Sky(scene, tile, x, y), color);
-      if (scene.haze && scene.seen[scene.haze_plane] >= 0 && !All(hn::Lt(t, Set(0.3F * scene.sky_limit)))) {
-        color = Haze(scene, color, x, y, t);
-      }
-    }
-    // Transparent things, as MuJoCo blends them: front to back, then back to front.
-    for (int k = 0; k < 2 * scene.transparent_count; ++k) {
-      const int n = scene.transparent_count;
-      const int which = scene.transparent[k < n ? k : 2 * n - 1 - k];
-      const Aspect& aspect = camera.aspects[which];
+    hn::Store(id, DI(), shown + i);
+    const auto nothing = hn::Lt(id, hn::Zero(DI()));
+    solids = solids || !hn::AllTrue(DI(), nothing);
+    empty = empty || !hn::AllFalse(DI(), nothing);
+  }
+
+  Canvas canvas;
+  if (empty) {
+    std::fill_n(canvas.r, kRays, 0.0F);
+    std::fill_n(canvas.g, kRays, 0.0F);
+    std::fill_n(canvas.b, kRays, 0.0F);
+  }
+  if (solids) {
+    for (int k = 0; k < scene.camera.count; ++k) {
+      const Aspect& aspect = scene.camera.aspects[k];
+      if (scene.solids[aspect.solid].transparent) continue;
       const Window w = WindowOf(aspect, tile);
-      const int row = i / kTile;
-      const int column = i % kTile;
-      if (row < w.row0 || row > w.row1 || column + lanes <= w.column0 || column > w.column1) continue;
-      alignas(64) float best[kRays];
-      alignas(64) std::int32_t best_id[kRays];
-      Store(t, best + i);
-      hn::Store(SetI(-1), DI(), best_id + i);
-      const Window here = {row, row, column, column};
-      Cast<false>(scene, camera, which, tile, here, &scene.near_plane, best, best_id);
-      const VI hit = hn::Load(DI(), best_id + i);
-      const M seen = hn::RebindMask(D(), hn::Gt(hit, SetI(-1)));
-      if (None(seen)) continue;
-      const V3 c = Solids(scene, camera, tile, x, y, Load(best + i), hit, nullptr, i, 1.0F);
-      const V alpha = hn::IfThenElseZero(seen, Set(scene.solids[aspect.solid].material.alpha));
-      color = color * (one - alpha) + c * alpha;
+      if (IsEmpty(w)) continue;
+      Paint<Brush::kPut>({&scene, &scene.camera, k, &tile, tile.t, shown, shades, 1.0F}, w, canvas);
     }
-    const V scale = Set(255.0F);
-    const V half = Set(0.5F);
-    const VI r = Whole(hn::Min(color.x, one) * scale + half);
-    const VI g = Whole(hn::Min(color.y, one) * scale + half);
-    const VI b = Whole(hn::Min(color.z, one) * scale + half);
-    const VI packed = hn::Or(r, hn::Or(hn::ShiftLeft<8>(g), hn::ShiftLeft<16>(b)));
-    hn::Store(packed, DI(), reinterpret_cast<std::int32_t*>(out) + i);
+    if (scene.mirror >= 0) PaintMirror(scene, tile, shown, canvas);
+    if (scene.fog) PaintFog(scene, tile, shown, canvas);
+  }
+  if (empty && scene.sky != nullptr) PaintSky(scene, tile, shown, canvas);
+  if (scene.haze) PaintHaze(scene, tile, canvas);
+  if (scene.transparent_count > 0) PaintTransparent(scene, tile, canvas);
+
+  const V one = Set(1.0F);
+  const V scale = Set(255.0F);
+  const V half = Set(0.5F);
+  for (int i = 0; i < kRays; i += lanes) {
+    const VI r = Whole(hn::Min(Load(canvas.r + i), one) * scale + half);
+    const VI g = Whole(hn::Min(Load(canvas.g + i), one) * scale + half);
+    const VI b = Whole(hn::Min(Load(canvas.b + i), one) * scale + half);
+    hn::Store(hn::Or(r, hn::Or(hn::ShiftLeft<8>(g), hn::ShiftLeft<16>(b))), DI(),
+              reinterpret_cast<std::int32_t*>(out) + i);
   }
 }
 
@@ -929,7 +1022,7 @@ void DrawOneTile(const Job& job, int index) {
   for (int k = 0; k < scene.camera.count; ++k) {
     const Aspect& aspect = scene.camera.aspects[k];
     const Window w = WindowOf(aspect, tile);
-    if (w.row0 > w.row1 || w.column0 > w.column1) continue;
+    if (IsEmpty(w)) continue;
     if (scene.solids[aspect.solid].transparent) continue;
     Cast<false>(scene, scene.camera, k, tile, w, &scene.near_plane, tile.t, tile.id);
   }
@@ -945,7 +1038,7 @@ void DrawOneTile(const Job& job, int index) {
     for (int k = 0; k < scene.transparent_count; ++k) {
       const int which = scene.transparent[k];
       const Window w = WindowOf(scene.camera.aspects[which], tile);
-      if (w.row0 > w.row1 || w.column0 > w.column1) continue;
+      if (IsEmpty(w)) continue;
       Cast<false>(scene, scene.camera, which, tile, w, &scene.near_plane, tile.t, tile.id);
     }
     for (int row = 0; row < height; ++row) {

@@ -563,6 +563,9 @@ void Scene::prepare(const mjModel& model, const mjData& data, const View& view, 
       const double height = dot(minus(camera.position, plane.position), column(plane.rotation, 2));
       const double r = model.vis.map.haze;
       haze = height >= 0 && r > 0;
+      haze_a = narrow(to_local(plane, camera.axes[2]));
+      haze_bx = narrow(to_local(plane, camera.axes[0]));
+      haze_by = narrow(to_local(plane, camera.axes[1]));
       haze_elevation = static_cast<float>(height / sky_limit);
       haze_radius = static_cast<float>(r);
       const double alpha = std::atan2(1, r);

@@ -144,7 +144,8 @@ struct Scene {
   float sky_limit = 0;  // horizontal distance at which the sky hides the ground, 0 for no sky
 
   bool haze = false;
-  int haze_plane = -1;
+  int haze_plane = -1;  // the solid at whose horizon it hangs, in whose frame the rays are a + x bx + y by
+  std::array<float, 3> haze_a{}, haze_bx{}, haze_by{};
   std::array<float, 3> haze_rgb{};
   float haze_radius = 0;  // relative to the sky's
   float haze_turn = 0;    // height (0..1) at which the haze is thickest
