@@ -708,7 +708,8 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
   const V3 bx = Set(aspect.bx);
   const V3 by = Set(aspect.by);
   // How the point moves on its tangent plane from pixel to pixel.
-  const V over = Set(1.0F) / Along<kKind>(n, ray);
+  // (Of a plane, t says how far away it is across.)
+  const V over = kKind == Kind::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
   const V3 along_x = (bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx));
   const V3 along_y = (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy));
   if (material.mapping == Mapping::kFlat) {
