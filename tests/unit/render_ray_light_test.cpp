@@ -1,6 +1,7 @@
 // Light and colour of the ray renderer, against OpenGL's formulas written out here.
 #include <algorithm>
 
+#include "base/status.h"
 #include "render_ray_support.h"
 
 namespace mimo::test {
@@ -97,7 +98,8 @@ TEST(RayLight, Normals) {
   EXPECT_NEAR(at("<geom type='cylinder' size='.15 .2' euler='90 0 0' material='mat' rgba='1 1 1 1'/>", 75), slope, 0.02);
   EXPECT_NEAR(at("<geom type='ellipsoid' size='.15 .15 .15' material='mat' rgba='1 1 1 1'/>", 75), slope, 0.02);
   EXPECT_NEAR(at("<geom type='cylinder' size='.15 .2' material='mat' rgba='1 1 1 1'/>", 75), 1, 0.01);
-  EXPECT_NEAR(at("<geom type='box' size='.2 .2 .2' euler='0 60 0' material='mat' rgba='1 1 1 1'/>", 55), 0.5, 0.01);
+  EXPECT_NEAR(at("<geom type='box' size='.2 .2 .2' euler='0 60 0' material='mat' rgba='1 1 1 1'/>", 55), std::sqrt(0.75), 0.01);
+  EXPECT_NEAR(at("<geom type='box' size='.2 .2 .2' euler='0 60 0' material='mat' rgba='1 1 1 1'/>", 95), 0.5, 0.01);
 }
 
 class EachLight : public ::testing::TestWithParam<const char*> {};
@@ -172,7 +174,7 @@ TEST(RayLight, Mirrors) {
 TEST(RayLight, Fog) {
   render::RayOptions foggy;
   foggy.fog = true;
-  const std::string visual = "<map fogstart='1' fogend='5'/><rgba fog='.2 .4 .6 1'/>";
+  const std::string visual = "<map znear='0.01' fogstart='1' fogend='5'/><rgba fog='.2 .4 .6 1'/>";
   const std::string body = kFloor + std::string("<light directional='true' dir='0 0 -1' diffuse='1 1 1'/>");
   for (const double height : {0.5, 2.0, 4.0}) {
     const double f = std::clamp((height - 1) / 4, 0.0, 1.0);

@@ -5,6 +5,7 @@
 #include <new>
 #include <thread>
 
+#include "base/status.h"
 #include "render_ray_support.h"
 #include "support/scenes.h"
 

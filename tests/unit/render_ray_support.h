@@ -70,12 +70,16 @@ class Studio {
   std::unique_ptr<render::Renderer> renderer_;
 };
 
-// A scene without headlight, near plane 1 cm, far plane 50 m.
+// A scene with a dark headlight, near plane 1 cm, far plane 50 m, where `visual` does not say otherwise.
 inline std::string world(const std::string& body, const std::string& assets = "", const std::string& visual = "") {
-  return "<mujoco><statistic extent='1' center='0 0 0'/><visual><map znear='0.01' zfar='50'/>"
-         "<headlight ambient='0 0 0' diffuse='0 0 0' specular='0 0 0'/><quality offsamples='0'/>" +
-         visual + "</visual><asset><material name='mat' specular='0' shininess='0'/>" + assets +
-         "</asset><worldbody>" + body + "</worldbody></mujoco>";
+  const auto unless_given = [&visual](const std::string& element, const std::string& attributes) {
+    return visual.find("<" + element + " ") == std::string::npos ? "<" + element + " " + attributes + "/>" : "";
+  };
+  return "<mujoco><statistic extent='1' center='0 0 0'/><visual>" +
+         unless_given("headlight", "ambient='0 0 0' diffuse='0 0 0' specular='0 0 0'") +
+         unless_given("map", "znear='0.01' zfar='50'") + "<quality offsamples='0'/>" + visual +
+         "</visual><asset><material name='mat' specular='0' shininess='0'/>" + assets + "</asset><worldbody>" + body +
+         "</worldbody></mujoco>";
 }
 
 // Straight down at the origin from a height.
