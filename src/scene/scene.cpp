@@ -1,3 +1,4 @@
+#include "base/format.h"
 #include "scene/scene.h"
 
 #include <algorithm>
