@@ -74,7 +74,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   }
   physics_.data().time = 0;
   physics_.forward();
-  if (block != nullptr) sense(block);
+  if (block != nullptr) sense(block, false);
   report_warnings();
 }
 
@@ -87,31 +87,30 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
     }
   }
   for (int i = 0; i < options_.frame_skip; ++i) {
-    physics_step(1);
+    {
+      const Stopwatch watch(options_.timing, timing_.physics);
+      physics_.step(1);
+    }
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
   ++elapsed_;
   ++timing_.steps;
   evaluate();
-  if (block != nullptr) sense(block);
+  if (block != nullptr) sense(block, options_.timing);
   report(results);
   report_warnings();
 }
 
-void World::physics_step(int count) {
-  const Stopwatch watch(options_.timing, timing_.physics);
-  physics_.step(count);
-}
-
 void World::observe(std::uint8_t* block) {
   physics_.forward();
-  sense(block);
+  sense(block, false);
 }
 
-void World::sense(std::uint8_t* block) {
+// Only steps are timed: looking in between would blur what a step costs.
+void World::sense(std::uint8_t* block, bool timed) {
   for (const Agent& agent : agents_) {
     for (const auto& sense : agent.senses) {
-      const Stopwatch watch(options_.timing, timing_.senses[static_cast<std::size_t>(sense->part())]);
+      const Stopwatch watch(timed, timing_.senses[static_cast<std::size_t>(sense->part())]);
       sense->write(model(), data(), block);
     }
   }
