@@ -57,7 +57,8 @@ unsigned group_of(const std::string& motor) {
     if (begins(name, entry.name)) return entry.group;
   }
   // What is left are wrists and fingers, of which a hand may have many.
-  return begins(name, "right_") ? kRightHand : begins(name, "left_") ? kLeftHand : 0;
+  if (begins(name, "right_")) return kRightHand;
+  return begins(name, "left_") ? static_cast<unsigned>(kLeftHand) : 0u;
 }
 
 unsigned groups_from(const std::string& words) {
