@@ -68,6 +68,8 @@ class Physics {
   void check_divergence();
   template <typename Call>
   void run(Call&& call);
+  template <typename Call>
+  void run_aside(Call&& call);  // leaves the trajectory as it was
 
   ModelPtr shared_;
   mjModel model_;
@@ -76,7 +78,8 @@ class Physics {
   std::vector<double> start_;
   std::vector<double> positions_;  // room for update_poses_at_last_start
   std::array<int, mjNWARNING> warned_{};
-  std::vector<double> warmstart_;  // room for forward() to keep the solver's start
+  std::vector<double> positions_, warmstart_;  // room for run_aside() to keep what it changes
+  double step_time_ = 0;                       // when the step in progress started; MuJoCo sets a diverged world's time back
   bool failed_ = false;
 };
 
