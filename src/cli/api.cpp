@@ -56,6 +56,12 @@ std::uint32_t Env::frame_skip() const {
   return count;
 }
 
+std::string Env::task() const {
+  const char* name = "";
+  check(mimo_env_task(get(), &name));
+  return name;
+}
+
 double Env::timestep() const {
   double seconds = 0;
   check(mimo_env_timestep(get(), &seconds));

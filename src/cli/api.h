@@ -92,6 +92,7 @@ class Env {
   void physics_step(std::size_t count) { check(mimo_env_physics_step(get(), count)); }
   double timestep() const;
   std::uint32_t frame_skip() const;
+  std::string task() const;
 
   Block make_block() const;
   std::vector<Field> fields() const;

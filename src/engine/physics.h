@@ -76,7 +76,6 @@ class Physics {
   std::unique_ptr<mjData, void (*)(mjData*)> data_;
   Overrides overrides_;
   std::vector<double> start_;
-  std::vector<double> positions_;  // room for update_poses_at_last_start
   std::array<int, mjNWARNING> warned_{};
   std::vector<double> positions_, warmstart_;  // room for run_aside() to keep what it changes
   double step_time_ = 0;                       // when the step in progress started; MuJoCo sets a diverged world's time back
