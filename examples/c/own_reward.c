@@ -16,12 +16,12 @@ static void check(mimo_status status) {
 
 /* The body and the room of the scene "reach", but no task: rewards of the library are 0 and nothing ends. The arm is
  * moved by target angles from -1 to 1. */
-static mimo_env *make_world(void) {
+static mimo_env* make_world(void) {
   mimo_scene_config room;
   mimo_agent_config agent;
   mimo_env_config config;
-  mimo_scene *scene;
-  mimo_env *env;
+  mimo_scene* scene;
+  mimo_env* env;
 
   check(mimo_scene_config_init(&room, sizeof room));
   room.name = "reach";
@@ -41,7 +41,7 @@ static mimo_env *make_world(void) {
 }
 
 /* Minus the distance of hand and mouth, m. */
-static double reward(const mimo_env *env, const int32_t bodies[2]) {
+static double reward(const mimo_env* env, const int32_t bodies[2]) {
   const double mouth[3] = {0.075, 0, 0.045}; /* from the head's origin; the head looks ahead here */
   double place[6], square = 0;
   int axis;
@@ -54,7 +54,7 @@ static double reward(const mimo_env *env, const int32_t bodies[2]) {
 }
 
 /* The return of a second towards one posture of the arm. */
-static double try_posture(mimo_env *env, const int32_t bodies[2], const float *posture, size_t count) {
+static double try_posture(mimo_env* env, const int32_t bodies[2], const float* posture, size_t count) {
   const uint64_t seed = 1;
   double sum = 0;
   int step;
@@ -68,7 +68,7 @@ static double try_posture(mimo_env *env, const int32_t bodies[2], const float *p
 
 /* Learning at its simplest: change the best posture a little, keep the change if it pays. */
 int main(void) {
-  mimo_env *env = make_world();
+  mimo_env* env = make_world();
   float best[4] = {0, 0, 0, 0}, trial[4];
   double best_sum, first_sum;
   int32_t bodies[2];
@@ -89,8 +89,8 @@ int main(void) {
     best_sum = sum;
     for (i = 0; i < count; ++i) best[i] = trial[i];
   }
-  printf("mean distance of hand and mouth: %.3f m at first, %.3f m after %d trials\n", -first_sum / 100, -best_sum / 100,
-         round);
+  printf("mean distance of hand and mouth: %.3f m at first, %.3f m after %d trials\n", -first_sum / 100,
+         -best_sum / 100, round);
   mimo_env_destroy(env);
   return best_sum > first_sum ? 0 : 1;
 }

@@ -151,19 +151,19 @@ MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
 #define MIMO_ACTUATION_TORQUE 0   /**< An action is a motor's share of its largest torque. */
 #define MIMO_ACTUATION_POSITION 1 /**< An action is the angle at which a joint is to be, rad; a soft lock takes it there. */
 
-#define MIMO_ACT_TRUNK 0x01u      /**< Three motors. */
-#define MIMO_ACT_HEAD 0x02u       /**< Three. */
-#define MIMO_ACT_EYES 0x04u       /**< Three an eye. */
-#define MIMO_ACT_RIGHT_ARM 0x08u  /**< Shoulder (three) and elbow. */
-#define MIMO_ACT_LEFT_ARM 0x10u
-#define MIMO_ACT_RIGHT_HAND 0x20u /**< Wrist (three) and fingers. */
-#define MIMO_ACT_LEFT_HAND 0x40u
-#define MIMO_ACT_RIGHT_LEG 0x80u  /**< Hip (three) and knee. */
-#define MIMO_ACT_LEFT_LEG 0x100u
+#define MIMO_ACT_TRUNK 0x01u       /**< Three motors. */
+#define MIMO_ACT_HEAD 0x02u        /**< Three. */
+#define MIMO_ACT_EYES 0x04u        /**< Three an eye. */
+#define MIMO_ACT_RIGHT_ARM 0x08u   /**< Shoulder (three) and elbow. */
+#define MIMO_ACT_LEFT_ARM 0x10u    /**< The same on the left. */
+#define MIMO_ACT_RIGHT_HAND 0x20u  /**< Wrist (three) and fingers. */
+#define MIMO_ACT_LEFT_HAND 0x40u   /**< The same on the left. */
+#define MIMO_ACT_RIGHT_LEG 0x80u   /**< Hip (three) and knee. */
+#define MIMO_ACT_LEFT_LEG 0x100u   /**< The same on the left. */
 #define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes. */
-#define MIMO_ACT_LEFT_FOOT 0x400u
-#define MIMO_ACT_ALL 0x7ffu
-#define MIMO_ACT_NONE 0x80000000u /**< No motor at all; excludes the other bits. */
+#define MIMO_ACT_LEFT_FOOT 0x400u  /**< The same on the left. */
+#define MIMO_ACT_ALL 0x7ffu        /**< Everything. */
+#define MIMO_ACT_NONE 0x80000000u  /**< No motor at all; excludes the other bits. */
 
 /** One infant: where it is, what it senses, what of it acts. */
 typedef struct mimo_agent_config {

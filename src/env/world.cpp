@@ -17,9 +17,7 @@ bool sees(const std::vector<AgentOptions>& agents) {
 }  // namespace
 
 World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
-    : options_(options),
-      shared_model_(std::move(model)),
-      physics_(shared_model_, options.physics) {
+    : options_(options), shared_model_(std::move(model)), physics_(shared_model_, options.physics) {
   adopt_scene_choices();
   const tasks::Definition& task = tasks::definition(options_.task);
   const auto make_task = [&](const mjModel& shared, const body::Body& body) {

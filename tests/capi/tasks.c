@@ -1,18 +1,18 @@
-/* Tasks as a C program uses them: parameters, an episode of each, reward terms, outcomes; acting parts, position control,
- * locks, gravity and gears. */
+/* Tasks as a C program uses them: parameters, an episode of each, reward terms, outcomes; acting parts, position
+ * control, locks, gravity and gears. */
 #include "support/capi.h"
 
-static mimo_scene *scene_named(const char *name) {
+static mimo_scene* scene_named(const char* name) {
   mimo_scene_config config;
-  mimo_scene *scene = NULL;
+  mimo_scene* scene = NULL;
   CHECK_OK(mimo_scene_config_init(&config, sizeof config));
   config.name = name;
   CHECK_OK(mimo_scene_create(&config, &scene));
   return scene;
 }
 
-static mimo_env *env_of(mimo_scene *scene) {
-  mimo_env *env = NULL;
+static mimo_env* env_of(mimo_scene* scene) {
+  mimo_env* env = NULL;
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   mimo_scene_destroy(scene);
   if (env == NULL) exit(failures());
@@ -20,7 +20,7 @@ static mimo_env *env_of(mimo_scene *scene) {
 }
 
 static void check_parameters(void) {
-  mimo_scene *scene = scene_named("reach");
+  mimo_scene* scene = scene_named("reach");
   mimo_parameter parameter;
   size_t count = 0, i;
   double value = 0;
@@ -47,9 +47,9 @@ static void check_parameters(void) {
   CHECK(mimo_task_name(4) == NULL);
 }
 
-static void check_episode(const char *name, int limit, int frame_skip, int actions) {
-  mimo_env *env = NULL;
-  const char *task = NULL;
+static void check_episode(const char* name, int limit, int frame_skip, int actions) {
+  mimo_env* env = NULL;
+  const char* task = NULL;
   uint32_t skip = 0;
   size_t action_count = 0, terms = 0;
   uint64_t seed = 4;
@@ -84,8 +84,8 @@ static void check_episode(const char *name, int limit, int frame_skip, int actio
 }
 
 static void check_term_names(void) {
-  mimo_env *env = NULL;
-  const char *name = NULL;
+  mimo_env* env = NULL;
+  const char* name = NULL;
   CHECK_OK(mimo_env_make("reach", &env));
   CHECK_OK(mimo_env_reward_term_name(env, 0, 0, &name));
   CHECK_TEXT("distance", name);
@@ -96,9 +96,9 @@ static void check_term_names(void) {
 }
 
 static void check_agents(void) {
-  mimo_scene *scene = scene_named("standup");
+  mimo_scene* scene = scene_named("standup");
   mimo_agent_config agent;
-  mimo_env *env;
+  mimo_env* env;
   size_t count = 0;
   float low[8], high[8];
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
@@ -132,7 +132,7 @@ static void check_agents(void) {
 }
 
 static void check_overrides(void) {
-  mimo_env *env = blind_env("free", NULL);
+  mimo_env* env = blind_env("free", NULL);
   const int32_t elbow = find(env, MIMO_JOINT, "robot:right_elbow");
   const int32_t motor = find(env, MIMO_ACTUATOR, "act:right_elbow");
   double angle = 0, xyz[3], gear = 5;

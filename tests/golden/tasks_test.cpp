@@ -80,7 +80,8 @@ TEST(GoldenReach, HeadFollowsAsInTheOriginal) {
     for (const std::string& name : followed) {
       const int joint = engine::find_or_fail(world->model(), Kind::kJoint, name);
       // The original looked from where the head had been a step before; every tenth step the ball was pushed.
-      EXPECT_TRUE(close(row.at("qpos").at(name)[0], world->data().qpos[world->model().jnt_qposadr[joint]], {0, 5e-3})) << name;
+      EXPECT_TRUE(close(row.at("qpos").at(name)[0], world->data().qpos[world->model().jnt_qposadr[joint]], {0, 5e-3}))
+          << name;
     }
   }
 }

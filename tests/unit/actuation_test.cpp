@@ -32,7 +32,9 @@ std::unique_ptr<World> floating(const actuation::Options& actuation = {}) {
   return std::make_unique<World>(free_room(), std::vector<env::AgentOptions>{agent}, options);
 }
 
-int joint_id(const World& world, const std::string& name) { return engine::find_or_fail(world.model(), Kind::kJoint, name); }
+int joint_id(const World& world, const std::string& name) {
+  return engine::find_or_fail(world.model(), Kind::kJoint, name);
+}
 
 double angle(const World& world, const std::string& joint) {
   return world.data().qpos[world.model().jnt_qposadr[joint_id(world, joint)]];
@@ -60,10 +62,10 @@ TEST(Groups, EveryMotorBelongsToOne) {
     EXPECT_NE(group, 0u) << engine::name(model, Kind::kActuator, id);
     ++motors[group];
   }
-  const std::map<unsigned, int> expected = {
-      {scene::kTrunk, 3},   {scene::kHead, 3},     {scene::kEyes, 6},    {scene::kRightArm, 4},
-      {scene::kLeftArm, 4}, {scene::kRightHand, 4}, {scene::kLeftHand, 4}, {scene::kRightLeg, 4},
-      {scene::kLeftLeg, 4}, {scene::kRightFoot, 4}, {scene::kLeftFoot, 4}};
+  const std::map<unsigned, int> expected = {{scene::kTrunk, 3},     {scene::kHead, 3},     {scene::kEyes, 6},
+                                            {scene::kRightArm, 4},  {scene::kLeftArm, 4},  {scene::kRightHand, 4},
+                                            {scene::kLeftHand, 4},  {scene::kRightLeg, 4}, {scene::kLeftLeg, 4},
+                                            {scene::kRightFoot, 4}, {scene::kLeftFoot, 4}};
   EXPECT_EQ(motors, expected);
   expect_error(Status::kModel, "\"tail\" is no part", [] { scene::groups_from("head tail"); });
 }
@@ -136,7 +138,8 @@ TEST(MappedActions, GoFromMinusOneToOneLinearly) {
   }
   const std::size_t bend = action_index(*world, "act:hip_bend");  // -1 to 0.765
   const int motor = world->agents()[0].body.actuators[bend];
-  for (const auto& [action, control] : std::vector<std::pair<float, double>>{{-1, -1}, {1, 0.765}, {0, -0.1175}, {3, 0.765}}) {
+  for (const auto& [action, control] :
+       std::vector<std::pair<float, double>>{{-1, -1}, {1, 0.765}, {0, -0.1175}, {3, 0.765}}) {
     std::vector<float> actions(world->action_size());
     actions[bend] = action;
     run(*world, actions, 1);
@@ -172,7 +175,8 @@ TEST(Locks, OfTheSceneCanBeOpened) {
 
 TEST(Locks, AreRefusedWhereThereAreNone) {
   const auto world = floating();
-  expect_error(Status::kUnsupported, "mimo_orientation", [&] { env::lock(*world, joint_id(*world, "mimo_orientation"), 0); });
+  expect_error(Status::kUnsupported, "mimo_orientation",
+               [&] { env::lock(*world, joint_id(*world, "mimo_orientation"), 0); });
   expect_error(Status::kInvalidArgument, "expected 0 to 47", [&] { env::lock(*world, 48, 0); });
   const int elbow = joint_id(*world, "robot:right_elbow");
   expect_error(Status::kInvalidArgument, "angle is 2", [&] { env::lock(*world, elbow, 2); });

@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,9 @@ std::unique_ptr<World> world_of(const std::string& scene, const std::map<std::st
 
 tasks::Task& task_of(const World& world) { return *world.agents()[0].task; }
 
-int id_of(const World& world, Kind kind, const std::string& name) { return engine::find_or_fail(world.model(), kind, name); }
+int id_of(const World& world, Kind kind, const std::string& name) {
+  return engine::find_or_fail(world.model(), kind, name);
+}
 
 Eigen::Vector3d place_of(const World& world, const std::string& body) {
   return Eigen::Map<const Eigen::Vector3d>(world.data().xpos + 3 * id_of(world, Kind::kBody, body));
@@ -91,7 +95,8 @@ std::vector<float> pull(const World& world, const Eigen::Vector3d& point) {
   for (const int motor : world.agents()[0].body.actuators) {
     const int dof = model.jnt_dofadr[model.actuator_trnid[2 * motor]];
     double torque = -0.2 * world.data().qvel[dof];
-    for (int axis = 0; axis < 3; ++axis) torque += jacobian[static_cast<std::size_t>(axis * model.nv + dof)] * force[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      torque += jacobian[static_cast<std::size_t>(axis * model.nv + dof)] * force[axis];
     actions.push_back(static_cast<float>(torque / model.actuator_gear[6 * motor]));
   }
   return actions;
@@ -135,7 +140,8 @@ TEST(Reach, LooksAtTheTarget) {
       EXPECT_EQ(angle_of(*world, joint), 0) << joint;
     }
   }
-  const auto ahead = world_of("reach", {{"reach/target_x_low", 0}, {"reach/target_y_low", 0.05}, {"reach/target_y_high", 0.05}});
+  const auto ahead =
+      world_of("reach", {{"reach/target_x_low", 0}, {"reach/target_y_low", 0.05}, {"reach/target_y_high", 0.05}});
   ahead->reset(nullptr, nullptr);
   EXPECT_LT(gaze_error(*ahead, "eye_left"), 0.03);
   EXPECT_LT(gaze_error(*ahead, "eye_right"), 0.03);
@@ -188,7 +194,7 @@ TEST(Reach, OriginalRulesWantTheTargetMoved) {
   EXPECT_GT(episode.last.reward, 99);
 }
 
-TEST(Reach, RandomMovementEarnsLittle) {
+TEST(Reach, RandomMovementRarelyFindsTheBall) {
   const auto world = world_of("reach");
   Random random(5);
   const auto policy = [&](const World& w) {
@@ -196,10 +202,18 @@ TEST(Reach, RandomMovementEarnsLittle) {
     for (float& action : actions) action = static_cast<float>(random.uniform(-1, 1));
     return actions;
   };
-  double total = 0;
-  for (std::uint64_t seed = 0; seed < 5; ++seed) total += play(*world, seed, policy).total;
-  EXPECT_LT(total / 5, -100);
-  EXPECT_GT(total / 5, -500);
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Episode episode = play(*world, seed, policy);
+    if (episode.last.terminated) {
+      ++found;
+      EXPECT_EQ(episode.last.reward, 100);
+    } else {
+      EXPECT_LT(episode.total, -150);
+      EXPECT_GT(episode.total, -500);
+    }
+  }
+  EXPECT_LE(found, 4);
 }
 
 TEST(Standup, StartsHoldingTheRail) {
@@ -219,7 +233,7 @@ TEST(Standup, TimeIsUpAfter500StepsAndEffortCosts) {
   EXPECT_TRUE(idle.last.truncated);
   EXPECT_NEAR(idle.total, 500 * 0.19, 20);
   world->reset(nullptr, nullptr);
-  step(*world, std::vector<float>(27, 0.5f));
+  step(*world, std::vector<float>(27, -0.5f));  // within the bounds of every motor
   EXPECT_NEAR(task_of(*world).terms()[1].value, -0.01 * 27 * 0.25, 1e-9);
 }
 
@@ -248,9 +262,18 @@ TEST(Selfbody, DrawsEveryTargetButTheMovingArm) {
   const auto world = world_of("selfbody");
   Observation observation(*world);
   std::map<std::string, int> drawn;
-  const std::vector<std::string> skin = {"hip",           "lower_body",     "upper_body",      "head",
-                                         "right_fingers", "left_upper_arm", "left_lower_arm",  "right_upper_leg",
-                                         "right_lower_leg", "right_foot",   "left_upper_leg",  "left_lower_leg",
+  const std::vector<std::string> skin = {"hip",
+                                         "lower_body",
+                                         "upper_body",
+                                         "head",
+                                         "right_fingers",
+                                         "left_upper_arm",
+                                         "left_lower_arm",
+                                         "right_upper_leg",
+                                         "right_lower_leg",
+                                         "right_foot",
+                                         "left_upper_leg",
+                                         "left_lower_leg",
                                          "left_foot"};
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     world->reset(&seed, observation.data());
@@ -273,7 +296,8 @@ std::string target_of(World& world, Observation& observation) {
   const std::vector<float> target = observation["task/target"];
   for (std::size_t i = 0; i < world.layout().size(); ++i) {
     if (world.layout()[i].name != "task/target") continue;
-    return world.layout()[i].label(static_cast<std::size_t>(std::max_element(target.begin(), target.end()) - target.begin()));
+    return world.layout()[i].label(
+        static_cast<std::size_t>(std::max_element(target.begin(), target.end()) - target.begin()));
   }
   return "";
 }
@@ -295,8 +319,8 @@ TEST(Selfbody, SitsStillWithoutTouchingTheTarget) {
 TEST(Selfbody, AHandDrivenToItsTargetSucceeds) {
   const auto world = world_of("selfbody");
   Observation observation(*world);
-  int successes = 0;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  std::set<std::string> touched;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
     world->reset(&seed, nullptr);
     const std::string target = target_of(*world, observation);
     const int geom = world->model().body_geomadr[id_of(*world, Kind::kBody, target)];
@@ -304,11 +328,12 @@ TEST(Selfbody, AHandDrivenToItsTargetSucceeds) {
       return pull(w, Eigen::Map<const Eigen::Vector3d>(w.data().geom_xpos + 3 * geom));
     });
     if (!episode.last.terminated) continue;
-    ++successes;
+    touched.insert(target);
     EXPECT_EQ(episode.last.reward, 500);
     EXPECT_TRUE(task_of(*world).success());
   }
-  EXPECT_GE(successes, 6);
+  // The straight way to the other targets is blocked by the body itself.
+  EXPECT_GE(touched.size(), 3u) << fmt::format("{}", fmt::join(touched, ", "));
 }
 
 // A fingertip on something else earns minus the distance to the target, not -1.
@@ -363,12 +388,13 @@ TEST(Parameters, ChangeTheTask) {
   const Episode episode = play(*world, 0, nothing);
   EXPECT_EQ(episode.steps, 3);
   const auto usual = world_of("reach");
-  EXPECT_DOUBLE_EQ(episode.total, 2 * [&] {
-    double sum = 0;
-    usual->reset(std::vector<std::uint64_t>{0}.data(), nullptr);
-    for (int i = 0; i < 3; ++i) sum += step(*usual, nothing(*usual)).reward;
-    return sum;
-  }());
+  EXPECT_DOUBLE_EQ(
+      episode.total, 2 * [&] {
+        double sum = 0;
+        usual->reset(std::vector<std::uint64_t>{0}.data(), nullptr);
+        for (int i = 0; i < 3; ++i) sum += step(*usual, nothing(*usual)).reward;
+        return sum;
+      }());
 }
 
 TEST(Parameters, AreChecked) {
