@@ -29,6 +29,11 @@ mimo_agent_config default_agent_config() {
   config.vision = MIMO_VISION_RGB;
   config.vision_width = 256;
   config.vision_height = 256;
+  config.touch = MIMO_TOUCH_FORCE;
+  config.touch_response = MIMO_TOUCH_LINEAR;
+  config.touch_frame = MIMO_FRAME_BODY;
+  config.touch_scale = 1;
+  config.touch_slip_threshold = senses::TouchOptions().slip_threshold;
   return config;
 }
 
@@ -109,6 +114,35 @@ senses::VisionOptions vision(const mimo_agent_config& config) {
   return options;
 }
 
+void check_choice(std::int32_t value, std::int32_t low, std::int32_t high, const char* argument) {
+  require(value >= low && value <= high, "{} is {}, expected {} to {}", argument, value, low, high);
+}
+
+senses::TouchOptions touch(const mimo_agent_config& config) {
+  constexpr std::uint32_t kForces = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
+  check_bits(config.touch, kForces | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE, "touch");
+  require((config.touch & kForces) != kForces,
+          "touch is {:#x}: MIMO_TOUCH_FORCE and MIMO_TOUCH_NORMAL_FORCE exclude each other", config.touch);
+  const auto has = [&](std::uint32_t bit) { return (config.touch & bit) != 0; };
+  senses::TouchOptions options;
+  options.force = has(MIMO_TOUCH_FORCE);
+  options.normal_force = has(MIMO_TOUCH_NORMAL_FORCE);
+  options.slip = has(MIMO_TOUCH_SLIP);
+  options.friction_use = has(MIMO_TOUCH_FRICTION_USE);
+  if (!options.any()) return options;
+  check_choice(config.touch_response, MIMO_TOUCH_NEAREST, MIMO_TOUCH_GAUSSIAN, "touch_response");
+  check_choice(config.touch_frame, MIMO_FRAME_BODY, MIMO_FRAME_SKIN, "touch_frame");
+  require(config.touch_scale >= 0.001 && config.touch_scale <= 1000, "touch_scale is {}, expected 0.001 to 1000",
+          config.touch_scale);
+  require(config.touch_slip_threshold >= 0 && std::isfinite(config.touch_slip_threshold),
+          "touch_slip_threshold is {}, expected m/s, 0 or above", config.touch_slip_threshold);
+  options.response = static_cast<senses::touch::Response>(config.touch_response);
+  options.frame = static_cast<senses::TouchFrame>(config.touch_frame);
+  options.scale = config.touch_scale;
+  options.slip_threshold = config.touch_slip_threshold;
+  return options;
+}
+
 env::AgentOptions agent_options(const mimo_agent_config& config) {
   check_flag(config.vestibular, "vestibular");
   env::AgentOptions options;
@@ -117,6 +151,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.proprioception = proprioception(config);
   options.vestibular = config.vestibular != 0;
   options.vision = vision(config);
+  options.touch = touch(config);
   return options;
 }
 
@@ -136,6 +171,24 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   }
   object.agents.push_back(options);
   return object.agents.size() - 1;
+}
+
+void set_touch(SceneObject& object, std::int32_t agent, const char* body, double spacing) {
+  require(agent >= 0 && static_cast<std::size_t>(agent) < object.agents.size(), "agent is {}, but there are {} agents",
+          agent, object.agents.size());
+  env::AgentOptions& options = object.agents[static_cast<std::size_t>(agent)];
+  require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
+          body == nullptr ? "(every)" : body, spacing);
+  if (body == nullptr) {
+    options.touch.spacing.clear();
+    options.touch.everywhere = spacing;
+    return;
+  }
+  const std::vector<std::string> names = object.scene.body_names(options.prefix());
+  if (std::find(names.begin(), names.end(), body) == names.end()) {
+    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, fmt::join(names, ", "));
+  }
+  options.touch.spacing[body] = spacing;
 }
 
 // How many of the three sizes each shape has.
@@ -212,6 +265,10 @@ mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* con
     const std::size_t index = add_agent(object, read_struct(config, default_agent_config(), "config"));
     if (agent != nullptr) *agent = static_cast<int32_t>(index);
   });
+}
+
+mimo_status mimo_scene_set_touch(mimo_scene* scene, int32_t agent, const char* body, double spacing) noexcept {
+  return guard([&] { set_touch(open(scene), agent, body, spacing); });
 }
 
 mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* config) noexcept {

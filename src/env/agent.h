@@ -8,6 +8,7 @@
 #include "body/body.h"
 #include "env/options.h"
 #include "senses/sense.h"
+#include "senses/touch/touch.h"
 
 namespace mimo::env {
 
@@ -16,6 +17,7 @@ struct Agent {
   body::Body body;
   std::unique_ptr<actuation::Actuation> actuation;
   std::vector<std::unique_ptr<senses::Sense>> senses;
+  std::shared_ptr<const senses::touch::Skin> skin;  // null without touch
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;

@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "engine/physics.h"
 #include "senses/proprioception.h"
+#include "senses/touch/options.h"
 #include "senses/vision.h"
 
 namespace mimo::env {
@@ -15,6 +16,7 @@ struct AgentOptions {
   senses::ProprioceptionOptions proprioception;
   bool vestibular = true;
   senses::VisionOptions vision;
+  senses::TouchOptions touch;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }

@@ -51,6 +51,9 @@ class Scene {
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose);
   void add_object(const Object& object);
 
+  // Bodies below and including the infant's root, by their names without the prefix.
+  std::vector<std::string> body_names(const std::string& prefix) const;
+
   // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png".
   std::string xml() const;
   Composition compose() const;
