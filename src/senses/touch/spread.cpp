@@ -28,12 +28,15 @@ Span<const Share> Spread::at(int body, int geom, const Vec3& point) {
   return shares_;
 }
 
-// The sensors within reach, with their distances on the map of the anchor, onto which the point is projected.
+// The sensors within reach, with their distances on the map of the anchor, onto which the point is projected. None if
+// the anchor itself is out of reach.
 void Spread::collect(int anchor, const Vec3& point, double reach) {
   const Sensor& middle = skin_.sensors()[static_cast<std::size_t>(anchor)];
-  const Eigen::Vector2d place = middle.frame.bottomRows<2>() * (point - middle.position);
-  const double horizon = std::pow(reach + place.norm(), 2);
+  const Vec3 offset = point - middle.position;
   shares_.clear();
+  if (offset.norm() >= reach) return;
+  const Eigen::Vector2d place = middle.frame.bottomRows<2>() * offset;
+  const double horizon = std::pow(reach + place.norm(), 2);
   for (const Neighbour& neighbour : skin_.maps().of(anchor)) {
     const double x = static_cast<double>(neighbour.x), y = static_cast<double>(neighbour.y);
     if (x * x + y * y > horizon) break;  // the map is sorted
