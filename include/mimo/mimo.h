@@ -556,6 +556,15 @@ MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *c
                                      float *depth, size_t depth_count, int32_t *segmentation,
                                      size_t segmentation_count) MIMO_NOEXCEPT;
 
+/**
+ * Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it.
+ * @param points count x 3, metres, world frame, C order.
+ * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's
+ *               axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
+ */
+MIMO_API mimo_status mimo_env_project(const mimo_env *env, const mimo_picture_config *config, const double *points,
+                                      size_t count, double *pixels) MIMO_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------------------------
  * 8. Timing: where a step's time goes.
  * ------------------------------------------------------------------------------------------------- */
