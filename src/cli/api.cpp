@@ -110,6 +110,17 @@ std::optional<mimo_agent_info> Env::agent() const {
   return info;
 }
 
+std::size_t Env::touch_sensors() const {
+  std::size_t agents = 0, sum = 0;
+  check(mimo_env_agent_count(get(), &agents));
+  for (std::size_t i = 0; i < agents; ++i) {
+    std::size_t count = 0;
+    check(mimo_env_touch_sensors(get(), i, nullptr, nullptr, nullptr, nullptr, 0, &count));
+    sum += count;
+  }
+  return sum;
+}
+
 std::size_t Env::count(std::int32_t kind) const {
   std::size_t count = 0;
   check(mimo_env_count(get(), kind, &count));

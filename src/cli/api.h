@@ -99,6 +99,8 @@ class Env {
   std::vector<std::string> action_names() const;
   std::optional<mimo_agent_info> agent() const;  // the first one, if the world has any
 
+  std::size_t touch_sensors() const;  // of all agents
+
   std::size_t count(std::int32_t kind) const;
   std::vector<std::int32_t> ids(std::int32_t kind) const;  // all of a kind
   std::int32_t find(std::int32_t kind, const std::string& name) const;

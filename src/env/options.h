@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "engine/physics.h"
 #include "senses/proprioception.h"
+#include "senses/touch/options.h"
 #include "senses/vision.h"
 #include "tasks/parameters.h"
 
@@ -18,6 +19,7 @@ struct AgentOptions {
   bool vestibular = true;
   senses::VisionOptions vision;
   actuation::Options actuation;
+  senses::TouchOptions touch;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
