@@ -1,3 +1,4 @@
+#include "base/format.h"
 #include "senses/touch/touch.h"
 
 #include <algorithm>
