@@ -102,10 +102,10 @@ senses::VisionOptions vision(const mimo_agent_config& config) {
   options.depth = has(MIMO_VISION_DEPTH);
   options.segmentation = has(MIMO_VISION_SEGMENTATION);
   if (!options.any()) return options;
-  require(config.vision_width >= 1 && config.vision_width <= kLargestPicture,
-          "vision_width is {}, expected 1 to {}", config.vision_width, kLargestPicture);
-  require(config.vision_height >= 1 && config.vision_height <= kLargestPicture,
-          "vision_height is {}, expected 1 to {}", config.vision_height, kLargestPicture);
+  require(config.vision_width >= 1 && config.vision_width <= kLargestPicture, "vision_width is {}, expected 1 to {}",
+          config.vision_width, kLargestPicture);
+  require(config.vision_height >= 1 && config.vision_height <= kLargestPicture, "vision_height is {}, expected 1 to {}",
+          config.vision_height, kLargestPicture);
   require(config.vision_fovy == 0 || (config.vision_fovy >= 1 && config.vision_fovy <= 170),
           "vision_fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.vision_fovy);
   options.width = static_cast<int>(config.vision_width);
