@@ -1,4 +1,7 @@
-// The description of the touch sensors.
+// The skin: how dense its sensors are, and where they sit.
+#include <algorithm>
+
+#include "base/format.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -26,6 +29,24 @@ void describe(Span<const Sensor> sensors, const Arrays& to) {
   }
 }
 
+void set_touch(SceneObject& object, std::int32_t agent, const char* body, double spacing) {
+  require(agent >= 0 && static_cast<std::size_t>(agent) < object.agents.size(), "agent is {}, but there are {} agents",
+          agent, object.agents.size());
+  env::AgentOptions& options = object.agents[static_cast<std::size_t>(agent)];
+  require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
+          body == nullptr ? "(every)" : body, spacing);
+  if (body == nullptr) {
+    options.touch.spacing.clear();
+    options.touch.everywhere = spacing;
+    return;
+  }
+  const std::vector<std::string> names = object.scene.body_names(options.prefix());
+  if (std::find(names.begin(), names.end(), body) == names.end()) {
+    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, fmt::join(names, ", "));
+  }
+  options.touch.spacing[body] = spacing;
+}
+
 }  // namespace
 }  // namespace mimo::capi
 
@@ -47,4 +68,9 @@ extern "C" mimo_status mimo_env_touch_sensors(const mimo_env* env, size_t agent,
     }
     describe(sensors, arrays);
   });
+}
+
+extern "C" mimo_status mimo_scene_set_touch(mimo_scene* scene, int32_t agent, const char* body,
+                                            double spacing) noexcept {
+  return guard([&] { set_touch(open(scene), agent, body, spacing); });
 }

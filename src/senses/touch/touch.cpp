@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "senses/touch/spacing.h"
 
 namespace mimo::senses {
