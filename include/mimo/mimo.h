@@ -418,7 +418,7 @@ MIMO_API mimo_status mimo_env_observation_field(const mimo_env *env, size_t inde
 
 /**
  * What one element of a field is: the joint, sensor or actuator it belongs to, "robot:left_elbow".
- * @param element position in the flattened field; pictures have no labels.
+ * @param element position in the flattened field; pictures and touch have no labels.
  * @param label   receives a string owned by the environment.
  */
 MIMO_API mimo_status mimo_env_observation_label(const mimo_env *env, size_t index, size_t element,

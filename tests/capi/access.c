@@ -78,7 +78,7 @@ static void check_quantities(void) {
     for (i = width; i < 9; ++i) CHECK(values[i] == 77);
     CHECK_OK(mimo_env_get(env, quantity, NULL, 0, NULL, 0));
   }
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 22", mimo_env_get(env, 22, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 23", mimo_env_get(env, 23, &first, 1, values, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 0", mimo_env_set(env, 0, &first, 1, values, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "value_count is NULL", mimo_env_width(env, 1, &first, 1, NULL));
 }

@@ -32,7 +32,7 @@ static void check_divergence(void) {
   const int32_t ball = 1;
   const double absurd[6] = {1e300, 0, 0, 0, 0, 0};
   double one[68], two[68], seconds = -1;
-  uint8_t block[8192];
+  uint8_t block[1 << 17];
   size_t count = 0, i;
   for (i = 0; i < 40; ++i) {
     CHECK_OK(mimo_env_step(other, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));

@@ -75,7 +75,7 @@ static void check_fields(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "element is 47", mimo_env_observation_label(env, 0, 47, &label));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 99", mimo_env_observation_label(env, 99, 0, &label));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "label is NULL", mimo_env_observation_label(env, 0, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 8 fields", mimo_env_observation_field(env, fields, &field));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 9 fields", mimo_env_observation_field(env, fields, &field));
   CHECK_OK(mimo_env_observation_size(env, NULL, NULL));
 }
 
@@ -187,7 +187,7 @@ int main(void) {
   check_making();
   env = blind_env("benchmark", NULL);
   CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
-  CHECK(bytes % 64 == 0 && fields == 8);
+  CHECK(bytes % 64 == 0 && fields == 9);
   check_fields();
   check_actions();
   check_stepping();

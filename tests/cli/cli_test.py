@@ -387,7 +387,7 @@ class Run(Case):
     @needs_renderer
     def test_writes_pictures_and_a_report(self):
         text = self.mimo("run", "--seconds", "0.1", "--vision", "32", "--out", "pictures")
-        self.assertEqual(self.files(), self.PICTURES)
+        self.assertEqual(self.files(), sorted(self.PICTURES))
         for path in self.PICTURES:
             self.assertIn(path, text)
             self.assertEqual(read_png(self.folder / path)[:2], (32, 32) if re.search("left|right|anaglyph", path) else (640, 480))

@@ -222,7 +222,7 @@ TEST_F(EnvAccess, Refusals) {
   });
   expect_error(Status::kInvalidArgument, "ids[0] is -1",
                [&] { env::width(model(), Quantity::kJointPosition, Ids{-1}); });
-  for (const int number : {0, 22, -1}) {
+  for (const int number : {0, 23, -1}) {
     expect_error(Status::kInvalidArgument, std::to_string(number), [&] { env::quantity_from(number); });
   }
   for (const int number : {0, 8, -1}) {

@@ -82,7 +82,7 @@ TEST(EnvStep, FieldsBelongToTheirTime) {
       EXPECT_EQ(block[field.name] != before[field.name], changes);
     }
   }
-  EXPECT_EQ(at_start, 4u);  // torque, joint torque, acceleration, angular velocity
+  EXPECT_EQ(at_start, 5u);  // torque, joint torque, acceleration, angular velocity, touch
 }
 
 TEST(EnvStep, ActionsAreClipped) {

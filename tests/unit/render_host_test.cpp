@@ -71,7 +71,9 @@ struct OsmesaHost {
 };
 
 TEST(Host, NothingIsCurrentAfterwardsIfNothingWasBefore) {
-  EXPECT_TRUE(draws_right());
+  const World world;
+  const auto renderer = renderer_for(world);
+  EXPECT_TRUE(draws_right(*renderer, world));
   EXPECT_EQ(load_osmesa().GetCurrentContext(), nullptr);
 }
 

@@ -90,13 +90,15 @@ TEST(Osmesa, WhatIsTransparentHasDepthAndId) {
 TEST(Osmesa, LeftIsLeftAndTopIsTop) {
   const World world;
   const Image image = take(*renderer_for(world), world, 128, 128);
-  const auto brightest = [&](double x, double y) {
+  const auto shows = [&](double x, double y, std::size_t channel) {
     const std::uint8_t* pixel = &image.rgb[3 * image.at(x, y)];
-    return std::max_element(pixel, pixel + 3) - pixel;
+    return pixel[channel] > 4 * pixel[(channel + 1) % 3] && pixel[channel] > 4 * pixel[(channel + 2) % 3];
   };
-  EXPECT_EQ(brightest(0.5, 0.5), 0);   // red
-  EXPECT_EQ(brightest(0.15, 0.5), 1);  // green
-  EXPECT_EQ(brightest(0.5, 0.1), 2);   // blue
+  EXPECT_TRUE(shows(0.5, 0.5, 0));   // red
+  EXPECT_TRUE(shows(0.15, 0.5, 1));  // green
+  EXPECT_TRUE(shows(0.5, 0.1, 2));   // blue
+  EXPECT_FALSE(shows(0.85, 0.5, 1));
+  EXPECT_FALSE(shows(0.5, 0.9, 2));
 }
 
 TEST(Osmesa, IdsAndDepthAreNotAveragedByMultisampling) {

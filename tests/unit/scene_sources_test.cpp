@@ -35,7 +35,8 @@ std::string with_mesh(const std::string& compiler, const std::string& file) {
 TEST_F(SceneSources, BuiltInSceneByName) {
   EXPECT_STREQ(scene::built_in_scene(0), "benchmark");
   EXPECT_STREQ(scene::built_in_scene(1), "free");
-  EXPECT_EQ(scene::built_in_scene(2), nullptr);
+  EXPECT_STREQ(scene::built_in_scene(4), "selfbody");
+  EXPECT_EQ(scene::built_in_scene(5), nullptr);
   EXPECT_EQ(compile(scene::Scene(named("benchmark")))->nbody, 3);  // world, box, ball
   EXPECT_EQ(compile(scene::Scene(named("free")))->nbody, 1);
 }
