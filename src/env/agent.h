@@ -1,6 +1,7 @@
 // One infant in a world: its body, its actuation, its senses.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "body/body.h"
 #include "env/options.h"
 #include "senses/sense.h"
+#include "tasks/task.h"
+#include "senses/touch/touch.h"
 
 namespace mimo::env {
 
@@ -15,13 +18,19 @@ struct Agent {
   std::string name;
   body::Body body;
   std::unique_ptr<actuation::Actuation> actuation;
+  std::unique_ptr<tasks::Task> task;
   std::vector<std::unique_ptr<senses::Sense>> senses;
+  std::shared_ptr<const senses::touch::Skin> skin;  // null without touch
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;
 };
 
+// Makes the task of one agent.
+using TaskMaker = std::function<std::unique_ptr<tasks::Task>(const mjModel&, const body::Body&)>;
+
 // Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision.
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, render::Renderer* renderer);
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
+                 render::Renderer* renderer);
 
 }  // namespace mimo::env

@@ -3,10 +3,13 @@
 
 #include <string>
 
+#include "actuation/actuation.h"
 #include "base/log.h"
 #include "engine/physics.h"
 #include "senses/proprioception.h"
+#include "senses/touch/options.h"
 #include "senses/vision.h"
+#include "tasks/parameters.h"
 
 namespace mimo::env {
 
@@ -15,16 +18,20 @@ struct AgentOptions {
   senses::ProprioceptionOptions proprioception;
   bool vestibular = true;
   senses::VisionOptions vision;
+  actuation::Options actuation;
+  senses::TouchOptions touch;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
 };
 
 struct EnvOptions {
-  int frame_skip = 2;
+  int frame_skip = 0;  // 0: the scene's own
   engine::PhysicsOptions physics;
   std::string renderer = "auto";
-  std::uint32_t max_steps = 0;
+  std::uint32_t max_steps = 0;  // 0: the task's own
+  std::string task;             // "": the scene's own
+  tasks::Settings parameters;
   bool timing = false;
   LogSink log;
 };

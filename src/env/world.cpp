@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/custom.h"
 
 namespace mimo::env {
 namespace {
+
+constexpr int kFrameSkip = 2;  // where neither config nor scene say
 
 bool sees(const std::vector<AgentOptions>& agents) {
   return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
@@ -14,23 +17,41 @@ bool sees(const std::vector<AgentOptions>& agents) {
 }  // namespace
 
 World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
-    : options_(options),
-      shared_model_(std::move(model)),
-      physics_(shared_model_, options.physics),
-      task_(tasks::make_none()) {
+    : options_(options), shared_model_(std::move(model)), physics_(shared_model_, options.physics) {
+  adopt_scene_choices();
+  const tasks::Definition& task = tasks::definition(options_.task);
+  const auto make_task = [&](const mjModel& shared, const body::Body& body) {
+    return task.make(shared, body, options_.parameters);
+  };
   if (sees(agents) && options_.renderer != "none") make_renderer();
   for (const AgentOptions& agent_options : agents) {
-    Agent agent = make_agent(physics_, agent_options, renderer_.get());
+    Agent agent = make_agent(physics_, agent_options, make_task, renderer_.get());
     agent.action_offset = action_size_;
     action_size_ += agent.actuation->size();
     for (const auto& sense : agent.senses) {
       for (senses::Field& field : sense->fields()) layout_.add(field);
     }
+    body::read_stored_pose(physics_.model(), agent.body, physics_.start());
     agents_.push_back(std::move(agent));
   }
-  reward_.resize(agents_.size());
-  terminated_.resize(agents_.size());
+  start();
   report_warnings();
+}
+
+// What the config leaves open, the scene's document may say.
+void World::adopt_scene_choices() {
+  if (options_.task.empty()) options_.task = engine::custom_text(model(), "mimo:task");
+  if (options_.task.empty()) options_.task = "none";
+  if (options_.frame_skip > 0) return;
+  const Span<const double> own = engine::custom_numbers(model(), "mimo:frame_skip");
+  options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= 1000 ? static_cast<int>(own[0]) : kFrameSkip;
+}
+
+// The stored state, before any task.
+void World::start() {
+  physics_.reset();
+  for (const Agent& agent : agents_) agent.actuation->reset(physics_);
+  elapsed_ = 0;
 }
 
 void World::make_renderer() { renderer_ = render::make_osmesa_renderer(shared_model_, options_.log); }
@@ -44,9 +65,13 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   if (seed != nullptr) random_.reseed(*seed);
-  physics_.reset();
-  task_->reset(physics_, random_);
-  elapsed_ = 0;
+  start();
+  for (const Agent& agent : agents_) {
+    agent.task->clear();
+    agent.task->reset(physics_, random_);
+  }
+  physics_.data().time = 0;
+  physics_.forward();
   if (block != nullptr) sense(block, false);
   report_warnings();
 }
@@ -56,17 +81,21 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   const Stopwatch total(options_.timing, timing_.total);
   if (!actions.empty()) {
     for (const Agent& agent : agents_) {
-      agent.actuation->apply(actions.part(agent.action_offset, agent.actuation->size()), physics_.data());
+      agent.actuation->apply(actions.part(agent.action_offset, agent.actuation->size()), physics_);
     }
   }
-  {
-    const Stopwatch watch(options_.timing, timing_.physics);
-    physics_.step(options_.frame_skip);
+  for (int i = 0; i < options_.frame_skip; ++i) {
+    {
+      const Stopwatch watch(options_.timing, timing_.physics);
+      physics_.step(1);
+    }
+    for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
   ++elapsed_;
   ++timing_.steps;
+  evaluate();
   if (block != nullptr) sense(block, options_.timing);
-  evaluate(results);
+  report(results);
   report_warnings();
 }
 
@@ -86,12 +115,20 @@ void World::sense(std::uint8_t* block, bool timed) {
   layout_.clear_gaps(block);
 }
 
-void World::evaluate(const Results& results) {
-  const Span<double> reward = results.reward.empty() ? Span<double>(reward_) : results.reward;
-  const Span<std::uint8_t> ends = results.terminated.empty() ? Span<std::uint8_t>(terminated_) : results.terminated;
-  task_->evaluate(physics_, reward, ends);
-  const bool out_of_time = options_.max_steps > 0 && elapsed_ >= options_.max_steps;
-  std::fill(results.truncated.begin(), results.truncated.end(), static_cast<std::uint8_t>(out_of_time));
+// Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
+void World::evaluate() {
+  for (const Agent& agent : agents_) agent.task->evaluate(physics_);
+  for (const Agent& agent : agents_) agent.task->follow(physics_);
+}
+
+void World::report(const Results& results) const {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const tasks::Task& task = *agents_[i].task;
+    const std::uint64_t limit = options_.max_steps > 0 ? options_.max_steps : task.episode_steps();
+    if (!results.reward.empty()) results.reward[i] = task.reward();
+    if (!results.terminated.empty()) results.terminated[i] = task.over() ? 1 : 0;
+    if (!results.truncated.empty()) results.truncated[i] = limit > 0 && elapsed_ >= limit ? 1 : 0;
+  }
 }
 
 void World::draw(const render::View& view, const render::Picture& picture) {

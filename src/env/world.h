@@ -11,7 +11,6 @@
 #include "env/options.h"
 #include "env/timing.h"
 #include "render/renderer.h"
-#include "tasks/task.h"
 
 namespace mimo::env {
 
@@ -38,6 +37,9 @@ class World {
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
+  int frame_skip() const { return options_.frame_skip; }
+  const std::string& task_name() const { return options_.task; }
+
   // A block may be null: then nothing is observed.
   void reset(const std::uint64_t* seed, std::uint8_t* block);
   // Without actions the controls stay as they are. Actions are finite.
@@ -49,8 +51,11 @@ class World {
 
  private:
   void make_renderer();
+  void adopt_scene_choices();
+  void start();
   void sense(std::uint8_t* block, bool timed);
-  void evaluate(const Results& results);
+  void evaluate();
+  void report(const Results& results) const;
   void report_warnings();
 
   EnvOptions options_;
@@ -58,13 +63,10 @@ class World {
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Agent> agents_;
-  std::unique_ptr<tasks::Task> task_;
   Layout layout_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;
-  std::vector<double> reward_;             // used when the caller does not want them
-  std::vector<std::uint8_t> terminated_;
   Timing timing_;
 };
 
