@@ -4,7 +4,6 @@
 // busy machine does not count.
 //
 //   bench_render [states, 25 by default] [instruction set]
-#include <fmt/format.h>
 #include <time.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "base/status.h"
 #include "engine/physics.h"
 #include "render/ray/ray_renderer.h"
