@@ -62,10 +62,10 @@ static void add_up(const float *force, const int32_t *bodies, size_t sensors, do
 }
 
 static char shade(const mimo_env *env, const double *impulse, double most, const char *body) {
-  static const char kShades[] = " .:-=+*#%@";
+  static const char kShades[] = ".:-=+*#%@";
   int32_t id;
   check(mimo_env_find(env, MIMO_BODY, body, &id));
-  return kShades[(int)ceil(9 * sqrt(impulse[id] / most))];
+  return kShades[(int)ceil(8 * sqrt(impulse[id] / most))];
 }
 
 /* Seen from the front: MIMo's right is on the left. */

@@ -325,7 +325,7 @@ typedef struct mimo_env_config {
   uint32_t frame_skip;   /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
   int32_t jacobian;      /**< A MIMO_JACOBIAN_ constant. */
   uint32_t disable;      /**< MIMO_DISABLE_ bits. */
-  const char *renderer;  /**< "auto" (default), "osmesa", or "none": then eyes must be off. */
+  const char *renderer;  /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
   uint32_t max_steps;    /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
   uint32_t timing;       /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
   mimo_log_fn log;       /**< Messages during create, reset and step, or NULL. */

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <mutex>
 
 #include "capi/agents.h"
@@ -29,8 +30,9 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   options.physics.contacts = (config.disable & MIMO_DISABLE_CONTACT) == 0;
   options.physics.gravity = (config.disable & MIMO_DISABLE_GRAVITY) == 0;
   options.renderer = text(config.renderer);
-  require(options.renderer == "auto" || options.renderer == "osmesa" || options.renderer == "none",
-          "renderer is \"{}\", expected auto, osmesa or none", options.renderer);
+  const auto known = {"auto", "ray", "osmesa", "none"};
+  require(std::find(known.begin(), known.end(), options.renderer) != known.end(),
+          "renderer is \"{}\", expected auto, ray, osmesa or none", options.renderer);
   options.max_steps = config.max_steps;
   options.task = text(config.task);
   check_flag(config.timing, "timing");

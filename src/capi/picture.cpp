@@ -45,8 +45,8 @@ int camera_of(const env::World& world, const mimo_picture_config& config) {
 render::View view(const env::World& world, const mimo_picture_config& config, int camera) {
   if (camera >= 0) return render::camera_view(world.model(), world.data(), camera, config.fovy);
   const double fovy = config.fovy > 0 ? config.fovy : static_cast<double>(world.model().vis.global.fovy);
-  return render::orbit_view({config.look_at[0], config.look_at[1], config.look_at[2]}, config.distance,
-                            config.azimuth, config.elevation, fovy);
+  return render::orbit_view({config.look_at[0], config.look_at[1], config.look_at[2]}, config.distance, config.azimuth,
+                            config.elevation, fovy);
 }
 
 // Pixels right, pixels down and depth of a point of the world.

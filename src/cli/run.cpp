@@ -108,7 +108,8 @@ void Run::save_touch(const std::string& prefix, const std::string& when) {
   TouchPicture touch(env_);
   if (!touch.possible()) return;
   const std::string sensors = std::to_string(touch.sensors()) + " sensors";
-  save(prefix + "touch", touch.draw(env_, touch.close_up(env_, block_), block_), "what " + sensors + " feel most " + when);
+  save(prefix + "touch", touch.draw(env_, touch.close_up(env_, block_), block_),
+       "what " + sensors + " feel most " + when);
 }
 
 void Run::save_pictures(const std::string& prefix, const std::string& when) {

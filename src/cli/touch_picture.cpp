@@ -11,9 +11,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr Rgb kSkin{40, 70, 160};    // of a sensor that feels nothing
-constexpr double kNothing = 1e-4;    // N
-constexpr double kFullColor = 5;     // N; as red as it gets
+constexpr Rgb kSkin{40, 70, 160};       // of a sensor that feels nothing
+constexpr double kNothing = 1e-4;       // N
 constexpr double kLongestArrow = 0.05;  // m
 
 Vector sum(const Vector& a, const Vector& b, double scale = 1) {
@@ -32,30 +31,31 @@ Vector rotated(const double* q, const Vector& v) {
 }
 
 // From yellow to red.
-Rgb heat(double force) {
-  const double share = std::sqrt(std::min(force / kFullColor, 1.0));
-  return {255, static_cast<std::uint8_t>(std::lround(225 * (1 - share))), 0};
-}
+Rgb heat(double share) { return {255, static_cast<std::uint8_t>(std::lround(225 * (1 - share))), 0}; }
 
-// A picture with the depth of each pixel: what hides what.
+// A picture with what is needed to tell what hides what.
 struct Scenery {
   ColorPicture picture;
   std::vector<float> depth;
+  std::vector<bool> movable;  // the pixel shows a body that can move
 
-  bool hides(const Vector& pixel) const {
+  // From below one looks through floors, at the body that matters; anything else would show through it.
+  bool hides(const Vector& pixel, bool matters) const {
     constexpr double kOnTheSurface = 0.004;  // m
     const auto inside = [](double at, std::uint32_t size) { return at >= 0 && at < size; };
     if (pixel[2] <= 0 || !inside(pixel[0], picture.width) || !inside(pixel[1], picture.height)) return true;
-    const auto row = static_cast<std::size_t>(pixel[1]), column = static_cast<std::size_t>(pixel[0]);
-    return pixel[2] > static_cast<double>(depth[row * picture.width + column]) + kOnTheSurface;
+    const std::size_t at = static_cast<std::size_t>(pixel[1]) * picture.width + static_cast<std::size_t>(pixel[0]);
+    return (movable[at] || !matters) && pixel[2] > static_cast<double>(depth[at]) + kOnTheSurface;
   }
 };
 
 Scenery take(Env& env, const mimo_picture_config& config) {
   const std::size_t pixels = std::size_t{config.width} * config.height;
-  Scenery scenery{{config.width, config.height, std::vector<Rgb>(pixels)}, std::vector<float>(pixels)};
+  Scenery scenery{{config.width, config.height, std::vector<Rgb>(pixels)}, std::vector<float>(pixels), {}};
+  std::vector<std::int32_t> geoms(pixels);
   check(mimo_env_render(env.get(), &config, &scenery.picture.pixels[0].r, pixels * sizeof(Rgb), scenery.depth.data(),
-                        pixels, nullptr, 0));
+                        pixels, geoms.data(), pixels));
+  for (const std::int32_t geom : geoms) scenery.movable.push_back(geom >= 0 && env.body_of(MIMO_GEOM, geom) != 0);
   return scenery;
 }
 
@@ -108,29 +108,40 @@ std::vector<TouchPicture::Feeling> TouchPicture::feelings(const Env& env, const 
   return feelings;
 }
 
+std::size_t TouchPicture::strongest_of(const std::vector<Feeling>& felt) {
+  const auto weaker = [](const Feeling& a, const Feeling& b) { return norm(a.force) < norm(b.force); };
+  return static_cast<std::size_t>(std::max_element(felt.begin(), felt.end(), weaker) - felt.begin());
+}
+
 ColorPicture TouchPicture::draw(Env& env, const mimo_picture_config& config, const Block& block) {
   Scenery scenery = take(env, config);
   const auto felt = feelings(env, block);  // after the picture, which brings poses up to date
-  double strongest = kNothing;
-  std::vector<Vector> points, tails;
-  for (const Feeling& f : felt) strongest = std::max(strongest, norm(f.force));
+  const std::size_t most = strongest_of(felt);
+  const double strongest = std::max(norm(felt[most].force), kNothing);
+  std::vector<Vector> points, tails, above;
   for (const Feeling& f : felt) {
     points.push_back(f.position);
     tails.push_back(sum(f.position, f.force, -kLongestArrow / strongest));
+    above.push_back(sum(f.position, f.normal, 1e-4));
   }
   const auto pixels = project(env, config, points), starts = project(env, config, tails);
+  const auto lifted = project(env, config, above);
+  const auto hidden = [&](std::size_t i) {
+    const bool matters = sensors_[i].body == sensors_[most].body;
+    return lifted[i][2] >= pixels[i][2] || scenery.hides(pixels[i], matters);
+  };
   const double size = config.height / 480.0;
   for (std::size_t i = 0; i < felt.size(); ++i) {
-    if (norm(felt[i].force) > kNothing || scenery.hides(pixels[i])) continue;
+    if (norm(felt[i].force) > kNothing || hidden(i)) continue;
     stroke(scenery.picture, spot(pixels[i]), spot(pixels[i]), 0.8 * size, {kSkin, 0.7});
   }
   // An arrow comes from outside and ends at its sensor; it shows through, like the sensors that feel something.
   for (std::size_t i = 0; i < felt.size(); ++i) {
     const double force = norm(felt[i].force);
     if (force <= kNothing || pixels[i][2] <= 0 || starts[i][2] <= 0) continue;
-    const double opacity = scenery.hides(pixels[i]) ? 0.35 : 1;
-    arrow(scenery.picture, spot(starts[i]), spot(pixels[i]), 0.7 * size, {heat(force), opacity});
-    stroke(scenery.picture, spot(pixels[i]), spot(pixels[i]), 2 * size, {heat(force), opacity});
+    const Ink ink{heat(force / strongest), hidden(i) ? 0.35 : 1};
+    arrow(scenery.picture, spot(starts[i]), spot(pixels[i]), 0.7 * size, ink);
+    stroke(scenery.picture, spot(pixels[i]), spot(pixels[i]), 2 * size, ink);
   }
   return scenery.picture;
 }
@@ -138,15 +149,13 @@ ColorPicture TouchPicture::draw(Env& env, const mimo_picture_config& config, con
 mimo_picture_config TouchPicture::close_up(const Env& env, const Block& block) const {
   auto config = overview(env);
   const auto felt = feelings(env, block);
-  const auto strongest = std::max_element(felt.begin(), felt.end(), [](const Feeling& a, const Feeling& b) {
-    return norm(a.force) < norm(b.force);
-  });
-  if (strongest == felt.end() || norm(strongest->force) <= kNothing) return config;
+  const Feeling& strongest = felt[strongest_of(felt)];
+  if (norm(strongest.force) <= kNothing) return config;
   constexpr double kDegree = 3.14159265358979323846 / 180;
   // Against the skin, and a little from the side, so that arrows are not seen end on.
-  const Vector& normal = strongest->normal;
+  const Vector& normal = strongest.normal;
   const double level = std::hypot(normal[0], normal[1]);
-  std::copy(strongest->position.begin(), strongest->position.end(), config.look_at);
+  std::copy(strongest.position.begin(), strongest.position.end(), config.look_at);
   config.azimuth = std::atan2(-normal[1], -normal[0]) / kDegree + 35;
   config.elevation = std::clamp(std::atan2(-normal[2], level) / kDegree, -60.0, 60.0);
   config.distance = 0.35;

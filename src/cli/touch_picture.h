@@ -17,6 +17,7 @@ class TouchPicture {
   bool possible() const { return !sensors_.empty(); }
   std::size_t sensors() const { return sensors_.size(); }
 
+  // The rest needs possible().
   // The view that `config` describes, with the touch in the block over it. The block belongs to the world's state.
   ColorPicture draw(Env& env, const mimo_picture_config& config, const Block& block);
 
@@ -34,6 +35,7 @@ class TouchPicture {
     Vector position, normal, force;
   };
 
+  static std::size_t strongest_of(const std::vector<Feeling>& felt);
   std::vector<Feeling> feelings(const Env& env, const Block& block) const;
 
   std::vector<Sensor> sensors_;

@@ -109,7 +109,8 @@ void add_vision_options(CLI::App& command, WorldOptions& options) {
 void add_touch_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--touch", options.touch,
-                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. Pictures show what they feel")
+                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. Pictures show "
+                  "what they feel")
       ->type_name("SCALE|off")
       ->check(CLI::Validator(check_touch, ""))
       ->capture_default_str();

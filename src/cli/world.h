@@ -13,7 +13,7 @@ struct WorldOptions {
   std::string scene = "benchmark";  // a built-in name or a file
   std::string body;                 // "" means the default of the scene
   std::string renderer = "auto";
-  std::string vision;  // "off", pixels, or "" for 256 where a renderer works
+  std::string vision;       // "off", pixels, or "" for 256 where a renderer works
   std::string touch = "1";  // "off", or the scale
   std::uint64_t seed = 0;
 };

@@ -10,6 +10,11 @@ bool any(const senses::ProprioceptionOptions& p) {
   return p.position || p.velocity || p.torque || p.limit || p.actuation || p.joint_torque;
 }
 
+std::shared_ptr<const senses::touch::Skin> make_skin(const mjModel& model, const body::Body& body,
+                                                     const senses::TouchOptions& options) {
+  return std::make_shared<senses::touch::Skin>(model, senses::spacings(model, body, options));
+}
+
 }  // namespace
 
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
@@ -29,7 +34,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   }
   if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));
   if (options.touch.any()) {
-    agent.skin = std::make_shared<senses::touch::Skin>(model, senses::spacings(model, agent.body, options.touch));
+    agent.skin = options.skin != nullptr ? options.skin : make_skin(model, agent.body, options.touch);
     agent.senses.push_back(std::make_unique<senses::Touch>(agent.skin, options.touch));
   }
   if (options.vision.any()) {

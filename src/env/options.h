@@ -1,6 +1,7 @@
 // What a world is made of: the inner form of mimo_agent_config and mimo_env_config.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "actuation/actuation.h"
@@ -20,6 +21,7 @@ struct AgentOptions {
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
+  std::shared_ptr<const senses::touch::Skin> skin;  // from another world of the same model and options; null: make one
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }

@@ -54,7 +54,10 @@ void World::start() {
   elapsed_ = 0;
 }
 
-void World::make_renderer() { renderer_ = render::make_osmesa_renderer(shared_model_, options_.log); }
+void World::make_renderer() {
+  const std::string name = options_.renderer == "none" ? "auto" : options_.renderer;
+  renderer_ = render::make_renderer(name, shared_model_, options_.log);
+}
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
   for (const Agent& agent : agents_) {

@@ -39,6 +39,9 @@ class Renderer {
 // MuJoCo's own pictures through OSMesa, which is loaded at run time. Throws Status::kUnsupported where it is absent.
 std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const LogSink& log);
 
+// By name: "ray", "osmesa", or "auto": rays where the model allows it, else OSMesa, which is said in the log.
+std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::ModelPtr& model, const LogSink& log);
+
 // The view of a camera of the model, at its current pose; fovy 0 means the camera's own.
 View camera_view(const mjModel& model, const mjData& data, int camera, double fovy = 0);
 

@@ -1,3 +1,4 @@
+#include "base/format.h"
 #include "tasks/parameters.h"
 
 #include <vector>

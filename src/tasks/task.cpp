@@ -1,3 +1,4 @@
+#include "base/format.h"
 #include "tasks/task.h"
 
 #include "base/fail.h"

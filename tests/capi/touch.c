@@ -128,7 +128,7 @@ static void check_spacing(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1, but there are 1 agents",
               mimo_scene_set_touch(scene, 1, "head", 0.01));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is -1", mimo_scene_set_touch(scene, -1, "head", 0.01));
-  CHECK_FAILS(MIMO_E_BAD_HANDLE, "scene", mimo_scene_set_touch(NULL, 0, "head", 0.01));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "scene is NULL", mimo_scene_set_touch(NULL, 0, "head", 0.01));
   mimo_scene_destroy(scene);
 }
 

@@ -81,7 +81,7 @@ TEST(TouchInfant, FieldsAreDescribed) {
   EXPECT_EQ(fields.at("touch/slip")->unit, "m/s");
   EXPECT_EQ(fields.at("touch/friction_use")->shape, (std::vector<std::size_t>{sensors, 1}));
   for (const auto& [name, field] : fields) {
-    if (name.rfind("touch/", 0) == 0) EXPECT_EQ(field->time, senses::Time::kLastStart);
+    EXPECT_TRUE(name.rfind("touch/", 0) != 0 || field->time == senses::Time::kLastStart);
   }
 }
 
@@ -122,47 +122,44 @@ TEST(TouchInfant, UnknownBodiesAreRefusedWithThoseThatAreThere) {
   expect_error(Status::kInvalidArgument, "sensors of body \"head\" makes too many", [&] { benchmark_world(options); });
 }
 
-// The right palm level, and a ball on it: it is felt as its weight.
-TEST(TouchInfant, ABallAtRestOnThePalmIsFeltAsItsWeight) {
-  constexpr double kMass = 0.2, kRadius = 0.03;
+// An infant held in the air with its right palm level, and a ball at a place above it that does not roll away.
+engine::ModelPtr held_with_ball(const Vec3& place, double radius, double mass) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(-80 * 3.14159265358979323846 / 180, Vec3::UnitX()));
   const scene::Pose pose{{0, 0, 1}, {turn.w(), turn.x(), turn.y(), turn.z()}};
-  const auto held = [&](const scene::Object* ball) {
-    scene::Scene scene(from_text("<mujoco><include file='mimo/parts/options.xml'/><worldbody/><equality>"
-                                 "<weld body1='mimo_location' solref='.01 1' solimp='.9999 .9999 .001 .5 1'/>"
-                                 "</equality></mujoco>"));
-    scene.add_body("mitten", "", &pose);
-    if (ball != nullptr) scene.add_object(*ball);
-    engine::ModelPtr model = compile(scene);
-    std::fill_n(const_cast<mjModel*>(model.get())->eq_active, model->neq, static_cast<mjtByte>(1));
-    return model;
-  };
-  const engine::Physics empty(held(nullptr), {});
-  const int hand = engine::find_or_fail(empty.model(), Kind::kBody, "right_hand");
-  const Vec3 palm(empty.data().geom_xpos + 3 * empty.model().body_geomadr[hand]);
+  scene::Scene scene(from_text(
+      fmt::format("<mujoco><include file='mimo/parts/options.xml'/><worldbody><body pos='{} {} {}'><freejoint/>"
+                  "<geom size='{}' mass='{}' condim='6' friction='1 0.01 0.01' solref='0.005 1'/></body></worldbody>"
+                  "<equality><weld body1='mimo_location' solref='.01 1' solimp='.9999 .9999 .001 .5 1'/></equality>"
+                  "</mujoco>",
+                  place.x(), place.y(), place.z(), radius, mass)));
+  scene.add_body("mitten", "", &pose);
+  engine::ModelPtr model = compile(scene);
+  std::fill_n(const_cast<mjModel*>(model.get())->eq_active, model->neq, static_cast<mjtByte>(1));
+  return model;
+}
 
-  scene::Object ball;
-  ball.name = "ball";
-  ball.size[0] = kRadius;
-  ball.mass = kMass;
-  ball.rgba = {1, 0, 0, 1};
-  ball.pose.position = {palm.x(), palm.y(), palm.z() + 0.01 + kRadius};
+TEST(TouchInfant, ABallAtRestOnThePalmIsFeltAsItsWeight) {
+  constexpr double kMass = 0.2, kRadius = 0.03, kWeight = kMass * 9.81;
+  const engine::Physics alone(held_with_ball({0, 0, 5}, kRadius, kMass), {});
+  const int hand = engine::find_or_fail(alone.model(), Kind::kBody, "right_hand");
+  const Vec3 palm(alone.data().geom_xpos + 3 * alone.model().body_geomadr[hand]);
+
   env::AgentOptions options = blind();
   options.touch.frame = TouchFrame::kWorld;
-  env::World world(held(&ball), {options}, without_renderer());
+  env::World world(held_with_ball(palm + Vec3(0, 0, 0.01 + kRadius), kRadius, kMass), {options}, without_renderer());
   Observation block(world);
   for (int step = 0; step < 500; ++step) world.step({}, block.data(), {});
-  const auto felt = sum_by_body(world, block["touch/force"]);
-  const double weight = kMass * 9.81;
-  EXPECT_LT((felt.at(hand) - Vec3(0, 0, -weight)).norm(), 0.02 * weight) << felt.at(hand).transpose();
-  for (const auto& [body, sum] : felt) {
-    if (body != hand) EXPECT_EQ(sum.norm(), 0) << engine::name(world.model(), Kind::kBody, body);
+  for (const auto& [body, sum] : sum_by_body(world, block["touch/force"])) {
+    const Vec3 expected(0, 0, body == hand ? -kWeight : 0);
+    EXPECT_LE((sum - expected).norm(), body == hand ? 0.02 * kWeight : 0)
+        << engine::name(world.model(), Kind::kBody, body) << " felt " << sum.transpose();
   }
 }
 
 // One lies on the other: each feels the other, with its own skin.
 TEST(TouchInfant, TwoInfantsFeelEachOther) {
-  scene::Scene scene(from_text("<mujoco><include file='mimo/parts/options.xml'/><option gravity='0 0 0'/><worldbody/></mujoco>"));
+  scene::Scene scene(
+      from_text("<mujoco><include file='mimo/parts/options.xml'/><option gravity='0 0 0'/><worldbody/></mujoco>"));
   const scene::Pose here{{0, 0, 1}, {1, 0, 0, 0}}, there{{0.09, 0, 1}, {1, 0, 0, 0}};
   scene.add_body("mitten", "anna/", &here);
   scene.add_body("mitten", "ben/", &there);

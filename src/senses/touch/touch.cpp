@@ -1,8 +1,11 @@
+#include "base/format.h"
 #include "senses/touch/touch.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "senses/touch/spacing.h"
 
 namespace mimo::senses {
@@ -117,7 +120,8 @@ void Touch::feel(const mjModel& model, const mjData& data, const Press& press, s
   if (float* out = output(block, slip_)) {
     const Vec3 slip = touch::slip_velocity(model, data, press);
     if (slip.norm() >= options_.slip_threshold) {
-      add_slip(rotation.transpose() * slip, press.normal_force, shares, out);
+      const Eigen::Matrix3d to_body = rotation.transpose();
+      add_slip(to_body * slip, to_body * press.normal, press.normal_force, shares, out);
     }
   }
   if (!pressure_.empty()) add_pressure(press.normal_force, shares);
@@ -134,11 +138,14 @@ void Touch::add_force(const Vec3& world, const Eigen::Matrix3d& rotation, Span<c
   }
 }
 
-void Touch::add_slip(const Vec3& in_body, double normal_force, Span<const Share> shares, float* out) const {
+// The contact's tangent plane is tilted into that of the sensor, so that around a corner no speed is lost.
+void Touch::add_slip(const Vec3& slip, const Vec3& normal, double normal_force, Span<const Share> shares,
+                     float* out) const {
   for (const Share& share : shares) {
     const auto sensor = static_cast<std::size_t>(share.sensor);
-    const Eigen::Vector2d own =
-        share.weight * normal_force * (skin_->sensors()[sensor].frame.bottomRows<2>() * in_body);
+    const Eigen::Matrix3d& frame = skin_->sensors()[sensor].frame;
+    const Vec3 tilted = Eigen::Quaterniond::FromTwoVectors(normal, frame.row(0).transpose()) * slip;
+    const Eigen::Vector2d own = share.weight * normal_force * (frame.bottomRows<2>() * tilted);
     out[2 * sensor] += static_cast<float>(own.x());
     out[2 * sensor + 1] += static_cast<float>(own.y());
   }

@@ -31,7 +31,9 @@ class Touch : public Sense {
   void feel(const mjModel& model, const mjData& data, const touch::Press& press, std::uint8_t* block);
   void add_force(const touch::Vec3& world, const Eigen::Matrix3d& rotation, Span<const touch::Share> shares,
                  float* out) const;
-  void add_slip(const touch::Vec3& in_body, double normal_force, Span<const touch::Share> shares, float* out) const;
+  // Slip and the contact's outward normal are in the body's frame.
+  void add_slip(const touch::Vec3& slip, const touch::Vec3& normal, double normal_force,
+                Span<const touch::Share> shares, float* out) const;
   void add_pressure(double normal_force, Span<const touch::Share> shares);
   void finish_means(std::uint8_t* block);
 

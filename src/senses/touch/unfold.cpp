@@ -115,17 +115,20 @@ class Walk {
   std::vector<std::pair<double, int>> queue_;
 };
 
+bool nearer(const Neighbour& a, const Neighbour& b) {
+  const float to_a = a.x * a.x + a.y * a.y, to_b = b.x * b.x + b.y * b.y;
+  return to_a != to_b ? to_a < to_b : a.sensor < b.sensor;
+}
+
 }  // namespace
 
 void Maps::add(const BodySensors& skin, int first, double reach) {
   const Graph graph(skin);
   Walk walk(graph, skin.sensors.size(), reach);
-  const auto distance = [](const Neighbour& n) { return n.x * n.x + n.y * n.y; };
   for (std::size_t i = 0; i < skin.sensors.size(); ++i) {
     const auto begin = static_cast<std::ptrdiff_t>(neighbours_.size());
     walk.from(static_cast<int>(i), first, neighbours_);
-    std::stable_sort(neighbours_.begin() + begin, neighbours_.end(),
-                     [&](const Neighbour& a, const Neighbour& b) { return distance(a) < distance(b); });
+    std::sort(neighbours_.begin() + begin, neighbours_.end(), nearer);
     starts_.push_back(neighbours_.size());
     largest_ = std::max(largest_, neighbours_.size() - static_cast<std::size_t>(begin));
   }

@@ -113,6 +113,24 @@ TEST(TouchFeel, BothSidesOfAContactFeelOppositeForces) {
   EXPECT_LT((on_cube + on_ball).norm(), 1e-5);
 }
 
+TEST(TouchFeel, ThePointLiesOnTheOwnSurfaceOfEither) {
+  Feeler feeler(cube(), {{kCubeBody, 0.008}});
+  push(feeler, 4);
+  const engine::Physics& physics = feeler.physics;
+  ASSERT_EQ(physics.data().ncon, 1);
+  EXPECT_LT(physics.data().contact[0].dist, -1e-6);
+  const auto force = pressing(physics.model(), physics.data(), 0);
+  ASSERT_TRUE(force);
+  for (const Side side : {Side::kFirst, Side::kSecond}) {
+    const Press press = press_on(physics.model(), physics.data(), 0, *force, side);
+    const Vec3 local =
+        feeler.rotation(press.body).transpose() * (press.point - Vec3(physics.data().xpos + 3 * press.body));
+    EXPECT_NEAR(press.body == kCubeBody ? local.z() : local.norm(), press.body == kCubeBody ? 0.05 : 0.02, 1e-9);
+    EXPECT_NEAR(press.force.dot(press.normal), -kPush, 1e-3);
+    EXPECT_NEAR(press.normal_force, kPush, 1e-3);
+  }
+}
+
 TEST(TouchFeel, NothingTouchesNothingIsFelt) {
   Feeler feeler(cube(), {{kCubeBody, 0.008}});
   for (int i = 0; i < 6; ++i) feeler.physics.data().qpos[i] = 0.05;
