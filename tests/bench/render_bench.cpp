@@ -1,18 +1,19 @@
 // What a picture costs: both renderers against the reference step (one bare mj_step of the benchmark scene with a
 // dense Jacobian, under random control), all measured in turn in one run, so that whatever else the machine does
-// meets all of them.
+// meets all of them. Times are those of the processor, summed over threads (OSMesa has some), so that waiting for a
+// busy machine does not count.
 //
 //   bench_render [states, 25 by default] [instruction set]
-#include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "base/status.h"
 #include "engine/physics.h"
 #include "render/ray/ray_renderer.h"
@@ -24,7 +25,9 @@ namespace {
 using namespace mimo;
 
 double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double median(std::vector<double> values) {
@@ -90,7 +93,7 @@ int run(int states, const std::string& simd) {
   }
 
   const double step = median(steps);
-  fmt::print("reference step {:.1f} us; medians of {} states, both eyes, one core, {}\n", step * 1e6, states,
+  fmt::print("reference step {:.1f} us; medians of {} states, both eyes, processor time, {}\n", step * 1e6, states,
              simd.empty() ? render::ray_simd_paths().front() : simd);
   fmt::print("{:>8} {:>12} {:>8} {:>12} {:>8} {:>10}\n", "pixels", "ray [us]", "[steps]", "OSMesa [us]", "[steps]",
              "ray faster");

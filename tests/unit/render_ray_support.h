@@ -1,7 +1,6 @@
 // Pictures of small models, drawn by the ray renderer.
 #pragma once
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "engine/physics.h"
 #include "render/ray/ray_renderer.h"
 #include "render/renderer.h"

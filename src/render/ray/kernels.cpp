@@ -389,19 +389,30 @@ HWY_INLINE Texel Unpack(VI texel) {
   return {hn::And(texel, mask), hn::And(hn::ShiftRight<8>(texel), SetI(0x000000FF))};
 }
 
+#if HWY_TARGET != HWY_SCALAR
+// kCount pairs of texels. (Loads one by one are faster than gathers on most machines.)
+template <std::size_t kCount>
+HWY_INLINE hn::Vec<hn::Simd<std::int64_t, kCount, 0>> FetchPairs(const std::uint32_t* texels, const std::int32_t* at) {
+  if constexpr (kCount == 1) {
+    return hn::LoadU(hn::Simd<std::int64_t, 1, 0>(), reinterpret_cast<const std::int64_t*>(texels + *at));
+  } else {
+    return hn::Combine(hn::Simd<std::int64_t, kCount, 0>(), FetchPairs<kCount / 2>(texels, at + kCount / 2),
+                       FetchPairs<kCount / 2>(texels, at));
+  }
+}
+#endif
+
 // Texels at `index` and their neighbours to the right, mixed.
 HWY_INLINE Texel FetchRow(const std::uint32_t* texels, VI index, VI weight) {
 #if HWY_TARGET == HWY_SCALAR
   const std::int32_t* at = reinterpret_cast<const std::int32_t*>(texels) + index.raw;
   return Mix(Unpack(SetI(at[0])), Unpack(SetI(at[1])), weight);
 #else
-  const hn::Repartition<std::int64_t, D> pair;
-  const auto* base = reinterpret_cast<const std::int64_t*>(texels);
-  const auto low = hn::GatherOffset(pair, base, hn::ShiftLeft<2>(hn::PromoteTo(pair, hn::LowerHalf(index))));
-  const auto high = hn::GatherOffset(
-      pair, base, hn::ShiftLeft<2>(hn::PromoteTo(pair, hn::UpperHalf(hn::Half<DI>(), index))));
-  const VI a = hn::BitCast(DI(), low);
-  const VI b = hn::BitCast(DI(), high);
+  constexpr std::size_t kHalf = hn::MaxLanes(D()) / 2;
+  alignas(64) std::int32_t at[2 * kHalf];
+  hn::Store(index, DI(), at);
+  const VI a = hn::BitCast(DI(), FetchPairs<kHalf>(texels, at));
+  const VI b = hn::BitCast(DI(), FetchPairs<kHalf>(texels, at + kHalf));
   return Mix(Unpack(hn::ConcatEven(DI(), b, a)), Unpack(hn::ConcatOdd(DI(), b, a)), weight);
 #endif
 }
@@ -488,44 +499,43 @@ HWY_NOINLINE Place PlaceOf(const Texture& texture, VI level, VI face) {
   return {origin, hn::Add(width, two), Real(width), Real(height)};
 }
 
-// Colour 0..1 of a texture at s, t (of a cube's face), with `spread` the square of the texels that a pixel spans.
-template <bool kCube>
-HWY_INLINE V3 Sample(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t, V spread) {
-  if (!kCube) {
-    s = s - hn::Floor(s);
-    t = t - hn::Floor(t);
-  }
-  Texel texel;
-  if (texture.levels == 1 || All(hn::Le(spread, Set(1.0F)))) {
-    const Place p = PlaceOf<kCube>(texture, 0, face);
-    texel = Bilinear(texels, p.origin, p.stride, p.width, p.height, s, t);
-  } else {
-    const V level = hn::Min(Set(0.5F) * Log2(hn::Min(hn::Max(spread, Set(1.0F)), Set(1e12F))),
-                            Set(static_cast<float>(texture.levels - 1)));
-    const V below = hn::Floor(level);
-    const VI l0 = Whole(below);
-    const VI l1 = hn::Min(hn::Add(l0, SetI(1)), SetI(texture.levels - 1));
-    const int first = hn::GetLane(l0);
-    Place p;
-    Place q;
-    if (hn::AllTrue(DI(), hn::Eq(l0, SetI(first)))) {
-      p = PlaceOf<kCube>(texture, first, face);
-      q = PlaceOf<kCube>(texture, std::min(first + 1, texture.levels - 1), face);
-    } else {
-      p = PlaceOf<kCube>(texture, l0, face);
-      q = PlaceOf<kCube>(texture, l1, face);
-    }
-    texel = Mix(Bilinear(texels, p.origin, p.stride, p.width, p.height, s, t),
-                Bilinear(texels, q.origin, q.stride, q.width, q.height, s, t), Weight(level - below));
-  }
-  const VI byte = SetI(255);
+HWY_INLINE V3 Unpacked(const Texel& texel) {
   const V k = Set(1.0F / 255);
-  return {Real(hn::And(texel.rb, byte)) * k, Real(texel.g) * k, Real(hn::ShiftRight<16>(texel.rb)) * k};
+  return {Real(hn::And(texel.rb, SetI(255))) * k, Real(texel.g) * k, Real(hn::ShiftRight<16>(texel.rb)) * k};
 }
 
-// A cube texture in direction q; gx and gy are how q changes from pixel to pixel.
-HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, const V3& q, const V3& gx,
-                         const V3& gy) {
+// Colour 0..1 of a texture at s, t in 0..1 (of a cube's face), where no pixel spans more than a texel.
+template <bool kCube>
+HWY_INLINE V3 SampleLarge(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t) {
+  const Place p = PlaceOf<kCube>(texture, 0, face);
+  return Unpacked(Bilinear(texels, p.origin, p.stride, p.width, p.height, s, t));
+}
+
+// The same with `spread` the square of the texels that a pixel spans.
+template <bool kCube>
+HWY_INLINE V3 Sample(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t, V spread) {
+  if (texture.levels == 1 || All(hn::Le(spread, Set(1.0F)))) return SampleLarge<kCube>(texels, texture, face, s, t);
+  const V level = hn::Min(Set(0.5F) * Log2(hn::Min(hn::Max(spread, Set(1.0F)), Set(1e12F))),
+                          Set(static_cast<float>(texture.levels - 1)));
+  const V below = hn::Floor(level);
+  const VI l0 = Whole(below);
+  const VI l1 = hn::Min(hn::Add(l0, SetI(1)), SetI(texture.levels - 1));
+  const int first = hn::GetLane(l0);
+  Place p;
+  Place q;
+  if (hn::AllTrue(DI(), hn::Eq(l0, SetI(first)))) {
+    p = PlaceOf<kCube>(texture, first, face);
+    q = PlaceOf<kCube>(texture, std::min(first + 1, texture.levels - 1), face);
+  } else {
+    p = PlaceOf<kCube>(texture, l0, face);
+    q = PlaceOf<kCube>(texture, l1, face);
+  }
+  return Unpacked(Mix(Bilinear(texels, p.origin, p.stride, p.width, p.height, s, t),
+                      Bilinear(texels, q.origin, q.stride, q.width, q.height, s, t), Weight(level - below)));
+}
+
+// A cube texture in direction q, which changes by the root of `stretch` from pixel to pixel.
+HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, const V3& q, V stretch) {
   const V ax = hn::Abs(q.x);
   const V ay = hn::Abs(q.y);
   const V az = hn::Abs(q.z);
@@ -542,8 +552,8 @@ HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, co
                            hn::IfThenElse(hn::RebindMask(DI(), on_y), SetI(2), SetI(4)));
   face = hn::Add(face, hn::IfThenElse(hn::RebindMask(DI(), negative), SetI(1), hn::Zero(DI())));
   const V texels_each = half * Set(static_cast<float>(texture.width));
-  const V spread = hn::Max(Dot(gx, gx), Dot(gy, gy)) * (texels_each * texels_each);
-  return Sample<true>(texels, texture, face, sc * half + Set(0.5F), tc * half + Set(0.5F), spread);
+  return Sample<true>(texels, texture, face, sc * half + Set(0.5F), tc * half + Set(0.5F),
+                      stretch * (texels_each * texels_each));
 }
 
 // ---------------------------------------------------------------------------------------------------------- lighting
@@ -573,6 +583,7 @@ struct Subject {
   const std::int32_t* id;
   const Shade* shades;  // one a caster; null where no shadows are wanted
   float dim;            // what the colour is multiplied by
+  float sharp = 0;      // of a textured plane: up to this t no pixel spans more than a texel
 };
 
 // The normal of a solid at a point of its surface, in its frame.
@@ -622,6 +633,7 @@ HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, c
   const bool shiny = material.specular > 0;
   V3 to_eye = ray;
   if (shiny) to_eye = ray * (Zero() - Rsqrt(Dot(ray, ray)));
+  const V along_eye = Along<kKind>(n, to_eye);
 
   const V dim = Set(subject.dim);
   const V3 rgb = Set(material.rgb) * dim;
@@ -657,11 +669,13 @@ HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, c
         strength = hn::IfThenElseZero(inside, strength * Pow(light.exponent, hn::Max(cosine, Zero())));
       }
     }
-    const V facing = hn::Max(Along<kKind>(n, to_light), Zero());
+    const V along_light = Along<kKind>(n, to_light);
+    const V facing = hn::Max(along_light, Zero());
     V glint = Zero();
     if (shiny && light.bright) {
-      const V3 half = to_light + to_eye;
-      const V cosine = hn::Max(Along<kKind>(n, half), Zero()) * Rsqrt(Dot(half, half));
+      // Between the normal and the vector half-way between light and eye, whose square is 2 + 2 light . eye.
+      const V square = Set(2.0F) + Dot(to_light, to_eye) * Set(2.0F);
+      const V cosine = hn::Max(along_light + along_eye, Zero()) * Rsqrt(hn::Max(square, Set(1e-6F)));
       glint = hn::IfThenElseZero(hn::Gt(facing, Zero()), Pow(material.shininess, hn::Min(cosine, one)));
       glint = glint * Set(material.specular);
     }
@@ -705,10 +719,21 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
   const Scene& scene = *subject.scene;
   const Material& material = scene.solids[aspect.solid].material;
   const Texture& texture = *material.texture;
+  V u = Zero();
+  V v = Zero();
+  if (material.mapping == Mapping::kFlat) {
+    u = p.x * Set(material.scale[0]) - Set(0.5F);
+    v = p.y * Set(material.scale[1]) - Set(0.5F);
+    u = u - hn::Floor(u);
+    v = v - hn::Floor(v);
+    // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
+    if (kKind == Kind::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
+      return SampleLarge<false>(scene.texels, texture, hn::Zero(DI()), u, v);
+    }
+  }
   const V3 bx = Set(aspect.bx);
   const V3 by = Set(aspect.by);
-  // How the point moves on its tangent plane from pixel to pixel.
-  // (Of a plane, t says how far away it is across.)
+  // How the point moves on its tangent plane from pixel to pixel. (Of a plane, t says how far away it is across.)
   const V over = kKind == Kind::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
   const V3 along_x = (bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx));
   const V3 along_y = (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy));
@@ -717,8 +742,7 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
     const V high = Set(material.scale[1] * static_cast<float>(texture.height));
     const V spread_x = (along_x.x * wide) * (along_x.x * wide) + (along_x.y * high) * (along_x.y * high);
     const V spread_y = (along_y.x * wide) * (along_y.x * wide) + (along_y.y * high) * (along_y.y * high);
-    return Sample<false>(scene.texels, texture, hn::Zero(DI()), p.x * Set(material.scale[0]) - Set(0.5F),
-                         p.y * Set(material.scale[1]) - Set(0.5F), hn::Max(spread_x, spread_y));
+    return Sample<false>(scene.texels, texture, hn::Zero(DI()), u, v, hn::Max(spread_x, spread_y));
   }
   const V fold = Set(material.fold);
   const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
@@ -726,15 +750,28 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
   const V3 q = {p.x * scale.x, p.y * scale.y, z * scale.z + (p.z - z) * Set(material.scale[3])};
   const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
   const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
-  return SampleCube(scene.texels, texture, q, gx, gy);
+  return SampleCube(scene.texels, texture, q, hn::Max(Dot(gx, gx), Dot(gy, gy)));
+}
+
+// On a plane at height h, neighbouring rays meet at most t |ray|^2 / h * t * dx apart.
+HWY_INLINE float SharpUpTo(const Subject& subject, const Aspect& aspect) {
+  const Tile& tile = *subject.tile;
+  const Material& material = subject.scene->solids[aspect.solid].material;
+  if (material.mapping != Mapping::kFlat) return 0;
+  const float x = std::max(std::abs(tile.x[0]), std::abs(tile.x[kTile - 1]));
+  const float y = std::max(std::abs(tile.y[0]), std::abs(tile.y[kTile - 1]));
+  const float texels = std::max(std::abs(material.scale[0]) * static_cast<float>(material.texture->width),
+                                std::abs(material.scale[1]) * static_cast<float>(material.texture->height));
+  return std::sqrt(0.99F * std::abs(aspect.o[2]) / ((1 + x * x + y * y) * tile.dx * texels));
 }
 
 template <Kind kKind, bool kGray, Brush kBrush>
-HWY_NOINLINE void PaintKind(const Subject& subject, const Window& w, Canvas& canvas) {
+HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const Aspect& aspect = subject.eye->aspects[subject.index];
   const Solid& solid = subject.scene->solids[aspect.solid];
   const V one = Set(1.0F);
+  if (kKind == Kind::kPlane) subject.sharp = SharpUpTo(subject, aspect);
   for (int row = w.row0; row <= w.row1; ++row) {
     for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
       const int i = row * kTile + column;
@@ -751,7 +788,13 @@ HWY_NOINLINE void PaintKind(const Subject& subject, const Window& w, Canvas& can
         color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
       }
       color = {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
-      V3 old = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
+      if (kBrush == Brush::kPut && All(mine)) {
+        Store(color.x, canvas.r + i);
+        Store(color.y, canvas.g + i);
+        Store(color.z, canvas.b + i);
+        continue;
+      }
+      const V3 old = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
       if (kBrush == Brush::kAdd) color = color + old;
       if (kBrush == Brush::kBlend) {
         const V alpha = Set(solid.material.alpha);
@@ -791,13 +834,13 @@ void PaintSky(const Scene& scene, const Tile& tile, const std::int32_t* id, Canv
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 bx = Set(scene.sky_bx);
   const V3 by = Set(scene.sky_by);
-  const V3 gx = bx * Set(tile.dx);
-  const V3 gy = by * Set(tile.dy);
+  // The sky's map is turned but not scaled: from pixel to pixel, its direction changes as the ray does.
+  const V stretch = Set(tile.dx * tile.dx);
   for (int i = 0; i < kRays; i += lanes) {
     const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
     if (None(empty)) continue;
     const V3 d = Set(scene.sky_a) + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
-    const V3 color = SampleCube(scene.texels, *scene.sky, d, gx, gy);
+    const V3 color = SampleCube(scene.texels, *scene.sky, d, stretch);
     Store(Pick(empty, color.x, Load(canvas.r + i)), canvas.r + i);
     Store(Pick(empty, color.y, Load(canvas.g + i)), canvas.g + i);
     Store(Pick(empty, color.z, Load(canvas.b + i)), canvas.b + i);
