@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/span.h"
 #include "body/body.h"
 
@@ -22,6 +23,11 @@ class Actuation {
 
   // Sets the controls for the coming step; actions are finite and are clipped to their bounds.
   virtual void apply(Span<const float> actions, mjData& data) const = 0;
+
+  // What it remembers beside the physics: always the same number of bytes. A load that throws may leave it half
+  // loaded; the world then loads what was there before.
+  virtual void save(ByteWriter&) const {}
+  virtual void load(ByteReader&) {}
 
  protected:
   std::vector<float> low_, high_;
