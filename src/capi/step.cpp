@@ -140,7 +140,7 @@ mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noe
 mimo_status mimo_env_physics_step(mimo_env* env, size_t count) noexcept {
   return guard([&] {
     require(count <= 1000000, "count is {}, expected up to 1000000", count);
-    open(env).world.physics_step(static_cast<int>(count));
+    open(env).world.physics().step(static_cast<int>(count));
   });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <locale>
 
 #include "base/fail.h"
 #include "engine/guard.h"
@@ -52,6 +53,17 @@ class PlainNumbers {
   locale_t previous_;
 };
 
+// C++ streams, by which MuJoCo reads numbers, have a locale that belongs to the whole process. Where it has a decimal
+// comma, "0.125" would be read as 125: better no model than a wrong one.
+void require_plain_streams() {
+  const std::locale locale;
+  if (std::use_facet<std::numpunct<char>>(locale).decimal_point() == '.') return;
+  fail(Status::kUnsupported,
+       "the program's C++ locale \"{}\" (set by std::locale::global) has no decimal point, and MuJoCo's XML reader "
+       "obeys it; set one that has, at least for std::locale::numeric, before worlds are made",
+       locale.name());
+}
+
 // MuJoCo's message may have several lines; ours have one.
 std::string one_line(const char* text) {
   std::string line(text);
@@ -91,6 +103,7 @@ std::string some_names(const mjModel& model, Kind kind) {
 
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log) {
   constexpr const char* kDocument = "mimo_scene.xml";
+  require_plain_streams();
   VirtualFiles files;
   files.add(kDocument, xml.data(), xml.size());
   for (const Asset& asset : assets) files.add(asset.name.c_str(), asset.bytes.data(), asset.bytes.size());

@@ -12,6 +12,12 @@ namespace {
 
 // MuJoCo resets a diverged state by itself and says so in these counters; for us the world has failed.
 constexpr mjtWarning kDivergence[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
+
+bool diverged(const mjData& data) {
+  return std::any_of(std::begin(kDivergence), std::end(kDivergence),
+                     [&](mjtWarning kind) { return data.warning[kind].number > 0; });
+}
+
 // Trouble that the simulation survives, but that its user must hear of.
 constexpr mjtWarning kSurvivable[] = {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADCTRL};
 
@@ -27,6 +33,7 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
     : shared_(std::move(model)), model_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
   apply(options, model_.opt);
+  positions_.resize(static_cast<std::size_t>(model_.nq));
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
   mjData* data = nullptr;
   const Complaint complaint = guarded([&] { data = mj_makeData(&model_); });
@@ -47,22 +54,22 @@ void Physics::reset() {
 void Physics::step(int count) {
   require_usable();
   run([this, count] {
-    for (int i = 0; i < count; ++i) mj_step(&model_, data_.get());
+    for (int i = 0; i < count && !diverged(*data_); ++i) {
+      step_time_ = data_->time;
+      mj_step(&model_, data_.get());
+    }
   });
   check_divergence();
 }
 
 void Physics::forward() {
   require_usable();
-  // The solver starts from the last acceleration: putting it back is what keeps the trajectory to the bit.
-  std::copy_n(data_->qacc_warmstart, model_.nv, warmstart_.data());
-  run([this] { mj_forward(&model_, data_.get()); });
-  std::copy_n(warmstart_.data(), model_.nv, data_->qacc_warmstart);
+  run_aside([this] { mj_forward(&model_, data_.get()); });
 }
 
 void Physics::update_poses() {
   require_usable();
-  run([this] {
+  run_aside([this] {
     mj_kinematics(&model_, data_.get());
     mj_comPos(&model_, data_.get());
     mj_camlight(&model_, data_.get());
@@ -89,7 +96,7 @@ std::string Physics::take_warnings() {
 
 void Physics::fail_world(const std::string& why) {
   failed_ = true;
-  fail(Status::kSimulation, "the simulation failed at {:.4f} s: {}", data_->time, why);
+  fail(Status::kSimulation, "the simulation failed at {:.4f} s: {}", step_time_, why);
 }
 
 void Physics::check_divergence() {
@@ -102,6 +109,18 @@ template <typename Call>
 void Physics::run(Call&& call) {
   const Complaint complaint = guarded(call);
   if (complaint.failed) fail_world(complaint.error.data());
+}
+
+// The solver starts from the last acceleration, and kinematics normalises the quaternions among the positions, which is
+// not the same when done twice: putting both back is what keeps the trajectory to the bit.
+template <typename Call>
+void Physics::run_aside(Call&& call) {
+  step_time_ = data_->time;
+  std::copy_n(data_->qpos, model_.nq, positions_.data());
+  std::copy_n(data_->qacc_warmstart, model_.nv, warmstart_.data());
+  run(call);
+  std::copy_n(positions_.data(), model_.nq, data_->qpos);
+  std::copy_n(warmstart_.data(), model_.nv, data_->qacc_warmstart);
 }
 
 std::array<double, 6> contact_force(const mjModel& model, const mjData& data, int contact) {

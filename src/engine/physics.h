@@ -54,12 +54,15 @@ class Physics {
   void check_divergence();
   template <typename Call>
   void run(Call&& call);
+  template <typename Call>
+  void run_aside(Call&& call);  // leaves the trajectory as it was
 
   ModelPtr shared_;
   mjModel model_;
   std::unique_ptr<mjData, void (*)(mjData*)> data_;
   std::array<int, mjNWARNING> warned_{};
-  std::vector<double> warmstart_;  // room for forward() to keep the solver's start
+  std::vector<double> positions_, warmstart_;  // room for run_aside() to keep what it changes
+  double step_time_ = 0;                       // when the step in progress started; MuJoCo sets a diverged world's time back
   bool failed_ = false;
 };
 

@@ -47,7 +47,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   physics_.reset();
   task_->reset(physics_, random_);
   elapsed_ = 0;
-  if (block != nullptr) sense(block);
+  if (block != nullptr) sense(block, false);
   report_warnings();
 }
 
@@ -59,28 +59,27 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
       agent.actuation->apply(actions.part(agent.action_offset, agent.actuation->size()), physics_.data());
     }
   }
-  physics_step(options_.frame_skip);
+  {
+    const Stopwatch watch(options_.timing, timing_.physics);
+    physics_.step(options_.frame_skip);
+  }
   ++elapsed_;
   ++timing_.steps;
-  if (block != nullptr) sense(block);
+  if (block != nullptr) sense(block, options_.timing);
   evaluate(results);
   report_warnings();
 }
 
-void World::physics_step(int count) {
-  const Stopwatch watch(options_.timing, timing_.physics);
-  physics_.step(count);
-}
-
 void World::observe(std::uint8_t* block) {
   physics_.forward();
-  sense(block);
+  sense(block, false);
 }
 
-void World::sense(std::uint8_t* block) {
+// Only steps are timed: looking in between would blur what a step costs.
+void World::sense(std::uint8_t* block, bool timed) {
   for (const Agent& agent : agents_) {
     for (const auto& sense : agent.senses) {
-      const Stopwatch watch(options_.timing, timing_.senses[static_cast<std::size_t>(sense->part())]);
+      const Stopwatch watch(timed, timing_.senses[static_cast<std::size_t>(sense->part())]);
       sense->write(model(), data(), block);
     }
   }

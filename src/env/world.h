@@ -43,14 +43,13 @@ class World {
   // Without actions the controls stay as they are. Actions are finite.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
   void observe(std::uint8_t* block);
-  void physics_step(int count);
 
   // Draws the poses as they are with the world's renderer, which is made when first needed.
   void draw(const render::View& view, const render::Picture& picture);
 
  private:
   void make_renderer();
-  void sense(std::uint8_t* block);
+  void sense(std::uint8_t* block, bool timed);
   void evaluate(const Results& results);
   void report_warnings();
 

@@ -49,6 +49,19 @@ const char* shape_name(Shape shape) {
   return "";
 }
 
+double volume(const Object& object) {
+  constexpr double kPi = 3.14159265358979323846;
+  const auto [x, y, z] = object.size;
+  switch (object.shape) {
+    case Shape::kSphere: return 4.0 / 3 * kPi * x * x * x;
+    case Shape::kCapsule: return 4.0 / 3 * kPi * x * x * x + 2 * kPi * x * x * y;
+    case Shape::kEllipsoid: return 4.0 / 3 * kPi * x * y * z;
+    case Shape::kCylinder: return 2 * kPi * x * x * y;
+    case Shape::kBox: return 8 * x * y * z;
+  }
+  return 0;
+}
+
 void set_pose(pugi::xml_node body, const Pose& pose) {
   for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"}) body.remove_attribute(other);
   set(body, "pos", Span<const double>(pose.position));
@@ -142,12 +155,14 @@ void Scene::add_object(const Object& object) {
   set(geom, "type", shape_name(object.shape));
   set(geom, "size", Span<const double>(object.size));
   set(geom, "rgba", Span<const double>(object.rgba));
-  if (object.mass > 0) {
-    set(geom, "mass", Span<const double>(&object.mass, 1));
-  } else {
-    set(geom, "density", "1000");
-  }
+  const double mass = object.mass > 0 ? object.mass : 1000 * volume(object);
+  set(geom, "mass", Span<const double>(&mass, 1));
   // Spelt out, so that main defaults of a user's document do not change what was asked for.
+  for (const char* one : {"contype", "conaffinity", "solmix"}) set(geom, one, "1");
+  for (const char* zero : {"group", "priority", "margin", "gap"}) set(geom, zero, "0");
+  set(geom, "shellinertia", "false");
+  set(geom, "pos", "0 0 0");
+  set(geom, "quat", "1 0 0 0");
   set(geom, "condim", "6");
   set(geom, "friction", "1 0.005 0.0001");
   set(geom, "solref", "0.005 1");

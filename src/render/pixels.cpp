@@ -1,0 +1,29 @@
+#include "render/pixels.h"
+
+#include <algorithm>
+
+namespace mimo::render {
+
+void flip_rows(unsigned char* pixels, std::size_t row_bytes, int rows) {
+  for (int top = 0, bottom = rows - 1; top < bottom; ++top, --bottom) {
+    unsigned char* first = pixels + static_cast<std::size_t>(top) * row_bytes;
+    std::swap_ranges(first, first + row_bytes, pixels + static_cast<std::size_t>(bottom) * row_bytes);
+  }
+}
+
+void depth_to_metres(float* depth, std::size_t count, double near, double far) {
+  for (std::size_t i = 0; i < count; ++i) {
+    depth[i] = static_cast<float>(near * far / (far - static_cast<double>(depth[i]) * (far - near)));
+  }
+}
+
+void ids_to_geoms(const unsigned char* colours, std::size_t count, const std::vector<std::int32_t>& geoms,
+                  std::int32_t* segmentation) {
+  for (std::size_t i = 0; i < count; ++i, colours += 3) {
+    const std::uint32_t id = colours[0] | static_cast<std::uint32_t>(colours[1]) << 8 |
+                             static_cast<std::uint32_t>(colours[2]) << 16;
+    segmentation[i] = id == 0 || id > geoms.size() ? -1 : geoms[id - 1];
+  }
+}
+
+}  // namespace mimo::render

@@ -1,0 +1,40 @@
+// MuJoCo's list of what is to be drawn, made anew for every picture.
+#pragma once
+
+#include <mujoco/mjvisualize.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "render/renderer.h"
+
+namespace mimo::render {
+
+class VisualScene {
+ public:
+  // Large enough for everything that a model of these sizes shows. Throws Status::kOutOfMemory.
+  explicit VisualScene(const mjModel& model);
+  ~VisualScene();
+  VisualScene(const VisualScene&) = delete;
+  VisualScene& operator=(const VisualScene&) = delete;
+
+  // Throws Status::kRender.
+  void update(const mjModel& model, const mjData& data, const View& view);
+
+  // Draw ids as colours instead of the picture.
+  void show_ids(bool ids);
+
+  // The geom behind each id: -1 for what is none (sites, tendons, skins).
+  const std::vector<std::int32_t>& geoms() const { return geoms_; }
+
+  mjvScene* get() { return &scene_; }
+  float near() const { return scene_.camera[0].frustum_near; }
+  float far() const { return scene_.camera[0].frustum_far; }
+
+ private:
+  mjvScene scene_;
+  mjvOption option_;
+  std::vector<std::int32_t> geoms_;
+};
+
+}  // namespace mimo::render
