@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/bytes.h"
+#include "engine/guard.h"
 #include "engine/model.h"
 
 namespace mimo::engine {
@@ -46,14 +48,26 @@ class Physics {
   // Throws Status::kSimulation when the world has failed and has not been reset.
   void require_usable() const;
 
+  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start.
+  void save(ByteWriter& to) const;
+  // Throws Status::kInvalidArgument, with nothing changed, for numbers that are not finite. Afterwards poses and body
+  // velocities are those of the new state; contacts, sensors and accelerations are empty until the next step or
+  // forward(). Makes a failed world usable again.
+  void load(ByteReader& from);
+
   // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.
   std::string take_warnings();
 
  private:
   void fail_world(const std::string& why);
   void check_divergence();
+  void forget_derived();
+  // Calls MuJoCo under the guard; the world is failed when it gives up.
   template <typename Call>
-  void run(Call&& call);
+  void run(Call&& call) {
+    const Complaint complaint = guarded(call);
+    if (complaint.failed) fail_world(complaint.error.data());
+  }
   template <typename Call>
   void run_aside(Call&& call);  // leaves the trajectory as it was
 

@@ -15,6 +15,7 @@ bool sees(const std::vector<AgentOptions>& agents) {
 
 World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
     : options_(options),
+      agent_options_(agents),
       shared_model_(std::move(model)),
       physics_(shared_model_, options.physics),
       task_(tasks::make_none()) {
@@ -30,6 +31,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   }
   reward_.resize(agents_.size());
   terminated_.resize(agents_.size());
+  measure_state();
   report_warnings();
 }
 
@@ -40,6 +42,11 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
     if (index < agent.action_offset + agent.actuation->size()) return {&agent, index - agent.action_offset};
   }
   fail(Status::kInvalidArgument, "action index {}: there are {} actions", index, action_size_);
+}
+
+void World::set_task(std::unique_ptr<tasks::Task> task) {
+  task_ = std::move(task);
+  measure_state();
 }
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {

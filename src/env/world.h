@@ -4,11 +4,13 @@
 #include <memory>
 #include <vector>
 
+#include "base/hash.h"
 #include "base/random.h"
 #include "engine/physics.h"
 #include "env/agent.h"
 #include "env/layout.h"
 #include "env/options.h"
+#include "env/state.h"
 #include "env/timing.h"
 #include "render/renderer.h"
 #include "tasks/task.h"
@@ -38,11 +40,22 @@ class World {
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
+  // Another task from here on; its episode starts with the next reset.
+  void set_task(std::unique_ptr<tasks::Task> task);
+
   // A block may be null: then nothing is observed.
   void reset(const std::uint64_t* seed, std::uint8_t* block);
   // Without actions the controls stay as they are. Actions are finite.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
   void observe(std::uint8_t* block);
+
+  // The world's state: see env/state.cpp. A failed world has none to save.
+  std::size_t state_bytes() const { return state_.bytes; }
+  void save(Span<std::uint8_t> state) const;  // exactly state_bytes()
+  // Throws, with nothing changed, for anything but a state of the same model, agents and task.
+  void load(Span<const std::uint8_t> state);
+  // Another world of the same kind in the same state.
+  std::unique_ptr<World> clone() const;
 
   // Draws the poses as they are with the world's renderer, which is made when first needed.
   void draw(const render::View& view, const render::Picture& picture);
@@ -52,8 +65,12 @@ class World {
   void sense(std::uint8_t* block, bool timed);
   void evaluate(const Results& results);
   void report_warnings();
+  void measure_state();
+  void save_parts(ByteWriter& to, Hash* layout) const;
+  void load_parts(ByteReader& from);
 
   EnvOptions options_;
+  std::vector<AgentOptions> agent_options_;
   engine::ModelPtr shared_model_;
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> renderer_;
@@ -66,6 +83,8 @@ class World {
   std::vector<double> reward_;             // used when the caller does not want them
   std::vector<std::uint8_t> terminated_;
   Timing timing_;
+  StateFormat state_;
+  std::vector<std::uint8_t> parts_backup_;  // room for load() to keep what it may have to put back
 };
 
 }  // namespace mimo::env
