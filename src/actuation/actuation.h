@@ -1,8 +1,7 @@
 // From an agent's slice of the actions to motor commands.
 #pragma once
 
-#include <mujoco/mjdata.h>
-
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,17 +11,28 @@
 
 namespace mimo::actuation {
 
+// As mimo.h numbers them (MIMO_ACTUATION_...).
+enum class Kind : int { kTorque = 0, kPosition = 1 };
+
+struct Options {
+  Kind kind = Kind::kTorque;
+  bool normalize = false;  // actions from -1 to 1 are mapped to the bounds, linearly
+};
+
 class Actuation {
  public:
   virtual ~Actuation() = default;
 
   std::size_t size() const { return low_.size(); }
+  // Bounds of the actions; what lies outside is clipped.
   const std::vector<float>& low() const { return low_; }
   const std::vector<float>& high() const { return high_; }
   const std::vector<std::string>& names() const { return names_; }
 
-  // Sets the controls for the coming step; actions are finite and are clipped to their bounds.
-  virtual void apply(Span<const float> actions, mjData& data) const = 0;
+  // The world has been reset to its start.
+  virtual void reset(engine::Physics&) const {}
+  // Sets the commands for the coming step; actions are finite.
+  void apply(Span<const float> actions, engine::Physics& physics) const;
 
   // What it remembers beside the physics: always the same number of bytes. A load that throws may leave it half
   // loaded; the world then loads what was there before.
@@ -30,19 +40,22 @@ class Actuation {
   virtual void load(ByteReader&) {}
 
  protected:
+  explicit Actuation(bool normalize) : normalize_(normalize) {}
+  // One action after the other: its name and the range of its command.
+  void add(std::string name, double low, double high);
+
+ private:
+  virtual void command(std::size_t index, double value, engine::Physics& physics) const = 0;
+
+  struct Range {
+    double low, high;
+  };
+  bool normalize_;
+  std::vector<Range> ranges_;
   std::vector<float> low_, high_;
   std::vector<std::string> names_;
 };
 
-// Spring-damper muscles: an action is a motor's share of its largest torque, the joints' springs and dampers do the
-// rest. Bounds are the actuators' force ranges.
-class Torque : public Actuation {
- public:
-  Torque(const mjModel& model, const body::Body& body);
-  void apply(Span<const float> actions, mjData& data) const override;
-
- private:
-  std::vector<int> actuators_;
-};
+std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& body, const Options& options);
 
 }  // namespace mimo::actuation

@@ -1,21 +1,17 @@
-#include <algorithm>
-
-#include "actuation/actuation.h"
+#include "actuation/torque.h"
 
 namespace mimo::actuation {
 
-Torque::Torque(const mjModel& model, const body::Body& body) : actuators_(body.actuators) {
+Torque::Torque(const mjModel& model, const body::Body& body, bool normalize)
+    : Actuation(normalize), actuators_(body.actuators) {
   for (const int id : actuators_) {
-    low_.push_back(static_cast<float>(model.actuator_forcerange[2 * id]));
-    high_.push_back(static_cast<float>(model.actuator_forcerange[2 * id + 1]));
-    names_.emplace_back(engine::name(model, engine::Kind::kActuator, id));
+    const double* range = model.actuator_forcerange + 2 * id;
+    add(engine::name(model, engine::Kind::kActuator, id), range[0], range[1]);
   }
 }
 
-void Torque::apply(Span<const float> actions, mjData& data) const {
-  for (std::size_t i = 0; i < actuators_.size(); ++i) {
-    data.ctrl[actuators_[i]] = static_cast<double>(std::clamp(actions[i], low_[i], high_[i]));
-  }
+void Torque::command(std::size_t index, double value, engine::Physics& physics) const {
+  physics.data().ctrl[actuators_[index]] = value;
 }
 
 }  // namespace mimo::actuation

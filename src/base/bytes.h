@@ -1,6 +1,7 @@
 // Plain numbers to and from bytes, one after the other, as this machine stores them. What makes up a world's state.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -60,6 +61,18 @@ class ByteReader {
   T take() {
     T value{};
     take(Span<T>(&value, 1));
+    return value;
+  }
+
+  // Those that cannot be just anything.
+  bool take_flag() {
+    const auto value = take<std::uint8_t>();
+    require(value <= 1, "the state holds {} where only 0 or 1 can be", value);
+    return value == 1;
+  }
+  double take_finite(const char* what) {
+    const double value = take<double>();
+    require(std::isfinite(value), "the state holds {} for {}, expected a finite number", value, what);
     return value;
   }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "engine/custom.h"
 
 namespace mimo::body {
 namespace {
@@ -22,16 +23,6 @@ std::vector<int> ids_with_prefix(const mjModel& model, Kind kind, const std::str
     if (starts_with(engine::name(model, kind, id), prefix)) ids.push_back(id);
   }
   return ids;
-}
-
-std::vector<int> subtree(const mjModel& model, int root) {
-  std::vector<int> bodies;
-  for (int body = root; body < model.nbody; ++body) {
-    int ancestor = body;
-    while (ancestor > root) ancestor = model.body_parentid[ancestor];
-    if (ancestor == root) bodies.push_back(body);
-  }
-  return bodies;
 }
 
 Joint joint(const mjModel& model, int id) {
@@ -65,6 +56,24 @@ double half_height(const mjModel& model, const mjData& data, int geom) {
 
 }  // namespace
 
+std::vector<int> subtree(const mjModel& model, int root) {
+  std::vector<int> bodies;
+  for (int body = root; body < model.nbody; ++body) {
+    int ancestor = body;
+    while (ancestor > root) ancestor = model.body_parentid[ancestor];
+    if (ancestor == root) bodies.push_back(body);
+  }
+  return bodies;
+}
+
+int free_joint_address(const mjModel& model, int body) {
+  const int joint = model.body_jntadr[body];
+  if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {
+    fail(Status::kModel, "body {} has no free joint", engine::name(model, Kind::kBody, body));
+  }
+  return model.jnt_qposadr[joint];
+}
+
 Body find_body(const mjModel& model, const std::string& prefix) {
   Body body;
   body.prefix = prefix;
@@ -81,6 +90,29 @@ Body find_body(const mjModel& model, const std::string& prefix) {
   body.eye_left = engine::find(model, Kind::kCamera, (prefix + "eye_left").c_str());
   body.eye_right = engine::find(model, Kind::kCamera, (prefix + "eye_right").c_str());
   return body;
+}
+
+std::vector<Motor> motors(const mjModel& model, const Body& body) {
+  std::vector<Motor> motors;
+  for (const int id : body.actuators) {
+    if (model.actuator_trntype[id] != mjTRN_JOINT) {
+      fail(Status::kUnsupported, "{} does not turn a joint", engine::name(model, Kind::kActuator, id));
+    }
+    const int turned = model.actuator_trnid[2 * id];
+    motors.push_back({id, joint(model, turned), engine::find_lock(model, turned)});
+  }
+  return motors;
+}
+
+void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos) {
+  const Span<const double> root = engine::custom_numbers(model, body.prefix + "mimo:root");
+  if (root.size() == 7) {
+    const auto address = static_cast<std::size_t>(free_joint_address(model, body.root));
+    std::copy(root.begin(), root.end(), &qpos[address]);
+  }
+  for (const engine::TupleEntry& entry : engine::custom_tuple(model, body.prefix + "mimo:pose", Kind::kJoint)) {
+    qpos[static_cast<std::size_t>(joint(model, entry.id).qpos)] = entry.value;
+  }
 }
 
 double mass(const mjModel& model, const Body& body) { return model.body_subtreemass[body.root]; }

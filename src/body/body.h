@@ -16,6 +16,13 @@ struct Joint {
   double low = 0, high = 0;  // range, rad
 };
 
+// A motor, the joint that it turns, and the lock that can hold that joint (an equality; -1 if there is none).
+struct Motor {
+  int id = 0;
+  Joint joint;
+  int lock = -1;
+};
+
 // Consecutive values of one MuJoCo sensor.
 struct Sensor {
   int id = 0;
@@ -36,8 +43,21 @@ struct Body {
   int eye_left = -1, eye_right = -1;  // cameras
 };
 
+// A body and all bodies below it, in model order.
+std::vector<int> subtree(const mjModel& model, int root);
+
+// Where the position of a body with a free joint starts in qpos. Throws Status::kModel for a body without.
+int free_joint_address(const mjModel& model, int body);
+
 // Throws Status::kNotFound when the model has no such infant.
 Body find_body(const mjModel& model, const std::string& prefix);
+
+// Its motors in the order of `actuators`.
+std::vector<Motor> motors(const mjModel& model, const Body& body);
+
+// Writes the pose that the model stores for this infant into its part of qpos: the numbers "mimo:root" for its root, the
+// tuple "mimo:pose" for its joints. What is not stored stays as it is.
+void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos);
 
 double mass(const mjModel& model, const Body& body);
 

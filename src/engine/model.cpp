@@ -72,19 +72,6 @@ std::string one_line(const char* text) {
   return line;
 }
 
-mjtObj object_type(Kind kind) {
-  switch (kind) {
-    case Kind::kBody: return mjOBJ_BODY;
-    case Kind::kJoint: return mjOBJ_JOINT;
-    case Kind::kGeom: return mjOBJ_GEOM;
-    case Kind::kSite: return mjOBJ_SITE;
-    case Kind::kCamera: return mjOBJ_CAMERA;
-    case Kind::kActuator: return mjOBJ_ACTUATOR;
-    case Kind::kSensor: return mjOBJ_SENSOR;
-  }
-  return mjOBJ_UNKNOWN;
-}
-
 std::string some_names(const mjModel& model, Kind kind) {
   constexpr int kShown = 60;
   std::string names;
@@ -119,6 +106,19 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
   if (text[0] != '\0') log(LogLevel::kWarning, one_line(text.data()));
   if (complaint.warnings > 0) log(LogLevel::kWarning, one_line(complaint.warning.data()));
   return owned;
+}
+
+mjtObj object_type(Kind kind) {
+  switch (kind) {
+    case Kind::kBody: return mjOBJ_BODY;
+    case Kind::kJoint: return mjOBJ_JOINT;
+    case Kind::kGeom: return mjOBJ_GEOM;
+    case Kind::kSite: return mjOBJ_SITE;
+    case Kind::kCamera: return mjOBJ_CAMERA;
+    case Kind::kActuator: return mjOBJ_ACTUATOR;
+    case Kind::kSensor: return mjOBJ_SENSOR;
+  }
+  return mjOBJ_UNKNOWN;
 }
 
 int count(const mjModel& model, Kind kind) {

@@ -27,6 +27,7 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
 // Kinds of model elements, as mimo.h numbers them (MIMO_BODY ...).
 enum class Kind : int { kBody = 1, kJoint = 2, kGeom = 3, kSite = 4, kCamera = 5, kActuator = 6, kSensor = 7 };
 
+mjtObj object_type(Kind kind);
 int count(const mjModel& model, Kind kind);
 const char* name(const mjModel& model, Kind kind, int id);  // "" where the model gives none
 int find(const mjModel& model, Kind kind, const char* name);  // -1 when there is none

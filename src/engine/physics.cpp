@@ -32,8 +32,9 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
     : shared_(std::move(model)), model_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
   apply(options, model_.opt);
-  positions_.resize(static_cast<std::size_t>(model_.nq));
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
+  positions_.resize(static_cast<std::size_t>(model_.nq));
+  start_.assign(model_.qpos0, model_.qpos0 + model_.nq);
   mjData* data = nullptr;
   const Complaint complaint = guarded([&] { data = mj_makeData(&model_); });
   if (complaint.failed || data == nullptr) {
@@ -46,6 +47,7 @@ Physics::Physics(ModelPtr model, const PhysicsOptions& options)
 void Physics::reset() {
   failed_ = false;
   run([this] { mj_resetData(&model_, data_.get()); });
+  std::copy(start_.begin(), start_.end(), data_->qpos);
   warned_.fill(0);
   forward();
 }
@@ -73,6 +75,19 @@ void Physics::update_poses() {
     mj_comPos(&model_, data_.get());
     mj_camlight(&model_, data_.get());
   });
+}
+
+void Physics::update_poses_at_last_start(Span<const int> turned) {
+  require_usable();
+  double* qpos = data_->qpos;
+  std::copy_n(qpos, model_.nq, positions_.data());
+  run([this] { mj_integratePos(&model_, data_->qpos, data_->qvel, -model_.opt.timestep); });
+  for (const int address : turned) qpos[address] = positions_[static_cast<std::size_t>(address)];
+  run([this] {
+    mj_kinematics(&model_, data_.get());
+    mj_camlight(&model_, data_.get());
+  });
+  std::copy_n(positions_.data(), model_.nq, qpos);
 }
 
 void Physics::require_usable() const {

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/span.h"
 #include "engine/guard.h"
 #include "engine/model.h"
+#include "engine/overrides.h"
 
 namespace mimo::engine {
 
@@ -25,6 +27,7 @@ struct PhysicsOptions {
 
 class Physics {
  public:
+  // At first everything is at qpos0.
   Physics(ModelPtr model, const PhysicsOptions& options);
 
   // The world's own view of the model: a copy of the struct, arrays shared with all other worlds.
@@ -32,7 +35,9 @@ class Physics {
   mjData& data() { return *data_; }
   const mjData& data() const { return *data_; }
 
-  // Back to qpos0 at rest, nothing applied; makes a failed world usable again.
+  // Where resets lead to: positions of all joints, qpos0 unless set.
+  Span<double> start() { return start_; }
+  // Back to the start at rest, nothing applied; makes a failed world usable again.
   void reset();
 
   // Physics steps. Throws Status::kSimulation when MuJoCo gives up or the state diverges; the world is then failed.
@@ -43,12 +48,22 @@ class Physics {
 
   // Recomputes poses only (bodies, geoms, sites, cameras, lights).
   void update_poses();
+  // The same, but as of the start of the last physics step, to which everything else that a step computed belongs. For a
+  // task that has turned joints since (`turned` holds their addresses in qpos): these are where they are now.
+  void update_poses_at_last_start(Span<const int> turned);
+
+  // Differences from the shared model, for this world only. They outlive resets.
+  void hold(int lock, double angle) { overrides_.hold(model_, lock, angle); }
+  void release(int lock) { overrides_.release(model_, lock); }
+  double& gear(int actuator) { return overrides_.gear(model_, actuator); }
+  double* gravity() { return model_.opt.gravity; }
 
   bool failed() const { return failed_; }
   // Throws Status::kSimulation when the world has failed and has not been reset.
   void require_usable() const;
 
-  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start.
+  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start, and
+  // how this world differs from the shared model.
   void save(ByteWriter& to) const;
   // Throws Status::kInvalidArgument, with nothing changed, for numbers that are not finite. Afterwards poses and body
   // velocities are those of the new state; contacts, sensors and accelerations are empty until the next step or
@@ -74,8 +89,10 @@ class Physics {
   ModelPtr shared_;
   mjModel model_;
   std::unique_ptr<mjData, void (*)(mjData*)> data_;
+  Overrides overrides_;
+  std::vector<double> start_;
   std::array<int, mjNWARNING> warned_{};
-  std::vector<double> positions_, warmstart_;  // room for run_aside() to keep what it changes
+  std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
   double step_time_ = 0;                       // when the step in progress started; MuJoCo sets a diverged world's time back
   bool failed_ = false;
 };

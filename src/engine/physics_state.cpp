@@ -2,7 +2,6 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/fail.h"
 #include "engine/guard.h"
@@ -32,6 +31,7 @@ void clear(mjtNum* numbers, int count) { std::fill_n(numbers, count, 0.0); }
 }  // namespace
 
 void Physics::save(ByteWriter& to) const {
+  Overrides::save(model_, to);
   visit_state(model_, *data_, [&to](const char*, const mjtNum* numbers, int count) {
     to.put(Span<const double>(numbers, static_cast<std::size_t>(count)));
   });
@@ -39,14 +39,14 @@ void Physics::save(ByteWriter& to) const {
 
 void Physics::load(ByteReader& from) {
   ByteReader check = from;
+  Overrides::check(model_, check);
   visit_state(model_, *data_, [&check](const char* name, const mjtNum*, int count) {
-    for (int i = 0; i < count; ++i) {
-      require(std::isfinite(check.take<double>()), "the state's {}[{}] is not a finite number", name, i);
-    }
+    for (int i = 0; i < count; ++i) check.take_finite(name);
   });
   // A step that broke off in the middle leaves its marks everywhere.
   if (failed_) run([this] { mj_resetData(&model_, data_.get()); });
   failed_ = false;
+  overrides_.load(model_, from);
   visit_state(model_, *data_, [&from](const char*, mjtNum* numbers, int count) {
     from.take(Span<double>(numbers, static_cast<std::size_t>(count)));
   });

@@ -21,7 +21,7 @@ struct Traits {
 };
 
 const Traits& traits(Quantity quantity) {
-  static constexpr std::array<Traits, 21> kTraits = {{
+  static constexpr std::array<Traits, 22> kTraits = {{
       {"joint position", Kind::kJoint, 0, true},        {"joint velocity", Kind::kJoint, 0, true},
       {"joint force", Kind::kJoint, 0, true},           {"joint acceleration", Kind::kJoint, 0, false},
       {"joint range", Kind::kJoint, 2, false},          {"body position", Kind::kBody, 3, true},
@@ -32,7 +32,7 @@ const Traits& traits(Quantity quantity) {
       {"site position", Kind::kSite, 3, false},         {"site orientation", Kind::kSite, 4, false},
       {"camera position", Kind::kCamera, 3, false},     {"camera orientation", Kind::kCamera, 4, false},
       {"actuator control", Kind::kActuator, 1, true},   {"actuator force", Kind::kActuator, 1, false},
-      {"sensor value", Kind::kSensor, 0, false},
+      {"sensor value", Kind::kSensor, 0, false},        {"actuator gear", Kind::kActuator, 1, true},
   }};
   return kTraits[static_cast<std::size_t>(quantity) - 1];
 }
@@ -82,6 +82,7 @@ const double* stored(const mjModel& model, const mjData& data, Quantity quantity
     case Quantity::kActuatorControl: return data.ctrl + id;
     case Quantity::kActuatorForce: return data.actuator_force + id;
     case Quantity::kSensorValue: return data.sensordata + model.sensor_adr[id];
+    case Quantity::kActuatorGear: return model.actuator_gear + 6 * id;
     default: return nullptr;
   }
 }
@@ -106,7 +107,9 @@ void compute(const mjModel& model, const mjData& data, Quantity quantity, int id
 }
 
 // Where a writable quantity is written to.
-double* target(const mjModel& model, mjData& data, Quantity quantity, int id) {
+double* target(engine::Physics& physics, Quantity quantity, int id) {
+  const mjModel& model = physics.model();
+  mjData& data = physics.data();
   switch (quantity) {
     case Quantity::kJointPosition: return data.qpos + model.jnt_qposadr[id];
     case Quantity::kJointVelocity: return data.qvel + model.jnt_dofadr[id];
@@ -115,6 +118,7 @@ double* target(const mjModel& model, mjData& data, Quantity quantity, int id) {
     case Quantity::kBodyOrientation: return data.qpos + model.jnt_qposadr[free_joint(model, id)] + 3;
     case Quantity::kBodyForce: return data.xfrc_applied + 6 * id;
     case Quantity::kActuatorControl: return data.ctrl + id;
+    case Quantity::kActuatorGear: return &physics.gear(id);
     default: return nullptr;
   }
 }
@@ -161,7 +165,7 @@ engine::Kind kind_from(int number) {
 }
 
 Quantity quantity_from(int number) {
-  require(number >= 1 && number <= 21, "quantity is {}, expected MIMO_JOINT_POSITION (1) to MIMO_SENSOR_VALUE (21)",
+  require(number >= 1 && number <= 22, "quantity is {}, expected MIMO_JOINT_POSITION (1) to MIMO_ACTUATOR_GEAR (22)",
           number);
   return static_cast<Quantity>(number);
 }
@@ -201,7 +205,7 @@ void set(engine::Physics& physics, Quantity quantity, Span<const std::int32_t> i
   const double* from = values.data();
   for (const std::int32_t id : ids) {
     const int count = width(model, quantity, id);
-    double* to = target(model, physics.data(), quantity, id);
+    double* to = target(physics, quantity, id);
     std::copy_n(from, count, to);
     double* quat = quaternion_in(model, quantity, id, to);
     if (quat != nullptr) normalise(quat);

@@ -31,6 +31,7 @@ enum class Quantity : int {
   kActuatorControl,
   kActuatorForce,
   kSensorValue,
+  kActuatorGear,
 };
 
 // Both throw Status::kInvalidArgument for a number that is none.

@@ -12,17 +12,20 @@ bool any(const senses::ProprioceptionOptions& p) {
 
 }  // namespace
 
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, render::Renderer* renderer) {
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
+                 std::size_t number, render::Renderer* renderer) {
   const mjModel& model = physics.model();
   Agent agent;
   agent.name = options.name;
   agent.body = body::find_body(model, options.prefix());
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);
-  agent.actuation = std::make_unique<actuation::Torque>(model, agent.body);
+  agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
+  agent.task = make_task(model, agent.body, number);
   if (any(options.proprioception)) {
-    agent.senses.push_back(
-        std::make_unique<senses::Proprioception>(model, agent.body, options.proprioception));
+    senses::ProprioceptionOptions proprioception = options.proprioception;
+    proprioception.position_control = options.actuation.kind == actuation::Kind::kPosition;
+    agent.senses.push_back(std::make_unique<senses::Proprioception>(model, agent.body, proprioception));
   }
   if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));
   if (options.vision.any()) {
@@ -31,6 +34,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, re
     }
     agent.senses.push_back(std::make_unique<senses::Vision>(model, agent.body, options.vision, *renderer));
   }
+  if (auto sense = agent.task->make_sense(model)) agent.senses.push_back(std::move(sense));
   for (const auto& sense : agent.senses) {
     for (senses::Field& field : sense->fields()) field.name = options.prefix() + field.name;
   }

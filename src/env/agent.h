@@ -8,6 +8,7 @@
 #include "body/body.h"
 #include "env/options.h"
 #include "senses/sense.h"
+#include "tasks/task.h"
 
 namespace mimo::env {
 
@@ -15,6 +16,7 @@ struct Agent {
   std::string name;
   body::Body body;
   std::unique_ptr<actuation::Actuation> actuation;
+  std::unique_ptr<tasks::Task> task;
   std::vector<std::unique_ptr<senses::Sense>> senses;
   std::size_t action_offset = 0;
   double mass = 0;
@@ -22,6 +24,7 @@ struct Agent {
 };
 
 // Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision.
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, render::Renderer* renderer);
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
+                 std::size_t number, render::Renderer* renderer);
 
 }  // namespace mimo::env

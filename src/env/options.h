@@ -1,12 +1,16 @@
 // What a world is made of: the inner form of mimo_agent_config and mimo_env_config.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 
+#include "actuation/actuation.h"
 #include "base/log.h"
 #include "engine/physics.h"
 #include "senses/proprioception.h"
 #include "senses/vision.h"
+#include "tasks/task.h"
 
 namespace mimo::env {
 
@@ -15,16 +19,24 @@ struct AgentOptions {
   senses::ProprioceptionOptions proprioception;
   bool vestibular = true;
   senses::VisionOptions vision;
+  actuation::Options actuation;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
 };
 
+// Makes the task of one agent, by its number.
+using TaskMaker =
+    std::function<std::unique_ptr<tasks::Task>(const mjModel& model, const body::Body& body, std::size_t agent)>;
+
 struct EnvOptions {
-  int frame_skip = 2;
+  int frame_skip = 0;  // 0: the scene's own
   engine::PhysicsOptions physics;
   std::string renderer = "auto";
-  std::uint32_t max_steps = 0;
+  std::uint32_t max_steps = 0;  // 0: the task's own
+  std::string task;             // "": the scene's own
+  tasks::Settings parameters;
+  TaskMaker custom_task;        // stands in for the scene's own, where given
   bool timing = false;
   LogSink log;
 };

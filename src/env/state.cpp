@@ -64,9 +64,9 @@ void World::save_parts(ByteWriter& to, Hash* layout) const {
   done("episode", nullptr);
   random_.save(to);
   done("random", nullptr);
-  task_->save(to);
-  done("task", nullptr);
   for (const Agent& agent : agents_) {
+    agent.task->save(to);
+    done("task", &agent);
     agent.actuation->save(to);
     done("actuation", &agent);
     for (const auto& sense : agent.senses) {
@@ -79,8 +79,8 @@ void World::save_parts(ByteWriter& to, Hash* layout) const {
 void World::load_parts(ByteReader& from) {
   elapsed_ = from.take<std::uint64_t>();
   random_.load(from);
-  task_->load(from);
   for (const Agent& agent : agents_) {
+    agent.task->load(from);
     agent.actuation->load(from);
     for (const auto& sense : agent.senses) sense->load(from);
   }

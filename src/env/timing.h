@@ -13,7 +13,7 @@ struct Timing {
   std::uint64_t steps = 0;
   double total = 0;
   double physics = 0;
-  std::array<double, 4> senses{};  // by senses::Part
+  std::array<double, 5> senses{};  // by senses::Part
 };
 
 // Adds the seconds of its own life to a sum; does nothing when switched off.

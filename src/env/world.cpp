@@ -3,9 +3,13 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/custom.h"
 
 namespace mimo::env {
 namespace {
+
+constexpr int kFrameSkip = 2;  // where neither config nor scene say
+constexpr const char* kCustomTask = "custom";
 
 bool sees(const std::vector<AgentOptions>& agents) {
   return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
@@ -17,22 +21,48 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
     : options_(options),
       agent_options_(agents),
       shared_model_(std::move(model)),
-      physics_(shared_model_, options.physics),
-      task_(tasks::make_none()) {
+      physics_(shared_model_, options.physics) {
+  adopt_scene_choices();
+  const TaskMaker make_task = task_maker();
   if (sees(agents) && options_.renderer != "none") make_renderer();
   for (const AgentOptions& agent_options : agents) {
-    Agent agent = make_agent(physics_, agent_options, renderer_.get());
+    Agent agent = make_agent(physics_, agent_options, make_task, agents_.size(), renderer_.get());
     agent.action_offset = action_size_;
     action_size_ += agent.actuation->size();
     for (const auto& sense : agent.senses) {
       for (senses::Field& field : sense->fields()) layout_.add(field);
     }
+    body::read_stored_pose(physics_.model(), agent.body, physics_.start());
     agents_.push_back(std::move(agent));
   }
-  reward_.resize(agents_.size());
-  terminated_.resize(agents_.size());
+  start();
   measure_state();
   report_warnings();
+}
+
+// What the config leaves open, the scene's document may say.
+void World::adopt_scene_choices() {
+  if (options_.task.empty() && options_.custom_task) options_.task = kCustomTask;
+  if (options_.task.empty()) options_.task = engine::custom_text(model(), "mimo:task");
+  if (options_.task.empty()) options_.task = "none";
+  if (options_.frame_skip > 0) return;
+  const Span<const double> own = engine::custom_numbers(model(), "mimo:frame_skip");
+  options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= 1000 ? static_cast<int>(own[0]) : kFrameSkip;
+}
+
+TaskMaker World::task_maker() const {
+  if (options_.task == kCustomTask) return options_.custom_task;
+  const tasks::Definition& task = tasks::definition(options_.task);
+  return [this, &task](const mjModel& model, const body::Body& body, std::size_t) {
+    return task.make(model, body, options_.parameters);
+  };
+}
+
+// The stored state, before any task.
+void World::start() {
+  physics_.reset();
+  for (const Agent& agent : agents_) agent.actuation->reset(physics_);
+  elapsed_ = 0;
 }
 
 void World::make_renderer() { renderer_ = render::make_osmesa_renderer(shared_model_, options_.log); }
@@ -44,16 +74,15 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
   fail(Status::kInvalidArgument, "action index {}: there are {} actions", index, action_size_);
 }
 
-void World::set_task(std::unique_ptr<tasks::Task> task) {
-  task_ = std::move(task);
-  measure_state();
-}
-
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   if (seed != nullptr) random_.reseed(*seed);
-  physics_.reset();
-  task_->reset(physics_, random_);
-  elapsed_ = 0;
+  start();
+  for (const Agent& agent : agents_) {
+    agent.task->clear();
+    agent.task->reset(physics_, random_);
+  }
+  physics_.data().time = 0;
+  physics_.forward();
   if (block != nullptr) sense(block, false);
   report_warnings();
 }
@@ -63,17 +92,21 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   const Stopwatch total(options_.timing, timing_.total);
   if (!actions.empty()) {
     for (const Agent& agent : agents_) {
-      agent.actuation->apply(actions.part(agent.action_offset, agent.actuation->size()), physics_.data());
+      agent.actuation->apply(actions.part(agent.action_offset, agent.actuation->size()), physics_);
     }
   }
-  {
-    const Stopwatch watch(options_.timing, timing_.physics);
-    physics_.step(options_.frame_skip);
+  for (int i = 0; i < options_.frame_skip; ++i) {
+    {
+      const Stopwatch watch(options_.timing, timing_.physics);
+      physics_.step(1);
+    }
+    for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
   ++elapsed_;
   ++timing_.steps;
+  evaluate();
   if (block != nullptr) sense(block, options_.timing);
-  evaluate(results);
+  report(results);
   report_warnings();
 }
 
@@ -93,12 +126,29 @@ void World::sense(std::uint8_t* block, bool timed) {
   layout_.clear_gaps(block);
 }
 
-void World::evaluate(const Results& results) {
-  const Span<double> reward = results.reward.empty() ? Span<double>(reward_) : results.reward;
-  const Span<std::uint8_t> ends = results.terminated.empty() ? Span<std::uint8_t>(terminated_) : results.terminated;
-  task_->evaluate(physics_, reward, ends);
-  const bool out_of_time = options_.max_steps > 0 && elapsed_ >= options_.max_steps;
-  std::fill(results.truncated.begin(), results.truncated.end(), static_cast<std::uint8_t>(out_of_time));
+// Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
+void World::evaluate() {
+  for (const Agent& agent : agents_) agent.task->evaluate(physics_);
+  for (const Agent& agent : agents_) agent.task->follow(physics_);
+}
+
+void World::report(const Results& results) const {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const tasks::Task& task = *agents_[i].task;
+    if (!results.reward.empty()) results.reward[i] = task.reward();
+    if (!results.terminated.empty()) results.terminated[i] = task.over() ? 1 : 0;
+    if (!results.truncated.empty()) results.truncated[i] = out_of_time(agents_[i]) ? 1 : 0;
+  }
+}
+
+bool World::out_of_time(const Agent& agent) const {
+  const std::uint64_t limit = options_.max_steps > 0 ? options_.max_steps : agent.task->episode_steps();
+  return limit > 0 && elapsed_ >= limit;
+}
+
+bool World::over() const {
+  return std::any_of(agents_.begin(), agents_.end(),
+                     [this](const Agent& agent) { return agent.task->over() || out_of_time(agent); });
 }
 
 void World::draw(const render::View& view, const render::Picture& picture) {

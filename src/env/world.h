@@ -13,7 +13,6 @@
 #include "env/state.h"
 #include "env/timing.h"
 #include "render/renderer.h"
-#include "tasks/task.h"
 
 namespace mimo::env {
 
@@ -40,8 +39,11 @@ class World {
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
-  // Another task from here on; its episode starts with the next reset.
-  void set_task(std::unique_ptr<tasks::Task> task);
+  int frame_skip() const { return options_.frame_skip; }
+  const std::string& task_name() const { return options_.task; }
+
+  // Whether the episode of any agent has ended, by success, failure or time.
+  bool over() const;
 
   // A block may be null: then nothing is observed.
   void reset(const std::uint64_t* seed, std::uint8_t* block);
@@ -62,8 +64,13 @@ class World {
 
  private:
   void make_renderer();
+  void adopt_scene_choices();
+  TaskMaker task_maker() const;
+  void start();
   void sense(std::uint8_t* block, bool timed);
-  void evaluate(const Results& results);
+  void evaluate();
+  void report(const Results& results) const;
+  bool out_of_time(const Agent& agent) const;
   void report_warnings();
   void measure_state();
   void save_parts(ByteWriter& to, Hash* layout) const;
@@ -75,13 +82,10 @@ class World {
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Agent> agents_;
-  std::unique_ptr<tasks::Task> task_;
   Layout layout_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;
-  std::vector<double> reward_;             // used when the caller does not want them
-  std::vector<std::uint8_t> terminated_;
   Timing timing_;
   StateFormat state_;
   std::vector<std::uint8_t> parts_backup_;  // room for load() to keep what it may have to put back

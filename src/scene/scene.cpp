@@ -6,12 +6,13 @@
 #include "base/fail.h"
 #include "scene/loader.h"
 #include "scene/names.h"
+#include "scene/recipe.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free"};
+constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody"};
 constexpr const char* kBodies[] = {"mitten"};
 constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kPlaces = "mimo:place";  // custom number of a room: 7 values a place
@@ -117,7 +118,7 @@ const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
 Scene::Scene(const Source& source) : library_(source.model_dir), document_(load(library_, source)) {}
 
-void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose) {
+void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups) {
   require_known("body", kBodies, body);
   const std::string root_name = prefix + kRootBody;
   require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
@@ -139,9 +140,18 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
     const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
     if (!added.empty()) set_pose(added, place);
   }
+  Recipe recipe = Recipe::of_room(root, library_);
+  keep_motors(root, prefix, groups != 0 ? groups : recipe.acts());
+  recipe.apply(root, prefix, pose != nullptr);
   body_assets_added_ = true;
   ++bodies_;
 }
+
+void Scene::choose_motors(const std::string& prefix, unsigned groups) {
+  if (groups != 0) keep_motors(document_.document_element(), prefix, groups);
+}
+
+std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }
 
 void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),

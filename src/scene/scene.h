@@ -47,8 +47,13 @@ class Scene {
  public:
   explicit Scene(const Source& source);
 
-  // Adds the body of an infant ("mitten"). Its model names get the prefix; no pose means the scene's own place.
-  void add_body(const std::string& body, const std::string& prefix, const Pose* pose);
+  // Adds the body of an infant ("mitten"). Its model names get the prefix; no pose means the scene's own place; only
+  // motors of the groups act, 0 means the scene's own choice.
+  void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0);
+  // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
+  void choose_motors(const std::string& prefix, unsigned groups);
+  // The senses that the scene gives its infants, "proprioception vestibular"; "" if it does not say.
+  std::string senses() const;
   void add_object(const Object& object);
 
   // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png".

@@ -65,7 +65,10 @@ Proprioception::Proprioception(const mjModel& model, body::Body body, const Prop
     limit.low = 0;
     add(std::move(limit), &P::write_limit);
   }
-  if (options.actuation && motors > 0) {
+  if (options.actuation && options.position_control) {
+    for (const body::Motor& motor : body::motors(model, body_)) locks_.push_back(motor.lock);
+    add(field("target", {motors}, "rad", "joint", Time::kEnd, names(model, body_.actuators)), &P::write_target);
+  } else if (options.actuation && motors > 0) {
     add(field("control", {motors}, "", "actuator", Time::kEnd, names(model, body_.actuators)), &P::write_control);
     add(field("motor_torque", {motors}, "Nm", "joint", Time::kEnd, names(model, body_.actuators)),
         &P::write_motor_torque);
@@ -117,6 +120,10 @@ void Proprioception::write_motor_torque(const mjModel& model, const mjData& data
   for (const int id : body_.actuators) {
     *out++ = static_cast<float>(model.actuator_gear[6 * id] * data.ctrl[id]);
   }
+}
+
+void Proprioception::write_target(const mjModel& model, const mjData&, float* out) const {
+  for (const int lock : locks_) *out++ = static_cast<float>(engine::lock_angle(model, lock));
 }
 
 // The force that the parent exerts on the body, as seen along the joint's degree of freedom: what motor, spring,

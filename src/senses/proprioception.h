@@ -14,6 +14,7 @@ struct ProprioceptionOptions {
   bool actuation = true;
   bool joint_torque = false;  // about each joint's own axis
   double limit_threshold = 0.035;  // rad
+  bool position_control = false;   // actuation means target angles then
 };
 
 class Proprioception : public Sense {
@@ -32,9 +33,11 @@ class Proprioception : public Sense {
   void write_limit(const mjModel& model, const mjData& data, float* out) const;
   void write_control(const mjModel& model, const mjData& data, float* out) const;
   void write_motor_torque(const mjModel& model, const mjData& data, float* out) const;
+  void write_target(const mjModel& model, const mjData& data, float* out) const;
   void write_joint_torque(const mjModel& model, const mjData& data, float* out) const;
 
   body::Body body_;
+  std::vector<int> locks_;  // of the motors' joints, under position control
   double threshold_;
   std::vector<Writer> writers_;  // one per field
 };

@@ -36,7 +36,7 @@ struct Field {
 };
 
 // Which entry of a step's timing a sense counts for.
-enum class Part { kTouch, kVision, kProprioception, kVestibular };
+enum class Part { kTouch, kVision, kProprioception, kVestibular, kTask };
 
 class Sense {
  public:

@@ -1,31 +1,77 @@
-// What an episode is about: how it starts, what is rewarded, when it ends.
+// What an episode is about for one infant: how it starts, what is rewarded, when it ends.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <string>
+#include <vector>
 
 #include "base/bytes.h"
 #include "base/random.h"
 #include "base/span.h"
+#include "body/body.h"
 #include "engine/physics.h"
+#include "senses/sense.h"
+#include "tasks/parameters.h"
 
 namespace mimo::tasks {
+
+// A part of the reward; the reward is the sum of all terms.
+struct Term {
+  const char* name;
+  double value;
+};
 
 class Task {
  public:
   virtual ~Task() = default;
-  // The world is in its initial state; randomise it.
-  virtual void reset(engine::Physics& physics, Random& random) = 0;
-  // After a step: one reward and one end per agent.
-  virtual void evaluate(const engine::Physics& physics, Span<double> reward, Span<std::uint8_t> terminated) = 0;
-  // What it remembers of the episode beside the physics: always the same number of bytes. A load that throws may
-  // leave the task half loaded; the world then loads what was there before.
-  virtual void save(ByteWriter&) const {}
-  virtual void load(ByteReader&) {}
+
+  // The world is at its start, at rest; whoever calls computes everything anew afterwards.
+  virtual void reset(engine::Physics&, Random&) {}
+  // After each physics step of an environment step, for what may be over when the last one is done.
+  virtual void watch(const engine::Physics&) {}
+  // After the last physics step: terms and outcome. Positions of bodies are those of that step's start, as in the original.
+  virtual void evaluate(const engine::Physics&) {}
+  // After the evaluation: what the task itself moves.
+  virtual void follow(engine::Physics&) {}
+  // What it adds to the observation, or null. The task outlives it.
+  virtual std::unique_ptr<senses::Sense> make_sense(const mjModel&) { return nullptr; }
+
+  Span<const Term> terms() const { return terms_; }
+  double reward() const;
+  bool success() const { return success_; }
+  bool failure() const { return failure_; }
+  // Whether success or failure ends the episode.
+  bool over() const { return ends_ && (success_ || failure_); }
+  // Steps after which an episode is cut off; 0: never.
+  std::uint64_t episode_steps() const { return episode_steps_; }
+  // For the start of an episode, before reset.
+  void clear();
+
+  // What it remembers of the episode beside the physics: always the same number of bytes. Who overrides these calls them
+  // first. A load that throws may leave the task half loaded; the world then loads what was there before.
+  virtual void save(ByteWriter& to) const;
+  virtual void load(ByteReader& from);
+
+ protected:
+  explicit Task(std::vector<Term> terms) : terms_(std::move(terms)) {}
+
+  std::vector<Term> terms_;
+  std::uint64_t episode_steps_ = 0;
+  bool ends_ = false;
+  bool success_ = false;
+  bool failure_ = false;
 };
 
-// No task: rewards are 0 and episodes do not end.
-std::unique_ptr<Task> make_none();
+// A kind of task: what a scene or a config names.
+struct Definition {
+  const char* name;
+  Span<const Parameter> parameters;
+  std::unique_ptr<Task> (*make)(const mjModel& model, const body::Body& body, const Settings& settings);
+};
+
+// All there are: none, reach, standup, selfbody.
+Span<const Definition* const> definitions();
+
+// Throws Status::kNotFound for a name that is none; "" is none.
+const Definition& definition(const std::string& name);
 
 }  // namespace mimo::tasks

@@ -15,19 +15,29 @@ namespace {
 // Remembers one number, refuses to load 13.
 class CountingTask : public tasks::Task {
  public:
+  CountingTask() : Task({{"count", 0.0}}) {}
   void reset(engine::Physics&, Random& random) override { number_ = random.next() | 1; }
-  void evaluate(const engine::Physics&, Span<double> reward, Span<std::uint8_t> terminated) override {
-    ++number_;
-    std::fill(reward.begin(), reward.end(), static_cast<double>(number_));
-    std::fill(terminated.begin(), terminated.end(), std::uint8_t{0});
+  void evaluate(const engine::Physics&) override { terms_[0].value = static_cast<double>(++number_); }
+  void save(ByteWriter& to) const override {
+    Task::save(to);
+    to.put(number_);
   }
-  void save(ByteWriter& to) const override { to.put(number_); }
   void load(ByteReader& from) override {
+    Task::load(from);
     number_ = from.take<std::uint64_t>();
     require(number_ != 13, "13");
   }
   std::uint64_t number_ = 0;
 };
+
+env::EnvOptions counting(std::uint32_t max_steps = 0) {
+  env::EnvOptions options;
+  options.max_steps = max_steps;
+  options.custom_task = [](const mjModel&, const body::Body&, std::size_t) { return std::make_unique<CountingTask>(); };
+  return options;
+}
+
+CountingTask& task_of(const env::World& world) { return dynamic_cast<CountingTask&>(*world.agents()[0].task); }
 
 class State : public testing::Test {
  protected:
@@ -142,11 +152,7 @@ TEST_F(State, HoldsAppliedForcesAndControls) {
 }
 
 TEST_F(State, HoldsTheRandomStreamTheTaskAndTheElapsedSteps) {
-  env::EnvOptions options;
-  options.max_steps = 10;
-  const auto world = make_world(floating(), options), other = make_world(floating(), options);
-  world->set_task(std::make_unique<CountingTask>());
-  other->set_task(std::make_unique<CountingTask>());
+  const auto world = make_world(floating(), counting(10)), other = make_world(floating(), counting(10));
   const std::uint64_t seed = 3;
   world->reset(&seed, nullptr);
   for (int i = 0; i < 7; ++i) step(*world, i);
@@ -186,10 +192,8 @@ TEST_F(State, RefusesEveryFlippedBitAndEveryCut) {
 }
 
 TEST_F(State, RefusesNumbersThatAreNotFiniteAndPartsThatDoNotWantTheirs) {
-  const auto world = make_world(floating());
-  auto owned = std::make_unique<CountingTask>();
-  CountingTask& task = *owned;
-  world->set_task(std::move(owned));
+  const auto world = make_world(floating(), counting());
+  CountingTask& task = task_of(*world);
   for (int i = 0; i < 20; ++i) step(*world, i);
   task.number_ = 1000;
   const Bytes state = saved(*world), block = observed(*world);
@@ -226,8 +230,7 @@ TEST_F(State, IsRefusedByAnotherModelOrTask) {
   ball.mass = 0.1;
   EXPECT_EQ(refusal(*make_world(compile_scene("free", &ball)), saved(*with_ball)), "");
 
-  const auto with_task = make_world(benchmark());
-  with_task->set_task(std::make_unique<CountingTask>());
+  const auto with_task = make_world(benchmark(), counting());
   EXPECT_NE(refusal(*with_task, saved(*world)).find("another task"), std::string::npos);
   EXPECT_NE(refusal(*world, saved(*with_task)).find("another task"), std::string::npos);
 }

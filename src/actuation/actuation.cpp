@@ -1,0 +1,30 @@
+#include "actuation/actuation.h"
+
+#include <algorithm>
+
+#include "actuation/position.h"
+#include "actuation/torque.h"
+
+namespace mimo::actuation {
+
+void Actuation::add(std::string name, double low, double high) {
+  ranges_.push_back({low, high});
+  low_.push_back(normalize_ ? -1.0f : static_cast<float>(low));
+  high_.push_back(normalize_ ? 1.0f : static_cast<float>(high));
+  names_.push_back(std::move(name));
+}
+
+void Actuation::apply(Span<const float> actions, engine::Physics& physics) const {
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    double value = static_cast<double>(std::clamp(actions[i], low_[i], high_[i]));
+    if (normalize_) value = ranges_[i].low + (value + 1) / 2 * (ranges_[i].high - ranges_[i].low);
+    command(i, value, physics);
+  }
+}
+
+std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& body, const Options& options) {
+  if (options.kind == Kind::kPosition) return std::make_unique<Position>(model, body, options.normalize);
+  return std::make_unique<Torque>(model, body, options.normalize);
+}
+
+}  // namespace mimo::actuation

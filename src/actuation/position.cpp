@@ -1,0 +1,29 @@
+#include "actuation/position.h"
+
+#include "base/fail.h"
+
+namespace mimo::actuation {
+
+using engine::Kind;
+
+Position::Position(const mjModel& model, const body::Body& body, bool normalize)
+    : Actuation(normalize), motors_(body::motors(model, body)) {
+  for (const body::Motor& motor : motors_) {
+    const char* name = engine::name(model, Kind::kActuator, motor.id);
+    if (motor.lock < 0) {
+      fail(Status::kUnsupported, "position control: joint {} of {} has no equality that could hold it",
+           engine::name(model, Kind::kJoint, motor.joint.id), name);
+    }
+    add(name, motor.joint.low, motor.joint.high);
+  }
+}
+
+void Position::reset(engine::Physics& physics) const {
+  for (const body::Motor& motor : motors_) physics.hold(motor.lock, physics.start()[motor.joint.qpos]);
+}
+
+void Position::command(std::size_t index, double value, engine::Physics& physics) const {
+  physics.hold(motors_[index].lock, value);
+}
+
+}  // namespace mimo::actuation

@@ -1,0 +1,22 @@
+// Position control: an action is the angle at which a joint is to be. The joint's lock, a soft constraint, is switched on
+// and follows the action; the motor itself does nothing.
+#pragma once
+
+#include "actuation/actuation.h"
+
+namespace mimo::actuation {
+
+class Position : public Actuation {
+ public:
+  // Ranges are the joints' ranges of motion. Throws Status::kUnsupported for a joint without a lock.
+  Position(const mjModel& model, const body::Body& body, bool normalize);
+  // Holds every joint where the world starts.
+  void reset(engine::Physics& physics) const override;
+
+ private:
+  void command(std::size_t index, double value, engine::Physics& physics) const override;
+
+  std::vector<body::Motor> motors_;
+};
+
+}  // namespace mimo::actuation

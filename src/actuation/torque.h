@@ -1,0 +1,19 @@
+// Spring-damper muscles: an action is a motor's share of its largest torque, the joints' springs and dampers do the rest.
+#pragma once
+
+#include "actuation/actuation.h"
+
+namespace mimo::actuation {
+
+class Torque : public Actuation {
+ public:
+  // Ranges are the motors' force ranges: a motor may be weaker to one side.
+  Torque(const mjModel& model, const body::Body& body, bool normalize);
+
+ private:
+  void command(std::size_t index, double value, engine::Physics& physics) const override;
+
+  std::vector<int> actuators_;
+};
+
+}  // namespace mimo::actuation

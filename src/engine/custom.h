@@ -1,0 +1,26 @@
+// What a document says in its <custom> section: plain MJCF in which rooms tell the library about themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "engine/model.h"
+
+namespace mimo::engine {
+
+// "" if there is none of that name.
+std::string custom_text(const mjModel& model, const std::string& name);
+
+// Empty if there is none of that name.
+Span<const double> custom_numbers(const mjModel& model, const std::string& name);
+
+struct TupleEntry {
+  int id;
+  double value;
+};
+
+// Entries of a tuple that are of one kind; empty if there is none of that name.
+std::vector<TupleEntry> custom_tuple(const mjModel& model, const std::string& name, Kind kind);
+
+}  // namespace mimo::engine

@@ -1,0 +1,34 @@
+// What a room does with an infant that is put into it: how it is held, what of it acts, what stands around it. A room names
+// its recipe by a custom text, "mimo:infant"; the recipe is an MJCF file whose names get the infant's prefix.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+
+#include "scene/library.h"
+
+namespace mimo::scene {
+
+class Recipe {
+ public:
+  // The recipe of a room; an empty one if the room has none.
+  static Recipe of_room(pugi::xml_node room, const Library& library);
+
+  // Groups whose motors act; all of them if the recipe does not say.
+  unsigned acts() const;
+  // Words: "proprioception vestibular"; "" if the recipe does not say.
+  std::string senses() const;
+  // Puts its content into the document that holds the infant. With `keep_root` the infant stays where it was put.
+  void apply(pugi::xml_node root, const std::string& prefix, bool keep_root);
+
+ private:
+  pugi::xml_document document_;
+};
+
+// A custom text of a document; "" if there is none.
+std::string custom_text(pugi::xml_node root, const std::string& name);
+
+// Takes the infant's motors of all groups but these out of the document.
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups);
+
+}  // namespace mimo::scene

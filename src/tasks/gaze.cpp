@@ -1,0 +1,48 @@
+#include "tasks/gaze.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/fail.h"
+#include "tasks/vectors.h"
+
+namespace mimo::tasks {
+namespace {
+
+constexpr std::array<const char*, 9> kJoints = {
+    "head_swivel",         "head_tilt",          "head_tilt_side",     "left_eye_horizontal", "left_eye_vertical",
+    "left_eye_torsional",  "right_eye_horizontal", "right_eye_vertical", "right_eye_torsional"};
+
+// Of the eyes in the head's frame, metres: how high, how far to the front, how far from the middle.
+constexpr double kEyeHeight = 0.067375;
+constexpr double kEyeFront = 0.07;
+constexpr double kEyeSide = 0.0245;
+
+const body::Joint& joint_of(const mjModel& model, const body::Body& body, const std::string& name) {
+  const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + "robot:" + name);
+  return *std::find_if(body.joints.begin(), body.joints.end(), [=](const body::Joint& joint) { return joint.id == id; });
+}
+
+}  // namespace
+
+Gaze::Gaze(const mjModel& model, const body::Body& body) : head_(body.head) {
+  for (std::size_t i = 0; i < kJoints.size(); ++i) {
+    joints_[i] = joint_of(model, body, kJoints[i]);
+    addresses_[i] = joints_[i].qpos;
+  }
+}
+
+void Gaze::look_at(const Eigen::Vector3d& point, engine::Physics& physics) const {
+  Eigen::Vector3d to = point - position(physics, head_);
+  const double distance = to.norm();
+  to.z() -= kEyeHeight;
+  const double swivel = std::atan2(to.y(), to.x());
+  const double tilt = std::atan2(-to.z(), to.x());
+  const double inwards = std::atan2(-kEyeSide, distance - kEyeFront);
+  const std::array<double, 9> angles = {swivel, tilt, 0, inwards, 0, 0, inwards, 0, 0};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    physics.data().qpos[joints_[i].qpos] = std::clamp(angles[i], joints_[i].low, joints_[i].high);
+  }
+}
+
+}  // namespace mimo::tasks

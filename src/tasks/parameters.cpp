@@ -1,0 +1,41 @@
+#include "tasks/parameters.h"
+
+#include <vector>
+
+#include "base/fail.h"
+#include "tasks/task.h"
+
+namespace mimo::tasks {
+namespace {
+
+const Parameter& find(const std::string& name) {
+  std::vector<const char*> names;
+  for (std::size_t i = 0; const Parameter* candidate = parameter(i); ++i) {
+    if (name == candidate->name) return *candidate;
+    names.push_back(candidate->name);
+  }
+  fail(Status::kNotFound, "no parameter named \"{}\"; there are: {}", name, fmt::join(names, ", "));
+}
+
+}  // namespace
+
+const Parameter* parameter(std::size_t index) {
+  for (const Definition* task : definitions()) {
+    if (index < task->parameters.size()) return &task->parameters[index];
+    index -= task->parameters.size();
+  }
+  return nullptr;
+}
+
+void Settings::set(const std::string& name, double value) {
+  const Parameter& known = find(name);
+  require(value >= known.low && value <= known.high, "{} is {}, expected {} to {}", name, value, known.low, known.high);
+  values_[name] = value;
+}
+
+double Settings::operator[](const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() ? found->second : find(name).standard;
+}
+
+}  // namespace mimo::tasks

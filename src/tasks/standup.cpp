@@ -1,0 +1,73 @@
+// Standing up: the infant squats in a crib with its hands on the rail, and is to get its head up with little effort.
+#include "tasks/standup.h"
+
+#include <algorithm>
+
+#include "tasks/vectors.h"
+
+namespace mimo::tasks {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"standup/episode_steps", 500, 0, 1e9, "Steps after which an episode is cut off; 0: never"},
+    {"standup/ends_on_success", 0, 0, 1, "1: success ends the episode"},
+    {"standup/success_height", 0.5, -100, 100, "Success is a head at this height or above, m"},
+    {"standup/base_height", 0.2, -100, 100, "The head's height is rewarded from here on, m"},
+    {"standup/height_weight", 1, -1e9, 1e9, "Reward of a metre of height"},
+    {"standup/control_weight", 0.01, -1e9, 1e9, "Times the sum of the squared control inputs is subtracted"},
+    {"standup/pose_noise", 0.01, 0, 1, "Every joint starts this far off the stored pose at most, rad"},
+    {"standup/settle_steps", 100, 0, 10000, "Physics steps without control at the start of an episode"},
+};
+
+class Standup : public Task {
+ public:
+  Standup(const mjModel& model, const body::Body& body, const Settings& settings);
+  void reset(engine::Physics& physics, Random& random) override;
+  void evaluate(const engine::Physics& physics) override;
+
+ private:
+  enum { kHeight, kControl };
+
+  int head_;
+  std::vector<body::Joint> joints_;
+  std::vector<int> motors_;
+  double success_height_, base_height_, height_weight_, control_weight_, pose_noise_;
+  int settle_steps_;
+};
+
+Standup::Standup(const mjModel&, const body::Body& body, const Settings& settings)
+    : Task({{"height", 0}, {"control", 0}}), head_(body.head), joints_(body.joints), motors_(body.actuators) {
+  const auto get = [&](const char* name) { return settings[std::string("standup/") + name]; };
+  episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));
+  ends_ = get("ends_on_success") != 0;
+  success_height_ = get("success_height");
+  base_height_ = get("base_height");
+  height_weight_ = get("height_weight");
+  control_weight_ = get("control_weight");
+  pose_noise_ = get("pose_noise");
+  settle_steps_ = static_cast<int>(get("settle_steps"));
+}
+
+void Standup::reset(engine::Physics& physics, Random& random) {
+  for (const body::Joint& joint : joints_) physics.data().qpos[joint.qpos] += random.uniform(-pose_noise_, pose_noise_);
+  physics.step(settle_steps_);
+}
+
+void Standup::evaluate(const engine::Physics& physics) {
+  const double height = position(physics, head_).z();
+  double effort = 0;
+  for (const int motor : motors_) effort += physics.data().ctrl[motor] * physics.data().ctrl[motor];
+  terms_[kHeight].value = height_weight_ * (height - base_height_);
+  terms_[kControl].value = -control_weight_ * effort;
+  success_ = height >= success_height_;
+}
+
+}  // namespace
+
+const Definition kStandup = {
+    "standup", {kParameters, std::size(kParameters)},
+    [](const mjModel& model, const body::Body& body, const Settings& settings) -> std::unique_ptr<Task> {
+      return std::make_unique<Standup>(model, body, settings);
+    }};
+
+}  // namespace mimo::tasks

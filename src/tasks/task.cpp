@@ -1,0 +1,58 @@
+#include "tasks/task.h"
+
+#include "base/fail.h"
+#include "tasks/reach.h"
+#include "tasks/selfbody.h"
+#include "tasks/standup.h"
+
+namespace mimo::tasks {
+namespace {
+
+// No task: the reward is 0 and episodes do not end.
+class None : public Task {
+ public:
+  None() : Task({}) {}
+};
+
+constexpr Definition kNone = {
+    "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> { return std::make_unique<None>(); }};
+constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody};
+
+}  // namespace
+
+double Task::reward() const {
+  double sum = 0;
+  for (const Term& term : terms_) sum += term.value;
+  return sum;
+}
+
+void Task::clear() {
+  for (Term& term : terms_) term.value = 0;
+  success_ = failure_ = false;
+}
+
+void Task::save(ByteWriter& to) const {
+  for (const Term& term : terms_) to.put(term.value);
+  to.put(success_);
+  to.put(failure_);
+}
+
+void Task::load(ByteReader& from) {
+  for (Term& term : terms_) term.value = from.take_finite("a reward");
+  success_ = from.take_flag();
+  failure_ = from.take_flag();
+}
+
+Span<const Definition* const> definitions() { return {kDefinitions, std::size(kDefinitions)}; }
+
+const Definition& definition(const std::string& name) {
+  if (name.empty()) return kNone;
+  std::vector<const char*> names;
+  for (const Definition* candidate : definitions()) {
+    if (name == candidate->name) return *candidate;
+    names.push_back(candidate->name);
+  }
+  fail(Status::kNotFound, "no task named \"{}\"; there are: {}", name, fmt::join(names, ", "));
+}
+
+}  // namespace mimo::tasks
