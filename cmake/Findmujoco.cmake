@@ -15,10 +15,10 @@ if(mujoco_ROOT)
     add_library(mujoco::mujoco SHARED IMPORTED)
     set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_LOCATION ${mujoco_library}
                           INTERFACE_INCLUDE_DIRECTORIES ${mujoco_INCLUDE_DIR})
+  elseif(NOT TARGET mujoco::mujoco)
+    find_package(mujoco CONFIG QUIET PATHS ${mujoco_ROOT} NO_DEFAULT_PATH)
   endif()
-endif()
-
-if(NOT TARGET mujoco::mujoco)
+elseif(NOT TARGET mujoco::mujoco)
   find_package(mujoco CONFIG QUIET)
 endif()
 

@@ -5,8 +5,12 @@ install(TARGETS mimo EXPORT mimoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBD
 if(TARGET mimo_program)
   install(TARGETS mimo_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(DIRECTORY include/mimo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo/models PATTERN art EXCLUDE)
+install(DIRECTORY include/mimo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h PATTERN *.hpp)
+install(DIRECTORY models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo/models
+        FILES_MATCHING PATTERN *.xml PATTERN *.png PATTERN *.md PATTERN art EXCLUDE)
+if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
+  install(FILES src/cli/mimo.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
 
 # find_package(mimo) and the target mimo::mimo
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mimo)

@@ -43,9 +43,7 @@ Env::Env(const Scene& scene, const mimo_env_config& config) : handle_(nullptr, m
   handle_.reset(env);
 }
 
-void Env::reset(std::uint64_t seed, Block& block) {
-  check(mimo_env_reset(get(), &seed, block.data(), block.bytes()));
-}
+void Env::reset(std::uint64_t seed, Block& block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
 
 void Env::step(const std::vector<float>& action, Block& block) {
   const float* values = action.empty() ? nullptr : action.data();

@@ -188,7 +188,9 @@ void Bench::run() {
     reference_.run(draw(reference_actions_, turn));
     progress.show(done += turn);
   }
-  if (!twins_agree()) std::fputs("mimo: warning: senses changed the trajectory: raw_physics_us is of another one\n", stderr);
+  if (!twins_agree()) {
+    std::fputs("mimo: warning: senses changed the trajectory; raw_physics_us is of another one\n", stderr);
+  }
 }
 
 Json split_of(const Env& env, double step_ms) {
@@ -215,15 +217,18 @@ Json Bench::result() const {
           {"reference_us", reference.mean() * 1e6},
           {"step_vs_raw", full.mean() / (frame_skip * raw.mean())},
           {"allocations_per_step", Allocations::countable() ? Json(allocations) : Json()},
-          {"median", {{"ms_per_step", full.median() * 1e3},
-                      {"raw_physics_us", raw.median() * 1e6},
-                      {"reference_us", reference.median() * 1e6}}}};
+          {"median",
+           {{"ms_per_step", full.median() * 1e3},
+            {"raw_physics_us", raw.median() * 1e6},
+            {"reference_us", reference.median() * 1e6},
+            {"step_vs_raw", full.median() / (frame_skip * raw.median())}}}};
 }
 
 void print_for_people(const Json& result) {
   Table table(1);
   for (const auto& [key, value] : result.items()) {
-    if (!value.is_structured()) table.add({key, value.is_number_float() ? text("%.4g", value.get<double>()) : value.dump()});
+    if (value.is_structured()) continue;
+    table.add({key, value.is_number_float() ? text("%.4g", value.get<double>()) : value.dump()});
   }
   for (const char* group : {"split_ms", "median"}) {
     for (const auto& [key, value] : result[group].items()) {
@@ -252,7 +257,8 @@ void add_bench(CLI::App& program) {
   add_seed_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
-      "raw_physics_us is one bare physics step of a twin of the world that follows the same trajectory; reference_us is\n"
+      "raw_physics_us is one bare physics step of a twin of the world that follows the same trajectory; reference_us "
+      "is\n"
       "one of the benchmark scene solved as the original does (dense Jacobian). All are measured in turns.\n"
       "step_vs_raw is a step's time over that of its bare physics steps.\n"
       "Examples:\n"

@@ -15,9 +15,9 @@ using Json = nlohmann::ordered_json;
 
 // Infinite bounds become null: JSON has no infinity.
 Json describe(const Field& field) {
-  return {{"name", field.name},   {"dtype", field.dtype_name()}, {"shape", field.shape}, {"unit", field.unit},
-          {"frame", field.frame}, {"time", field.time_name()},   {"low", field.low},     {"high", field.high},
-          {"offset", field.offset}};
+  return {{"name", field.name}, {"dtype", field.dtype_name()}, {"shape", field.shape},
+          {"unit", field.unit}, {"frame", field.frame},        {"time", field.time_name()},
+          {"low", field.low},   {"high", field.high},          {"offset", field.offset}};
 }
 
 Json describe(const Env& env) {

@@ -40,9 +40,7 @@ void flush_output() {
   if (!std::cout) throw cli::Failure("cannot write to the standard output");
 }
 
-std::string version_text() {
-  return std::string("mimo ") + mimo_version() + " (MuJoCo " + mimo_mujoco_version() + ")";
-}
+std::string version_text() { return std::string("mimo ") + mimo_version() + " (MuJoCo " + mimo_mujoco_version() + ")"; }
 
 void describe(CLI::App& program) {
   program.set_version_flag("--version", version_text, "Print the versions of libmimo and MuJoCo and exit");
@@ -68,7 +66,7 @@ void describe(CLI::App& program) {
 int run(CLI::App& program, int argc, char** argv) {
   try {
     if (mimo_abi_version() != MIMO_ABI_VERSION) {
-      throw cli::Failure(std::string("libmimo ") + mimo_version() + " was found, which is not the one this program needs");
+      throw cli::Failure("libmimo " + std::string(mimo_version()) + " was found, not the one this program needs");
     }
     describe(program);
     program.parse(argc, argv);

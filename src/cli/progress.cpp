@@ -14,8 +14,7 @@ constexpr auto kInterval = std::chrono::milliseconds(100);
 
 }  // namespace
 
-Progress::Progress(std::size_t total)
-    : total_(std::max<std::size_t>(total, 1)), visible_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::size_t total) : total_(std::max<std::size_t>(total, 1)), visible_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   if (visible_) std::fputs("\r\033[K", stderr);

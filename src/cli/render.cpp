@@ -71,11 +71,15 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
           ->option_text("M"),
       command.add_option("--azimuth", options.azimuth, "Degrees; 0 looks along +x, 90 along +y")->option_text("DEG"),
       command.add_option("--elevation", options.elevation, "Degrees; negative looks down")->option_text("DEG")};
-  for (CLI::Option* option : free) option->group("Free camera; by default it shows all that can move")->excludes(camera);
+  for (CLI::Option* option : free)
+    option->group("Free camera; by default it shows all that can move")->excludes(camera);
 }
 
 void add_size_option(CLI::App& command, const std::string& name, std::uint32_t& value) {
-  command.add_option(name, value, "Pixels")->type_name("N")->check(CLI::Range(1, 4096).description(""))->capture_default_str();
+  command.add_option(name, value, "Pixels")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096).description(""))
+      ->capture_default_str();
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ std::string body_label(const Env& env, std::int32_t body) {
 // One quantity of all of a kind, by name.
 class NamedQuantity {
  public:
-  NamedQuantity(const Env& env, std::int32_t kind, std::int32_t quantity, std::string (*label)(const Env&, std::int32_t))
+  NamedQuantity(const Env& env, std::int32_t kind, std::int32_t quantity,
+                std::string (*label)(const Env&, std::int32_t))
       : quantity_(quantity), ids_(env.ids(kind)) {
     for (const std::int32_t id : ids_) {
       labels_.push_back(label(env, id));
@@ -174,7 +175,8 @@ void add_rollout(CLI::App& program) {
       ->check(CLI::IsMember({"dense", "sparse"}).description(""));
   command->footer(
       "Starts from the scene's stored state; nothing is random. Writes\n"
-      "  {\"states\": [{\"step\": 0, \"qpos\": {joint: [..]}, \"qvel\": {joint: [..]}, \"xpos\": {body: [x, y, z]}}, ...]}\n"
+      "  {\"states\": [{\"step\": 0, \"qpos\": {joint: [..]}, \"qvel\": {joint: [..]}, \"xpos\": {body: [x, y, z]}}, "
+      "...]}\n"
       "with the states before steps 0, K, 2K, ... and after the last one. Free joints without a name are called\n"
       "free:<body>.\n"
       "Example:\n"

@@ -10,7 +10,8 @@ namespace cli {
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
-std::string text(const char* format, ...);
+std::string
+text(const char* format, ...);
 
 // Rows of cells, printed in columns: the first `left` columns flush left, the others flush right.
 class Table {

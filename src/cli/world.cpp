@@ -45,9 +45,8 @@ std::uint32_t pixels(const WorldOptions& options) {
 }
 
 std::string check_vision(const std::string& text) {
-  const bool number = !text.empty() && text.size() <= 4 && std::all_of(text.begin(), text.end(), [](char c) {
-    return c >= '0' && c <= '9';
-  });
+  const bool number = !text.empty() && text.size() <= 4 &&
+                      std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
   const bool good = text == "off" || (number && std::stoul(text) >= 1 && std::stoul(text) <= 4096);
   return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
 }

@@ -1,0 +1,298 @@
+// libmimo for C++11 and later: handles that free themselves, exceptions, typed views. No logic of its own.
+// MIT licence, see LICENSE.
+//
+//   mimo::Env env = mimo::make("benchmark");
+//   mimo::Block block = env.make_block();
+//   env.reset(42, block);
+//   env.step(actions, block);
+//   mimo::View<const float> angles = block.view<float>(env.field("proprioception/position"));
+//
+// Everything that mimo.h says holds here; its functions take env.get(). A failed call throws mimo::Exception.
+#ifndef MIMO_HPP
+#define MIMO_HPP
+
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mimo.h"
+
+namespace mimo {
+
+/// What a failed call throws: its status, and the library's message.
+class Exception : public std::runtime_error {
+ public:
+  explicit Exception(mimo_status status) : std::runtime_error(mimo_last_error()), status_(status) {}
+  mimo_status status() const noexcept { return status_; }
+
+ private:
+  mimo_status status_;
+};
+
+inline void check(mimo_status status) {
+  if (status != MIMO_OK) throw Exception(status);
+}
+
+/// Configs with their defaults.
+inline mimo_scene_config scene_config() {
+  mimo_scene_config config;
+  check(mimo_scene_config_init(&config, sizeof config));
+  return config;
+}
+inline mimo_agent_config agent_config() {
+  mimo_agent_config config;
+  check(mimo_agent_config_init(&config, sizeof config));
+  return config;
+}
+inline mimo_object_config object_config() {
+  mimo_object_config config;
+  check(mimo_object_config_init(&config, sizeof config));
+  return config;
+}
+inline mimo_env_config env_config() {
+  mimo_env_config config;
+  check(mimo_env_config_init(&config, sizeof config));
+  return config;
+}
+inline mimo_picture_config picture_config() {
+  mimo_picture_config config;
+  check(mimo_picture_config_init(&config, sizeof config));
+  return config;
+}
+
+/// Contiguous elements that belong to somebody else.
+template <typename T>
+class View {
+ public:
+  View(T* data, std::size_t size) : data_(data), size_(size) {}
+  T* data() const { return data_; }
+  std::size_t size() const { return size_; }
+  T* begin() const { return data_; }
+  T* end() const { return data_ + size_; }
+  T& operator[](std::size_t i) const { return data_[i]; }
+
+ private:
+  T* data_;
+  std::size_t size_;
+};
+
+/// The dtype of a field for a C++ type.
+template <typename T>
+struct Dtype;
+template <>
+struct Dtype<std::uint8_t> {
+  static const std::int32_t value = MIMO_U8;
+};
+template <>
+struct Dtype<std::int32_t> {
+  static const std::int32_t value = MIMO_I32;
+};
+template <>
+struct Dtype<float> {
+  static const std::int32_t value = MIMO_F32;
+};
+template <>
+struct Dtype<double> {
+  static const std::int32_t value = MIMO_F64;
+};
+
+/// An observation block, aligned to 64 bytes. Views of it live as long as it does.
+class Block {
+ public:
+  explicit Block(std::size_t bytes) : room_(bytes + 63), bytes_(bytes) {}
+  Block(Block&&) = default;
+  Block& operator=(Block&&) = default;
+  Block(const Block& other) : Block(other.bytes_) { *this = other; }
+  Block& operator=(const Block& other) {
+    if (this == &other) return *this;
+    room_.resize(other.bytes_ + 63);
+    bytes_ = other.bytes_;
+    const std::uint8_t* from = other.data();
+    std::uint8_t* to = data();
+    for (std::size_t i = 0; i < bytes_; ++i) to[i] = from[i];
+    return *this;
+  }
+
+  std::uint8_t* data() { return room_.data() + padding(); }
+  const std::uint8_t* data() const { return room_.data() + padding(); }
+  std::size_t bytes() const { return bytes_; }
+
+  /// The elements of a field; throws std::invalid_argument when the field holds another type.
+  template <typename T>
+  View<const T> view(const mimo_field& field) const {
+    if (field.dtype != Dtype<T>::value) throw std::invalid_argument(std::string(field.name) + " has another dtype");
+    return View<const T>(reinterpret_cast<const T*>(data() + field.offset), field.bytes / sizeof(T));
+  }
+
+ private:
+  std::size_t padding() const { return (64 - reinterpret_cast<std::uintptr_t>(room_.data()) % 64) % 64; }
+
+  std::vector<std::uint8_t> room_;
+  std::size_t bytes_;
+};
+
+/// Owns a handle; moves, does not copy.
+template <typename T, void (*Destroy)(T*)>
+class Handle {
+ public:
+  explicit Handle(T* handle = nullptr) noexcept : handle_(handle) {}
+  ~Handle() { Destroy(handle_); }
+  Handle(Handle&& other) noexcept : handle_(other.release()) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(handle_, other.handle_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+
+  T* get() const noexcept { return handle_; }
+  T* release() noexcept {
+    T* handle = handle_;
+    handle_ = nullptr;
+    return handle;
+  }
+
+ private:
+  T* handle_;
+};
+
+namespace detail {
+inline void destroy_scene(mimo_scene* scene) { mimo_scene_destroy(scene); }
+inline void destroy_env(mimo_env* env) { mimo_env_destroy(env); }
+}  // namespace detail
+
+class Scene : public Handle<mimo_scene, detail::destroy_scene> {
+ public:
+  explicit Scene(const mimo_scene_config& config) : Handle(create(config)) {}
+
+  std::int32_t add_agent(const mimo_agent_config& config = agent_config()) {
+    std::int32_t agent = 0;
+    check(mimo_scene_add_agent(get(), &config, &agent));
+    return agent;
+  }
+  void add_object(const mimo_object_config& config) { check(mimo_scene_add_object(get(), &config)); }
+
+  std::string xml() const {
+    std::size_t length = 0;
+    check(mimo_scene_xml(get(), nullptr, 0, &length));
+    std::string text(length + 1, '\0');
+    check(mimo_scene_xml(get(), &text[0], text.size(), &length));
+    text.resize(length);
+    return text;
+  }
+
+ private:
+  static mimo_scene* create(const mimo_scene_config& config) {
+    mimo_scene* scene = nullptr;
+    check(mimo_scene_create(&config, &scene));
+    return scene;
+  }
+};
+
+/// What a step returns for one agent.
+struct Result {
+  double reward;
+  bool terminated;
+  bool truncated;
+};
+
+class Env : public Handle<mimo_env, detail::destroy_env> {
+ public:
+  explicit Env(mimo_env* env) : Handle(env) {}
+  explicit Env(const Scene& scene, const mimo_env_config& config = env_config()) : Handle(create(scene, config)) {}
+
+  std::size_t agent_count() const {
+    std::size_t count = 0;
+    check(mimo_env_agent_count(get(), &count));
+    return count;
+  }
+  std::size_t action_size() const {
+    std::size_t count = 0;
+    check(mimo_env_action_size(get(), &count));
+    return count;
+  }
+
+  Block make_block() const {
+    std::size_t bytes = 0;
+    check(mimo_env_observation_size(get(), &bytes, nullptr));
+    return Block(bytes);
+  }
+  std::vector<mimo_field> fields() const {
+    std::size_t count = 0;
+    check(mimo_env_observation_size(get(), nullptr, &count));
+    std::vector<mimo_field> all(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      all[i].struct_size = sizeof(mimo_field);
+      check(mimo_env_observation_field(get(), i, &all[i]));
+    }
+    return all;
+  }
+  /// The field of that name; throws std::out_of_range when there is none.
+  mimo_field field(const std::string& name) const {
+    for (const mimo_field& candidate : fields()) {
+      if (name == candidate.name) return candidate;
+    }
+    throw std::out_of_range("no field named " + name);
+  }
+
+  void reset(std::uint64_t seed, Block& block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
+  void reset(Block& block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
+  void observe(Block& block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
+
+  /// One step of all agents; an empty vector of actions leaves the controls as they are.
+  std::vector<Result> step(const std::vector<float>& actions, Block& block) {
+    const std::size_t count = agent_count();
+    std::vector<double> reward(count);
+    std::vector<std::uint8_t> terminated(count), truncated(count);
+    check(mimo_env_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), block.data(), block.bytes(),
+                        reward.data(), terminated.data(), truncated.data(), count));
+    std::vector<Result> results;
+    for (std::size_t i = 0; i < count; ++i) {
+      results.push_back(Result{reward[i], terminated[i] != 0, truncated[i] != 0});
+    }
+    return results;
+  }
+
+  double time() const {
+    double seconds = 0;
+    check(mimo_env_time(get(), &seconds));
+    return seconds;
+  }
+
+  std::int32_t find(std::int32_t kind, const std::string& name) const {
+    std::int32_t id = 0;
+    check(mimo_env_find(get(), kind, name.c_str(), &id));
+    return id;
+  }
+  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t>& ids) const {
+    std::size_t count = 0;
+    check(mimo_env_width(get(), quantity, ids.data(), ids.size(), &count));
+    std::vector<double> values(count);
+    check(mimo_env_get(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+    return values;
+  }
+  void set_values(std::int32_t quantity, const std::vector<std::int32_t>& ids, const std::vector<double>& values) {
+    check(mimo_env_set(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+  }
+
+ private:
+  static mimo_env* create(const Scene& scene, const mimo_env_config& config) {
+    mimo_env* env = nullptr;
+    check(mimo_env_create(scene.get(), &config, &env));
+    return env;
+  }
+};
+
+/// The usual case: a built-in scene, one infant with all senses.
+inline Env make(const std::string& scene_name) {
+  mimo_env* env = nullptr;
+  check(mimo_env_make(scene_name.c_str(), &env));
+  return Env(env);
+}
+
+}  // namespace mimo
+
+#endif

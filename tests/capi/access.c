@@ -1,0 +1,166 @@
+/* Named access: find, read, write, contacts. */
+#include "support/capi.h"
+
+static mimo_env* env;
+
+static void check_names(void) {
+  static const struct {
+    int32_t kind;
+    size_t count;
+    const char* name;
+  } known[] = {{MIMO_BODY, 26, "left_hand"},       {MIMO_JOINT, 50, "robot:left_knee"},
+               {MIMO_GEOM, 39, "floor"},           {MIMO_SITE, 23, "vestibular"},
+               {MIMO_CAMERA, 2, "eye_left"},       {MIMO_ACTUATOR, 44, "act:left_knee"},
+               {MIMO_SENSOR, 23, "vestibular_acc"}};
+  size_t i, count;
+  const char* name;
+  int32_t id = -7, body = -7;
+  for (i = 0; i < sizeof known / sizeof known[0]; ++i) {
+    count = 0;
+    name = NULL;
+    CHECK_OK(mimo_env_count(env, known[i].kind, &count));
+    CHECK(count == known[i].count);
+    CHECK_OK(mimo_env_find(env, known[i].kind, known[i].name, &id));
+    CHECK_OK(mimo_env_name(env, known[i].kind, id, &name));
+    CHECK_TEXT(known[i].name, name);
+    id = -7;
+    CHECK_FAILS(MIMO_E_NOT_FOUND, "named \"nobody\"; there are: ", mimo_env_find(env, known[i].kind, "nobody", &id));
+    CHECK_FAILS(MIMO_E_NOT_FOUND, "named \"\"", mimo_env_find(env, known[i].kind, "", &id));
+    CHECK(id == -7);
+    name = NULL;
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "id is -1", mimo_env_name(env, known[i].kind, -1, &name));
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected a ", mimo_env_name(env, known[i].kind, (int32_t)count, &name));
+    CHECK(name == NULL);
+  }
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "kind is 0", mimo_env_count(env, 0, &count));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "kind is 8", mimo_env_find(env, 8, "x", &id));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_count(env, MIMO_BODY, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_env_find(env, MIMO_BODY, NULL, &id));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "id is NULL", mimo_env_find(env, MIMO_BODY, "world", NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_env_name(env, MIMO_BODY, 0, NULL));
+
+  CHECK_OK(mimo_env_body_of(env, MIMO_JOINT, find(env, MIMO_JOINT, "robot:left_knee"), &body));
+  CHECK(body == find(env, MIMO_BODY, "left_lower_leg"));
+  CHECK_OK(mimo_env_body_of(env, MIMO_GEOM, find(env, MIMO_GEOM, "floor"), &body));
+  CHECK(body == 0);
+  CHECK_OK(mimo_env_body_of(env, MIMO_SITE, find(env, MIMO_SITE, "vestibular"), &body));
+  CHECK(body == find(env, MIMO_BODY, "head"));
+  CHECK_OK(mimo_env_body_of(env, MIMO_CAMERA, find(env, MIMO_CAMERA, "eye_left"), &body));
+  CHECK(body == find(env, MIMO_BODY, "left_eye"));
+  CHECK_OK(mimo_env_body_of(env, MIMO_BODY, find(env, MIMO_BODY, "head"), &body));
+  CHECK(body == find(env, MIMO_BODY, "upper_body"));
+  body = -7;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "kind is 6 (actuator)", mimo_env_body_of(env, MIMO_ACTUATOR, 0, &body));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "id is 26, expected a body id from 0 to 25",
+              mimo_env_body_of(env, MIMO_BODY, 26, &body));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "body is NULL", mimo_env_body_of(env, MIMO_BODY, 0, NULL));
+  CHECK(body == -7);
+}
+
+/* The first element of each kind. Widths of a free joint, a body, ... */
+static void check_quantities(void) {
+  static const size_t widths[] = {7, 6, 6, 6, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3};
+  double values[9];
+  const int32_t first = 0;
+  int32_t quantity;
+  for (quantity = 1; quantity <= 21; ++quantity) {
+    const size_t width = widths[quantity - 1];
+    size_t asked = 0, i;
+    CHECK_OK(mimo_env_width(env, quantity, &first, 1, &asked));
+    CHECK(asked == width);
+    for (i = 0; i < 9; ++i) values[i] = 77;
+    CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count is", mimo_env_get(env, quantity, &first, 1, values, width - 1));
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "value_count is", mimo_env_get(env, quantity, &first, 1, values, width + 1));
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "values is NULL", mimo_env_get(env, quantity, &first, 1, NULL, width));
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "ids is NULL", mimo_env_get(env, quantity, NULL, 1, values, width));
+    for (i = 0; i < 9; ++i) CHECK(values[i] == 77);
+    CHECK_OK(mimo_env_get(env, quantity, &first, 1, values, width));
+    for (i = width; i < 9; ++i) CHECK(values[i] == 77);
+    CHECK_OK(mimo_env_get(env, quantity, NULL, 0, NULL, 0));
+  }
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 22", mimo_env_get(env, 22, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 0", mimo_env_set(env, 0, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "value_count is NULL", mimo_env_width(env, 1, &first, 1, NULL));
+}
+
+static void check_writing(void) {
+  const int32_t ball = find(env, MIMO_BODY, "test_object2"), hand = find(env, MIMO_BODY, "left_hand");
+  const int32_t bodies[2] = {ball, hand};
+  double there[3] = {0.5, -0.25, 2}, back[3], two[6] = {1, 1, 1, 1, 1, 1}, nan[3] = {1, (double)NAN, 1};
+  CHECK_OK(mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, there, 3));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "\"left_hand\") cannot be moved",
+              mimo_env_set(env, MIMO_BODY_POSITION, bodies, 2, two, 6));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "values[1] is nan", mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, nan, 3));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count is 2, but 3 are needed",
+              mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, two, 2));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "can only be read", mimo_env_set(env, MIMO_BODY_MASS, &ball, 1, two, 1));
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, &ball, 1, back, 3));
+  CHECK(memcmp(there, back, sizeof back) == 0);
+  CHECK_OK(mimo_env_update(env));
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, &ball, 1, back, 3));
+  CHECK(memcmp(there, back, sizeof back) == 0);
+}
+
+/* A box of 0.3 kg at rest on the floor: the forces on body 2, turned into the world, carry its weight. */
+static void check_contacts(void) {
+  mimo_scene_config room;
+  mimo_object_config object;
+  mimo_scene* scene = NULL;
+  mimo_env* world = NULL;
+  int32_t ids[8 * MIMO_CONTACT_IDS], floor, box, box_body;
+  double values[8 * MIMO_CONTACT_VALUES], force[3] = {0, 0, 0};
+  size_t count = 77, i, k;
+  CHECK_OK(mimo_scene_config_init(&room, sizeof room));
+  room.name = "free";
+  CHECK_OK(mimo_scene_create(&room, &scene));
+  CHECK_OK(mimo_object_config_init(&object, sizeof object));
+  object.name = "box";
+  object.shape = MIMO_SHAPE_BOX;
+  object.size[0] = object.size[1] = object.size[2] = 0.05;
+  object.mass = 0.3;
+  object.position[2] = 0.06;
+  CHECK_OK(mimo_scene_add_object(scene, &object));
+  CHECK_OK(mimo_env_create(scene, NULL, &world));
+  mimo_scene_destroy(scene);
+  CHECK_OK(mimo_env_contacts(world, NULL, NULL, 0, &count));
+  CHECK(count == 0);
+  CHECK_OK(mimo_env_physics_step(world, 1000));
+  floor = find(world, MIMO_GEOM, "floor");
+  box = find(world, MIMO_GEOM, "box");
+  box_body = find(world, MIMO_BODY, "box");
+  CHECK_OK(mimo_env_contacts(world, NULL, NULL, 0, &count));
+  CHECK(count == 4); /* one at each corner */
+  memset(ids, 0x55, sizeof ids);
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "capacity is 3, but there are 4 contacts",
+              mimo_env_contacts(world, ids, NULL, 3, &count));
+  CHECK(ids[0] == 0x55555555 && count == 4);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_contacts(world, ids, values, 8, NULL));
+  CHECK_OK(mimo_env_contacts(world, ids, values, 8, &count));
+  CHECK(ids[4 * MIMO_CONTACT_IDS] == 0x55555555);
+  for (i = 0; i < 4; ++i) {
+    const int32_t* who = ids + i * MIMO_CONTACT_IDS;
+    const double* at = values + i * MIMO_CONTACT_VALUES;
+    const double* frame = at + 3;
+    CHECK(who[0] == floor && who[1] == box && who[2] == 0 && who[3] == box_body);
+    CHECK_NEAR(0.05, fabs(at[0]), 1e-3);
+    CHECK_NEAR(0.05, fabs(at[1]), 1e-3);
+    CHECK_NEAR(0, at[2], 1e-3);
+    CHECK_NEAR(1, frame[2], 1e-6); /* the normal points from the floor to the box */
+    CHECK(at[12] < 0 && at[12] > -1e-3);
+    for (k = 0; k < 3; ++k) force[k] += at[13] * frame[k] + at[14] * frame[3 + k] + at[15] * frame[6 + k];
+  }
+  CHECK_NEAR(0, force[0], 1e-5);
+  CHECK_NEAR(0, force[1], 1e-5);
+  CHECK_NEAR(0.3 * 9.81, force[2], 1e-5);
+  mimo_env_destroy(world);
+}
+
+int main(void) {
+  env = blind_env("benchmark", NULL);
+  check_names();
+  check_quantities();
+  check_writing();
+  check_contacts();
+  mimo_env_destroy(env);
+  return failures();
+}

@@ -1,0 +1,215 @@
+/* Scenes: by name, from a file, from text, empty; agents and objects; what is refused, and how it is told. */
+#include "support/capi.h"
+
+static const char* const kMimo =
+    "<mujoco><include file='mimo/mitten.xml'/><worldbody><geom type='plane' size='0 0 1'/></worldbody></mujoco>";
+
+static size_t bodies_of(const mimo_scene* scene) {
+  mimo_env* env = NULL;
+  size_t count = 0;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  if (env != NULL) CHECK_OK(mimo_env_count(env, MIMO_BODY, &count));
+  mimo_env_destroy(env);
+  return count;
+}
+
+static mimo_scene* create(const char* name, const char* file, const char* xml) {
+  mimo_scene_config config;
+  mimo_scene* scene = NULL;
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  config.name = name;
+  config.file = file;
+  config.xml = xml;
+  CHECK_OK(mimo_scene_create(&config, &scene));
+  return scene;
+}
+
+static void check_sources(void) {
+  mimo_scene* scene;
+  mimo_scene_config config;
+  CHECK_TEXT("benchmark", mimo_scene_builtin(0));
+  CHECK_TEXT("free", mimo_scene_builtin(1));
+  CHECK(mimo_scene_builtin(2) == NULL);
+  CHECK(mimo_scene_builtin((size_t)-1) == NULL);
+  scene = create("benchmark", NULL, NULL);
+  CHECK(bodies_of(scene) == 3);
+  mimo_scene_destroy(scene);
+  scene = create(NULL, MIMO_MODELS "/benchmark.xml", NULL);
+  CHECK(bodies_of(scene) == 3);
+  mimo_scene_destroy(scene);
+  scene = create("", "", kMimo);
+  CHECK(bodies_of(scene) == 24);
+  mimo_scene_destroy(scene);
+  CHECK_OK(mimo_scene_create(NULL, &scene));
+  CHECK(bodies_of(scene) == 1);
+  mimo_scene_destroy(scene);
+
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  scene = NULL;
+  config.name = "castle";
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no scene named \"castle\"; there are: benchmark, free",
+              mimo_scene_create(&config, &scene));
+  config.file = "x.xml";
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "\"castle\", file \"x.xml\" and xml exclude each other",
+              mimo_scene_create(&config, &scene));
+  config.name = NULL;
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "file x.xml cannot be read", mimo_scene_create(&config, &scene));
+  config.file = NULL;
+  config.xml = "<mujoco>";
+  CHECK_FAILS(MIMO_E_MODEL, "xml text, line 1", mimo_scene_create(&config, &scene));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "scene is NULL", mimo_scene_create(NULL, NULL));
+  CHECK(scene == NULL);
+}
+
+static void check_agents(void) {
+  mimo_scene* scene = create("free", NULL, NULL);
+  mimo_agent_config config;
+  mimo_env* env = NULL;
+  mimo_agent_info info;
+  int32_t agent = -1;
+  size_t count = 0;
+  const uint32_t defaults = MIMO_PROPRIOCEPTION_DEFAULT;
+  CHECK_OK(mimo_agent_config_init(&config, sizeof config));
+  CHECK(config.proprioception == defaults && config.vestibular == 1 && config.vision == MIMO_VISION_RGB);
+  CHECK(config.vision_width == 256 && config.vision_height == 256 && config.limit_threshold == 0.035);
+  CHECK(config.place_given == 0 && config.orientation[0] == 1);
+  config.vision = 0;
+
+#define REFUSED(status, part, field, value, good)                            \
+  do {                                                                       \
+    config.field = (value);                                                  \
+    CHECK_FAILS(status, part, mimo_scene_add_agent(scene, &config, &agent)); \
+    config.field = (good);                                                   \
+  } while (0)
+  REFUSED(MIMO_E_NOT_FOUND, "no body named \"octopus\"; there are: mitten", body, "octopus", "mitten");
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "name is \"a/b\"", name, "a/b", "anna");
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "proprioception is 0x40", proprioception, 0x40, defaults);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "vestibular is 2", vestibular, 2, 1);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is 0", limit_threshold, 0, 0.035);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is nan", limit_threshold, (double)NAN, 0.035);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "vision is 0x8", vision, 8, MIMO_VISION_RGB);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_width is 0", vision_width, 0, 256);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_height is 4097", vision_height, 4097, 256);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_fovy is 0.5", vision_fovy, 0.5, 0);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "place_given is 7", place_given, 7, 1);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "position[1] is inf", position[1], (double)INFINITY, 1);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "orientation is zero", orientation[0], 0, 2);
+  config.vision = 0;
+  CHECK(agent == -1);
+
+  /* Two infants; each has its actions and its names. */
+  CHECK_OK(mimo_scene_add_agent(scene, &config, &agent));
+  CHECK(agent == 0);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "\"anna\"", mimo_scene_add_agent(scene, &config, &agent));
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "name is \"\"", name, "", "ben");
+  config.position[1] = -1;
+  CHECK_OK(mimo_scene_add_agent(scene, &config, &agent));
+  CHECK(agent == 1);
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_agent_count(env, &count));
+  CHECK(count == 2);
+  info.struct_size = sizeof info;
+  CHECK_OK(mimo_env_agent(env, 1, &info));
+  CHECK_TEXT("ben", info.name);
+  CHECK(info.action_offset == 44 && info.action_count == 44);
+  CHECK_NEAR(10.90487, info.mass, 1e-8); /* the tables of the original */
+  CHECK_NEAR(0.778, info.height, 1e-8);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 2, but there are 2 agents", mimo_env_agent(env, 2, &info));
+  CHECK(find(env, MIMO_JOINT, "anna/robot:left_knee") < find(env, MIMO_JOINT, "ben/robot:left_knee"));
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+
+  /* The body is part of the document already. */
+  scene = create(NULL, NULL, kMimo);
+  CHECK_OK(mimo_agent_config_init(&config, sizeof config));
+  config.vision = 0;
+  config.body = "scene";
+  CHECK_OK(mimo_scene_add_agent(scene, &config, NULL));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_action_size(env, &count));
+  CHECK(count == 44);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+  /* It is not: known once the scene is compiled. */
+  scene = create("free", NULL, NULL);
+  CHECK_OK(mimo_scene_add_agent(scene, &config, NULL));
+  env = NULL;
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "mimo_location", mimo_env_create(scene, NULL, &env));
+  CHECK(env == NULL);
+  mimo_scene_destroy(scene);
+}
+
+static void check_objects(void) {
+  mimo_scene* scene = create("free", NULL, NULL);
+  mimo_object_config config;
+  mimo_env* env = NULL;
+  double mass = 0;
+  int32_t id;
+  CHECK_OK(mimo_object_config_init(&config, sizeof config));
+  CHECK(config.shape == MIMO_SHAPE_SPHERE && config.size[0] == 0.04 && config.mass == 0.1 && config.fixed == 0);
+#define NO_OBJECT(part, field, value, good)                                            \
+  do {                                                                                 \
+    config.field = (value);                                                            \
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_scene_add_object(scene, &config)); \
+    config.field = (good);                                                             \
+  } while (0)
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is empty", mimo_scene_add_object(scene, &config));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "config is NULL", mimo_scene_add_object(scene, NULL));
+  config.name = "toy";
+  NO_OBJECT("shape is 0", shape, 0, MIMO_SHAPE_SPHERE);
+  NO_OBJECT("shape is 6", shape, 6, MIMO_SHAPE_BOX);
+  NO_OBJECT("size[1] is 0", size[1], 0, 0.02);
+  config.size[2] = 0.03;
+  NO_OBJECT("size[2] is nan", size[2], (double)NAN, 0.03);
+  NO_OBJECT("mass is -1", mass, -1, 0.5);
+  NO_OBJECT("rgba[3] is 1.5", rgba[3], 1.5, 1);
+  NO_OBJECT("fixed is 3", fixed, 3, 0);
+  NO_OBJECT("position[0] is inf", position[0], (double)INFINITY, 1);
+  NO_OBJECT("\"floor\"", name, "floor", "toy");
+  CHECK_OK(mimo_scene_add_object(scene, &config));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "\"toy\"", mimo_scene_add_object(scene, &config));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  id = find(env, MIMO_BODY, "toy");
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_MASS, &id, 1, &mass, 1));
+  CHECK_NEAR(0.5, mass, 1e-15);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+}
+
+static void check_xml(void) {
+  mimo_scene *scene = blind_scene("benchmark"), *again;
+  char* text;
+  size_t length = 0, second = 0;
+  CHECK_OK(mimo_scene_xml(scene, NULL, 0, &length));
+  CHECK(length > 1000);
+  text = malloc(length + 1);
+  memset(text, 'x', length + 1);
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "text has a length of", mimo_scene_xml(scene, text, length, &second));
+  CHECK(text[0] == 'x' && text[length] == 'x' && second == 0);
+  CHECK_OK(mimo_scene_xml(scene, text, length + 1, &second));
+  CHECK(second == length && strlen(text) == length);
+  again = create(NULL, NULL, text);
+  CHECK(bodies_of(again) == 26);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "text is NULL, but its length is 5", mimo_scene_xml(scene, NULL, 5, NULL));
+  CHECK_OK(mimo_scene_xml(scene, NULL, 0, NULL));
+  mimo_scene_destroy(again);
+  mimo_scene_destroy(scene);
+  free(text);
+}
+
+static void check_models(void) {
+  mimo_scene* scene = create(NULL, NULL, "<mujoco><worldbody><geom type='nonsense'/></worldbody></mujoco>");
+  mimo_env* env = NULL;
+  CHECK_FAILS(MIMO_E_MODEL, "nonsense", mimo_env_create(scene, NULL, &env));
+  CHECK(env == NULL);
+  mimo_scene_destroy(scene);
+}
+
+int main(void) {
+  check_sources();
+  check_agents();
+  check_objects();
+  check_xml();
+  check_models();
+  return failures();
+}

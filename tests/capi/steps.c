@@ -1,0 +1,196 @@
+/* The everyday path: an environment, its fields and actions, reset, steps, observe; buffers one too short. */
+#include "support/capi.h"
+
+static mimo_env* env;
+static size_t bytes, fields;
+
+static uint8_t* new_block(uint8_t fill) {
+  uint8_t* block = malloc(bytes);
+  memset(block, fill, bytes);
+  return block;
+}
+
+static int is_filled(const uint8_t* block, uint8_t fill) {
+  size_t i;
+  for (i = 0; i < bytes; ++i) {
+    if (block[i] != fill) return 0;
+  }
+  return 1;
+}
+
+static mimo_field field_named(const char* name) {
+  mimo_field field;
+  size_t i;
+  for (i = 0; i < fields; ++i) {
+    memset(&field, 0, sizeof field);
+    field.struct_size = sizeof field;
+    CHECK_OK(mimo_env_observation_field(env, i, &field));
+    if (strcmp(field.name, name) == 0) return field;
+  }
+  CHECK(!"no such field");
+  return field;
+}
+
+static void check_making(void) {
+  mimo_env* made = NULL;
+  mimo_scene* scene = blind_scene("free");
+  mimo_env_config config;
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no scene named \"castle\"", mimo_env_make("castle", &made));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "scene_name is NULL", mimo_env_make(NULL, &made));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "env is NULL", mimo_env_make("free", NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "env is NULL", mimo_env_create(scene, NULL, NULL));
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  CHECK(config.frame_skip == 2 && config.jacobian == MIMO_JACOBIAN_MODEL && config.disable == 0 &&
+        config.max_steps == 0);
+#define NO_ENV(part, field, value, good)                                                \
+  do {                                                                                  \
+    config.field = (value);                                                             \
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_env_create(scene, &config, &made)); \
+    config.field = (good);                                                              \
+  } while (0)
+  NO_ENV("frame_skip is 0, expected 1 to 1000", frame_skip, 0, 2);
+  NO_ENV("frame_skip is 1001", frame_skip, 1001, 2);
+  NO_ENV("jacobian is 3", jacobian, 3, 0);
+  NO_ENV("disable is 0x4", disable, 4, 0);
+  NO_ENV("renderer is \"paper\"", renderer, "paper", "auto");
+  NO_ENV("timing is 2", timing, 2, 0);
+  CHECK(made == NULL);
+  mimo_scene_destroy(scene);
+}
+
+static void check_fields(void) {
+  mimo_field field = field_named("proprioception/torque");
+  const char* label = NULL;
+  CHECK(field.dtype == MIMO_F32 && field.ndim == 2 && field.shape[0] == 21 && field.shape[1] == 3 &&
+        field.shape[2] == 0);
+  CHECK(field.bytes == 63 * 4 && field.offset % 64 == 0 && field.time == MIMO_AT_LAST_START);
+  CHECK_TEXT("Nm", field.unit);
+  CHECK_TEXT("site", field.frame);
+  CHECK(isinf(field.low) && field.low < 0 && isinf(field.high) && field.high > 0);
+  field = field_named("proprioception/limit");
+  CHECK(field.low == 0 && field.time == MIMO_AT_END && field.shape[0] == 47);
+  CHECK_OK(mimo_env_observation_label(env, 0, 0, &label));
+  CHECK_TEXT("robot:hip_lean1", label);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "element is 47", mimo_env_observation_label(env, 0, 47, &label));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 99", mimo_env_observation_label(env, 99, 0, &label));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "label is NULL", mimo_env_observation_label(env, 0, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 8 fields", mimo_env_observation_field(env, fields, &field));
+  CHECK_OK(mimo_env_observation_size(env, NULL, NULL));
+}
+
+static void check_actions(void) {
+  float low[45], high[45];
+  const char* name = NULL;
+  size_t count = 0;
+  CHECK_OK(mimo_env_action_size(env, &count));
+  CHECK(count == 44);
+  low[43] = high[44] = low[44] = 7;
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "count is 43, but there are 44", mimo_env_action_bounds(env, low, high, 43));
+  CHECK(low[43] == 7);
+  CHECK_OK(mimo_env_action_bounds(env, low, high, 44));
+  CHECK(low[0] == -1 && high[0] == 0.765f && low[44] == 7 && high[44] == 7); /* hip_bend: -10.58 to 8.09 Nm */
+  CHECK_OK(mimo_env_action_bounds(env, NULL, NULL, 44));
+  CHECK_OK(mimo_env_action_name(env, 0, &name));
+  CHECK_TEXT("act:hip_bend", name);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action index 44: there are 44", mimo_env_action_name(env, 44, &name));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_env_action_name(env, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_action_size(env, NULL));
+}
+
+static void check_stepping(void) {
+  uint8_t *first = new_block(0xab), *second = new_block(0xcd);
+  float action[44] = {0};
+  double reward = 7, time = 7, step = 0;
+  uint8_t terminated = 7, truncated = 7;
+  uint64_t seed = 1;
+  const mimo_field control = field_named("proprioception/control");
+
+  CHECK_OK(mimo_env_timestep(env, &step));
+  CHECK(step == 0.005);
+  CHECK_OK(mimo_env_reset(env, &seed, first, bytes));
+  CHECK_OK(mimo_env_observe(env, second, bytes));
+  CHECK(memcmp(first, second, bytes) == 0);
+  CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+
+  action[3] = 9;
+  CHECK_OK(mimo_env_step(env, action, 44, first, bytes, &reward, &terminated, &truncated, 1));
+  CHECK(reward == 0 && terminated == 0 && truncated == 0);
+  CHECK(((const float*)(const void*)(first + control.offset))[3] == 1); /* clipped */
+  CHECK_OK(mimo_env_time(env, &time));
+  CHECK_NEAR(0.01, time, 1e-15);
+
+  /* NaN is refused and nothing happens: not even the first actions are taken. */
+  memset(first, 0xab, bytes);
+  reward = terminated = truncated = 7;
+  action[0] = 0.5f;
+  action[43] = (float)NAN;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action[43] is not a number",
+              mimo_env_step(env, action, 44, first, bytes, &reward, &terminated, &truncated, 1));
+  action[43] = 0;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action_count is 43, expected 44",
+              mimo_env_step(env, action, 43, first, bytes, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action is NULL, but its length is 44",
+              mimo_env_step(env, NULL, 44, first, bytes, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has a length of",
+              mimo_env_step(env, action, 44, first, bytes - 1, &reward, &terminated, &truncated, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL",
+              mimo_env_step(env, action, 44, NULL, bytes, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agents is 0",
+              mimo_env_step(env, action, 44, first, bytes, &reward, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_reset(env, &seed, first, bytes - 1));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_observe(env, first, bytes - 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL", mimo_env_observe(env, NULL, 0));
+  CHECK(is_filled(first, 0xab) && reward == 7 && terminated == 7 && truncated == 7);
+  CHECK_OK(mimo_env_time(env, &time));
+  CHECK_NEAR(0.01, time, 1e-15);
+  CHECK_OK(mimo_env_observe(env, first, bytes));
+  CHECK(((const float*)(const void*)(first + control.offset))[0] == 0);
+
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_physics_step(env, 3));
+  CHECK_OK(mimo_env_physics_step(env, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is 1000001", mimo_env_physics_step(env, 1000001));
+  CHECK_OK(mimo_env_time(env, &time));
+  CHECK_NEAR(0.035, time, 1e-15);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "seconds is NULL", mimo_env_time(env, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "seconds is NULL", mimo_env_timestep(env, NULL));
+  free(first);
+  free(second);
+}
+
+static void check_timing(void) {
+  mimo_env_config config;
+  mimo_env* timed;
+  mimo_timing timing;
+  int i;
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.timing = 1;
+  config.max_steps = 2;
+  timed = blind_env("free", &config);
+  timing.struct_size = sizeof timing;
+  for (i = 1; i <= 3; ++i) {
+    uint8_t truncated = 7;
+    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL, NULL, &truncated, 1));
+    CHECK(truncated == (i >= 2));
+  }
+  CHECK_OK(mimo_env_timing(timed, &timing));
+  CHECK(timing.steps == 3 && timing.physics > 0 && timing.total >= timing.physics && timing.touch == 0 &&
+        timing.vision == 0);
+  CHECK_OK(mimo_env_timing_reset(timed));
+  CHECK_OK(mimo_env_timing(timed, &timing));
+  CHECK(timing.steps == 0 && timing.total == 0 && timing.physics == 0);
+  mimo_env_destroy(timed);
+}
+
+int main(void) {
+  check_making();
+  env = blind_env("benchmark", NULL);
+  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  CHECK(bytes % 64 == 0 && fields == 8);
+  check_fields();
+  check_actions();
+  check_stepping();
+  check_timing();
+  mimo_env_destroy(env);
+  return failures();
+}

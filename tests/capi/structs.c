@@ -1,0 +1,118 @@
+/* Versioned structs: smaller, larger, with and without something in an unknown tail. */
+#include "support/capi.h"
+
+/* Room for a struct of a later version, 16 bytes longer than ours. */
+#define LATER(type)                         \
+  union {                                   \
+    type now;                               \
+    unsigned char bytes[sizeof(type) + 16]; \
+  }
+
+/* init fills all of a longer struct; shorter, absurd and NULL ones are refused and left alone. */
+#define CHECK_INIT(type, init)                                                                       \
+  do {                                                                                               \
+    LATER(type) config;                                                                              \
+    size_t i;                                                                                        \
+    memset(&config, 0xab, sizeof config);                                                            \
+    CHECK_OK(init(&config.now, sizeof config));                                                      \
+    CHECK(config.now.struct_size == sizeof config);                                                  \
+    for (i = sizeof(type); i < sizeof config; ++i) CHECK(config.bytes[i] == 0);                      \
+    memset(&config, 0xab, sizeof config);                                                            \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is ", init(&config.now, sizeof(type) - 1)); \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "struct_size is 0", init(&config.now, 0));                       \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "struct_size is 1000000", init(&config.now, 1000000));           \
+    for (i = 0; i < sizeof config; ++i) CHECK(config.bytes[i] == 0xab);                              \
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "config is NULL", init(NULL, sizeof(type)));                \
+  } while (0)
+
+/* A reader takes a longer struct with a zero tail and refuses one with anything in it. `use` gets &config.now. */
+#define CHECK_READ(type, init, use)                                                \
+  do {                                                                             \
+    LATER(type) config;                                                            \
+    CHECK_OK(init(&config.now, sizeof config));                                    \
+    CHECK_OK(use(&config.now));                                                    \
+    config.bytes[sizeof config - 1] = 1;                                           \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: it has fields", use(&config.now));    \
+    config.bytes[sizeof config - 1] = 0;                                           \
+    config.now.struct_size = (uint32_t)sizeof(type) - 1;                           \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is", use(&config.now));   \
+    config.now.struct_size = 0;                                                    \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is 0", use(&config.now)); \
+  } while (0)
+
+/* A description fills a longer struct, with zeros behind what it knows. */
+#define CHECK_DESCRIBED(type, argument, describe)                                      \
+  do {                                                                                 \
+    LATER(type) info;                                                                  \
+    size_t i;                                                                          \
+    memset(&info, 0xab, sizeof info);                                                  \
+    info.now.struct_size = sizeof info;                                                \
+    CHECK_OK(describe(&info.now));                                                     \
+    CHECK(info.now.struct_size == sizeof info);                                        \
+    for (i = sizeof(type); i < sizeof info; ++i) CHECK(info.bytes[i] == 0);            \
+    memset(&info, 0xab, sizeof info);                                                  \
+    info.now.struct_size = (uint32_t)sizeof(type) - 1;                                 \
+    CHECK_FAILS(MIMO_E_STRUCT_SIZE, argument ": struct_size is", describe(&info.now)); \
+    for (i = 4; i < sizeof info; ++i) CHECK(info.bytes[i] == 0xab);                    \
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, argument " is NULL", describe(NULL));         \
+  } while (0)
+
+static mimo_scene* scene;
+static mimo_env* env;
+
+static mimo_status create_scene(const mimo_scene_config* config) {
+  mimo_scene* made = NULL;
+  const mimo_status status = mimo_scene_create(config, &made);
+  CHECK((status == MIMO_OK) == (made != NULL));
+  mimo_scene_destroy(made);
+  return status;
+}
+
+static mimo_status create_env(const mimo_env_config* config) {
+  mimo_env* made = NULL;
+  const mimo_status status = mimo_env_create(scene, config, &made);
+  CHECK((status == MIMO_OK) == (made != NULL));
+  mimo_env_destroy(made);
+  return status;
+}
+
+static mimo_status add_agent(mimo_agent_config* config) {
+  mimo_scene* made = NULL;
+  mimo_status status;
+  CHECK_OK(mimo_scene_create(NULL, &made));
+  status = mimo_scene_add_agent(made, config, NULL);
+  mimo_scene_destroy(made);
+  return status;
+}
+
+static mimo_status add_object(mimo_object_config* config) {
+  static int number = 0;
+  char name[16];
+  sprintf(name, "toy%d", ++number);
+  config->name = name;
+  return mimo_scene_add_object(scene, config);
+}
+
+static mimo_status describe_agent(mimo_agent_info* info) { return mimo_env_agent(env, 0, info); }
+static mimo_status describe_field(mimo_field* field) { return mimo_env_observation_field(env, 0, field); }
+static mimo_status describe_timing(mimo_timing* timing) { return mimo_env_timing(env, timing); }
+
+int main(void) {
+  scene = blind_scene("free");
+  env = blind_env("free", NULL);
+  CHECK_INIT(mimo_scene_config, mimo_scene_config_init);
+  CHECK_INIT(mimo_agent_config, mimo_agent_config_init);
+  CHECK_INIT(mimo_object_config, mimo_object_config_init);
+  CHECK_INIT(mimo_env_config, mimo_env_config_init);
+  CHECK_INIT(mimo_picture_config, mimo_picture_config_init);
+  CHECK_READ(mimo_scene_config, mimo_scene_config_init, create_scene);
+  CHECK_READ(mimo_agent_config, mimo_agent_config_init, add_agent);
+  CHECK_READ(mimo_object_config, mimo_object_config_init, add_object);
+  CHECK_READ(mimo_env_config, mimo_env_config_init, create_env);
+  CHECK_DESCRIBED(mimo_agent_info, "info", describe_agent);
+  CHECK_DESCRIBED(mimo_field, "field", describe_field);
+  CHECK_DESCRIBED(mimo_timing, "timing", describe_timing);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+  return failures();
+}

@@ -1,0 +1,241 @@
+// Motors, tendons, locks, sensors, contact rules and options of the benchmark scene against the tables of the
+// original's compiled model.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "support/numbers.h"
+#include "support/scenes.h"
+#include "support/table.h"
+
+namespace mimo::test {
+namespace {
+
+using engine::Kind;
+
+const std::string kTables = std::string(MIMO_TEST_DATA) + "/v1_benchmark/";
+
+const mjModel& model() {
+  static const engine::ModelPtr compiled = benchmark_model();
+  return *compiled;
+}
+
+std::string name_of(mjtObj type, int id) {
+  const char* text = mj_id2name(&model(), type, id);
+  return text == nullptr ? "" : text;
+}
+
+TEST(GoldenWiring, Actuators) {
+  const Table table(kTables + "actuators.csv");
+  const mjModel& m = model();
+  ASSERT_EQ(static_cast<int>(table.size()), m.nu);
+  ASSERT_EQ(m.nuser_actuator, 3);
+  for (const Table::Row& row : table.rows()) {
+    SCOPED_TRACE(row.label());
+    const int id = row.integer("id");
+    EXPECT_EQ(name_of(mjOBJ_ACTUATOR, id), row.text("name"));
+    EXPECT_EQ(row.text("transmission"), "joint");
+    EXPECT_EQ(m.actuator_trntype[id], mjTRN_JOINT);
+    EXPECT_EQ(name_of(mjOBJ_JOINT, m.actuator_trnid[2 * id]), row.text("joint"));
+    EXPECT_TRUE(close(row.numbers("gear"), m.actuator_gear + 6 * id));
+    EXPECT_EQ(m.actuator_ctrllimited[id], row.integer("ctrllimited"));
+    EXPECT_TRUE(close(row.numbers("ctrlrange"), m.actuator_ctrlrange + 2 * id));
+    EXPECT_EQ(m.actuator_forcelimited[id], row.integer("forcelimited"));
+    EXPECT_TRUE(close(row.numbers("forcerange"), m.actuator_forcerange + 2 * id));
+    EXPECT_EQ(row.text("dyntype") + row.text("gaintype") + row.text("biastype"), "nonefixednone");
+    EXPECT_EQ(m.actuator_dyntype[id], mjDYN_NONE);
+    EXPECT_EQ(m.actuator_gaintype[id], mjGAIN_FIXED);
+    EXPECT_EQ(m.actuator_biastype[id], mjBIAS_NONE);
+    EXPECT_TRUE(close(row.number("gainprm0"), m.actuator_gainprm[mjNGAIN * id]));
+    const double* force = m.actuator_forcerange + 2 * id;
+    const double gear = m.actuator_gear[6 * id];
+    const double torques[2] = {force[0] * gear, force[1] * gear};
+    EXPECT_TRUE(close(row.numbers("max_torque_neg_pos"), torques));
+    EXPECT_TRUE(close(row.numbers("user_vmax_fmaxneg_fmaxpos"), m.actuator_user + 3 * id));
+  }
+}
+
+// "robot:hip_bend1*1.0; robot:hip_bend2*-1.0"
+std::map<std::string, double> coefficients(const std::string& text) {
+  std::map<std::string, double> result;
+  for (const std::string& part : split(text, ';')) {
+    const std::vector<std::string> sides = split(part, '*');
+    result[sides[0].substr(sides[0].find_first_not_of(' '))] = std::stod(sides[1]);
+  }
+  return result;
+}
+
+TEST(GoldenWiring, Tendons) {
+  const Table table(kTables + "tendons.csv");
+  const mjModel& m = model();
+  ASSERT_EQ(static_cast<int>(table.size()), m.ntendon);
+  for (const Table::Row& row : table.rows()) {
+    SCOPED_TRACE(row.label());
+    const int id = row.integer("id");
+    EXPECT_EQ(name_of(mjOBJ_TENDON, id), row.text("name"));
+    std::map<std::string, double> actual;
+    for (int wrap = m.tendon_adr[id]; wrap < m.tendon_adr[id] + m.tendon_num[id]; ++wrap) {
+      EXPECT_EQ(m.wrap_type[wrap], mjWRAP_JOINT);
+      actual[name_of(mjOBJ_JOINT, m.wrap_objid[wrap])] = m.wrap_prm[wrap];
+    }
+    EXPECT_EQ(actual, coefficients(row.text("joints_coefs")));
+    EXPECT_EQ(m.tendon_limited[id], row.integer("limited"));
+    EXPECT_TRUE(close(row.numbers("range"), m.tendon_range + 2 * id));
+    EXPECT_TRUE(close(row.number("stiffness"), m.tendon_stiffness[id]));
+    EXPECT_TRUE(close(row.number("damping"), m.tendon_damping[id]));
+    EXPECT_TRUE(close(row.number("frictionloss"), m.tendon_frictionloss[id]));
+    EXPECT_TRUE(close(row.number("springlength"), m.tendon_lengthspring[id]));
+    EXPECT_TRUE(close(row.number("margin"), m.tendon_margin[id]));
+    EXPECT_TRUE(close(row.numbers("solref_lim"), m.tendon_solref_lim + mjNREF * id));
+    EXPECT_TRUE(close(row.numbers("solimp_lim"), m.tendon_solimp_lim + mjNIMP * id));
+  }
+}
+
+TEST(GoldenWiring, Equalities) {
+  const Table table(kTables + "equalities.csv");
+  const mjModel& m = model();
+  ASSERT_EQ(static_cast<int>(table.size()), m.neq);
+  for (const Table::Row& row : table.rows()) {
+    SCOPED_TRACE(row.label());
+    const int id = row.integer("id");
+    EXPECT_EQ(name_of(mjOBJ_EQUALITY, id), row.text("name"));
+    EXPECT_EQ(row.text("type"), "joint");
+    EXPECT_EQ(m.eq_type[id], mjEQ_JOINT);
+    EXPECT_EQ(name_of(mjOBJ_JOINT, m.eq_obj1id[id]), row.text("obj1"));
+    EXPECT_EQ(row.text("obj2"), "");
+    EXPECT_EQ(m.eq_obj2id[id], -1);
+    EXPECT_EQ(m.eq_active[id], row.integer("active"));
+    EXPECT_TRUE(close(row.numbers("data"), m.eq_data + mjNEQDATA * id));
+    EXPECT_TRUE(close(row.numbers("solref"), m.eq_solref + mjNREF * id));
+    EXPECT_TRUE(close(row.numbers("solimp"), m.eq_solimp + mjNIMP * id));
+  }
+}
+
+TEST(GoldenWiring, Sensors) {
+  const Table table(kTables + "sensors.csv");
+  const mjModel& m = model();
+  const std::map<std::string, int> types = {
+      {"accelerometer", mjSENS_ACCELEROMETER}, {"gyro", mjSENS_GYRO}, {"torque", mjSENS_TORQUE}};
+  ASSERT_EQ(static_cast<int>(table.size()), m.nsensor);
+  for (const Table::Row& row : table.rows()) {
+    SCOPED_TRACE(row.label());
+    const int id = row.integer("id");
+    EXPECT_EQ(name_of(mjOBJ_SENSOR, id), row.text("name"));
+    EXPECT_EQ(m.sensor_type[id], types.at(row.text("type")));
+    EXPECT_EQ(row.text("object_type"), "site");
+    EXPECT_EQ(m.sensor_objtype[id], mjOBJ_SITE);
+    EXPECT_EQ(name_of(mjOBJ_SITE, m.sensor_objid[id]), row.text("object"));
+    EXPECT_EQ(m.sensor_dim[id], row.integer("dim"));
+    EXPECT_EQ(m.sensor_adr[id], row.integer("adr"));
+    EXPECT_TRUE(close(row.number("noise"), m.sensor_noise[id]));
+    EXPECT_TRUE(close(row.number("cutoff"), m.sensor_cutoff[id]));
+  }
+}
+
+TEST(GoldenWiring, ContactPairs) {
+  const Table table(kTables + "contact_pairs.csv");
+  const mjModel& m = model();
+  ASSERT_EQ(static_cast<int>(table.size()), m.npair);
+  for (int id = 0; id < m.npair; ++id) {
+    const Table::Row row = table[static_cast<std::size_t>(id)];
+    SCOPED_TRACE(row.label());
+    EXPECT_EQ(name_of(mjOBJ_GEOM, m.pair_geom1[id]), row.text("geom1"));
+    EXPECT_EQ(name_of(mjOBJ_GEOM, m.pair_geom2[id]), row.text("geom2"));
+    EXPECT_EQ(m.pair_dim[id], row.integer("condim"));
+    EXPECT_TRUE(close(row.numbers("friction"), m.pair_friction + 5 * id));
+    EXPECT_TRUE(close(row.numbers("solref"), m.pair_solref + mjNREF * id));
+    EXPECT_TRUE(close(row.numbers("solimp"), m.pair_solimp + mjNIMP * id));
+    EXPECT_TRUE(close(row.number("margin"), m.pair_margin[id]));
+    EXPECT_TRUE(close(row.number("gap"), m.pair_gap[id]));
+  }
+}
+
+TEST(GoldenWiring, ContactExcludes) {
+  const Table table(kTables + "contact_excludes.csv");
+  const mjModel& m = model();
+  ASSERT_EQ(static_cast<int>(table.size()), m.nexclude);
+  for (int id = 0; id < m.nexclude; ++id) {
+    const Table::Row row = table[static_cast<std::size_t>(id)];
+    SCOPED_TRACE(row.label());
+    const int signature = m.exclude_signature[id];
+    EXPECT_EQ(signature, row.integer("signature"));
+    // Both ids plus one, in one number.
+    EXPECT_EQ(name_of(mjOBJ_BODY, (signature >> 16) - 1), row.text("body1"));
+    EXPECT_EQ(name_of(mjOBJ_BODY, (signature & 0xffff) - 1), row.text("body2"));
+  }
+}
+
+std::map<std::string, std::vector<double>> options_of(const mjModel& m) {
+  const mjOption& o = m.opt;
+  const auto three = [](const double* v) { return std::vector<double>(v, v + 3); };
+  const auto integer = [](int v) { return std::vector<double>{static_cast<double>(v)}; };
+  return {{"timestep", {o.timestep}},
+          {"apirate", {o.apirate}},
+          {"impratio", {o.impratio}},
+          {"tolerance", {o.tolerance}},
+          {"noslip_tolerance", {o.noslip_tolerance}},
+          {"mpr_tolerance", {o.mpr_tolerance}},
+          {"gravity", three(o.gravity)},
+          {"wind", three(o.wind)},
+          {"magnetic", three(o.magnetic)},
+          {"density", {o.density}},
+          {"viscosity", {o.viscosity}},
+          {"o_margin", {o.o_margin}},
+          {"o_solref", std::vector<double>(o.o_solref, o.o_solref + mjNREF)},
+          {"o_solimp", std::vector<double>(o.o_solimp, o.o_solimp + mjNIMP)},
+          {"integrator", integer(o.integrator)},
+          {"collision", integer(o.collision)},
+          {"cone", integer(o.cone)},
+          {"solver", integer(o.solver)},
+          {"iterations", integer(o.iterations)},
+          {"noslip_iterations", integer(o.noslip_iterations)},
+          {"mpr_iterations", integer(o.mpr_iterations)},
+          {"disableflags", integer(o.disableflags)},
+          {"enableflags", integer(o.enableflags)},
+          {"size_nq", integer(m.nq)},
+          {"size_nv", integer(m.nv)},
+          {"size_nu", integer(m.nu)},
+          {"size_nbody", integer(m.nbody)},
+          {"size_njnt", integer(m.njnt)},
+          {"size_ngeom", integer(m.ngeom)},
+          {"size_nsite", integer(m.nsite)},
+          {"size_ncam", integer(m.ncam)},
+          {"size_nlight", integer(m.nlight)},
+          {"size_ntendon", integer(m.ntendon)},
+          {"size_neq", integer(m.neq)},
+          {"size_npair", integer(m.npair)},
+          {"size_nexclude", integer(m.nexclude)},
+          {"size_nsensor", integer(m.nsensor)},
+          {"size_nsensordata", integer(m.nsensordata)},
+          {"size_nkey", integer(m.nkey)},
+          {"size_nmesh", integer(m.nmesh)},
+          {"size_nuser_actuator", integer(m.nuser_actuator)}};
+}
+
+TEST(GoldenWiring, Options) {
+  // Names that repeat a number, our own art, and the one option that differs on purpose.
+  const std::set<std::string> skipped = {"integrator_name", "cone_name", "solver_name",  "size_ntex",
+                                         "size_nmat",       "jacobian",  "jacobian_name"};
+  const Table table(kTables + "options.csv");
+  const auto actual = options_of(model());
+  std::size_t compared = 0;
+  for (const Table::Row& row : table.rows()) {
+    SCOPED_TRACE(row.label());
+    const std::string option = row.text("option");
+    if (skipped.count(option) > 0) continue;
+    ASSERT_EQ(actual.count(option), 1u) << option << " is not compared with anything";
+    const std::vector<double> expected = row.numbers("value");
+    ASSERT_EQ(expected.size(), actual.at(option).size()) << option;
+    EXPECT_TRUE(close(expected, actual.at(option).data())) << option;
+    ++compared;
+  }
+  EXPECT_EQ(compared, actual.size());
+  EXPECT_EQ(model().opt.jacobian, mjJAC_SPARSE) << "built-in scenes solve with a sparse Jacobian";
+}
+
+}  // namespace
+}  // namespace mimo::test

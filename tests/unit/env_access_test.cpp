@@ -1,0 +1,260 @@
+// Named access: every quantity against the numbers it stands for, and forces against Newton.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+#include <limits>
+
+#include "env/access.h"
+#include "support/numbers.h"
+#include "support/scenes.h"
+#include "support/tiny.h"
+
+namespace mimo::test {
+namespace {
+
+using engine::Kind;
+using env::Quantity;
+using Ids = std::vector<std::int32_t>;
+using Values = std::vector<double>;
+
+constexpr double kStep = 0.005;
+
+class EnvAccess : public ::testing::Test {
+ protected:
+  EnvAccess() : physics_(benchmark_model(), {}) {}
+
+  const mjModel& model() const { return physics_.model(); }
+  int id(Kind kind, const char* name) const { return engine::find_or_fail(model(), kind, name); }
+  Values get(Quantity quantity, const Ids& ids) const {
+    Values values(env::width(model(), quantity, ids));
+    env::get(physics_, quantity, ids, values);
+    return values;
+  }
+  void set(Quantity quantity, const Ids& ids, const Values& values) { env::set(physics_, quantity, ids, values); }
+  Ids all(Kind kind) const {
+    Ids ids(static_cast<std::size_t>(engine::count(model(), kind)));
+    for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int32_t>(i);
+    return ids;
+  }
+
+  engine::Physics physics_;
+};
+
+// 3 free joints and 47 hinges, 26 bodies, 39 geoms, 23 sites, 2 cameras, 44 motors, 69 sensor values.
+TEST_F(EnvAccess, WidthsOfEverything) {
+  struct Known {
+    Quantity quantity;
+    Kind kind;
+    std::size_t width;
+  };
+  const Known known[] = {
+      {Quantity::kJointPosition, Kind::kJoint, 3 * 7 + 47}, {Quantity::kJointVelocity, Kind::kJoint, 3 * 6 + 47},
+      {Quantity::kJointForce, Kind::kJoint, 3 * 6 + 47},    {Quantity::kJointAcceleration, Kind::kJoint, 3 * 6 + 47},
+      {Quantity::kJointRange, Kind::kJoint, 50 * 2},        {Quantity::kBodyPosition, Kind::kBody, 26 * 3},
+      {Quantity::kBodyOrientation, Kind::kBody, 26 * 4},    {Quantity::kBodyVelocity, Kind::kBody, 26 * 6},
+      {Quantity::kBodyForce, Kind::kBody, 26 * 6},          {Quantity::kBodyMass, Kind::kBody, 26},
+      {Quantity::kBodyCenterOfMass, Kind::kBody, 26 * 3},   {Quantity::kGeomPosition, Kind::kGeom, 39 * 3},
+      {Quantity::kGeomOrientation, Kind::kGeom, 39 * 4},    {Quantity::kGeomSize, Kind::kGeom, 39 * 3},
+      {Quantity::kSitePosition, Kind::kSite, 23 * 3},       {Quantity::kSiteOrientation, Kind::kSite, 23 * 4},
+      {Quantity::kCameraPosition, Kind::kCamera, 2 * 3},    {Quantity::kCameraOrientation, Kind::kCamera, 2 * 4},
+      {Quantity::kActuatorControl, Kind::kActuator, 44},    {Quantity::kActuatorForce, Kind::kActuator, 44},
+      {Quantity::kSensorValue, Kind::kSensor, 69}};
+  for (int number = 1; number <= 21; ++number) {
+    const Known& entry = known[number - 1];
+    EXPECT_EQ(env::quantity_from(number), entry.quantity);
+    EXPECT_EQ(env::width(model(), entry.quantity, all(entry.kind)), entry.width) << number;
+    EXPECT_EQ(env::width(model(), entry.quantity, Ids{}), 0u);
+  }
+}
+
+TEST_F(EnvAccess, ReadsWhatMuJoCoHolds) {
+  physics_.data().ctrl[0] = 0.5;
+  physics_.step(60);
+  const mjModel& m = model();
+  const mjData& d = physics_.data();
+  EXPECT_EQ(get(Quantity::kJointPosition, all(Kind::kJoint)), copy(d.qpos, m.nq));
+  EXPECT_EQ(get(Quantity::kJointVelocity, all(Kind::kJoint)), copy(d.qvel, m.nv));
+  EXPECT_EQ(get(Quantity::kJointAcceleration, all(Kind::kJoint)), copy(d.qacc, m.nv));
+  EXPECT_EQ(get(Quantity::kBodyPosition, all(Kind::kBody)), copy(d.xpos, 3 * m.nbody));
+  EXPECT_EQ(get(Quantity::kBodyOrientation, all(Kind::kBody)), copy(d.xquat, 4 * m.nbody));
+  EXPECT_EQ(get(Quantity::kBodyMass, all(Kind::kBody)), copy(m.body_mass, m.nbody));
+  EXPECT_EQ(get(Quantity::kBodyCenterOfMass, all(Kind::kBody)), copy(d.xipos, 3 * m.nbody));
+  EXPECT_EQ(get(Quantity::kGeomPosition, all(Kind::kGeom)), copy(d.geom_xpos, 3 * m.ngeom));
+  EXPECT_EQ(get(Quantity::kGeomSize, all(Kind::kGeom)), copy(m.geom_size, 3 * m.ngeom));
+  EXPECT_EQ(get(Quantity::kSitePosition, all(Kind::kSite)), copy(d.site_xpos, 3 * m.nsite));
+  EXPECT_EQ(get(Quantity::kCameraPosition, all(Kind::kCamera)), copy(d.cam_xpos, 3 * m.ncam));
+  EXPECT_EQ(get(Quantity::kActuatorControl, all(Kind::kActuator)), copy(d.ctrl, m.nu));
+  EXPECT_EQ(get(Quantity::kActuatorForce, all(Kind::kActuator)), copy(d.actuator_force, m.nu));
+  EXPECT_EQ(get(Quantity::kSensorValue, all(Kind::kSensor)), copy(d.sensordata, m.nsensordata));
+  // Any order, any number.
+  const int knee = id(Kind::kJoint, "robot:left_knee"), root = id(Kind::kJoint, "mimo_orientation");
+  const Values mixed = get(Quantity::kJointPosition, {knee, root, knee});
+  ASSERT_EQ(mixed.size(), 9u);
+  EXPECT_EQ(mixed[0], d.qpos[m.jnt_qposadr[knee]]);
+  EXPECT_EQ(mixed[8], mixed[0]);
+  EXPECT_EQ(Values(mixed.begin() + 1, mixed.end() - 1), copy(d.qpos + m.jnt_qposadr[root], 7));
+}
+
+// Orientations turn the same way as MuJoCo's matrices.
+TEST_F(EnvAccess, Orientations) {
+  physics_.step(60);
+  const auto expect = [&](Quantity quantity, Kind kind, const double* matrices) {
+    for (const int element : all(kind)) {
+      const Values quat = get(quantity, {element});
+      double matrix[9];
+      mju_quat2Mat(matrix, quat.data());
+      EXPECT_TRUE(close(copy(matrices + 9 * element, 9), matrix, {1e-9, 1e-12})) << element;
+    }
+  };
+  expect(Quantity::kGeomOrientation, Kind::kGeom, physics_.data().geom_xmat);
+  expect(Quantity::kSiteOrientation, Kind::kSite, physics_.data().site_xmat);
+  expect(Quantity::kCameraOrientation, Kind::kCamera, physics_.data().cam_xmat);
+}
+
+TEST_F(EnvAccess, Ranges) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(get(Quantity::kJointRange, {id(Kind::kJoint, "mimo_orientation")}), (Values{-infinity, infinity}));
+  const Values knee = get(Quantity::kJointRange, {id(Kind::kJoint, "robot:left_knee")});
+  EXPECT_TRUE(close({-145 * mjPI / 180, 4 * mjPI / 180}, knee.data()));
+}
+
+// The velocity of a body's origin: a ball 0.1 m in radius that turns about its own centre and flies.
+TEST_F(EnvAccess, BodyVelocityIsLinearThenAngular) {
+  const int ball = id(Kind::kBody, "test_object2");
+  const Values velocity = {1, 2, 3, 0.5, -0.25, 4};  // at rest orientation the body's frame is the world's
+  set(Quantity::kJointVelocity, {model().body_jntadr[ball]}, velocity);
+  physics_.forward();
+  EXPECT_TRUE(close(velocity, get(Quantity::kBodyVelocity, {ball}).data()));
+}
+
+TEST_F(EnvAccess, WrittenIsRead) {
+  const int knee = id(Kind::kJoint, "robot:left_knee"), ball = id(Kind::kBody, "test_object2");
+  const Ids joints = {knee, model().body_jntadr[ball]};
+  const Values places = {-0.5, 1, 2, 3, 0.5, 0.5, -0.5, 0.5};
+  set(Quantity::kJointPosition, joints, places);
+  EXPECT_EQ(get(Quantity::kJointPosition, joints), places);
+  const Values seven = {1, 2, 3, 4, 5, 6, 7};
+  set(Quantity::kJointVelocity, joints, seven);
+  EXPECT_EQ(get(Quantity::kJointVelocity, joints), seven);
+  set(Quantity::kJointForce, joints, seven);
+  EXPECT_EQ(get(Quantity::kJointForce, joints), seven);
+  set(Quantity::kBodyForce, {ball}, {1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(get(Quantity::kBodyForce, {ball}), (Values{1, 2, 3, 4, 5, 6}));
+  set(Quantity::kActuatorControl, {3, 1}, {0.25, -0.75});
+  EXPECT_EQ(get(Quantity::kActuatorControl, {1, 3}), (Values{-0.75, 0.25}));
+}
+
+TEST_F(EnvAccess, MovingABallByItsBody) {
+  const int ball = id(Kind::kBody, "test_object2"), geom = model().body_geomadr[ball];
+  const int joint = model().body_jntadr[ball];
+  set(Quantity::kJointVelocity, {joint}, {0, 0, 1, 0, 0, 0});
+  set(Quantity::kBodyPosition, {ball}, {0.5, -0.25, 2});
+  EXPECT_EQ(get(Quantity::kBodyPosition, {ball}), (Values{0.5, -0.25, 2}));
+  EXPECT_EQ(get(Quantity::kGeomPosition, {geom}), (Values{0.5, -0.25, 2})) << "poses follow at once";
+  EXPECT_EQ(get(Quantity::kJointVelocity, {joint}), (Values{0, 0, 1, 0, 0, 0})) << "velocities stay";
+  set(Quantity::kBodyOrientation, {ball}, {0, 0, 0, 2});
+  EXPECT_EQ(get(Quantity::kBodyOrientation, {ball}), (Values{0, 0, 0, 1})) << "normalised";
+  physics_.step(1);
+  physics_.update_poses();
+  const double speed = 1 - 9.81 * kStep;
+  EXPECT_TRUE(close(2 + speed * kStep, get(Quantity::kBodyPosition, {ball})[2]));
+}
+
+// Setting what is there already leaves the trajectory to the bit.
+TEST_F(EnvAccess, LookingAndRewritingLeaveTheTrajectory) {
+  engine::Physics plain(benchmark_model(), {});
+  for (int step = 0; step < 120; ++step) {
+    plain.step(1);
+    physics_.step(1);
+    get(Quantity::kBodyVelocity, all(Kind::kBody));
+    physics_.update_poses();
+    set(Quantity::kJointVelocity, all(Kind::kJoint), get(Quantity::kJointVelocity, all(Kind::kJoint)));
+    ASSERT_EQ(copy(physics_.data().qpos, model().nq), copy(plain.data().qpos, model().nq)) << step;
+  }
+}
+
+// Without gravity and contacts, from rest: v = F / m t for the force, w = T / I t for the torque.
+TEST_F(EnvAccess, ForcesMoveAsNewtonSays) {
+  engine::PhysicsOptions floating;
+  floating.gravity = floating.contacts = false;
+  engine::Physics physics(benchmark_model(), floating);
+  const std::int32_t box = engine::find_or_fail(model(), Kind::kBody, "test_object1");
+  const double mass = 8, inertia = 8.0 / 12 * (0.2 * 0.2 + 0.2 * 0.2);  // a cube of 0.2 m
+  env::set(physics, Quantity::kBodyForce, Ids{box}, Values{2, -4, 8, 0, 0, 0.5});
+  physics.step(10);
+  const double t = 10 * kStep;
+  Values velocity(6);
+  const Ids joint = {model().body_jntadr[box]};
+  env::get(physics, Quantity::kJointVelocity, joint, velocity);
+  EXPECT_TRUE(close({2 / mass * t, -4 / mass * t, 8 / mass * t, 0, 0, 0.5 / inertia * t}, velocity.data()));
+  // Until changed: taken away, it flies on. The same by the joint's own generalised force.
+  env::set(physics, Quantity::kBodyForce, Ids{box}, Values(6, 0));
+  env::set(physics, Quantity::kJointForce, joint, Values{0, 8, 0, 0, 0, 0});
+  physics.step(10);
+  env::get(physics, Quantity::kJointVelocity, joint, velocity);
+  EXPECT_TRUE(close({2 / mass * t, 4 / mass * t, 8 / mass * t, 0, 0, 0.5 / inertia * t}, velocity.data()));
+  physics.reset();
+  env::get(physics, Quantity::kJointForce, joint, velocity);
+  EXPECT_EQ(velocity, Values(6, 0)) << "reset takes forces away";
+}
+
+TEST_F(EnvAccess, Refusals) {
+  const int ball = id(Kind::kBody, "test_object2"), hand = id(Kind::kBody, "left_hand");
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const Values before = copy(physics_.data().qpos, model().nq);
+  const auto refuse = [&](const char* part, Quantity quantity, const Ids& ids, const Values& values) {
+    expect_error(Status::kInvalidArgument, part, [&] { set(quantity, ids, values); });
+  };
+  refuse("\"left_hand\") cannot be moved", Quantity::kBodyPosition, {ball, hand}, {1, 1, 1, 1, 1, 1});
+  refuse("\"world\") cannot be moved", Quantity::kBodyOrientation, {0}, {1, 0, 0, 0});
+  refuse("values[1] is nan", Quantity::kBodyPosition, {ball}, {1, nan, 1});
+  refuse("values[2] is inf", Quantity::kBodyPosition, {ball}, {1, 1, infinity});
+  refuse("quaternion", Quantity::kBodyOrientation, {ball}, {0, 0, 0, 0});
+  refuse("quaternion", Quantity::kJointPosition, {model().body_jntadr[ball]}, {9, 9, 9, 0, 0, 0, 0});
+  refuse("body mass) can only be read", Quantity::kBodyMass, {ball}, {1});
+  refuse("sensor value) can only be read", Quantity::kSensorValue, {0}, {1, 1, 1});
+  EXPECT_EQ(copy(physics_.data().qpos, model().nq), before) << "nothing was written";
+  expect_error(Status::kInvalidArgument, "ids[1] is 26, expected a body id from 0 to 25", [&] {
+    env::width(model(), Quantity::kBodyMass, Ids{0, 26});
+  });
+  expect_error(Status::kInvalidArgument, "ids[0] is -1",
+               [&] { env::width(model(), Quantity::kJointPosition, Ids{-1}); });
+  for (const int number : {0, 22, -1}) {
+    expect_error(Status::kInvalidArgument, std::to_string(number), [&] { env::quantity_from(number); });
+  }
+  for (const int number : {0, 8, -1}) {
+    expect_error(Status::kInvalidArgument, std::to_string(number), [&] { env::kind_from(number); });
+  }
+}
+
+// Finite, but far beyond what the simulation takes: refused by the next step, not by a crash.
+TEST_F(EnvAccess, AbsurdPositionsFailTheWorld) {
+  const int ball = id(Kind::kBody, "test_object2");
+  set(Quantity::kBodyPosition, {ball}, {1e200, 0, 0});
+  expect_error(Status::kSimulation, "QPOS", [&] { physics_.step(1); });
+  expect_error(Status::kSimulation, "reset", [&] { set(Quantity::kBodyPosition, {ball}, {0, 0, 1}); });
+  physics_.reset();
+  physics_.step(1);
+}
+
+// A ball at rest carries its weight: along the contact's normal, which points from geom 1 to geom 2.
+TEST(EnvContacts, BallAtRestCarriesItsWeight) {
+  engine::Physics physics(
+      compiled(
+          "<mujoco><option timestep='0.005'/><worldbody><geom name='floor' type='plane' size='1 1 .1'/>"
+          "<body name='ball' pos='0 0 0.05'><freejoint/><geom size='0.05' mass='0.3'/></body></worldbody></mujoco>"),
+      {});
+  physics.step(2000);
+  const mjData& d = physics.data();
+  ASSERT_EQ(d.ncon, 1);
+  EXPECT_EQ(d.contact[0].geom1, 0);
+  EXPECT_TRUE(close({0, 0, 1}, d.contact[0].frame, {0, 1e-9})) << "up, from the floor to the ball";
+  const auto force = engine::contact_force(physics.model(), d, 0);
+  EXPECT_NEAR(force[0], 0.3 * 9.81, 1e-6) << "on the ball, upwards";
+  EXPECT_NEAR(force[1], 0, 1e-6);
+  EXPECT_NEAR(force[2], 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace mimo::test

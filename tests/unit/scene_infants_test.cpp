@@ -1,0 +1,154 @@
+// Infants in a scene: names, places, several at once, and what a user's document may not do to them.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "body/body.h"
+#include "support/physical.h"
+#include "support/quiet.h"
+#include "support/scenes.h"
+#include "support/tiny.h"
+
+namespace mimo::test {
+namespace {
+
+using engine::Kind;
+using SceneInfants = QuietTest;
+
+const scene::Pose kLeft{{0, 1, 0.4}, {1, 0, 0, 0}};
+const scene::Pose kRight{{0, -1, 0.4}, {0.5, 0.5, 0.5, 0.5}};
+
+engine::ModelPtr anna_and_ben() {
+  scene::Scene scene(named("free"));
+  scene.add_body("mitten", "anna/", &kLeft);
+  scene.add_body("mitten", "ben/", &kRight);
+  return compile(scene);
+}
+
+TEST_F(SceneInfants, PlaceOfTheRoom) {
+  const engine::ModelPtr model = room_with_infant("free");
+  const int root = engine::find_or_fail(*model, Kind::kBody, "mimo_location");
+  EXPECT_EQ(copy(model->body_pos + 3 * root, 3), (std::vector<double>{0, 0, 0.4}));
+  scene::Scene bare(from_text("<mujoco/>"));
+  bare.add_body("mitten", "", nullptr);
+  const engine::ModelPtr at_origin = compile(bare);
+  const int there = engine::find_or_fail(*at_origin, Kind::kBody, "mimo_location");
+  EXPECT_EQ(copy(at_origin->body_pos + 3 * there, 3), (std::vector<double>{0, 0, 0}));
+}
+
+TEST_F(SceneInfants, PlaceOfTheCaller) {
+  const engine::ModelPtr model = anna_and_ben();
+  const int anna = engine::find_or_fail(*model, Kind::kBody, "anna/mimo_location");
+  const int ben = engine::find_or_fail(*model, Kind::kBody, "ben/mimo_location");
+  EXPECT_EQ(copy(model->body_pos + 3 * anna, 3), (std::vector<double>{0, 1, 0.4}));
+  EXPECT_EQ(copy(model->body_pos + 3 * ben, 3), (std::vector<double>{0, -1, 0.4}));
+  EXPECT_EQ(copy(model->body_quat + 4 * ben, 4), (std::vector<double>{0.5, 0.5, 0.5, 0.5}));
+}
+
+TEST_F(SceneInfants, TwoHaveEverythingTwice) {
+  const engine::ModelPtr one = room_with_infant("free");
+  const engine::ModelPtr two = anna_and_ben();
+  EXPECT_EQ(two->nbody, 1 + 2 * (one->nbody - 1));
+  EXPECT_EQ(two->ngeom, 1 + 2 * (one->ngeom - 1));
+  EXPECT_EQ(two->nu, 2 * one->nu);
+  EXPECT_EQ(two->nsensor, 2 * one->nsensor);
+  EXPECT_EQ(two->ntendon, 2 * one->ntendon);
+  EXPECT_EQ(two->neq, 2 * one->neq);
+  EXPECT_EQ(two->npair, 2 * one->npair);
+  EXPECT_EQ(two->nexclude, 2 * one->nexclude);
+  EXPECT_EQ(two->nmat, one->nmat) << "materials are shared";
+  const body::Body sole = body::find_body(*one, "");
+  for (const char* prefix : {"anna/", "ben/"}) {
+    const body::Body body = body::find_body(*two, prefix);
+    ASSERT_EQ(body.joints.size(), 47u);
+    ASSERT_EQ(body.actuators.size(), 44u);
+    ASSERT_EQ(body.torques.size(), 21u);
+    EXPECT_EQ(body.bodies.size(), sole.bodies.size());
+    EXPECT_TRUE(close(10.90487, body::mass(*two, body)));
+    for (std::size_t i = 0; i < 47; ++i) {
+      EXPECT_EQ(engine::name(*two, Kind::kJoint, body.joints[i].id),
+                prefix + std::string(engine::name(*one, Kind::kJoint, sole.joints[i].id)));
+      EXPECT_EQ(body.joints[i].low, sole.joints[i].low);
+      EXPECT_EQ(body.joints[i].high, sole.joints[i].high);
+    }
+  }
+}
+
+// A motor of Ben's moves Ben as it would move a sole infant, and Anna not at all.
+TEST_F(SceneInfants, TwoMoveIndependently) {
+  engine::PhysicsOptions floating;
+  floating.contacts = floating.gravity = false;
+  engine::Physics both(anna_and_ben(), floating);
+  engine::Physics sole(room_with_infant("free"), floating);
+  both.data().ctrl[engine::find_or_fail(both.model(), Kind::kActuator, "ben/act:left_elbow")] = 0.5;
+  sole.data().ctrl[engine::find_or_fail(sole.model(), Kind::kActuator, "act:left_elbow")] = 0.5;
+  both.step(20);
+  sole.step(20);
+  const body::Body anna = body::find_body(both.model(), "anna/");
+  const body::Body ben = body::find_body(both.model(), "ben/");
+  const body::Body alone = body::find_body(sole.model(), "");
+  double moved = 0;
+  engine::Physics still(room_with_infant("free"), floating);
+  still.step(20);
+  for (std::size_t i = 0; i < 47; ++i) {
+    const double expected = sole.data().qpos[alone.joints[i].qpos];
+    EXPECT_TRUE(close(expected, both.data().qpos[ben.joints[i].qpos], {1e-9, 1e-11}));
+    EXPECT_TRUE(close(still.data().qpos[alone.joints[i].qpos], both.data().qpos[anna.joints[i].qpos], {1e-9, 1e-11}));
+    moved = std::max(moved, std::abs(expected - still.data().qpos[alone.joints[i].qpos]));
+  }
+  EXPECT_GT(moved, 0.1);
+}
+
+TEST_F(SceneInfants, DuplicatesAreRefused) {
+  scene::Scene scene(named("free"));
+  scene.add_body("mitten", "anna/", &kLeft);
+  const std::string before = scene.xml();
+  expect_error(Status::kInvalidArgument, "anna/", [&] { scene.add_body("mitten", "anna/", &kRight); });
+  EXPECT_EQ(scene.xml(), before);
+  scene::Scene included(from_text("<mujoco><include file='mimo/mitten.xml'/></mujoco>"));
+  expect_error(Status::kInvalidArgument, "mimo_location", [&] { included.add_body("mitten", "", nullptr); });
+}
+
+TEST_F(SceneInfants, NoPlaceLeft) {
+  scene::Scene scene(named("free"));
+  scene.add_body("mitten", "anna/", nullptr);
+  expect_error(Status::kInvalidArgument, "no place for infant number 2",
+               [&] { scene.add_body("mitten", "ben/", nullptr); });
+}
+
+TEST_F(SceneInfants, MissingInfantIsNamed) {
+  const engine::ModelPtr model = compile(scene::Scene(named("free")));
+  expect_error(Status::kNotFound, "anna/mimo_location", [&] { body::find_body(*model, "anna/"); });
+}
+
+// Main defaults of a user's document, each of them other than MuJoCo's.
+const std::string kHostileDefaults =
+    "<default>"
+    "<geom type='box' contype='2' conaffinity='4' condim='1' group='3' priority='2' friction='.3 .2 .1' mass='7' "
+    "density='9' "
+    "solmix='3' solref='.1 .5' solimp='.5 .6 .1' margin='.1' gap='.05' shellinertia='true' pos='1 1 1' "
+    "rgba='1 0 0 1' fluidshape='ellipsoid'/>"
+    "<joint type='slide' axis='1 1 0' pos='1 1 1' limited='false' range='0 1' margin='.2' ref='0.1' springref='5' "
+    "stiffness='3' "
+    "damping='4' armature='.5' frictionloss='2' springdamper='.1 1' solreflimit='.2 .7' solimplimit='.5 .6 .1' "
+    "solreffriction='.2 .7' solimpfriction='.5 .6 .1' group='2'/>"
+    "<site type='box' size='1 1 1' pos='1 1 1' group='5'/><camera fovy='20' ipd='.5' mode='track'/>"
+    "<tendon limited='false' stiffness='3' damping='2' frictionloss='1' margin='.1' springlength='.3' group='1'/>"
+    "<general ctrllimited='false' forcelimited='false' ctrlrange='-9 9' forcerange='-9 9' gear='3' gainprm='2' "
+    "dyntype='filter'/>"
+    "<pair condim='6' friction='2 2 .1 .1 .1' solref='.3 1' margin='.1' gap='.1'/>"
+    "<equality active='true' solref='.3 1' solimp='.5 .6 .1'/></default>";
+
+TEST_F(SceneInfants, MainDefaultsDoNotReachIntoTheBody) {
+  scene::Scene neutral(from_text("<mujoco/>"));
+  scene::Scene hostile(from_text("<mujoco>" + kHostileDefaults + "</mujoco>"));
+  neutral.add_body("mitten", "", nullptr);
+  hostile.add_body("mitten", "", nullptr);
+  expect_same_physics(*compile(neutral), *compile(hostile));
+  const std::string include = "<include file='mimo/mitten.xml'/>";
+  expect_same_physics(*compile(scene::Scene(from_text("<mujoco>" + include + "</mujoco>"))),
+                      *compile(scene::Scene(from_text("<mujoco>" + kHostileDefaults + include + "</mujoco>"))));
+}
+
+}  // namespace
+}  // namespace mimo::test
