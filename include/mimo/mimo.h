@@ -2,10 +2,11 @@
  * libmimo: MIMo, the multimodal infant model, as a C library.  MIT licence, see LICENSE.
  *
  * In the order of use:
- *   1. versions and status       5. stepping and observations
- *   2. logging                   6. named access: joints, bodies, contacts by name
- *   3. scenes and agents         7. pictures
- *   4. environments              8. timing
+ *   1. versions and status       6. named access: joints, bodies, contacts by name
+ *   2. logging                   7. pictures
+ *   3. scenes, agents, tasks     8. timing
+ *   4. environments              9. rewards and outcomes
+ *   5. stepping, observations    10. what differs from world to world: locks, gravity
  *
  * Rules that hold everywhere (docs/ has an article on each):
  *   Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
@@ -107,7 +108,7 @@ typedef struct mimo_scene mimo_scene;
 typedef struct mimo_scene_config {
   uint32_t struct_size;  /**< sizeof(mimo_scene_config), set by mimo_scene_config_init. */
   uint32_t reserved;     /**< 0. */
-  const char *name;      /**< Built-in scene: "benchmark", "free"; see mimo_scene_builtin. */
+  const char *name;      /**< Built-in scene: "reach", "benchmark", ...; see mimo_scene_builtin. */
   const char *file;      /**< Path of an MJCF file. Its includes may name built-in files as "mimo/mitten.xml". */
   const char *xml;       /**< MJCF text; relative paths in it start from the working directory. */
   const char *model_dir; /**< Folder to take built-in models from instead of those inside the library, or NULL. */
@@ -147,7 +148,24 @@ MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
 #define MIMO_VISION_SEGMENTATION 0x04u /**< Geom id of each pixel, int32 H x W, -1 is background. */
 
-/** One infant: where it is and what it senses. */
+#define MIMO_ACTUATION_TORQUE 0   /**< An action is a motor's share of its largest torque. */
+#define MIMO_ACTUATION_POSITION 1 /**< An action is the angle at which a joint is to be, rad; a soft lock takes it there. */
+
+#define MIMO_ACT_TRUNK 0x01u      /**< Three motors. */
+#define MIMO_ACT_HEAD 0x02u       /**< Three. */
+#define MIMO_ACT_EYES 0x04u       /**< Three an eye. */
+#define MIMO_ACT_RIGHT_ARM 0x08u  /**< Shoulder (three) and elbow. */
+#define MIMO_ACT_LEFT_ARM 0x10u
+#define MIMO_ACT_RIGHT_HAND 0x20u /**< Wrist (three) and fingers. */
+#define MIMO_ACT_LEFT_HAND 0x40u
+#define MIMO_ACT_RIGHT_LEG 0x80u  /**< Hip (three) and knee. */
+#define MIMO_ACT_LEFT_LEG 0x100u
+#define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes. */
+#define MIMO_ACT_LEFT_FOOT 0x400u
+#define MIMO_ACT_ALL 0x7ffu
+#define MIMO_ACT_NONE 0x80000000u /**< No motor at all; excludes the other bits. */
+
+/** One infant: where it is, what it senses, what of it acts. */
 typedef struct mimo_agent_config {
   uint32_t struct_size;          /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
   uint32_t place_given;          /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
@@ -161,8 +179,10 @@ typedef struct mimo_agent_config {
   uint32_t vision;               /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
   uint32_t vision_width;         /**< Pixels, 1 to 4096. Default 256. */
   uint32_t vision_height;        /**< Pixels, 1 to 4096. Default 256. */
-  uint32_t reserved;             /**< 0. */
+  uint32_t actuation;            /**< A MIMO_ACTUATION_ constant. Default torque. */
   double vision_fovy;            /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
+  uint32_t acts;                 /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
+  uint32_t normalize_actions;    /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
 } mimo_agent_config;
 
 /**
@@ -172,8 +192,16 @@ typedef struct mimo_agent_config {
 MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
+ * Fills a config with what the scene gives its infant by itself: in reach, standup and selfbody the senses of the
+ * paper's experiments, and no eyes; elsewhere the same as mimo_agent_config_init.
+ * @param size sizeof(mimo_agent_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agent_config *config,
+                                              size_t size) MIMO_NOEXCEPT;
+
+/**
  * Adds an infant.
- * @param config NULL means defaults.
+ * @param config NULL means the scene's own, see mimo_scene_default_agent.
  * @param agent  receives its number, 0 for the first; may be NULL.
  * Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a name in use, or no name where there are
  * several agents, or when the scene has no place left and none is given.
@@ -219,6 +247,35 @@ MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_
 MIMO_API mimo_status mimo_scene_xml(const mimo_scene *scene, char *text, size_t capacity,
                                     size_t *length) MIMO_NOEXCEPT;
 
+/** Name of the index-th task ("none", "reach", ...), or NULL past the last. Static string. */
+MIMO_API const char *mimo_task_name(size_t index) MIMO_NOEXCEPT;
+
+/** A number by which a task can be changed. */
+typedef struct mimo_parameter {
+  uint32_t struct_size;    /**< sizeof(mimo_parameter), set by the caller. */
+  uint32_t reserved;       /**< 0. */
+  const char *name;        /**< "reach/success_reward". Static. */
+  const char *description; /**< One line; with unit. Static. */
+  double standard;         /**< Value unless set. */
+  double low;              /**< Smallest allowed value. */
+  double high;             /**< Largest allowed value. Parameters from 0 to 1 may be switches; the description says so. */
+} mimo_parameter;
+
+/** Number of parameters of all tasks together. */
+MIMO_API mimo_status mimo_parameter_count(size_t *count) MIMO_NOEXCEPT;
+
+/** Describes the index-th parameter. Set parameter->struct_size first. */
+MIMO_API mimo_status mimo_parameter_describe(size_t index, mimo_parameter *parameter) MIMO_NOEXCEPT;
+
+/**
+ * Sets a parameter for environments made from now on.
+ * Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range.
+ */
+MIMO_API mimo_status mimo_scene_set_parameter(mimo_scene *scene, const char *name, double value) MIMO_NOEXCEPT;
+
+/** The value that a parameter has in this scene. */
+MIMO_API mimo_status mimo_scene_get_parameter(const mimo_scene *scene, const char *name, double *value) MIMO_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------------------------
  * 4. Environments: one simulated world with its agents' senses.
  * ------------------------------------------------------------------------------------------------- */
@@ -236,14 +293,15 @@ typedef struct mimo_env mimo_env;
 /** How a world is simulated. */
 typedef struct mimo_env_config {
   uint32_t struct_size;  /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
-  uint32_t frame_skip;   /**< Physics steps per environment step, 1 to 1000. Default 2 (of 5 ms each). */
+  uint32_t frame_skip;   /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
   int32_t jacobian;      /**< A MIMO_JACOBIAN_ constant. */
   uint32_t disable;      /**< MIMO_DISABLE_ bits. */
   const char *renderer;  /**< "auto" (default), "osmesa", or "none": then eyes must be off. */
-  uint32_t max_steps;    /**< Steps after which an episode is truncated; 0: never. */
+  uint32_t max_steps;    /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
   uint32_t timing;       /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
   mimo_log_fn log;       /**< Messages during create, reset and step, or NULL. */
   void *log_user;        /**< Passed to log. */
+  const char *task;      /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
 } mimo_env_config;
 
 /**
@@ -262,7 +320,7 @@ MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) 
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;
 
-/** The usual case in one call: a built-in scene by name, one infant with all senses, default settings. */
+/** The usual case in one call: a built-in scene by name with its own infant (mimo_scene_default_agent) and task. */
 MIMO_API mimo_status mimo_env_make(const char *scene_name, mimo_env **env) MIMO_NOEXCEPT;
 
 /** Destroys a world. NULL and destroyed handles are ignored. */
@@ -278,6 +336,12 @@ typedef struct mimo_agent_info {
   double mass;            /**< Of its whole body, kg. */
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
+
+/** Name of the task. The string is owned by the environment. */
+MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
+
+/** Physics steps per environment step. */
+MIMO_API mimo_status mimo_env_frame_skip(const mimo_env *env, uint32_t *frame_skip) MIMO_NOEXCEPT;
 
 /** Number of agents; also the length of the reward, terminated and truncated arrays of a step. */
 MIMO_API mimo_status mimo_env_agent_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
@@ -335,7 +399,8 @@ MIMO_API mimo_status mimo_env_observation_label(const mimo_env *env, size_t inde
 MIMO_API mimo_status mimo_env_action_size(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
 
 /**
- * Bounds of the actions. An action is the control input of one motor, as a share of its largest torque.
+ * Bounds of the actions. An action is the control input of one motor, as a share of its largest torque; under position
+ * control it is an angle; with normalize_actions all bounds are -1 and 1.
  * @param low, high arrays of count elements; either may be NULL.
  */
 MIMO_API mimo_status mimo_env_action_bounds(const mimo_env *env, float *low, float *high,
@@ -345,7 +410,7 @@ MIMO_API mimo_status mimo_env_action_bounds(const mimo_env *env, float *low, flo
 MIMO_API mimo_status mimo_env_action_name(const mimo_env *env, size_t index, const char **name) MIMO_NOEXCEPT;
 
 /**
- * Starts an episode from the scene's initial state.
+ * Starts an episode: from the scene's stored state, as its task wants it.
  * @param seed  points to the seed of the world's random numbers; NULL goes on with its own stream.
  * @param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
  */
@@ -420,6 +485,7 @@ MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIM
 #define MIMO_ACTUATOR_CONTROL 19   /**< Actuator: 1, control input. Writable. */
 #define MIMO_ACTUATOR_FORCE 20     /**< Actuator: 1, N or Nm. */
 #define MIMO_SENSOR_VALUE 21       /**< Sensor: its dimension. */
+#define MIMO_ACTUATOR_GEAR 22      /**< Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable. */
 
 /** How many of a kind (MIMO_BODY ...) the world has. */
 MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
@@ -530,6 +596,50 @@ MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) M
 
 /** Starts counting anew. */
 MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 9. Rewards and outcomes, more closely than mimo_env_step tells.
+ * ------------------------------------------------------------------------------------------------- */
+
+/** Number of terms of an agent's reward, which is their sum. */
+MIMO_API mimo_status mimo_env_reward_term_count(const mimo_env *env, size_t agent, size_t *count) MIMO_NOEXCEPT;
+
+/** Name of the index-th term, "distance". The string is owned by the environment. */
+MIMO_API mimo_status mimo_env_reward_term_name(const mimo_env *env, size_t agent, size_t index,
+                                               const char **name) MIMO_NOEXCEPT;
+
+/** The terms of the last step's reward, 0 after a reset. @param count length of values. */
+MIMO_API mimo_status mimo_env_reward_terms(const mimo_env *env, size_t agent, double *values,
+                                           size_t count) MIMO_NOEXCEPT;
+
+/** Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode. */
+MIMO_API mimo_status mimo_env_outcome(const mimo_env *env, size_t agent, uint8_t *success,
+                                      uint8_t *failure) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 10. What differs from world to world, though all share one model. It outlives resets.
+ * ------------------------------------------------------------------------------------------------- */
+
+/**
+ * Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle.
+ * @param joint a hinge of an infant.
+ * @param angle within the joint's range, rad.
+ * Errors: MIMO_E_UNSUPPORTED when the model has no equality for that joint, or the joint is under position control.
+ */
+MIMO_API mimo_status mimo_env_lock(mimo_env *env, int32_t joint, double angle) MIMO_NOEXCEPT;
+
+/** Lets a joint go, also one that the scene has locked. */
+MIMO_API mimo_status mimo_env_unlock(mimo_env *env, int32_t joint) MIMO_NOEXCEPT;
+
+/** Whether a joint is held, and at which angle (rad; also that of a lock that is off). Either may be NULL. */
+MIMO_API mimo_status mimo_env_lock_state(const mimo_env *env, int32_t joint, uint8_t *locked,
+                                         double *angle) MIMO_NOEXCEPT;
+
+/** Sets gravity, m/s^2, world frame. */
+MIMO_API mimo_status mimo_env_set_gravity(mimo_env *env, double x, double y, double z) MIMO_NOEXCEPT;
+
+/** Reads gravity. @param xyz receives three numbers. */
+MIMO_API mimo_status mimo_env_gravity(const mimo_env *env, double *xyz, size_t count) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

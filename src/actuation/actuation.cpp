@@ -23,7 +23,7 @@ void Actuation::apply(Span<const float> actions, engine::Physics& physics) const
 }
 
 std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& body, const Options& options) {
-  if (options.kind == Kind::kPosition) return std::make_unique<Position>(model, body, options.normalize);
+  if (options.mode == Mode::kPosition) return std::make_unique<Position>(model, body, options.normalize);
   return std::make_unique<Torque>(model, body, options.normalize);
 }
 

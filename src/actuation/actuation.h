@@ -12,10 +12,10 @@
 namespace mimo::actuation {
 
 // As mimo.h numbers them (MIMO_ACTUATION_...).
-enum class Kind : int { kTorque = 0, kPosition = 1 };
+enum class Mode : int { kTorque = 0, kPosition = 1 };
 
 struct Options {
-  Kind kind = Kind::kTorque;
+  Mode mode = Mode::kTorque;
   bool normalize = false;  // actions from -1 to 1 are mapped to the bounds, linearly
 };
 
@@ -29,6 +29,8 @@ class Actuation {
   const std::vector<float>& high() const { return high_; }
   const std::vector<std::string>& names() const { return names_; }
 
+  // Whether its actions move this lock.
+  virtual bool holds(int) const { return false; }
   // The world has been reset to its start.
   virtual void reset(engine::Physics&) const {}
   // Sets the commands for the coming step; actions are finite.

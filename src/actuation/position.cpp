@@ -1,5 +1,7 @@
 #include "actuation/position.h"
 
+#include <algorithm>
+
 #include "base/fail.h"
 
 namespace mimo::actuation {
@@ -20,6 +22,10 @@ Position::Position(const mjModel& model, const body::Body& body, bool normalize)
 
 void Position::reset(engine::Physics& physics) const {
   for (const body::Motor& motor : motors_) physics.hold(motor.lock, physics.start()[motor.joint.qpos]);
+}
+
+bool Position::holds(int lock) const {
+  return std::any_of(motors_.begin(), motors_.end(), [=](const body::Motor& motor) { return motor.lock == lock; });
 }
 
 void Position::command(std::size_t index, double value, engine::Physics& physics) const {

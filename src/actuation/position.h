@@ -12,6 +12,7 @@ class Position : public Actuation {
   Position(const mjModel& model, const body::Body& body, bool normalize);
   // Holds every joint where the world starts.
   void reset(engine::Physics& physics) const override;
+  bool holds(int lock) const override;
 
  private:
   void command(std::size_t index, double value, engine::Physics& physics) const override;

@@ -1,5 +1,6 @@
 #include <mutex>
 
+#include "capi/agents.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -11,7 +12,6 @@ namespace {
 mimo_env_config default_env_config() {
   mimo_env_config config{};
   config.struct_size = sizeof config;
-  config.frame_skip = 2;
   config.jacobian = MIMO_JACOBIAN_MODEL;
   config.renderer = "auto";
   return config;
@@ -19,7 +19,7 @@ mimo_env_config default_env_config() {
 
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
-  require(config.frame_skip >= 1 && config.frame_skip <= 1000, "frame_skip is {}, expected 1 to 1000",
+  require(config.frame_skip <= 1000, "frame_skip is {}, expected 1 to 1000, or 0 for the scene's own",
           config.frame_skip);
   options.frame_skip = static_cast<int>(config.frame_skip);
   require(config.jacobian >= MIMO_JACOBIAN_MODEL && config.jacobian <= MIMO_JACOBIAN_SPARSE,
@@ -32,6 +32,7 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   require(options.renderer == "auto" || options.renderer == "osmesa" || options.renderer == "none",
           "renderer is \"{}\", expected auto, osmesa or none", options.renderer);
   options.max_steps = config.max_steps;
+  options.task = text(config.task);
   check_flag(config.timing, "timing");
   options.timing = config.timing != 0;
   options.log = {config.log, config.log_user};
@@ -39,7 +40,8 @@ env::EnvOptions env_options(const mimo_env_config& config) {
 }
 
 mimo_env* make_env(const SceneObject& object, const mimo_env_config& config) {
-  const env::EnvOptions options = env_options(config);
+  env::EnvOptions options = env_options(config);
+  options.parameters = object.parameters;
   const scene::Composition composition = object.scene.compose();
   engine::ModelPtr model = engine::compile(composition.xml, composition.assets, object.log);
   return wrap<mimo_env>(std::make_unique<EnvObject>(std::move(model), object.agents, options));
@@ -70,10 +72,18 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     require(scene_name != nullptr, "scene_name is NULL");
     scene::Source source;
     source.name = scene_name;
-    SceneObject object{scene::Scene(source), {env::AgentOptions()}, {}};
-    object.scene.add_body("mitten", "", nullptr);
+    SceneObject object{scene::Scene(source), {}, {}, {}};
+    add_agent(object, default_agent_config(object.scene));
     result = make_env(object, default_env_config());
   });
+}
+
+mimo_status mimo_env_task(const mimo_env* env, const char** name) noexcept {
+  return guard([&] { out(name, "name") = open(env).world.task_name().c_str(); });
+}
+
+mimo_status mimo_env_frame_skip(const mimo_env* env, uint32_t* frame_skip) noexcept {
+  return guard([&] { out(frame_skip, "frame_skip") = static_cast<uint32_t>(open(env).world.frame_skip()); });
 }
 
 void mimo_env_destroy(mimo_env* env) noexcept { destroy(env); }

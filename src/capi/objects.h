@@ -14,6 +14,7 @@ struct SceneObject {
   scene::Scene scene;
   std::vector<env::AgentOptions> agents;
   LogSink log;
+  tasks::Settings parameters;
 };
 
 struct EnvObject {

@@ -50,6 +50,12 @@ void Env::step(const std::vector<float>& action, Block& block) {
   check(mimo_env_step(get(), values, action.size(), block.data(), block.bytes(), nullptr, nullptr, nullptr, 0));
 }
 
+std::uint32_t Env::frame_skip() const {
+  std::uint32_t count = 0;
+  check(mimo_env_frame_skip(get(), &count));
+  return count;
+}
+
 double Env::timestep() const {
   double seconds = 0;
   check(mimo_env_timestep(get(), &seconds));

@@ -91,6 +91,7 @@ class Env {
   void step(const std::vector<float>& action, Block& block);
   void physics_step(std::size_t count) { check(mimo_env_physics_step(get(), count)); }
   double timestep() const;
+  std::uint32_t frame_skip() const;
 
   Block make_block() const;
   std::vector<Field> fields() const;

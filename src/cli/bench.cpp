@@ -102,7 +102,7 @@ class BareWorld {
   }
 
   void run(const Actions& actions) {
-    const std::size_t frame_skip = bare_config(0).frame_skip;
+    const std::size_t frame_skip = env_.frame_skip();
     for (const auto& action : actions) {
       env_.set(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
       const auto start = Clock::now();
@@ -202,7 +202,7 @@ Json split_of(const Env& env, double step_ms) {
 Json Bench::result() const {
   const Samples &full = full_.times(), &raw = raw_.times(), &reference = reference_.times();
   const double steps = static_cast<double>(options_.steps);
-  const double frame_skip = make_env_config().frame_skip;
+  const double frame_skip = full_.env().frame_skip();
   const double simulated = steps * frame_skip * full_.env().timestep();
   const double step_ms = full.mean() * 1e3;
   const double allocations = static_cast<double>(Allocations::counted()) / steps;

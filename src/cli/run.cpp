@@ -63,7 +63,7 @@ Run::Run(const RunOptions& options)
 }
 
 void Run::simulate() {
-  const double dt = env_.timestep() * config().frame_skip;
+  const double dt = env_.timestep() * env_.frame_skip();
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(options_.seconds / dt)));
   RandomActions actions(env_, options_.world.seed);
   env_.reset(options_.world.seed, block_);

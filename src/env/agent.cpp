@@ -24,7 +24,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.task = make_task(model, agent.body, number);
   if (any(options.proprioception)) {
     senses::ProprioceptionOptions proprioception = options.proprioception;
-    proprioception.position_control = options.actuation.kind == actuation::Kind::kPosition;
+    proprioception.position_control = options.actuation.mode == actuation::Mode::kPosition;
     agent.senses.push_back(std::make_unique<senses::Proprioception>(model, agent.body, proprioception));
   }
   if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));

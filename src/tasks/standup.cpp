@@ -58,7 +58,7 @@ void Standup::evaluate(const engine::Physics& physics) {
   double effort = 0;
   for (const int motor : motors_) effort += physics.data().ctrl[motor] * physics.data().ctrl[motor];
   terms_[kHeight].value = height_weight_ * (height - base_height_);
-  terms_[kControl].value = -control_weight_ * effort;
+  terms_[kControl].value = 0 - control_weight_ * effort;  // not -0 where nothing is done
   success_ = height >= success_height_;
 }
 

@@ -1,0 +1,137 @@
+#include "capi/agents.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "capi/check.h"
+
+namespace mimo::capi {
+namespace {
+
+constexpr std::uint32_t kLargestPicture = 4096;
+
+void check_agent_name(const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+  });
+  require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
+}
+
+senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
+  check_bits(config.proprioception, MIMO_PROPRIOCEPTION_ALL, "proprioception");
+  require(config.limit_threshold > 0 && config.limit_threshold <= 10,
+          "limit_threshold is {}, expected radians above 0 and up to 10", config.limit_threshold);
+  const auto has = [&](std::uint32_t bit) { return (config.proprioception & bit) != 0; };
+  senses::ProprioceptionOptions options;
+  options.position = has(MIMO_PROPRIOCEPTION_POSITION);
+  options.velocity = has(MIMO_PROPRIOCEPTION_VELOCITY);
+  options.torque = has(MIMO_PROPRIOCEPTION_TORQUE);
+  options.limit = has(MIMO_PROPRIOCEPTION_LIMIT);
+  options.actuation = has(MIMO_PROPRIOCEPTION_ACTUATION);
+  options.joint_torque = has(MIMO_PROPRIOCEPTION_JOINT_TORQUE);
+  options.limit_threshold = config.limit_threshold;
+  return options;
+}
+
+senses::VisionOptions vision(const mimo_agent_config& config) {
+  check_bits(config.vision, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, "vision");
+  const auto has = [&](std::uint32_t bit) { return (config.vision & bit) != 0; };
+  senses::VisionOptions options;
+  options.rgb = has(MIMO_VISION_RGB);
+  options.depth = has(MIMO_VISION_DEPTH);
+  options.segmentation = has(MIMO_VISION_SEGMENTATION);
+  if (!options.any()) return options;
+  require(config.vision_width >= 1 && config.vision_width <= kLargestPicture,
+          "vision_width is {}, expected 1 to {}", config.vision_width, kLargestPicture);
+  require(config.vision_height >= 1 && config.vision_height <= kLargestPicture,
+          "vision_height is {}, expected 1 to {}", config.vision_height, kLargestPicture);
+  require(config.vision_fovy == 0 || (config.vision_fovy >= 1 && config.vision_fovy <= 170),
+          "vision_fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.vision_fovy);
+  options.width = static_cast<int>(config.vision_width);
+  options.height = static_cast<int>(config.vision_height);
+  options.fovy = config.vision_fovy;
+  return options;
+}
+
+actuation::Options actuation(const mimo_agent_config& config) {
+  require(config.actuation <= MIMO_ACTUATION_POSITION, "actuation is {}, expected a MIMO_ACTUATION_ constant, 0 or 1",
+          config.actuation);
+  check_flag(config.normalize_actions, "normalize_actions");
+  return {static_cast<actuation::Mode>(config.actuation), config.normalize_actions != 0};
+}
+
+env::AgentOptions agent_options(const mimo_agent_config& config) {
+  check_flag(config.vestibular, "vestibular");
+  env::AgentOptions options;
+  options.name = text(config.name);
+  check_agent_name(options.name);
+  options.proprioception = proprioception(config);
+  options.vestibular = config.vestibular != 0;
+  options.vision = vision(config);
+  options.actuation = actuation(config);
+  return options;
+}
+
+}  // namespace
+
+mimo_agent_config default_agent_config() {
+  mimo_agent_config config{};
+  config.struct_size = sizeof config;
+  config.name = "";
+  config.body = "mitten";
+  config.orientation[0] = 1;
+  config.proprioception = MIMO_PROPRIOCEPTION_DEFAULT;
+  config.vestibular = 1;
+  config.limit_threshold = 0.035;
+  config.vision = MIMO_VISION_RGB;
+  config.vision_width = 256;
+  config.vision_height = 256;
+  return config;
+}
+
+// Where the scene says nothing, everything is on.
+mimo_agent_config default_agent_config(const scene::Scene& scene) {
+  mimo_agent_config config = default_agent_config();
+  const std::string senses = " " + scene.senses() + " ";
+  if (senses == "  ") return config;
+  const auto has = [&](const char* word) { return senses.find(" " + std::string(word) + " ") != std::string::npos; };
+  if (!has("proprioception")) config.proprioception = 0;
+  if (!has("vestibular")) config.vestibular = 0;
+  if (!has("vision")) config.vision = 0;
+  return config;
+}
+
+scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
+  check_finite(position, 3, "position");
+  check_finite(orientation, 4, "orientation");
+  const double square = orientation[0] * orientation[0] + orientation[1] * orientation[1] +
+                        orientation[2] * orientation[2] + orientation[3] * orientation[3];
+  require(square > 1e-18, "orientation is zero, expected a quaternion w x y z");
+  scene::Pose result;
+  std::copy(std::begin(position), std::end(position), result.position.begin());
+  std::copy(std::begin(orientation), std::end(orientation), result.orientation.begin());
+  return result;
+}
+
+std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
+  const env::AgentOptions options = agent_options(config);
+  for (const env::AgentOptions& other : object.agents) {
+    require(other.name != options.name, "name: there is an agent \"{}\" already", options.name);
+    require(!other.name.empty() && !options.name.empty(), "name is \"\", but each of several agents needs a name");
+  }
+  check_flag(config.place_given, "place_given");
+  if (config.acts != MIMO_ACT_NONE) check_bits(config.acts, MIMO_ACT_ALL, "acts");
+  object.agents.reserve(object.agents.size() + 1);
+  const std::string body = text(config.body);
+  if (body != "scene") {
+    const bool placed = config.place_given != 0;
+    const scene::Pose place = placed ? pose(config.position, config.orientation) : scene::Pose{};
+    object.scene.add_body(body, options.prefix(), placed ? &place : nullptr, config.acts);
+  } else {
+    object.scene.choose_motors(options.prefix(), config.acts);
+  }
+  object.agents.push_back(options);
+  return object.agents.size() - 1;
+}
+
+}  // namespace mimo::capi

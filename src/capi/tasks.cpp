@@ -1,0 +1,93 @@
+// Tasks: parameters, rewards, outcomes.
+#include "tasks/task.h"
+
+#include <algorithm>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+const tasks::Task& task_of(const mimo_env* env, std::size_t agent) {
+  const auto& agents = open(env).world.agents();
+  require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());
+  return *agents[agent].task;
+}
+
+std::size_t parameter_count() {
+  std::size_t count = 0;
+  while (tasks::parameter(count) != nullptr) ++count;
+  return count;
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+const char* mimo_task_name(size_t index) noexcept {
+  const auto all = tasks::definitions();
+  return index < all.size() ? all[index]->name : nullptr;
+}
+
+mimo_status mimo_parameter_count(size_t* count) noexcept {
+  return guard([&] { out(count, "count") = parameter_count(); });
+}
+
+mimo_status mimo_parameter_describe(size_t index, mimo_parameter* parameter) noexcept {
+  return guard([&] {
+    const tasks::Parameter* found = tasks::parameter(index);
+    require(found != nullptr, "index is {}, but there are {} parameters", index, parameter_count());
+    mimo_parameter ours{};
+    ours.name = found->name;
+    ours.description = found->description;
+    ours.standard = found->standard;
+    ours.low = found->low;
+    ours.high = found->high;
+    write_described(parameter, ours, "parameter");
+  });
+}
+
+mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double value) noexcept {
+  return guard([&] { open(scene).parameters.set(text(name), value); });
+}
+
+mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, double* value) noexcept {
+  return guard([&] { out(value, "value") = open(scene).parameters[text(name)]; });
+}
+
+mimo_status mimo_env_reward_term_count(const mimo_env* env, size_t agent, size_t* count) noexcept {
+  return guard([&] { out(count, "count") = task_of(env, agent).terms().size(); });
+}
+
+mimo_status mimo_env_reward_term_name(const mimo_env* env, size_t agent, size_t index, const char** name) noexcept {
+  return guard([&] {
+    const auto terms = task_of(env, agent).terms();
+    require(index < terms.size(), "index is {}, but there are {} terms", index, terms.size());
+    out(name, "name") = terms[index].name;
+  });
+}
+
+mimo_status mimo_env_reward_terms(const mimo_env* env, size_t agent, double* values, size_t count) noexcept {
+  return guard([&] {
+    const auto terms = task_of(env, agent).terms();
+    check_buffer(values, count, terms.size(), "values");
+    for (std::size_t i = 0; values != nullptr && i < terms.size(); ++i) values[i] = terms[i].value;
+  });
+}
+
+mimo_status mimo_env_outcome(const mimo_env* env, size_t agent, uint8_t* success, uint8_t* failure) noexcept {
+  return guard([&] {
+    const tasks::Task& task = task_of(env, agent);
+    if (success != nullptr) *success = task.success() ? 1 : 0;
+    if (failure != nullptr) *failure = task.failure() ? 1 : 0;
+  });
+}
+
+}  // extern "C"
