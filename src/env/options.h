@@ -8,6 +8,7 @@
 #include "actuation/actuation.h"
 #include "base/log.h"
 #include "engine/physics.h"
+#include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/vision.h"
 #include "tasks/task.h"
@@ -39,6 +40,11 @@ struct EnvOptions {
   TaskMaker custom_task;        // stands in for the scene's own, where given
   bool timing = false;
   LogSink log;
+  std::uint64_t seed = 0;                       // of the random stream, until a reset gives another
+  render::Renderer* shared_renderer = nullptr;  // draws for this world, which then has none of its own; outlives it
 };
+
+// Makes what the options ask for. Throws Status::kUnsupported where it does not work here.
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options);
 
 }  // namespace mimo::env

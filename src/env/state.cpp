@@ -106,6 +106,7 @@ void World::save(Span<std::uint8_t> state) const {
 }
 
 void World::load(Span<const std::uint8_t> state) {
+  require_outside_task();
   ByteReader body(open_state(state_, state));
   ByteWriter backup{Span<std::uint8_t>(parts_backup_)};
   save_parts(backup, nullptr);
@@ -117,14 +118,6 @@ void World::load(Span<const std::uint8_t> state) {
     load_parts(before);
     throw;
   }
-}
-
-std::unique_ptr<World> World::clone() const {
-  auto twin = std::make_unique<World>(shared_model_, agent_options_, options_);
-  std::vector<std::uint8_t> state(state_.bytes);
-  save(Span<std::uint8_t>(state));
-  twin->load(Span<const std::uint8_t>(state));
-  return twin;
 }
 
 }  // namespace mimo::env

@@ -15,18 +15,30 @@ bool sees(const std::vector<AgentOptions>& agents) {
   return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
 }
 
+// True as long as this lives.
+class Flag {
+ public:
+  explicit Flag(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Flag() { flag_ = false; }
+  Flag(const Flag&) = delete;
+  Flag& operator=(const Flag&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 }  // namespace
 
 World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
     : options_(options),
-      agent_options_(agents),
       shared_model_(std::move(model)),
-      physics_(shared_model_, options.physics) {
+      physics_(shared_model_, options.physics),
+      random_(options.seed) {
   adopt_scene_choices();
   const TaskMaker make_task = task_maker();
-  if (sees(agents) && options_.renderer != "none") make_renderer();
+  render::Renderer* eyes = sees(agents) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent_options : agents) {
-    Agent agent = make_agent(physics_, agent_options, make_task, agents_.size(), renderer_.get());
+    Agent agent = make_agent(physics_, agent_options, make_task, agents_.size(), eyes);
     agent.action_offset = action_size_;
     action_size_ += agent.actuation->size();
     for (const auto& sense : agent.senses) {
@@ -38,6 +50,10 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   start();
   measure_state();
   report_warnings();
+}
+
+void World::require_outside_task() const {
+  require(!in_task_, "a task may not reset, step or load the world that it is at work in");
 }
 
 // What the config leaves open, the scene's document may say.
@@ -65,7 +81,15 @@ void World::start() {
   elapsed_ = 0;
 }
 
-void World::make_renderer() { renderer_ = render::make_osmesa_renderer(shared_model_, options_.log); }
+render::Renderer& World::renderer() {
+  if (options_.shared_renderer != nullptr) return *options_.shared_renderer;
+  if (own_renderer_ == nullptr) own_renderer_ = make_renderer(shared_model_, options_);
+  return *own_renderer_;
+}
+
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options) {
+  return render::make_osmesa_renderer(model, options.log);
+}
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
   for (const Agent& agent : agents_) {
@@ -75,11 +99,15 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
 }
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
+  require_outside_task();
   if (seed != nullptr) random_.reseed(*seed);
   start();
-  for (const Agent& agent : agents_) {
-    agent.task->clear();
-    agent.task->reset(physics_, random_);
+  {
+    const Flag at_work(in_task_);
+    for (const Agent& agent : agents_) {
+      agent.task->clear();
+      agent.task->reset(physics_, random_);
+    }
   }
   physics_.data().time = 0;
   physics_.forward();
@@ -88,6 +116,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
 }
 
 void World::step(Span<const float> actions, std::uint8_t* block, const Results& results) {
+  require_outside_task();
   physics_.require_usable();
   const Stopwatch total(options_.timing, timing_.total);
   if (!actions.empty()) {
@@ -128,6 +157,7 @@ void World::sense(std::uint8_t* block, bool timed) {
 
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
 void World::evaluate() {
+  const Flag at_work(in_task_);
   for (const Agent& agent : agents_) agent.task->evaluate(physics_);
   for (const Agent& agent : agents_) agent.task->follow(physics_);
 }
@@ -152,8 +182,7 @@ bool World::over() const {
 }
 
 void World::draw(const render::View& view, const render::Picture& picture) {
-  if (renderer_ == nullptr) make_renderer();
-  renderer_->draw(model(), data(), view, picture);
+  renderer().draw(model(), data(), view, picture);
 }
 
 void World::report_warnings() {

@@ -42,6 +42,12 @@ class World {
   int frame_skip() const { return options_.frame_skip; }
   const std::string& task_name() const { return options_.task; }
 
+  // The stream that all of the world's random numbers come from.
+  Random& random() { return random_; }
+
+  // Whether a task is at work in it right now.
+  bool in_task() const { return in_task_; }
+
   // Whether the episode of any agent has ended, by success, failure or time.
   bool over() const;
 
@@ -56,20 +62,19 @@ class World {
   void save(Span<std::uint8_t> state) const;  // exactly state_bytes()
   // Throws, with nothing changed, for anything but a state of the same model, agents and task.
   void load(Span<const std::uint8_t> state);
-  // Another world of the same kind in the same state.
-  std::unique_ptr<World> clone() const;
 
   // Draws the poses as they are with the world's renderer, which is made when first needed.
   void draw(const render::View& view, const render::Picture& picture);
 
  private:
-  void make_renderer();
+  render::Renderer& renderer();
   void adopt_scene_choices();
   TaskMaker task_maker() const;
   void start();
   void sense(std::uint8_t* block, bool timed);
   void evaluate();
   void report(const Results& results) const;
+  void require_outside_task() const;
   bool out_of_time(const Agent& agent) const;
   void report_warnings();
   void measure_state();
@@ -77,15 +82,15 @@ class World {
   void load_parts(ByteReader& from);
 
   EnvOptions options_;
-  std::vector<AgentOptions> agent_options_;
   engine::ModelPtr shared_model_;
   engine::Physics physics_;
-  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   Layout layout_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;
+  bool in_task_ = false;  // a task is at work, and must not start or step the world that it is part of
   Timing timing_;
   StateFormat state_;
   std::vector<std::uint8_t> parts_backup_;  // room for load() to keep what it may have to put back

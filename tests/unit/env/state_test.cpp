@@ -203,7 +203,7 @@ TEST_F(State, RefusesNumbersThatAreNotFiniteAndPartsThatDoNotWantTheirs) {
   std::memcpy(infinite.data() + infinite.size() - sizeof bad, &bad, sizeof bad);
   infinite[env::kStateHeaderBytes] ^= 1;  // another number of elapsed steps must not stay either
   reseal(*world, infinite);
-  EXPECT_NE(refusal(*world, infinite).find("is not a finite number"), std::string::npos);
+  EXPECT_NE(refusal(*world, infinite).find("expected a finite number"), std::string::npos);
   EXPECT_EQ(saved(*world), state);
 
   task.number_ = 13;
