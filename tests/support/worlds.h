@@ -1,35 +1,21 @@
-// Worlds for tests: an infant in a built-in scene, no eyes.
+// Worlds to be stepped, saved and compared byte for byte.
 #pragma once
 
 #include <cmath>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "env/world.h"
-#include "scene/scene.h"
+#include "support/scenes.h"
 
 namespace mimo::test {
 
-inline engine::ModelPtr compile_scene(const std::string& name, const scene::Object* object = nullptr) {
-  scene::Source source;
-  source.name = name;
-  scene::Scene scene(source);
-  scene.add_body("mitten", "", nullptr);
-  if (object != nullptr) scene.add_object(*object);
-  const scene::Composition composition = scene.compose();
-  return engine::compile(composition.xml, composition.assets, {});
-}
-
-inline env::AgentOptions blind_agent() {
-  env::AgentOptions agent;
-  agent.vision = {};
-  agent.vision.rgb = false;
-  return agent;
+inline engine::ModelPtr floating_model() {
+  static const engine::ModelPtr model = room_with_infant("free");
+  return model;
 }
 
 inline std::unique_ptr<env::World> make_world(const engine::ModelPtr& model, const env::EnvOptions& options = {}) {
-  return std::make_unique<env::World>(model, std::vector<env::AgentOptions>{blind_agent()}, options);
+  return std::make_unique<env::World>(model, std::vector<env::AgentOptions>{blind()}, options);
 }
 
 // The same actions for the same step, everywhere.
