@@ -34,6 +34,13 @@ if(NOT MIMO_OSMESA_INCLUDE_DIR)
   list(APPEND mimo_missing_packages libosmesa6-dev)
 endif()
 
+# Google Highway is used for its headers only; what needs its library is not called.
+find_path(MIMO_HIGHWAY_INCLUDE_DIR hwy/highway.h)
+if(NOT MIMO_HIGHWAY_INCLUDE_DIR)
+  list(APPEND mimo_missing "Google Highway")
+  list(APPEND mimo_missing_packages libhwy-dev)
+endif()
+
 if(mimo_missing)
   list(JOIN mimo_missing ", " missing)
   list(JOIN mimo_missing_packages " " packages)
@@ -57,5 +64,7 @@ add_library(mimo_header INTERFACE)
 target_include_directories(mimo_header INTERFACE ${PROJECT_SOURCE_DIR}/include)
 add_library(mimo_osmesa_header INTERFACE)
 target_include_directories(mimo_osmesa_header SYSTEM INTERFACE ${MIMO_OSMESA_INCLUDE_DIR})
+add_library(mimo_highway_header INTERFACE)
+target_include_directories(mimo_highway_header SYSTEM INTERFACE ${MIMO_HIGHWAY_INCLUDE_DIR})
 
 message(STATUS "MuJoCo ${mujoco_VERSION}")

@@ -154,19 +154,32 @@ MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
 #define MIMO_ACTUATION_TORQUE 0   /**< An action is a motor's share of its largest torque. */
 #define MIMO_ACTUATION_POSITION 1 /**< An action is the angle at which a joint is to be, rad; a soft lock takes it there. */
 
-#define MIMO_ACT_TRUNK 0x01u      /**< Three motors. */
-#define MIMO_ACT_HEAD 0x02u       /**< Three. */
-#define MIMO_ACT_EYES 0x04u       /**< Three an eye. */
-#define MIMO_ACT_RIGHT_ARM 0x08u  /**< Shoulder (three) and elbow. */
-#define MIMO_ACT_LEFT_ARM 0x10u
-#define MIMO_ACT_RIGHT_HAND 0x20u /**< Wrist (three) and fingers. */
-#define MIMO_ACT_LEFT_HAND 0x40u
-#define MIMO_ACT_RIGHT_LEG 0x80u  /**< Hip (three) and knee. */
-#define MIMO_ACT_LEFT_LEG 0x100u
+#define MIMO_ACT_TRUNK 0x01u       /**< Three motors. */
+#define MIMO_ACT_HEAD 0x02u        /**< Three. */
+#define MIMO_ACT_EYES 0x04u        /**< Three an eye. */
+#define MIMO_ACT_RIGHT_ARM 0x08u   /**< Shoulder (three) and elbow. */
+#define MIMO_ACT_LEFT_ARM 0x10u    /**< The same on the left. */
+#define MIMO_ACT_RIGHT_HAND 0x20u  /**< Wrist (three) and fingers. */
+#define MIMO_ACT_LEFT_HAND 0x40u   /**< The same on the left. */
+#define MIMO_ACT_RIGHT_LEG 0x80u   /**< Hip (three) and knee. */
+#define MIMO_ACT_LEFT_LEG 0x100u   /**< The same on the left. */
 #define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes. */
-#define MIMO_ACT_LEFT_FOOT 0x400u
-#define MIMO_ACT_ALL 0x7ffu
-#define MIMO_ACT_NONE 0x80000000u /**< No motor at all; excludes the other bits. */
+#define MIMO_ACT_LEFT_FOOT 0x400u  /**< The same on the left. */
+#define MIMO_ACT_ALL 0x7ffu        /**< Everything. */
+#define MIMO_ACT_NONE 0x80000000u  /**< No motor at all; excludes the other bits. */
+
+#define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */
+#define MIMO_TOUCH_NORMAL_FORCE 0x2u /**< touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE. */
+#define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: how what touches slides over the skin, along its tangents, m/s. */
+#define MIMO_TOUCH_FRICTION_USE 0x8u /**< touch/friction_use, N x 1: share of the possible friction in use; 1: at its limit. */
+
+#define MIMO_TOUCH_NEAREST 1  /**< The nearest sensor feels all of a touch. */
+#define MIMO_TOUCH_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to zero at twice the spacing. */
+#define MIMO_TOUCH_GAUSSIAN 3 /**< Weights fall as a bell of standard deviation 2/3 spacing, cut off at twice the spacing. */
+
+#define MIMO_FRAME_BODY 1  /**< The frame of the body that the sensor sits on. */
+#define MIMO_FRAME_WORLD 2 /**< The frame of the world. */
+#define MIMO_FRAME_SKIN 3  /**< The frame of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors. */
 
 /** One infant: where it is, what it senses, what of it acts. */
 typedef struct mimo_agent_config {
@@ -186,6 +199,12 @@ typedef struct mimo_agent_config {
   double vision_fovy;            /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
   uint32_t acts;                 /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
   uint32_t normalize_actions;    /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
+  uint32_t touch;                /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
+  int32_t touch_response;        /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch. */
+  int32_t touch_frame;           /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
+  uint32_t touch_reserved;       /**< 0. */
+  double touch_scale;            /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
+  double touch_slip_threshold;   /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
 } mimo_agent_config;
 
 /**
@@ -211,6 +230,16 @@ MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agen
  */
 MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
                                           int32_t *agent) MIMO_NOEXCEPT;
+
+/**
+ * Sets the distance between the touch sensors of one part of an infant's body, in place of the usual one.
+ * @param body    name of a body without its agent's name, "left_hand"; NULL: every body, and what was set before for
+ *                single ones no longer counts.
+ * @param spacing metres, at most 10, as it is (touch_scale does not change it); 0: no skin there.
+ * Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has.
+ */
+MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, int32_t agent, const char *body,
+                                          double spacing) MIMO_NOEXCEPT;
 
 #define MIMO_SHAPE_SPHERE 1    /**< size: radius. */
 #define MIMO_SHAPE_CAPSULE 2   /**< size: radius, half length of the cylindrical part (along z). */
@@ -543,6 +572,25 @@ MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;
 MIMO_API mimo_status mimo_env_contacts(const mimo_env *env, int32_t *ids, double *values, size_t capacity,
                                        size_t *count) MIMO_NOEXCEPT;
 
+#define MIMO_TOUCH_FRAME_VALUES 9 /**< Per sensor: outward normal 3, first tangent 3, second tangent 3; body frame. */
+
+/**
+ * The touch sensors of an agent, in the order of its touch fields. A sensor that stands for a whole small geom sits in
+ * its middle and counts as looking along the body's x axis. The first tangent is the body's x axis projected on the
+ * skin, or its y axis where x is within 10 degrees of the normal; the second is the normal x the first.
+ * @param agent     index of the agent.
+ * @param bodies    n ids; may be NULL.
+ * @param geoms     n ids; may be NULL.
+ * @param positions n x 3, metres, in the frame of the sensor's body, C order; may be NULL.
+ * @param frames    n x MIMO_TOUCH_FRAME_VALUES; may be NULL.
+ * @param capacity  how many sensors the arrays have room for.
+ * @param count     receives how many there are, 0 where touch is off; may be NULL.
+ * Errors: MIMO_E_BUFFER_TOO_SMALL when there are more than capacity and an array is given; count is set all the same.
+ */
+MIMO_API mimo_status mimo_env_touch_sensors(const mimo_env *env, size_t agent, int32_t *bodies, int32_t *geoms,
+                                            double *positions, double *frames, size_t capacity,
+                                            size_t *count) MIMO_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------------------------
  * 7. Pictures for people: any camera of the model, or a free one that looks at a point.
  * ------------------------------------------------------------------------------------------------- */
@@ -577,6 +625,15 @@ MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *c
                                      float *depth, size_t depth_count, int32_t *segmentation,
                                      size_t segmentation_count) MIMO_NOEXCEPT;
 
+/**
+ * Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it.
+ * @param points count x 3, metres, world frame, C order.
+ * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's
+ *               axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
+ */
+MIMO_API mimo_status mimo_env_project(const mimo_env *env, const mimo_picture_config *config, const double *points,
+                                      size_t count, double *pixels) MIMO_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------------------------
  * 8. Timing: where a step's time goes.
  * ------------------------------------------------------------------------------------------------- */
@@ -588,7 +645,7 @@ typedef struct mimo_timing {
   uint64_t steps;        /**< Environment steps counted. */
   double total;          /**< Everything. */
   double physics;        /**< MuJoCo's steps. */
-  double touch;          /**< 0 in this version. */
+  double touch;          /**< Sense of touch. */
   double vision;         /**< Drawing the eyes' pictures. */
   double proprioception; /**< Joint senses. */
   double vestibular;     /**< Accelerometer and gyroscope. */

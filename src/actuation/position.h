@@ -1,5 +1,5 @@
-// Position control: an action is the angle at which a joint is to be. The joint's lock, a soft constraint, is switched on
-// and follows the action; the motor itself does nothing.
+// Position control: an action is the angle at which a joint is to be. The joint's lock, a soft constraint, is switched
+// on and follows the action; the motor itself does nothing.
 #pragma once
 
 #include "actuation/actuation.h"

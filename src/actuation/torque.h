@@ -1,4 +1,5 @@
-// Spring-damper muscles: an action is a motor's share of its largest torque, the joints' springs and dampers do the rest.
+// Spring-damper muscles: an action is a motor's share of its largest torque, the joints' springs and dampers do the
+// rest.
 #pragma once
 
 #include "actuation/actuation.h"

@@ -1,21 +1,24 @@
 // fail(status, "size {} of {}", a, b): throws an Error with a formatted message.
 #pragma once
 
-#include <fmt/format.h>
+// The small part of fmt; what needs the rest includes base/format.h. Most of a file's compile time hangs on this.
+#include <fmt/core.h>
 
 #include "base/status.h"
 
 namespace mimo {
 
+[[noreturn]] void fail_formatted(Status status, fmt::string_view format, fmt::format_args arguments);
+
 template <typename... Args>
 [[noreturn]] void fail(Status status, fmt::format_string<Args...> format, Args&&... args) {
-  throw Error(status, fmt::format(format, std::forward<Args>(args)...));
+  fail_formatted(status, format, fmt::make_format_args(args...));
 }
 
 // The commonest check: an argument that is not what was expected.
 template <typename... Args>
 void require(bool condition, fmt::format_string<Args...> format, Args&&... args) {
-  if (!condition) fail(Status::kInvalidArgument, format, std::forward<Args>(args)...);
+  if (!condition) fail_formatted(Status::kInvalidArgument, format, fmt::make_format_args(args...));
 }
 
 }  // namespace mimo

@@ -1,5 +1,6 @@
 #include "body/body.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -109,6 +110,7 @@ void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos)
   if (root.size() == 7) {
     const auto address = static_cast<std::size_t>(free_joint_address(model, body.root));
     std::copy(root.begin(), root.end(), &qpos[address]);
+    Eigen::Map<Eigen::Vector4d>(&qpos[address + 3]).normalize();
   }
   for (const engine::TupleEntry& entry : engine::custom_tuple(model, body.prefix + "mimo:pose", Kind::kJoint)) {
     qpos[static_cast<std::size_t>(joint(model, entry.id).qpos)] = entry.value;

@@ -11,8 +11,8 @@ namespace mimo::body {
 
 struct Joint {
   int id = 0;
-  int qpos = 0;  // address in qpos
-  int dof = 0;   // address in qvel
+  int qpos = 0;              // address in qpos
+  int dof = 0;               // address in qvel
   double low = 0, high = 0;  // range, rad
 };
 
@@ -31,13 +31,13 @@ struct Sensor {
 };
 
 struct Body {
-  std::string prefix;             // of all its names, "" or "anna/"
-  int root = 0;                   // body mimo_location
+  std::string prefix;  // of all its names, "" or "anna/"
+  int root = 0;        // body mimo_location
   int head = 0;
-  std::vector<int> bodies;        // the whole subtree, in model order
-  std::vector<Joint> joints;      // robot:*, in model order
-  std::vector<int> actuators;     // act:*, in model order
-  std::vector<Sensor> torques;    // proprio:*, three axes each
+  std::vector<int> bodies;      // the whole subtree, in model order
+  std::vector<Joint> joints;    // robot:*, in model order
+  std::vector<int> actuators;   // act:*, in model order
+  std::vector<Sensor> torques;  // proprio:*, three axes each
   std::optional<Sensor> accelerometer;
   std::optional<Sensor> gyroscope;
   int eye_left = -1, eye_right = -1;  // cameras
@@ -55,8 +55,8 @@ Body find_body(const mjModel& model, const std::string& prefix);
 // Its motors in the order of `actuators`.
 std::vector<Motor> motors(const mjModel& model, const Body& body);
 
-// Writes the pose that the model stores for this infant into its part of qpos: the numbers "mimo:root" for its root, the
-// tuple "mimo:pose" for its joints. What is not stored stays as it is.
+// Writes the pose that the model stores for this infant into its part of qpos: the numbers "mimo:root" for its root,
+// the tuple "mimo:pose" for its joints. What is not stored stays as it is.
 void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos);
 
 double mass(const mjModel& model, const Body& body);

@@ -41,15 +41,44 @@ senses::VisionOptions vision(const mimo_agent_config& config) {
   options.depth = has(MIMO_VISION_DEPTH);
   options.segmentation = has(MIMO_VISION_SEGMENTATION);
   if (!options.any()) return options;
-  require(config.vision_width >= 1 && config.vision_width <= kLargestPicture,
-          "vision_width is {}, expected 1 to {}", config.vision_width, kLargestPicture);
-  require(config.vision_height >= 1 && config.vision_height <= kLargestPicture,
-          "vision_height is {}, expected 1 to {}", config.vision_height, kLargestPicture);
+  require(config.vision_width >= 1 && config.vision_width <= kLargestPicture, "vision_width is {}, expected 1 to {}",
+          config.vision_width, kLargestPicture);
+  require(config.vision_height >= 1 && config.vision_height <= kLargestPicture, "vision_height is {}, expected 1 to {}",
+          config.vision_height, kLargestPicture);
   require(config.vision_fovy == 0 || (config.vision_fovy >= 1 && config.vision_fovy <= 170),
           "vision_fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.vision_fovy);
   options.width = static_cast<int>(config.vision_width);
   options.height = static_cast<int>(config.vision_height);
   options.fovy = config.vision_fovy;
+  return options;
+}
+
+void check_choice(std::int32_t value, std::int32_t low, std::int32_t high, const char* argument) {
+  require(value >= low && value <= high, "{} is {}, expected {} to {}", argument, value, low, high);
+}
+
+senses::TouchOptions touch(const mimo_agent_config& config) {
+  constexpr std::uint32_t kForces = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
+  check_bits(config.touch, kForces | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE, "touch");
+  require((config.touch & kForces) != kForces,
+          "touch is {:#x}: MIMO_TOUCH_FORCE and MIMO_TOUCH_NORMAL_FORCE exclude each other", config.touch);
+  const auto has = [&](std::uint32_t bit) { return (config.touch & bit) != 0; };
+  senses::TouchOptions options;
+  options.force = has(MIMO_TOUCH_FORCE);
+  options.normal_force = has(MIMO_TOUCH_NORMAL_FORCE);
+  options.slip = has(MIMO_TOUCH_SLIP);
+  options.friction_use = has(MIMO_TOUCH_FRICTION_USE);
+  if (!options.any()) return options;
+  check_choice(config.touch_response, MIMO_TOUCH_NEAREST, MIMO_TOUCH_GAUSSIAN, "touch_response");
+  check_choice(config.touch_frame, MIMO_FRAME_BODY, MIMO_FRAME_SKIN, "touch_frame");
+  require(config.touch_scale >= 0.001 && config.touch_scale <= 1000, "touch_scale is {}, expected 0.001 to 1000",
+          config.touch_scale);
+  require(config.touch_slip_threshold >= 0 && std::isfinite(config.touch_slip_threshold),
+          "touch_slip_threshold is {}, expected m/s, 0 or above", config.touch_slip_threshold);
+  options.response = static_cast<senses::touch::Response>(config.touch_response);
+  options.frame = static_cast<senses::TouchFrame>(config.touch_frame);
+  options.scale = config.touch_scale;
+  options.slip_threshold = config.touch_slip_threshold;
   return options;
 }
 
@@ -68,6 +97,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.proprioception = proprioception(config);
   options.vestibular = config.vestibular != 0;
   options.vision = vision(config);
+  options.touch = touch(config);
   options.actuation = actuation(config);
   return options;
 }
@@ -86,6 +116,11 @@ mimo_agent_config default_agent_config() {
   config.vision = MIMO_VISION_RGB;
   config.vision_width = 256;
   config.vision_height = 256;
+  config.touch = MIMO_TOUCH_FORCE;
+  config.touch_response = MIMO_TOUCH_LINEAR;
+  config.touch_frame = MIMO_FRAME_BODY;
+  config.touch_scale = 1;
+  config.touch_slip_threshold = senses::TouchOptions().slip_threshold;
   return config;
 }
 
@@ -98,6 +133,7 @@ mimo_agent_config default_agent_config(const scene::Scene& scene) {
   if (!has("proprioception")) config.proprioception = 0;
   if (!has("vestibular")) config.vestibular = 0;
   if (!has("vision")) config.vision = 0;
+  if (!has("touch")) config.touch = 0;
   return config;
 }
 

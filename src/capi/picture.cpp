@@ -1,5 +1,6 @@
 // Pictures for people.
 #include <algorithm>
+#include <cmath>
 
 #include "capi/check.h"
 #include "capi/guard.h"
@@ -35,11 +36,30 @@ void check_picture_config(const mimo_picture_config& config) {
           config.azimuth, config.elevation);
 }
 
+// The id of the model's camera that a config names, -1 for the free one.
+int camera_of(const env::World& world, const mimo_picture_config& config) {
+  if (config.camera == nullptr) return -1;
+  return engine::find_or_fail(world.model(), engine::Kind::kCamera, config.camera);
+}
+
 render::View view(const env::World& world, const mimo_picture_config& config, int camera) {
   if (camera >= 0) return render::camera_view(world.model(), world.data(), camera, config.fovy);
   const double fovy = config.fovy > 0 ? config.fovy : static_cast<double>(world.model().vis.global.fovy);
   return render::orbit_view({config.look_at[0], config.look_at[1], config.look_at[2]}, config.distance,
                             config.azimuth, config.elevation, fovy);
+}
+
+// Pixels right, pixels down and depth of a point of the world.
+void project(const render::View& view, const mimo_picture_config& config, const double* point, double* pixel) {
+  double seen[3] = {};  // right, up, backward
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 3; ++i) seen[axis] += view.rotation[3 * i + axis] * (point[i] - view.position[i]);
+  }
+  constexpr double kHalfDegree = 3.14159265358979323846 / 360;
+  const double focal = 0.5 * config.height / std::tan(view.fovy * kHalfDegree);  // pixels
+  pixel[0] = 0.5 * config.width - focal * seen[0] / seen[2];
+  pixel[1] = 0.5 * config.height + focal * seen[1] / seen[2];
+  pixel[2] = -seen[2];
 }
 
 }  // namespace
@@ -65,8 +85,7 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     check_buffer(rgb, rgb_bytes, 3 * pixels, "rgb");
     check_buffer(depth, depth_count, pixels, "depth");
     check_buffer(segmentation, segmentation_count, pixels, "segmentation");
-    const int camera =
-        ours.camera == nullptr ? -1 : engine::find_or_fail(world.model(), engine::Kind::kCamera, ours.camera);
+    const int camera = camera_of(world, ours);
     world.physics().update_poses();
     render::Picture picture;
     picture.width = static_cast<int>(ours.width);
@@ -75,6 +94,19 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     picture.depth = depth;
     picture.segmentation = segmentation;
     world.draw(view(world, ours, camera), picture);
+  });
+}
+
+mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* config, const double* points, size_t count,
+                             double* pixels) noexcept {
+  return guard([&] {
+    const env::World& world = open(env).world;
+    const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
+    check_picture_config(ours);
+    array(points, 3 * count, "points");
+    array(pixels, 3 * count, "pixels");
+    const render::View from = view(world, ours, camera_of(world, ours));
+    for (std::size_t i = 0; i < count; ++i) project(from, ours, points + 3 * i, pixels + 3 * i);
   });
 }
 

@@ -1,12 +1,11 @@
 // Tasks: parameters, rewards, outcomes.
-#include "tasks/task.h"
-
 #include <algorithm>
 
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "tasks/task.h"
 
 namespace mimo::capi {
 namespace {

@@ -41,10 +41,10 @@ std::uint64_t Allocations::counted() { return allocations; }
 // those of shared libraries and of operator new. They hand on to glibc's own functions; free() stays glibc's.
 extern "C" {
 
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* memory, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
+void* libc_malloc(std::size_t size) __asm__("__libc_malloc");
+void* libc_calloc(std::size_t count, std::size_t size) __asm__("__libc_calloc");
+void* libc_realloc(void* memory, std::size_t size) __asm__("__libc_realloc");
+void* libc_memalign(std::size_t alignment, std::size_t size) __asm__("__libc_memalign");
 
 static void count_allocation() {
   if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
@@ -54,22 +54,22 @@ static void count_allocation() {
 
 MIMO_CLI_INTERPOSE void* malloc(std::size_t size) noexcept {
   count_allocation();
-  return __libc_malloc(size);
+  return libc_malloc(size);
 }
 
 MIMO_CLI_INTERPOSE void* calloc(std::size_t count, std::size_t size) noexcept {
   count_allocation();
-  return __libc_calloc(count, size);
+  return libc_calloc(count, size);
 }
 
 MIMO_CLI_INTERPOSE void* realloc(void* memory, std::size_t size) noexcept {
   count_allocation();
-  return __libc_realloc(memory, size);
+  return libc_realloc(memory, size);
 }
 
 MIMO_CLI_INTERPOSE void* memalign(std::size_t alignment, std::size_t size) noexcept {
   count_allocation();
-  return __libc_memalign(alignment, size);
+  return libc_memalign(alignment, size);
 }
 
 MIMO_CLI_INTERPOSE void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {

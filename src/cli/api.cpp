@@ -56,6 +56,12 @@ std::uint32_t Env::frame_skip() const {
   return count;
 }
 
+std::string Env::task() const {
+  const char* name = "";
+  check(mimo_env_task(get(), &name));
+  return name;
+}
+
 double Env::timestep() const {
   double seconds = 0;
   check(mimo_env_timestep(get(), &seconds));
@@ -102,6 +108,17 @@ std::optional<mimo_agent_info> Env::agent() const {
   info.struct_size = sizeof info;
   check(mimo_env_agent(get(), 0, &info));
   return info;
+}
+
+std::size_t Env::touch_sensors() const {
+  std::size_t agents = 0, sum = 0;
+  check(mimo_env_agent_count(get(), &agents));
+  for (std::size_t i = 0; i < agents; ++i) {
+    std::size_t count = 0;
+    check(mimo_env_touch_sensors(get(), i, nullptr, nullptr, nullptr, nullptr, 0, &count));
+    sum += count;
+  }
+  return sum;
 }
 
 std::size_t Env::count(std::int32_t kind) const {

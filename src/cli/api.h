@@ -92,11 +92,14 @@ class Env {
   void physics_step(std::size_t count) { check(mimo_env_physics_step(get(), count)); }
   double timestep() const;
   std::uint32_t frame_skip() const;
+  std::string task() const;
 
   Block make_block() const;
   std::vector<Field> fields() const;
   std::vector<std::string> action_names() const;
   std::optional<mimo_agent_info> agent() const;  // the first one, if the world has any
+
+  std::size_t touch_sensors() const;  // of all agents
 
   std::size_t count(std::int32_t kind) const;
   std::vector<std::int32_t> ids(std::int32_t kind) const;  // all of a kind

@@ -30,7 +30,7 @@ Json describe(const Env& env) {
                {"joints", env.count(MIMO_JOINT)},
                {"geoms", env.count(MIMO_GEOM)},
                {"cameras", env.count(MIMO_CAMERA)},
-               {"touch_sensors", 0},
+               {"touch_sensors", env.touch_sensors()},
                {"mass_kg", agent ? Json(agent->mass) : Json()},
                {"height_m", agent ? Json(agent->height) : Json()}};
   info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
@@ -71,6 +71,7 @@ void add_info(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Count what a scene holds and list what its infant senses");
   add_scene_options(*command, options->world);
   add_vision_options(*command, options->world);
+  add_touch_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "picture.h"
+#include "touch_picture.h"
 #include "world.h"
 
 namespace cli {
@@ -36,8 +37,8 @@ mimo_picture_config view(const Env& env, const RenderOptions& options) {
 
 void render(const RenderOptions& options) {
   Env env = open_world(options.world, make_env_config());
-  Block nothing(0);
-  env.reset(options.world.seed, nothing);
+  Block block = env.make_block();
+  env.reset(options.world.seed, block);
   const auto config = view(env, options);
 
   const std::uint32_t width = config.width, height = config.height;
@@ -48,7 +49,8 @@ void render(const RenderOptions& options) {
   check(mimo_env_render(env.get(), &config, &color.pixels[0].r, pixels * sizeof(Rgb), depth.pixels.data(), pixels,
                         ids.pixels.data(), pixels));
 
-  write_png(options.out, color);
+  TouchPicture touch(env);
+  write_png(options.out, touch.possible() ? touch.draw(env, config, block) : color);
   if (!options.depth.empty()) {
     is_png(options.depth) ? write_png(options.depth, millimetres(depth, ids)) : write_npy(options.depth, depth);
   }
@@ -87,12 +89,14 @@ void add_size_option(CLI::App& command, const std::string& name, std::uint32_t& 
 void add_render(CLI::App& program) {
   auto options = std::make_shared<RenderOptions>();
   options->world.vision = "off";  // no eyes: only the camera asked for is drawn
+  options->world.touch = "off";
   CLI::App* command = program.add_subcommand("render", "Draw one picture of a scene as it starts");
   add_scene_options(*command, options->world);
   add_camera_options(*command, *options);
   add_size_option(*command, "--width", options->width);
   add_size_option(*command, "--height", options->height);
   add_renderer_option(*command, options->world);
+  add_touch_option(*command, options->world);
   add_seed_option(*command, options->world);
   command->add_option("--out", options->out, "The picture, a PNG file")->type_name("FILE.png")->required();
   command
@@ -109,6 +113,7 @@ void add_render(CLI::App& program) {
       "Examples:\n"
       "  mimo render --out scene.png\n"
       "  mimo render --camera eye_left --width 512 --height 512 --out left.png --depth left.npy\n"
+      "  mimo render --scene my_room.xml --body mitten --touch 0.5 --out felt.png\n"
       "  mimo render --look-at 0 0 0.6 --distance 0.6 --azimuth 180 --elevation 0 --out face.png");
   command->callback([options] { render(*options); });
 }

@@ -12,6 +12,7 @@
 #include "statistics.h"
 #include "text.h"
 #include "timing.h"
+#include "touch_picture.h"
 #include "world.h"
 
 namespace cli {
@@ -39,6 +40,7 @@ class Run {
  private:
   void save(const std::string& name, const ColorPicture& picture, const std::string& what);
   void save_pictures(const std::string& prefix, const std::string& when);
+  void save_touch(const std::string& prefix, const std::string& when);
   void save_eyes(const std::string& prefix, const std::string& when);
 
   static mimo_env_config config() {
@@ -102,10 +104,18 @@ void Run::save_eyes(const std::string& prefix, const std::string& when) {
   save(prefix + "anaglyph", anaglyph(left_picture, right_picture), "both, for red-cyan glasses");
 }
 
+void Run::save_touch(const std::string& prefix, const std::string& when) {
+  TouchPicture touch(env_);
+  if (!touch.possible()) return;
+  const std::string sensors = std::to_string(touch.sensors()) + " sensors";
+  save(prefix + "touch", touch.draw(env_, touch.close_up(env_, block_), block_), "what " + sensors + " feel most " + when);
+}
+
 void Run::save_pictures(const std::string& prefix, const std::string& when) {
   save_eyes(prefix, when);
   try {
     save(prefix + "outside", take_picture(env_, overview(env_)), "seen from outside " + when);
+    save_touch(prefix, when);
   } catch (const MimoError& error) {
     if (error.status() != MIMO_E_UNSUPPORTED) throw;
     pictures_.add({"none " + when + ":", error.what()});
@@ -146,13 +156,15 @@ void add_run(CLI::App& program) {
       ->check(CLI::Range(0.01, 1e6).description(""))
       ->capture_default_str();
   add_vision_options(*command, options->world);
+  add_touch_option(*command, options->world);
   add_seed_option(*command, options->world);
   command->add_option("--out", options->out, "Folder for the pictures; made if it is not there")
       ->type_name("DIR")
       ->capture_default_str();
   command->footer(
-      "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses) and outside.png as things are at\n"
-      "the end, and the same with start_ before the name as they were at the start.\n"
+      "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png and touch.png (where\n"
+      "most is felt: sensors as points, forces as arrows) as things are at the end, and the same with start_ before\n"
+      "the name as they were at the start.\n"
       "Examples:\n"
       "  mimo run\n"
       "  mimo run --seconds 2 --vision 512 --seed 7 --out pictures\n"

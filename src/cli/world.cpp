@@ -51,6 +51,14 @@ std::string check_vision(const std::string& text) {
   return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
 }
 
+std::string check_touch(const std::string& text) {
+  double scale = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), scale);
+  const bool number = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  const bool good = text == "off" || (number && scale >= 0.001 && scale <= 1000);
+  return good ? "" : "expected 'off' or a number from 0.001 to 1000, not '" + text + "'";
+}
+
 // The parser alone would take -1 and make something of it.
 std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
@@ -67,7 +75,12 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses) {
   } else {
     agent.vision_width = agent.vision_height = size;
   }
-  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = 0;
+  if (options.touch == "off") {
+    agent.touch = 0;
+  } else {
+    agent.touch_scale = std::stod(options.touch);
+  }
+  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = 0;
   return agent;
 }
 
@@ -91,6 +104,15 @@ void add_vision_options(CLI::App& command, WorldOptions& options) {
       ->type_name("PX|off")
       ->check(CLI::Validator(check_vision, ""));
   add_renderer_option(command, options);
+}
+
+void add_touch_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--touch", options.touch,
+                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. Pictures show what they feel")
+      ->type_name("SCALE|off")
+      ->check(CLI::Validator(check_touch, ""))
+      ->capture_default_str();
 }
 
 void add_renderer_option(CLI::App& command, WorldOptions& options) {

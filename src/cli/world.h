@@ -14,12 +14,14 @@ struct WorldOptions {
   std::string body;                 // "" means the default of the scene
   std::string renderer = "auto";
   std::string vision;  // "off", pixels, or "" for 256 where a renderer works
+  std::string touch = "1";  // "off", or the scale
   std::uint64_t seed = 0;
 };
 
 // Each adds options to a command.
 void add_scene_options(CLI::App& command, WorldOptions& options);
 void add_vision_options(CLI::App& command, WorldOptions& options);  // with add_renderer_option
+void add_touch_option(CLI::App& command, WorldOptions& options);
 void add_renderer_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
 

@@ -20,7 +20,8 @@ std::vector<TupleEntry> custom_tuple(const mjModel& model, const std::string& na
   std::vector<TupleEntry> entries;
   for (int i = 0; id >= 0 && i < model.tuple_size[id]; ++i) {
     const int at = model.tuple_adr[id] + i;
-    if (model.tuple_objtype[at] == object_type(kind)) entries.push_back({model.tuple_objid[at], model.tuple_objprm[at]});
+    if (model.tuple_objtype[at] == object_type(kind))
+      entries.push_back({model.tuple_objid[at], model.tuple_objprm[at]});
   }
   return entries;
 }

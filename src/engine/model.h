@@ -29,7 +29,7 @@ enum class Kind : int { kBody = 1, kJoint = 2, kGeom = 3, kSite = 4, kCamera = 5
 
 mjtObj object_type(Kind kind);
 int count(const mjModel& model, Kind kind);
-const char* name(const mjModel& model, Kind kind, int id);  // "" where the model gives none
+const char* name(const mjModel& model, Kind kind, int id);    // "" where the model gives none
 int find(const mjModel& model, Kind kind, const char* name);  // -1 when there is none
 // Like find, but throws Status::kNotFound with some of the names that are there.
 int find_or_fail(const mjModel& model, Kind kind, const std::string& name);

@@ -83,8 +83,6 @@ int find_lock(const mjModel& model, int joint) {
   return -1;
 }
 
-double lock_angle(const mjModel& model, int lock) {
-  return model.eq_data[lock * mjNEQDATA] + reference(model, lock);
-}
+double lock_angle(const mjModel& model, int lock) { return model.eq_data[lock * mjNEQDATA] + reference(model, lock); }
 
 }  // namespace mimo::engine

@@ -1,6 +1,6 @@
 // How one world's model differs from the model that it shares with others: locked joints, gears. The first change of a
-// kind copies the arrays it concerns; everything else stays shared. (Gravity lies in the struct itself, which every world
-// has for its own.)
+// kind copies the arrays it concerns; everything else stays shared. (Gravity lies in the struct itself, which every
+// world has for its own.)
 #pragma once
 
 #include <mujoco/mjmodel.h>

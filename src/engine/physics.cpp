@@ -20,6 +20,21 @@ bool diverged(const mjData& data) {
 // Trouble that the simulation survives, but that its user must hear of.
 constexpr mjtWarning kSurvivable[] = {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADCTRL};
 
+// MuJoCo's own texts come from one buffer for all threads.
+std::string text_of(mjtWarning kind, const mjWarningStat& stat) {
+  const std::string info = std::to_string(stat.lastinfo);
+  switch (kind) {
+    case mjWARN_INERTIA: return "the inertia matrix is nearly singular at degree of freedom " + info;
+    case mjWARN_CONTACTFULL: return "the contact buffer is full: raise nconmax above " + info;
+    case mjWARN_CNSTRFULL: return "the constraint buffer is full: raise njmax above " + info;
+    case mjWARN_BADQPOS: return "NaN, infinite or huge value in QPOS at " + info + "; the simulation is unstable";
+    case mjWARN_BADQVEL: return "NaN, infinite or huge value in QVEL at " + info + "; the simulation is unstable";
+    case mjWARN_BADQACC: return "NaN, infinite or huge value in QACC at " + info + "; the simulation is unstable";
+    case mjWARN_BADCTRL: return "NaN, infinite or huge value in CTRL at actuator " + info;
+    default: return "warning " + std::to_string(kind) + " of MuJoCo";
+  }
+}
+
 void apply(const PhysicsOptions& options, mjOption& opt) {
   if (options.jacobian == Jacobian::kDense) opt.jacobian = mjJAC_DENSE;
   if (options.jacobian == Jacobian::kSparse) opt.jacobian = mjJAC_SPARSE;
@@ -79,15 +94,12 @@ void Physics::update_poses() {
 
 void Physics::update_poses_at_last_start(Span<const int> turned) {
   require_usable();
-  double* qpos = data_->qpos;
-  std::copy_n(qpos, model_.nq, positions_.data());
-  run([this] { mj_integratePos(&model_, data_->qpos, data_->qvel, -model_.opt.timestep); });
-  for (const int address : turned) qpos[address] = positions_[static_cast<std::size_t>(address)];
-  run([this] {
+  run_aside([this, turned] {
+    mj_integratePos(&model_, data_->qpos, data_->qvel, -model_.opt.timestep);
+    for (const int address : turned) data_->qpos[address] = positions_[static_cast<std::size_t>(address)];
     mj_kinematics(&model_, data_.get());
     mj_camlight(&model_, data_.get());
   });
-  std::copy_n(positions_.data(), model_.nq, qpos);
 }
 
 void Physics::require_usable() const {
@@ -101,7 +113,7 @@ std::string Physics::take_warnings() {
     if (stat.number <= warned_[kind]) continue;
     if (warned_[kind] == 0) {  // once an episode is enough
       if (!text.empty()) text += "; ";
-      text += mju_warningText(kind, stat.lastinfo);
+      text += text_of(kind, stat);
     }
     warned_[kind] = stat.number;
   }
@@ -115,7 +127,7 @@ void Physics::fail_world(const std::string& why) {
 
 void Physics::check_divergence() {
   for (const mjtWarning kind : kDivergence) {
-    if (data_->warning[kind].number > 0) fail_world(mju_warningText(kind, data_->warning[kind].lastinfo));
+    if (data_->warning[kind].number > 0) fail_world(text_of(kind, data_->warning[kind]));
   }
 }
 

@@ -28,6 +28,10 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
     agent.senses.push_back(std::make_unique<senses::Proprioception>(model, agent.body, proprioception));
   }
   if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));
+  if (options.touch.any()) {
+    agent.skin = std::make_shared<senses::touch::Skin>(model, senses::spacings(model, agent.body, options.touch));
+    agent.senses.push_back(std::make_unique<senses::Touch>(agent.skin, options.touch));
+  }
   if (options.vision.any()) {
     if (renderer == nullptr) {
       fail(Status::kInvalidArgument, "renderer \"none\": the eyes are on; switch vision off or choose a renderer");

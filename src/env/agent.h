@@ -9,6 +9,7 @@
 #include "env/options.h"
 #include "senses/sense.h"
 #include "tasks/task.h"
+#include "senses/touch/touch.h"
 
 namespace mimo::env {
 
@@ -18,6 +19,7 @@ struct Agent {
   std::unique_ptr<actuation::Actuation> actuation;
   std::unique_ptr<tasks::Task> task;
   std::vector<std::unique_ptr<senses::Sense>> senses;
+  std::shared_ptr<const senses::touch::Skin> skin;  // null without touch
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;

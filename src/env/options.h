@@ -10,6 +10,7 @@
 #include "engine/physics.h"
 #include "render/renderer.h"
 #include "senses/proprioception.h"
+#include "senses/touch/options.h"
 #include "senses/vision.h"
 #include "tasks/task.h"
 
@@ -21,6 +22,7 @@ struct AgentOptions {
   bool vestibular = true;
   senses::VisionOptions vision;
   actuation::Options actuation;
+  senses::TouchOptions touch;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }

@@ -45,6 +45,7 @@ Tables read_tables(const ElfW(Dyn) * entry) {
 }
 
 void** find_place(const Tables& tables, ElfW(Addr) base, const char* function) {
+  if (tables.symbols == nullptr || tables.names == nullptr) return nullptr;
   for (int table = 0; table < 2; ++table) {
     const std::size_t count = tables.bytes[table] / sizeof(ElfW(Rela));
     for (std::size_t i = 0; i < count; ++i) {

@@ -48,8 +48,6 @@ LoadedLibrary::~LoadedLibrary() {
   if (handle_ != nullptr) dlclose(handle_);
 }
 
-void* LoadedLibrary::address(const char* name) const {
-  return handle_ == nullptr ? nullptr : dlsym(handle_, name);
-}
+void* LoadedLibrary::address(const char* name) const { return handle_ == nullptr ? nullptr : dlsym(handle_, name); }
 
 }  // namespace mimo::render

@@ -54,7 +54,8 @@ Canvas::Canvas(const mjModel& model, const OsmesaLibrary& library, const OsmesaC
   mjr_defaultContext(&buffers_);
   // MuJoCo 2.2.2 checks for 1000 textures but has room for 100.
   if (model.ntex > static_cast<int>(std::size(buffers_.texture))) {
-    fail(Status::kRender, "the model has {} textures; MuJoCo can draw at most {}", model.ntex, std::size(buffers_.texture));
+    fail(Status::kRender, "the model has {} textures; MuJoCo can draw at most {}", model.ntex,
+         std::size(buffers_.texture));
   }
   mjModel sized = model;  // the struct only
   sized.vis.global.offwidth = sized.vis.global.offheight = 1;

@@ -21,8 +21,8 @@ bool forked() {
 void refuse_forked() {
   if (!forked()) return;
   fail(Status::kForked,
-       "the renderer osmesa was used before fork(), and Mesa's threads do not exist in the child; start the process anew "
-       "(spawn instead of fork) or draw after forking only");
+       "the renderer osmesa was used before fork(), and Mesa's threads do not exist in the child; spawn instead of "
+       "forking, or fork before the first picture");
 }
 
 template <typename Function>

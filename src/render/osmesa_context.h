@@ -2,7 +2,6 @@
 #pragma once
 
 #include <GL/osmesa.h>
-#include <GL/glext.h>
 
 #include <array>
 
@@ -19,7 +18,8 @@ class OsmesaContext {
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-  // The context is current on this thread while this lives; afterwards the host's is again. Throws like the constructor.
+  // The context is current on this thread while this lives; afterwards the host's is again. Throws what the
+  // constructor throws.
   class Current {
    public:
     explicit Current(OsmesaContext& context);

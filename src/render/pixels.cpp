@@ -20,8 +20,8 @@ void depth_to_metres(float* depth, std::size_t count, double near, double far) {
 void ids_to_geoms(const unsigned char* colours, std::size_t count, const std::vector<std::int32_t>& geoms,
                   std::int32_t* segmentation) {
   for (std::size_t i = 0; i < count; ++i, colours += 3) {
-    const std::uint32_t id = colours[0] | static_cast<std::uint32_t>(colours[1]) << 8 |
-                             static_cast<std::uint32_t>(colours[2]) << 16;
+    const std::uint32_t id =
+        colours[0] | static_cast<std::uint32_t>(colours[1]) << 8 | static_cast<std::uint32_t>(colours[2]) << 16;
     segmentation[i] = id == 0 || id > geoms.size() ? -1 : geoms[id - 1];
   }
 }

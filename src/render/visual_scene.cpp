@@ -56,8 +56,8 @@ void VisualScene::update(const mjModel& model, const mjData& data, const View& v
   scene_.camera[0] = scene_.camera[1] = gl_camera(model, view);
   // It writes to mjData only when the list is full (see most_shown), and takes mjData* for that.
   mjData* unchanged = const_cast<mjData*>(&data);
-  const engine::Complaint complaint = engine::guarded(
-      [&] { mjv_updateScene(&model, unchanged, &option_, nullptr, nullptr, mjCAT_ALL, &scene_); });
+  const engine::Complaint complaint =
+      engine::guarded([&] { mjv_updateScene(&model, unchanged, &option_, nullptr, nullptr, mjCAT_ALL, &scene_); });
   if (complaint.failed) fail(Status::kRender, "the scene cannot be drawn: {}", complaint.error.data());
 
   geoms_.clear();
@@ -66,8 +66,6 @@ void VisualScene::update(const mjModel& model, const mjData& data, const View& v
   }
 }
 
-void VisualScene::show_ids(bool ids) {
-  scene_.flags[mjRND_SEGMENT] = scene_.flags[mjRND_IDCOLOR] = ids;
-}
+void VisualScene::show_ids(bool ids) { scene_.flags[mjRND_SEGMENT] = scene_.flags[mjRND_IDCOLOR] = ids; }
 
 }  // namespace mimo::render

@@ -1,5 +1,5 @@
-// What a room does with an infant that is put into it: how it is held, what of it acts, what stands around it. A room names
-// its recipe by a custom text, "mimo:infant"; the recipe is an MJCF file whose names get the infant's prefix.
+// What a room does with an infant that is put into it: how it is held, what of it acts, what stands around it. A room
+// names its recipe by a custom text, "mimo:infant"; the recipe is an MJCF file whose names get the infant's prefix.
 #pragma once
 
 #include <pugixml.hpp>

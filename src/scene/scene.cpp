@@ -1,3 +1,4 @@
+#include "base/format.h"
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -205,6 +206,20 @@ Composition Scene::compose() const {
   });
   composition.xml = print(document);
   return composition;
+}
+
+std::vector<std::string> Scene::body_names(const std::string& prefix) const {
+  const auto is = [&](pugi::xml_node node, const std::string& name) {
+    return std::string(node.name()) == "body" && name == node.attribute("name").value();
+  };
+  const pugi::xml_node root =
+      document_.find_node([&](pugi::xml_node node) { return is(node, prefix + kRootBody); });
+  std::vector<std::string> names;
+  walk(root, [&](pugi::xml_node node) {
+    const std::string name = node.attribute("name").value();
+    if (is(node, name) && name.size() > prefix.size()) names.push_back(name.substr(prefix.size()));
+  });
+  return names;
 }
 
 bool Scene::has_name(const char* element, const std::string& name) const {

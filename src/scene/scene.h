@@ -56,6 +56,9 @@ class Scene {
   std::string senses() const;
   void add_object(const Object& object);
 
+  // Bodies below and including the infant's root, by their names without the prefix.
+  std::vector<std::string> body_names(const std::string& prefix) const;
+
   // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png".
   std::string xml() const;
   Composition compose() const;

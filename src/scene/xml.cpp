@@ -1,3 +1,4 @@
+#include "base/format.h"
 #include "scene/xml.h"
 
 #include <algorithm>

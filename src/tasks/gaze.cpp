@@ -9,9 +9,9 @@
 namespace mimo::tasks {
 namespace {
 
-constexpr std::array<const char*, 9> kJoints = {
-    "head_swivel",         "head_tilt",          "head_tilt_side",     "left_eye_horizontal", "left_eye_vertical",
-    "left_eye_torsional",  "right_eye_horizontal", "right_eye_vertical", "right_eye_torsional"};
+constexpr std::array<const char*, 9> kJoints = {"head_swivel",          "head_tilt",          "head_tilt_side",
+                                                "left_eye_horizontal",  "left_eye_vertical",  "left_eye_torsional",
+                                                "right_eye_horizontal", "right_eye_vertical", "right_eye_torsional"};
 
 // Of the eyes in the head's frame, metres: how high, how far to the front, how far from the middle.
 constexpr double kEyeHeight = 0.067375;
@@ -20,7 +20,8 @@ constexpr double kEyeSide = 0.0245;
 
 const body::Joint& joint_of(const mjModel& model, const body::Body& body, const std::string& name) {
   const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + "robot:" + name);
-  return *std::find_if(body.joints.begin(), body.joints.end(), [=](const body::Joint& joint) { return joint.id == id; });
+  return *std::find_if(body.joints.begin(), body.joints.end(),
+                       [=](const body::Joint& joint) { return joint.id == id; });
 }
 
 }  // namespace

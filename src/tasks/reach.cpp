@@ -144,7 +144,8 @@ void Reach::follow(engine::Physics& physics) {
 }  // namespace
 
 const Definition kReach = {
-    "reach", {kParameters, std::size(kParameters)},
+    "reach",
+    {kParameters, std::size(kParameters)},
     [](const mjModel& model, const body::Body& body, const Settings& settings) -> std::unique_ptr<Task> {
       return std::make_unique<Reach>(model, body, settings);
     }};

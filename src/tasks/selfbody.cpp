@@ -18,7 +18,8 @@ constexpr Parameter kParameters[] = {
     {"selfbody/distance_weight", 1, -1e9, 1e9,
      "Else, when the right fingers feel a force: times their distance from the target body, m, is subtracted"},
     {"selfbody/no_touch_reward", -1, -1e9, 1e9, "Reward when neither feels anything"},
-    {"selfbody/settle_steps", 25, 0, 10000, "Physics steps without control that lead from the stored pose to the start"},
+    {"selfbody/settle_steps", 25, 0, 10000,
+     "Physics steps without control that lead from the stored pose to the start"},
 };
 
 // The target as the infant is told it: one number for each body with skin, 1 for the target, 0 for all others.
@@ -160,7 +161,8 @@ void Selfbody::evaluate(const engine::Physics& physics) {
 }  // namespace
 
 const Definition kSelfbody = {
-    "selfbody", {kParameters, std::size(kParameters)},
+    "selfbody",
+    {kParameters, std::size(kParameters)},
     [](const mjModel& model, const body::Body& body, const Settings& settings) -> std::unique_ptr<Task> {
       return std::make_unique<Selfbody>(model, body, settings);
     }};

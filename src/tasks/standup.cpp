@@ -65,7 +65,8 @@ void Standup::evaluate(const engine::Physics& physics) {
 }  // namespace
 
 const Definition kStandup = {
-    "standup", {kParameters, std::size(kParameters)},
+    "standup",
+    {kParameters, std::size(kParameters)},
     [](const mjModel& model, const body::Body& body, const Settings& settings) -> std::unique_ptr<Task> {
       return std::make_unique<Standup>(model, body, settings);
     }};

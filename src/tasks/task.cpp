@@ -15,7 +15,9 @@ class None : public Task {
 };
 
 constexpr Definition kNone = {
-    "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> { return std::make_unique<None>(); }};
+    "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> {
+      return std::make_unique<None>();
+    }};
 constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody};
 
 }  // namespace

@@ -28,7 +28,8 @@ class Task {
   virtual void reset(engine::Physics&, Random&) {}
   // After each physics step of an environment step, for what may be over when the last one is done.
   virtual void watch(const engine::Physics&) {}
-  // After the last physics step: terms and outcome. Positions of bodies are those of that step's start, as in the original.
+  // After the last physics step: terms and outcome. Positions of bodies are those of that step's start, as in the
+  // original.
   virtual void evaluate(const engine::Physics&) {}
   // After the evaluation: what the task itself moves.
   virtual void follow(engine::Physics&) {}

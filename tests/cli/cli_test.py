@@ -119,7 +119,8 @@ class Usage(Case):
     def test_wrong_usage(self):
         for arguments in ([], ["walk"], ["run", "--fast"], ["run", "--seconds", "-1"], ["run", "--seconds", "soon"],
                           ["run", "--vision", "0"], ["run", "--vision", "5000"], ["run", "--vision", "on"],
-                          ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
+                          ["run", "--touch", "0"], ["run", "--touch", "-1"], ["run", "--touch", "many"],
+                          ["run", "--touch", "nan"], ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
                           ["bench", "--steps", "0"], ["bench", "--worlds", "2"], ["bench", "--threads", "2"],
                           ["render"], ["render", "--out", "a.png", "--width", "0"],
                           ["render", "--out", "a.png", "--camera", "eye_left", "--distance", "1"],
@@ -156,7 +157,9 @@ class Info(Case):
     def test_benchmark_scene(self):
         info = self.info()
         self.assertEqual({key: info[key] for key in self.COUNTS}, self.COUNTS)
-        self.assertEqual(info["touch_sensors"], 0)
+        self.assertEqual(info["touch_sensors"], 5685)
+        self.assertEqual(self.info("--touch", "off")["touch_sensors"], 0)
+        self.assertGreater(self.info("--touch", "2")["touch_sensors"], 3.5 * 5685)
         self.assertAlmostEqual(info["mass_kg"], 10.90487, places=5)
         self.assertAlmostEqual(info["height_m"], 0.778, places=3)
         self.assertEqual(info["versions"]["mujoco"], "2.2.2")
@@ -358,6 +361,18 @@ class Render(Case):
                   "--width", "64", "--height", "64", "--out", "b.png")
         self.assertEqual(read_png(self.folder / "b.png")[:2], (64, 64))
 
+    def test_touch(self):
+        # A ball that lies on the head of an infant: sensors and forces change the picture of it.
+        self.write("ball.xml", """<mujoco><include file="mimo/mitten.xml"/><worldbody><light pos="0 0 3"/>
+            <body pos=".008 0 .74"><freejoint/><geom size=".03"/></body></worldbody></mujoco>""")
+        view = ("--scene", "ball.xml", "--look-at", "0", "0", ".7", "--distance", ".4", "--width", "80", "--height", "60")
+        for out, touch in (("a.png", "off"), ("b.png", "1"), ("c.png", "1"), ("d.png", "0.5")):
+            self.mimo("render", *view, "--touch", touch, "--out", out)
+        a, b, c, d = (read_png(self.folder / name)[4] for name in ("a.png", "b.png", "c.png", "d.png"))
+        self.assertEqual(b, c)
+        self.assertNotEqual(a, b)
+        self.assertNotEqual(b, d)
+
     def test_errors(self):
         self.assertIn("eye_third", self.mimo("render", "--camera", "eye_third", "--out", "a.png", code=1))
         self.assertIn("no/a.png", self.mimo("render", "--out", "no/a.png", code=1))
@@ -367,7 +382,7 @@ class Render(Case):
 
 class Run(Case):
     PICTURES = ["pictures/%s%s.png" % (when, what) for when in ("", "start_")
-                for what in ("anaglyph", "left", "outside", "right")]
+                for what in ("anaglyph", "left", "outside", "right", "touch")]
 
     @needs_renderer
     def test_writes_pictures_and_a_report(self):
@@ -375,7 +390,7 @@ class Run(Case):
         self.assertEqual(self.files(), self.PICTURES)
         for path in self.PICTURES:
             self.assertIn(path, text)
-            self.assertEqual(read_png(self.folder / path)[:2], (640, 480) if "outside" in path else (32, 32))
+            self.assertEqual(read_png(self.folder / path)[:2], (32, 32) if re.search("left|right|anaglyph", path) else (640, 480))
         for word in ("vision/eye_left", "proprioception/position", "real time", "physics"):
             self.assertIn(word, text)
 
@@ -430,6 +445,12 @@ class Bench(Case):
         self.assertGreater(result["raw_physics_us"], 0)
         self.assertGreater(result["reference_us"], 0)
         self.assertGreaterEqual(result["split_ms"]["physics"], 0)
+        self.assertEqual(result["touch_sensors"], 5685)
+        self.assertGreater(result["split_ms"]["touch"], 0)
+
+    def test_without_touch(self):
+        result = self.bench("--vision", "off", "--touch", "off", "--steps", "3")
+        self.assertEqual((result["touch_sensors"], result["split_ms"]["touch"]), (0, 0))
 
     def test_a_step_allocates_nothing(self):
         allocations = self.bench("--vision", "off", "--steps", "200")["allocations_per_step"]

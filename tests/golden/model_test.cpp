@@ -1,4 +1,4 @@
-// The infant's bodies and the objects of the benchmark room against the tables of the original's compiled model:
+// The infant's bodies and the objects of the rooms against the tables of the original's compiled models:
 // whatever has a place and a shape. Colours and materials are not compared: ours are our own.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -16,12 +16,26 @@ namespace {
 
 using engine::Kind;
 
-const std::string kTables = std::string(MIMO_TEST_DATA) + "/v1_benchmark/";
+// Each test runs for each scene, the one named here.
+std::string tested;
 
 const mjModel& model() {
-  static const engine::ModelPtr compiled = benchmark_model();
-  return *compiled;
+  static std::map<std::string, engine::ModelPtr> compiled;
+  engine::ModelPtr& found = compiled[tested];
+  if (found == nullptr) found = room_with_infant(tested);
+  return *found;
 }
+
+std::string tables() {
+  return std::string(MIMO_TEST_DATA) + "/" + (tested == "benchmark" ? "v1_benchmark" : tested) + "/";
+}
+
+class GoldenModel : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override { tested = GetParam(); }
+};
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenModel, ::testing::Values("benchmark", "reach", "standup", "selfbody"),
+                         [](const auto& scene) { return std::string(scene.param); });
 
 std::string body_name(int body) { return engine::name(model(), Kind::kBody, body); }
 
@@ -33,8 +47,8 @@ std::string geom_key(int geom) {
   return name.empty() ? "(" + body_name(body) + "#" + std::to_string(index) + ")" : name;
 }
 
-TEST(GoldenModel, Bodies) {
-  const Table table(kTables + "bodies.csv");
+TEST_P(GoldenModel, Bodies) {
+  const Table table(tables() + "bodies.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.nbody);
   for (const Table::Row& row : table.rows()) {
@@ -57,8 +71,8 @@ TEST(GoldenModel, Bodies) {
   }
 }
 
-TEST(GoldenModel, Geoms) {
-  const Table table(kTables + "geoms.csv");
+TEST_P(GoldenModel, Geoms) {
+  const Table table(tables() + "geoms.csv");
   const mjModel& m = model();
   const std::map<std::string, int> types = {{"plane", mjGEOM_PLANE},       {"sphere", mjGEOM_SPHERE},
                                             {"capsule", mjGEOM_CAPSULE},   {"box", mjGEOM_BOX},
@@ -97,8 +111,8 @@ void expect_angles(const Table::Row& row, const std::string& column, bool hinge,
   EXPECT_TRUE(close(expected, actual)) << column;
 }
 
-TEST(GoldenModel, Joints) {
-  const Table table(kTables + "joints.csv");
+TEST_P(GoldenModel, Joints) {
+  const Table table(tables() + "joints.csv");
   const mjModel& m = model();
   const std::map<std::string, int> types = {{"free", mjJNT_FREE}, {"hinge", mjJNT_HINGE}};
   ASSERT_EQ(static_cast<int>(table.size()), m.njnt);
@@ -134,8 +148,8 @@ TEST(GoldenModel, Joints) {
   }
 }
 
-TEST(GoldenModel, InitialPose) {
-  const Table table(kTables + "qpos0.csv");
+TEST_P(GoldenModel, InitialPose) {
+  const Table table(tables() + "qpos0.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.njnt);
   for (int id = 0; id < m.njnt; ++id) {
@@ -149,8 +163,8 @@ TEST(GoldenModel, InitialPose) {
   }
 }
 
-TEST(GoldenModel, Sites) {
-  const Table table(kTables + "sites.csv");
+TEST_P(GoldenModel, Sites) {
+  const Table table(tables() + "sites.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.nsite);
   for (const Table::Row& row : table.rows()) {
@@ -174,8 +188,8 @@ std::vector<double> rotated(const double* quat, double x, double y, double z) {
   return result;
 }
 
-TEST(GoldenModel, Cameras) {
-  const Table table(kTables + "cameras.csv");
+TEST_P(GoldenModel, Cameras) {
+  const Table table(tables() + "cameras.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.ncam);
   for (const Table::Row& row : table.rows()) {
@@ -197,11 +211,11 @@ TEST(GoldenModel, Cameras) {
 }
 
 // Sums over the infant, as the body room computes them.
-TEST(GoldenModel, Derived) {
-  const Table table(kTables + "derived.csv");
+TEST_P(GoldenModel, Derived) {
+  const Table table(tables() + "derived.csv");
   std::map<std::string, std::vector<double>> known;
   for (const Table::Row& row : table.rows()) known[row.text("quantity")] = row.numbers("value");
-  const engine::Physics physics(benchmark_model(), {});
+  const engine::Physics physics(engine::ModelPtr(engine::ModelPtr(), &model()), {});
   const body::Body body = body::find_body(physics.model(), "");
   EXPECT_TRUE(close(known.at("mimo_subtree_mass_kg")[0], body::mass(physics.model(), body)));
   EXPECT_TRUE(

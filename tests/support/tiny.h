@@ -1,12 +1,12 @@
 // Small models in which one thing goes wrong, and what to do with them.
 #pragma once
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "base/status.h"
 #include "engine/physics.h"
 #include "support/numbers.h"

@@ -20,6 +20,10 @@ void _mjPRIVATE__set_tls_error_fn(void (*)(const char*));
 void _mjPRIVATE__set_tls_warning_fn(void (*)(const char*));
 }
 
+// MuJoCo writes the text of its first warning into one buffer for all threads, even when nobody reads it.
+extern "C" const char* __tsan_default_suppressions();
+extern "C" const char* __tsan_default_suppressions() { return "race:mju_warningText\n"; }
+
 namespace mimo::test {
 namespace {
 

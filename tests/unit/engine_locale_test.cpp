@@ -15,6 +15,10 @@
 #include "support/scenes.h"
 #include "support/tiny.h"
 
+// glibc forgets the list of folders that it makes of LOCPATH.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_sep\n"; }
+
 namespace mimo::test {
 namespace {
 

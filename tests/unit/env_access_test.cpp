@@ -134,6 +134,8 @@ TEST_F(EnvAccess, WrittenIsRead) {
   const Values places = {-0.5, 1, 2, 3, 0.5, 0.5, -0.5, 0.5};
   set(Quantity::kJointPosition, joints, places);
   EXPECT_EQ(get(Quantity::kJointPosition, joints), places);
+  set(Quantity::kJointPosition, {joints[1]}, {1, 2, 3, 0, 0, -4, 3});
+  EXPECT_EQ(get(Quantity::kJointPosition, {joints[1]}), (Values{1, 2, 3, 0, 0, -0.8, 0.6})) << "normalised";
   const Values seven = {1, 2, 3, 4, 5, 6, 7};
   set(Quantity::kJointVelocity, joints, seven);
   EXPECT_EQ(get(Quantity::kJointVelocity, joints), seven);

@@ -1,6 +1,7 @@
 // Where a scene's parts come from: built-in files, a user's files and text, and the assets that they name.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -185,6 +186,16 @@ TEST_F(SceneSources, ComposedTextReloads) {
   const scene::Scene again(from_text(scene.xml()));
   expect_same_physics(*compile(scene), *compile(again));
   EXPECT_EQ(again.xml(), scene.xml());
+}
+
+// The way from a document to a model leads through memory: no file appears, neither here (the fixture looks) nor where
+// temporary files go.
+TEST_F(SceneSources, NoTemporaryFile) {
+  const Folder folder;
+  ::setenv("TMPDIR", folder.path().c_str(), 1);
+  room_with_infant("benchmark");
+  ::unsetenv("TMPDIR");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// Pictures of touch: sensors as points, what they feel as colours and arrows.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "picture.h"
+
+namespace cli {
+
+class TouchPicture {
+ public:
+  // Needs touch/force of the first agent, with three components in the frame of the body.
+  explicit TouchPicture(const Env& env);
+
+  // Whether the world has sensors to draw.
+  bool possible() const { return !sensors_.empty(); }
+  std::size_t sensors() const { return sensors_.size(); }
+
+  // The view that `config` describes, with the touch in the block over it. The block belongs to the world's state.
+  ColorPicture draw(Env& env, const mimo_picture_config& config, const Block& block);
+
+  // A view of what is felt most; the overview where nothing is felt.
+  mimo_picture_config close_up(const Env& env, const Block& block) const;
+
+ private:
+  using Vector = std::array<double, 3>;
+  struct Sensor {
+    std::int32_t body;
+    Vector position, normal;  // body frame
+  };
+  // A sensor as it is in the world.
+  struct Feeling {
+    Vector position, normal, force;
+  };
+
+  std::vector<Feeling> feelings(const Env& env, const Block& block) const;
+
+  std::vector<Sensor> sensors_;
+  std::size_t offset_ = 0;  // of the field in the block
+};
+
+}  // namespace cli

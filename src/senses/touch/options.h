@@ -1,0 +1,30 @@
+// What an agent's touch is made of: the inner form of the touch fields of mimo_agent_config.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "senses/touch/spread.h"
+
+namespace mimo::senses {
+
+// As mimo.h numbers them (MIMO_FRAME_BODY ...).
+enum class TouchFrame : int { kBody = 1, kWorld = 2, kSkin = 3 };
+
+struct TouchOptions {
+  bool force = true;
+  bool normal_force = false;  // instead of force
+  bool slip = false;
+  bool friction_use = false;
+  touch::Response response = touch::Response::kLinear;
+  TouchFrame frame = TouchFrame::kBody;
+  double scale = 1;                       // divides the spacing of every body that has none of its own below
+  double slip_threshold = 0.005;          // m/s; slower slip counts as none
+  std::optional<double> everywhere;       // m; in place of the usual spacings
+  std::map<std::string, double> spacing;  // m, by body name without the agent's prefix; 0: no skin there
+
+  bool any() const { return force || normal_force || slip || friction_use; }
+};
+
+}  // namespace mimo::senses

@@ -1,0 +1,35 @@
+// The sensors of one body: where they sit, where outside is, and which ones are neighbours on its skin.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "engine/physics.h"
+#include "senses/touch/shape.h"
+
+namespace mimo::senses::touch {
+
+struct Sensor {
+  int body;
+  int geom;
+  Vec3 position;          // body frame, m
+  Eigen::Matrix3d frame;  // rows, body frame: outward normal, first tangent, second tangent
+
+  auto normal() const { return frame.row(0).transpose(); }
+};
+
+struct BodySensors {
+  std::vector<Sensor> sensors;             // in the order of the geoms
+  std::vector<std::pair<int, int>> edges;  // neighbours along the skin, by index
+};
+
+// Ids of the body's geoms that have a skin: those that can touch something and have a surface to put sensors on.
+std::vector<int> geoms_with_skin(const mjModel& model, int body);
+
+// About how many sensors a spacing makes.
+double expected_sensors(const mjModel& model, int body, double spacing);
+
+// Spreads sensors over the surfaces of those geoms; those inside another geom of the body are left out.
+BodySensors place_sensors(const mjModel& model, int body, double spacing);
+
+}  // namespace mimo::senses::touch

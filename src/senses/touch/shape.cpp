@@ -1,0 +1,59 @@
+#include "senses/touch/shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/physics.h"
+
+namespace mimo::senses::touch {
+namespace {
+
+// A point on the seam of two geoms must not vanish from both because of rounding.
+constexpr double kTolerance = 1e-9;  // m
+
+double distance_to_axis(const Vec3& point, double half_length) {
+  const double beyond = std::max(std::abs(point.z()) - half_length, 0.0);
+  return std::hypot(point.x(), point.y(), beyond);
+}
+
+// Depth below an ellipsoid's surface, exact to first order where it matters: at the surface.
+double ellipsoid_depth(const Vec3& radii, const Vec3& point) {
+  const Vec3 scaled = point.cwiseQuotient(radii);
+  const double slope = 2 * scaled.cwiseQuotient(radii).norm();
+  const double level = 1 - scaled.squaredNorm();
+  return slope > 0 ? level / slope : radii.minCoeff();
+}
+
+// How deep a point lies below the surface; negative outside. Exact near the surface.
+double depth(const Shape& shape, const Vec3& point) {
+  const Vec3& size = shape.size;
+  switch (shape.kind) {
+    case Shape::Kind::kNone: return -1;
+    case Shape::Kind::kSphere: return size.x() - point.norm();
+    case Shape::Kind::kCapsule: return size.x() - distance_to_axis(point, size.y());
+    case Shape::Kind::kCylinder:
+      return std::min(size.x() - std::hypot(point.x(), point.y()), size.y() - std::abs(point.z()));
+    case Shape::Kind::kBox: return (size - point.cwiseAbs()).minCoeff();
+    case Shape::Kind::kEllipsoid: return ellipsoid_depth(size, point);
+  }
+  return -1;
+}
+
+}  // namespace
+
+Shape shape_of(const mjModel& model, int geom) {
+  const Vec3 size(model.geom_size + 3 * geom);
+  switch (model.geom_type[geom]) {
+    case mjGEOM_SPHERE: return {Shape::Kind::kSphere, size};
+    case mjGEOM_CAPSULE: return {Shape::Kind::kCapsule, size};
+    case mjGEOM_CYLINDER: return {Shape::Kind::kCylinder, size};
+    case mjGEOM_BOX: return {Shape::Kind::kBox, size};
+    case mjGEOM_ELLIPSOID: return {Shape::Kind::kEllipsoid, size};
+    case mjGEOM_MESH: return {Shape::Kind::kSphere, Vec3(model.geom_rbound[geom], 0, 0)};
+    default: return {};
+  }
+}
+
+bool inside(const Shape& shape, const Vec3& point) { return depth(shape, point) > kTolerance; }
+
+}  // namespace mimo::senses::touch

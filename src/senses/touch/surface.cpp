@@ -1,0 +1,43 @@
+#include "senses/touch/surface.h"
+
+namespace mimo::senses::touch {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double area(const Shape& shape) {
+  const Vec3& s = shape.size;
+  switch (shape.kind) {
+    case Shape::Kind::kSphere: return 4 * kPi * s.x() * s.x();
+    case Shape::Kind::kCapsule: return 4 * kPi * s.x() * (s.x() + s.y());
+    case Shape::Kind::kCylinder: return 2 * kPi * s.x() * (s.x() + 2 * s.y());
+    case Shape::Kind::kBox: return 8 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+    case Shape::Kind::kEllipsoid: return 4 * kPi * s.maxCoeff() * s.maxCoeff();
+    case Shape::Kind::kNone: break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Surface single_point() { return {{{Vec3::Zero(), Vec3::Zero()}}, {}}; }
+
+double expected_points(const Shape& shape, double spacing) {
+  // The second term is what a needle without area still has along its length.
+  return area(shape) / (spacing * spacing) + 8 * shape.size.sum() / spacing;
+}
+
+Surface sample(const Shape& shape, double spacing) {
+  const Vec3& size = shape.size;
+  switch (shape.kind) {
+    case Shape::Kind::kSphere: return sample_sphere(size.x(), spacing);
+    case Shape::Kind::kCapsule: return sample_capsule(size.x(), size.y(), spacing);
+    case Shape::Kind::kCylinder: return sample_cylinder(size.x(), size.y(), spacing);
+    case Shape::Kind::kBox: return sample_box(size, spacing);
+    case Shape::Kind::kEllipsoid: return sample_ellipsoid(size, spacing);
+    case Shape::Kind::kNone: break;
+  }
+  return {};
+}
+
+}  // namespace mimo::senses::touch

@@ -1,0 +1,171 @@
+#include "senses/touch/touch.h"
+
+#include <algorithm>
+
+#include "base/fail.h"
+#include "senses/touch/spacing.h"
+
+namespace mimo::senses {
+
+using touch::Press;
+using touch::Share;
+using touch::Side;
+using touch::Vec3;
+
+namespace {
+
+using engine::Kind;
+
+const char* frame_name(TouchFrame frame) {
+  switch (frame) {
+    case TouchFrame::kBody: return "body";
+    case TouchFrame::kWorld: return "world";
+    case TouchFrame::kSkin: return "skin";
+  }
+  return "";
+}
+
+// A body's name as options have it.
+std::string short_name(const mjModel& model, const body::Body& body, int id) {
+  return std::string(engine::name(model, Kind::kBody, id)).substr(body.prefix.size());
+}
+
+void check_names(const mjModel& model, const body::Body& body, const TouchOptions& options) {
+  std::vector<std::string> there;
+  for (const int id : body.bodies) {
+    if (!touch::geoms_with_skin(model, id).empty()) there.push_back(short_name(model, body, id));
+  }
+  for (const auto& [name, spacing] : options.spacing) {
+    if (std::find(there.begin(), there.end(), name) != there.end()) continue;
+    fail(Status::kNotFound, "touch: no body \"{}\" that could have a skin; there are: {}", name,
+         fmt::join(there, ", "));
+  }
+}
+
+double spacing_of(const std::string& name, const TouchOptions& options) {
+  const auto own = options.spacing.find(name);
+  if (own != options.spacing.end()) return own->second;
+  return options.everywhere.value_or(touch::default_spacing(name) / options.scale);
+}
+
+}  // namespace
+
+std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body& body, const TouchOptions& options) {
+  check_names(model, body, options);
+  std::vector<touch::BodySpacing> list;
+  for (const int id : body.bodies) {
+    const double spacing = spacing_of(short_name(model, body, id), options);
+    if (spacing > 0) list.push_back({id, spacing});
+  }
+  return list;
+}
+
+Touch::Touch(std::shared_ptr<const touch::Skin> skin, const TouchOptions& options)
+    : options_(options), skin_(std::move(skin)), spread_(*skin_, options.response) {
+  const char* frame = frame_name(options.frame);
+  force_ = add(options.force, "touch/force", 3, "N", frame);
+  normal_force_ = add(options.normal_force, "touch/force", 1, "N", "");
+  slip_ = add(options.slip, "touch/slip", 2, "m/s", "skin");
+  friction_use_ = add(options.friction_use, "touch/friction_use", 1, "", "");
+  if (slip_ == kNone && friction_use_ == kNone) return;
+  pressure_.resize(skin_->sensors().size());
+  pressed_.reserve(skin_->sensors().size());
+}
+
+int Touch::add(bool wanted, const char* name, std::size_t width, const char* unit, const char* frame) {
+  const std::size_t sensors = skin_->sensors().size();
+  if (!wanted || sensors == 0) return kNone;
+  Field field;
+  field.name = name;
+  field.shape = {sensors, width};
+  field.unit = unit;
+  field.frame = frame;
+  if (width == 1) field.low = 0;
+  if (*unit == '\0') field.high = 1;
+  fields_.push_back(std::move(field));
+  return static_cast<int>(fields_.size()) - 1;
+}
+
+void Touch::write(const mjModel& model, const mjData& data, std::uint8_t* block) {
+  for (const Field& field : fields_) std::fill_n(block + field.offset, field.bytes(), std::uint8_t{0});
+  if (fields_.empty()) return;
+  for (int i = 0; i < data.ncon; ++i) {
+    const bool first = skin_->covers(model.geom_bodyid[data.contact[i].geom1]);
+    const bool second = skin_->covers(model.geom_bodyid[data.contact[i].geom2]);
+    if (!first && !second) continue;
+    const auto force = touch::pressing(model, data, i);
+    if (!force) continue;
+    if (first) feel(model, data, press_on(model, data, i, *force, Side::kFirst), block);
+    if (second) feel(model, data, press_on(model, data, i, *force, Side::kSecond), block);
+  }
+  finish_means(block);
+}
+
+void Touch::feel(const mjModel& model, const mjData& data, const Press& press, std::uint8_t* block) {
+  const Eigen::Matrix3d rotation =
+      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.xmat + 9 * press.body);
+  const Vec3 point = rotation.transpose() * (press.point - Vec3(data.xpos + 3 * press.body));
+  const Span<const Share> shares = spread_.at(press.body, press.geom, point);
+  if (force_ != kNone) add_force(press.force, rotation, shares, output(block, force_));
+  if (float* out = output(block, normal_force_)) {
+    for (const Share& share : shares) out[share.sensor] += static_cast<float>(share.weight * press.normal_force);
+  }
+  if (float* out = output(block, friction_use_)) {
+    const double use = press.friction_use * press.normal_force;
+    for (const Share& share : shares) out[share.sensor] += static_cast<float>(share.weight * use);
+  }
+  if (float* out = output(block, slip_)) {
+    const Vec3 slip = touch::slip_velocity(model, data, press);
+    if (slip.norm() >= options_.slip_threshold) {
+      add_slip(rotation.transpose() * slip, press.normal_force, shares, out);
+    }
+  }
+  if (!pressure_.empty()) add_pressure(press.normal_force, shares);
+}
+
+void Touch::add_force(const Vec3& world, const Eigen::Matrix3d& rotation, Span<const Share> shares, float* out) const {
+  const Vec3 force = options_.frame == TouchFrame::kWorld ? world : Vec3(rotation.transpose() * world);
+  const bool in_skin = options_.frame == TouchFrame::kSkin;
+  for (const Share& share : shares) {
+    const auto sensor = static_cast<std::size_t>(share.sensor);
+    const Vec3 own = share.weight * (in_skin ? Vec3(skin_->sensors()[sensor].frame * force) : force);
+    for (int axis = 0; axis < 3; ++axis)
+      out[3 * sensor + static_cast<std::size_t>(axis)] += static_cast<float>(own[axis]);
+  }
+}
+
+void Touch::add_slip(const Vec3& in_body, double normal_force, Span<const Share> shares, float* out) const {
+  for (const Share& share : shares) {
+    const auto sensor = static_cast<std::size_t>(share.sensor);
+    const Eigen::Vector2d own =
+        share.weight * normal_force * (skin_->sensors()[sensor].frame.bottomRows<2>() * in_body);
+    out[2 * sensor] += static_cast<float>(own.x());
+    out[2 * sensor + 1] += static_cast<float>(own.y());
+  }
+}
+
+void Touch::add_pressure(double normal_force, Span<const Share> shares) {
+  for (const Share& share : shares) {
+    double& pressure = pressure_[static_cast<std::size_t>(share.sensor)];
+    if (pressure == 0 && share.weight > 0) pressed_.push_back(share.sensor);
+    pressure += share.weight * normal_force;
+  }
+}
+
+void Touch::finish_means(std::uint8_t* block) {
+  float* slip = output(block, slip_);
+  float* use = output(block, friction_use_);
+  for (const int sensor : pressed_) {
+    const auto i = static_cast<std::size_t>(sensor);
+    const float scale = static_cast<float>(1 / pressure_[i]);
+    if (slip != nullptr) {
+      slip[2 * i] *= scale;
+      slip[2 * i + 1] *= scale;
+    }
+    if (use != nullptr) use[i] = std::min(use[i] * scale, 1.0F);
+    pressure_[i] = 0;
+  }
+  pressed_.clear();
+}
+
+}  // namespace mimo::senses

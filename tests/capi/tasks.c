@@ -1,0 +1,177 @@
+/* Tasks as a C program uses them: parameters, an episode of each, reward terms, outcomes; acting parts, position
+ * control, locks, gravity and gears. */
+#include "support/capi.h"
+
+static mimo_scene* scene_named(const char* name) {
+  mimo_scene_config config;
+  mimo_scene* scene = NULL;
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  config.name = name;
+  CHECK_OK(mimo_scene_create(&config, &scene));
+  return scene;
+}
+
+static mimo_env* env_of(mimo_scene* scene) {
+  mimo_env* env = NULL;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  mimo_scene_destroy(scene);
+  if (env == NULL) exit(failures());
+  return env;
+}
+
+static void check_parameters(void) {
+  mimo_scene* scene = scene_named("reach");
+  mimo_parameter parameter;
+  size_t count = 0, i;
+  double value = 0;
+  CHECK_OK(mimo_parameter_count(&count));
+  CHECK(count > 20);
+  for (i = 0; i < count; ++i) {
+    parameter.struct_size = sizeof parameter;
+    CHECK_OK(mimo_parameter_describe(i, &parameter));
+    CHECK(strchr(parameter.name, '/') != NULL && strlen(parameter.description) > 5);
+    CHECK(parameter.low <= parameter.standard && parameter.standard <= parameter.high);
+    CHECK_OK(mimo_scene_get_parameter(scene, parameter.name, &value));
+    CHECK(value == parameter.standard);
+  }
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is", mimo_parameter_describe(count, &parameter));
+  CHECK_OK(mimo_scene_set_parameter(scene, "reach/success_reward", 7));
+  CHECK_OK(mimo_scene_get_parameter(scene, "reach/success_reward", &value));
+  CHECK(value == 7);
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no parameter named \"reach/luck\"", mimo_scene_set_parameter(scene, "reach/luck", 1));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no parameter named \"\"", mimo_scene_set_parameter(scene, NULL, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "reach/original_rules is 3, expected 0 to 1",
+              mimo_scene_set_parameter(scene, "reach/original_rules", 3));
+  mimo_scene_destroy(scene);
+  CHECK_TEXT("none", mimo_task_name(0));
+  CHECK(mimo_task_name(4) == NULL);
+}
+
+static void check_episode(const char* name, int limit, int frame_skip, int actions) {
+  mimo_env* env = NULL;
+  const char* task = NULL;
+  uint32_t skip = 0;
+  size_t action_count = 0, terms = 0;
+  uint64_t seed = 4;
+  uint8_t terminated = 0, truncated = 0, success = 2, failure = 2;
+  double reward = 0, values[8] = {1, 1, 1, 1, 1, 1, 1, 1}, sum;
+  int steps = 0;
+  CHECK_OK(mimo_env_make(name, &env)); /* the paper's senses: no eyes, so no renderer is needed */
+  CHECK_OK(mimo_env_task(env, &task));
+  CHECK_TEXT(name, task);
+  CHECK_OK(mimo_env_frame_skip(env, &skip));
+  CHECK(skip == (uint32_t)frame_skip);
+  CHECK_OK(mimo_env_action_size(env, &action_count));
+  CHECK(action_count == (size_t)actions);
+  CHECK_OK(mimo_env_reset(env, &seed, NULL, 0));
+  CHECK_OK(mimo_env_reward_term_count(env, 0, &terms));
+  CHECK_OK(mimo_env_reward_terms(env, 0, values, 8));
+  CHECK(values[0] == 0 && values[1] == 0);
+  while (!terminated && !truncated) {
+    size_t i;
+    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, &reward, &terminated, &truncated, 1));
+    CHECK_OK(mimo_env_reward_terms(env, 0, values, 8));
+    for (i = 0, sum = 0; i < terms; ++i) sum += values[i];
+    CHECK(sum == reward);
+    ++steps;
+  }
+  CHECK(steps == limit && truncated && !terminated);
+  CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
+  CHECK(success == 0 && failure == 0);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1", mimo_env_outcome(env, 1, &success, &failure));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "values has a length of 1", mimo_env_reward_terms(env, 0, values, 1));
+  mimo_env_destroy(env);
+}
+
+static void check_term_names(void) {
+  mimo_env* env = NULL;
+  const char* name = NULL;
+  CHECK_OK(mimo_env_make("reach", &env));
+  CHECK_OK(mimo_env_reward_term_name(env, 0, 0, &name));
+  CHECK_TEXT("distance", name);
+  CHECK_OK(mimo_env_reward_term_name(env, 0, 1, &name));
+  CHECK_TEXT("success", name);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 2 terms", mimo_env_reward_term_name(env, 0, 2, &name));
+  mimo_env_destroy(env);
+}
+
+static void check_agents(void) {
+  mimo_scene* scene = scene_named("standup");
+  mimo_agent_config agent;
+  mimo_env* env;
+  size_t count = 0;
+  float low[8], high[8];
+  CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
+  CHECK(agent.vision == 0 && agent.vestibular == 1 && agent.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
+  CHECK(agent.acts == 0 && agent.actuation == MIMO_ACTUATION_TORQUE && agent.normalize_actions == 0);
+  agent.acts = 0x800;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
+  agent.acts = MIMO_ACT_RIGHT_LEG | MIMO_ACT_LEFT_LEG;
+  agent.actuation = 2;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 2", mimo_scene_add_agent(scene, &agent, NULL));
+  agent.actuation = MIMO_ACTUATION_POSITION;
+  agent.normalize_actions = 1;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  env = env_of(scene);
+  CHECK_OK(mimo_env_action_size(env, &count));
+  CHECK(count == 8);
+  CHECK_OK(mimo_env_action_bounds(env, low, high, 8));
+  CHECK(low[3] == -1 && high[3] == 1);
+  mimo_env_destroy(env);
+
+  scene = scene_named("free");
+  CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
+  CHECK(agent.vision == MIMO_VISION_RGB);
+  agent.vision = 0;
+  agent.acts = MIMO_ACT_NONE;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  env = env_of(scene);
+  CHECK_OK(mimo_env_action_size(env, &count));
+  CHECK(count == 0);
+  mimo_env_destroy(env);
+}
+
+static void check_overrides(void) {
+  mimo_env* env = blind_env("free", NULL);
+  const int32_t elbow = find(env, MIMO_JOINT, "robot:right_elbow");
+  const int32_t motor = find(env, MIMO_ACTUATOR, "act:right_elbow");
+  double angle = 0, xyz[3], gear = 5;
+  uint8_t locked = 2;
+  int i;
+  CHECK_OK(mimo_env_lock_state(env, elbow, &locked, &angle));
+  CHECK(locked == 0);
+  CHECK_OK(mimo_env_lock(env, elbow, -1));
+  CHECK_OK(mimo_env_lock_state(env, elbow, &locked, NULL));
+  CHECK(locked == 1);
+  for (i = 0; i < 200; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &elbow, 1, &angle, 1));
+  CHECK_NEAR(-1, angle, 0.05);
+  CHECK_OK(mimo_env_unlock(env, elbow));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "joint is -1", mimo_env_lock(env, -1, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "angle is 3", mimo_env_lock(env, elbow, 3));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "env is NULL", mimo_env_unlock(NULL, elbow));
+
+  CHECK_OK(mimo_env_gravity(env, xyz, 3));
+  CHECK(xyz[0] == 0 && xyz[2] == -9.81);
+  CHECK_OK(mimo_env_set_gravity(env, 0, 0, -1.62));
+  CHECK_OK(mimo_env_gravity(env, xyz, 3));
+  CHECK(xyz[2] == -1.62);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "gravity[1]", mimo_env_set_gravity(env, 0, NAN, 0));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "xyz", mimo_env_gravity(env, xyz, 2));
+
+  CHECK_OK(mimo_env_set(env, MIMO_ACTUATOR_GEAR, &motor, 1, &gear, 1));
+  gear = 0;
+  CHECK_OK(mimo_env_get(env, MIMO_ACTUATOR_GEAR, &motor, 1, &gear, 1));
+  CHECK(gear == 5);
+  mimo_env_destroy(env);
+}
+
+int main(void) {
+  check_parameters();
+  check_episode("reach", 1000, 2, 8);
+  check_episode("standup", 500, 2, 27);
+  check_term_names();
+  check_agents();
+  check_overrides();
+  return failures();
+}

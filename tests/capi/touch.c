@@ -1,0 +1,250 @@
+/* Touch: config, spacing per body, description of the sensors, what is refused; and a fuzzed config. */
+#include "support/capi.h"
+
+typedef struct {
+  mimo_env *env;
+  size_t sensors, channels, offset, block_bytes;
+  unsigned char *block;
+} world;
+
+static mimo_scene *empty_scene(void) {
+  mimo_scene_config config;
+  mimo_scene *scene = NULL;
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  config.name = "benchmark";
+  CHECK_OK(mimo_scene_create(&config, &scene));
+  return scene;
+}
+
+static mimo_agent_config feeling_agent(void) {
+  mimo_agent_config config;
+  CHECK_OK(mimo_agent_config_init(&config, sizeof config));
+  config.vision = config.proprioception = config.vestibular = 0;
+  return config;
+}
+
+static mimo_scene *scene_with(const mimo_agent_config *config) {
+  mimo_scene *scene = empty_scene();
+  CHECK_OK(mimo_scene_add_agent(scene, config, NULL));
+  return scene;
+}
+
+static world open_world(const mimo_scene *scene) {
+  world w;
+  size_t fields = 0;
+  memset(&w, 0, sizeof w);
+  CHECK_OK(mimo_env_create(scene, NULL, &w.env));
+  if (w.env == NULL) exit(failures());
+  CHECK_OK(mimo_env_touch_sensors(w.env, 0, NULL, NULL, NULL, NULL, 0, &w.sensors));
+  CHECK_OK(mimo_env_observation_size(w.env, &w.block_bytes, &fields));
+  w.block = malloc(w.block_bytes + 1);
+  if (fields > 0) {
+    mimo_field field;
+    field.struct_size = sizeof field;
+    CHECK_OK(mimo_env_observation_field(w.env, 0, &field));
+    w.offset = field.offset;
+    w.channels = field.shape[1];
+    CHECK(field.shape[0] == w.sensors);
+  }
+  return w;
+}
+
+static void close_world(world *w) {
+  mimo_env_destroy(w->env);
+  free(w->block);
+}
+
+static void check_defaults(void) {
+  const mimo_agent_config config = feeling_agent();
+  CHECK(config.touch == MIMO_TOUCH_FORCE);
+  CHECK(config.touch_response == MIMO_TOUCH_LINEAR);
+  CHECK(config.touch_frame == MIMO_FRAME_BODY);
+  CHECK_NEAR(1, config.touch_scale, 0);
+}
+
+static void check_description(void) {
+  const mimo_agent_config config = feeling_agent();
+  mimo_scene *scene = scene_with(&config);
+  world w = open_world(scene);
+  int32_t *bodies = malloc(w.sensors * sizeof *bodies), *geoms = malloc(w.sensors * sizeof *geoms);
+  double *positions = malloc(3 * w.sensors * sizeof *positions);
+  double *frames = malloc(MIMO_TOUCH_FRAME_VALUES * w.sensors * sizeof *frames);
+  size_t i, count = 0;
+  CHECK(w.sensors == 5685);
+  CHECK(w.channels == 3);
+  CHECK_OK(mimo_env_touch_sensors(w.env, 0, bodies, geoms, positions, frames, w.sensors, &count));
+  CHECK(count == w.sensors);
+  for (i = 0; i < count; ++i) {
+    const double *n = frames + MIMO_TOUCH_FRAME_VALUES * i;
+    int32_t body = -1;
+    CHECK_OK(mimo_env_body_of(w.env, MIMO_GEOM, geoms[i], &body));
+    CHECK(body == bodies[i]);
+    CHECK(i == 0 || bodies[i] >= bodies[i - 1]);
+    CHECK_NEAR(1, n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1e-9);
+    if (bodies[i] == find(w.env, MIMO_BODY, "head")) { /* a sphere */
+      const double *p = positions + 3 * i;
+      CHECK_NEAR(0.0735, (p[0] - 0.01) * n[0] + p[1] * n[1] + (p[2] - 0.0735) * n[2], 1e-9);
+    }
+  }
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "capacity is 5684, but there are 5685 sensors",
+              mimo_env_touch_sensors(w.env, 0, bodies, NULL, NULL, NULL, w.sensors - 1, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1, but there are 1 agents",
+              mimo_env_touch_sensors(w.env, 1, NULL, NULL, NULL, NULL, 0, &count));
+  free(bodies);
+  free(geoms);
+  free(positions);
+  free(frames);
+  close_world(&w);
+  mimo_scene_destroy(scene);
+}
+
+static void check_spacing(void) {
+  const mimo_agent_config config = feeling_agent();
+  mimo_scene *scene = scene_with(&config);
+  int32_t bodies[4000];
+  size_t i;
+  world w;
+  CHECK_OK(mimo_scene_set_touch(scene, 0, NULL, 0));
+  w = open_world(scene);
+  CHECK(w.sensors == 0);
+  CHECK(w.block_bytes == 0);
+  close_world(&w);
+  CHECK_OK(mimo_scene_set_touch(scene, 0, "left_hand", 0.007));
+  w = open_world(scene);
+  CHECK(w.sensors == 160);
+  CHECK_OK(mimo_env_touch_sensors(w.env, 0, bodies, NULL, NULL, NULL, 4000, NULL));
+  for (i = 0; i < w.sensors; ++i) CHECK(bodies[i] == find(w.env, MIMO_BODY, "left_hand"));
+  close_world(&w);
+  CHECK_OK(mimo_scene_set_touch(scene, 0, "left_hand", 0));
+  w = open_world(scene);
+  CHECK(w.sensors == 0);
+  close_world(&w);
+
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no body \"left_wing\"; the infant has: mimo_location, hip, lower_body",
+              mimo_scene_set_touch(scene, 0, "left_wing", 0.01));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "spacing of body \"head\" is -1", mimo_scene_set_touch(scene, 0, "head", -1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "spacing of body \"head\" is nan", mimo_scene_set_touch(scene, 0, "head", NAN));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "spacing of body \"(every)\" is 11", mimo_scene_set_touch(scene, 0, NULL, 11));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1, but there are 1 agents",
+              mimo_scene_set_touch(scene, 1, "head", 0.01));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is -1", mimo_scene_set_touch(scene, -1, "head", 0.01));
+  CHECK_FAILS(MIMO_E_BAD_HANDLE, "scene", mimo_scene_set_touch(NULL, 0, "head", 0.01));
+  mimo_scene_destroy(scene);
+}
+
+static void check_refused(const char *part, mimo_agent_config config) {
+  mimo_scene *scene = empty_scene();
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_scene_add_agent(scene, &config, NULL));
+  mimo_scene_destroy(scene);
+}
+
+static void check_bad_values(void) {
+  mimo_agent_config config = feeling_agent();
+  config.touch = 0x10;
+  check_refused("touch is 0x10", config);
+  config.touch = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
+  check_refused("exclude each other", config);
+  config = feeling_agent();
+  config.touch_response = 0;
+  check_refused("touch_response is 0, expected 1 to 3", config);
+  config = feeling_agent();
+  config.touch_frame = 4;
+  check_refused("touch_frame is 4, expected 1 to 3", config);
+  config = feeling_agent();
+  config.touch_scale = 0;
+  check_refused("touch_scale is 0", config);
+  config.touch_scale = NAN;
+  check_refused("touch_scale is nan", config);
+  config = feeling_agent();
+  config.touch_slip_threshold = -1;
+  check_refused("touch_slip_threshold is -1", config);
+}
+
+static void check_projection(void) {
+  const mimo_agent_config agent = feeling_agent();
+  mimo_scene *scene = scene_with(&agent);
+  world w = open_world(scene);
+  mimo_picture_config config;
+  double points[6] = {0, 0, 1, 0, 0, 1}, pixels[6] = {0, 0, 0, 0, 0, 0};
+  CHECK_OK(mimo_picture_config_init(&config, sizeof config));
+  config.look_at[0] = config.look_at[1] = 0;
+  config.look_at[2] = 1;
+  config.distance = 2;
+  config.azimuth = 90; /* looks along +y: right is +x */
+  config.elevation = 0;
+  config.fovy = 90;
+  points[3] = 0.5;
+  points[5] = 1.25;
+  CHECK_OK(mimo_env_project(w.env, &config, points, 2, pixels));
+  CHECK_NEAR(320, pixels[0], 1e-9);
+  CHECK_NEAR(240, pixels[1], 1e-9);
+  CHECK_NEAR(2, pixels[2], 1e-9);
+  CHECK_NEAR(320 + 240 * 0.25, pixels[3], 1e-9);
+  CHECK_NEAR(240 - 240 * 0.125, pixels[4], 1e-9);
+  CHECK_NEAR(2, pixels[5], 1e-9);
+  points[1] = -3; /* behind the camera */
+  CHECK_OK(mimo_env_project(w.env, &config, points, 1, pixels));
+  CHECK(pixels[2] < 0);
+  config.camera = "eye_third";
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "eye_third", mimo_env_project(w.env, &config, points, 1, pixels));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "points is NULL", mimo_env_project(w.env, NULL, NULL, 1, pixels));
+  close_world(&w);
+  mimo_scene_destroy(scene);
+}
+
+static unsigned random_state = 12345;
+static double uniform(void) {
+  random_state = random_state * 1664525u + 1013904223u;
+  return (double)(random_state >> 8) / (double)(1u << 24);
+}
+static double log_uniform(double low, double high) { return low * pow(high / low, uniform()); }
+
+/* Whatever the config: it is refused with a message, or the world runs and gives finite numbers. */
+static void check_fuzzed(void) {
+  static const char *const kBodies[] = {"head", "left_fingers", "hip", "right_foot", "left_eye", NULL, "tail", ""};
+  int round;
+  for (round = 0; round < 40; ++round) {
+    mimo_agent_config config = feeling_agent();
+    mimo_scene *scene = empty_scene();
+    int step, i;
+    config.touch = (uint32_t)(uniform() * 18);
+    config.touch_response = (int32_t)(uniform() * 5);
+    config.touch_frame = (int32_t)(uniform() * 5);
+    config.touch_scale = log_uniform(1e-4, 5);
+    config.touch_slip_threshold = uniform() * 0.02;
+    if (mimo_scene_add_agent(scene, &config, NULL) != MIMO_OK) {
+      CHECK(strlen(mimo_last_error()) > 0);
+      mimo_scene_destroy(scene);
+      continue;
+    }
+    for (i = 0; i < 3; ++i) {
+      (void)mimo_scene_set_touch(scene, 0, kBodies[(int)(uniform() * 8)], uniform() < 0.3 ? 0 : log_uniform(0.002, 20));
+    }
+    {
+      world w = open_world(scene);
+      size_t k, floats = w.block_bytes / sizeof(float);
+      for (step = 0; step < 60; ++step) {
+        memset(w.block, 0xff, w.block_bytes); /* not a number, everywhere */
+        CHECK_OK(mimo_env_step(w.env, NULL, 0, w.block, w.block_bytes, NULL, NULL, NULL, 0));
+      }
+      for (k = 0; k < floats; ++k) {
+        float value;
+        memcpy(&value, w.block + k * sizeof value, sizeof value);
+        if (!isfinite(value)) break;
+      }
+      CHECK(k == floats);
+      close_world(&w);
+    }
+    mimo_scene_destroy(scene);
+  }
+}
+
+int main(void) {
+  check_defaults();
+  check_description();
+  check_spacing();
+  check_bad_values();
+  check_projection();
+  check_fuzzed();
+  return failures();
+}

@@ -1,0 +1,232 @@
+// From actions to joints: which parts act, torque and position control, mapped actions; locks, gears and gravity of one
+// world only.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "env/access.h"
+#include "env/locks.h"
+#include "scene/groups.h"
+#include "support/block.h"
+#include "support/scenes.h"
+#include "support/tiny.h"
+
+namespace mimo::test {
+namespace {
+
+using engine::Kind;
+using env::World;
+
+engine::ModelPtr free_room() {
+  static const engine::ModelPtr model = room_with_infant("free");
+  return model;
+}
+
+std::unique_ptr<World> floating(const actuation::Options& actuation = {}) {
+  env::AgentOptions agent = blind();
+  agent.actuation = actuation;
+  env::EnvOptions options = without_renderer();
+  options.physics.gravity = options.physics.contacts = false;
+  return std::make_unique<World>(free_room(), std::vector<env::AgentOptions>{agent}, options);
+}
+
+int joint_id(const World& world, const std::string& name) {
+  return engine::find_or_fail(world.model(), Kind::kJoint, name);
+}
+
+double angle(const World& world, const std::string& joint) {
+  return world.data().qpos[world.model().jnt_qposadr[joint_id(world, joint)]];
+}
+
+std::size_t action_index(const World& world, const std::string& name) {
+  for (std::size_t i = 0; i < world.action_size(); ++i) {
+    if (world.agents()[0].actuation->names()[i] == name) return i;
+  }
+  ADD_FAILURE() << "no action " << name;
+  return 0;
+}
+
+void run(World& world, const std::vector<float>& actions, int steps) {
+  for (int i = 0; i < steps; ++i) world.step(actions, nullptr, {});
+}
+
+constexpr actuation::Options kPosition = {actuation::Mode::kPosition, false};
+
+TEST(Groups, EveryMotorBelongsToOne) {
+  std::map<unsigned, int> motors;
+  const mjModel& model = *free_room();
+  for (int id = 0; id < model.nu; ++id) {
+    const unsigned group = scene::group_of(engine::name(model, Kind::kActuator, id));
+    EXPECT_NE(group, 0u) << engine::name(model, Kind::kActuator, id);
+    ++motors[group];
+  }
+  const std::map<unsigned, int> expected = {{scene::kTrunk, 3},     {scene::kHead, 3},     {scene::kEyes, 6},
+                                            {scene::kRightArm, 4},  {scene::kLeftArm, 4},  {scene::kRightHand, 4},
+                                            {scene::kLeftHand, 4},  {scene::kRightLeg, 4}, {scene::kLeftLeg, 4},
+                                            {scene::kRightFoot, 4}, {scene::kLeftFoot, 4}};
+  EXPECT_EQ(motors, expected);
+  expect_error(Status::kModel, "\"tail\" is no part", [] { scene::groups_from("head tail"); });
+}
+
+TEST(Groups, AreSwitchedOnPerAgent) {
+  scene::Scene scene(named("free"));
+  scene.add_body("mitten", "", nullptr, scene::kHead | scene::kEyes);
+  const engine::ModelPtr model = compile(scene);
+  ASSERT_EQ(model->nu, 9);
+  EXPECT_EQ(model->njnt, free_room()->njnt) << "the joints stay";
+  scene::Scene reach(named("reach"));
+  reach.add_body("mitten", "", nullptr, scene::kLeftHand);
+  EXPECT_EQ(compile(reach)->nu, 4) << "in place of the scene's own choice";
+}
+
+TEST(Recipes, HoldForEveryInfantByItsName) {
+  scene::Scene scene(named("reach"));
+  scene.add_body("mitten", "anna/", nullptr);
+  const scene::Pose beside{{0, 2, 0.35}, {1, 0, 0, 0}};
+  scene.add_body("mitten", "ben/", &beside);
+  const engine::ModelPtr model = compile(scene);
+  EXPECT_EQ(model->nu, 16);
+  EXPECT_EQ(model->neq, 2 * 53);
+  EXPECT_GE(engine::find(*model, Kind::kBody, "anna/target"), 0);
+  EXPECT_GE(engine::find(*model, Kind::kBody, "ben/target"), 0);
+}
+
+TEST(PositionControl, TakesJointsToTheirTargets) {
+  const auto world = floating(kPosition);
+  std::vector<float> actions(world->action_size());
+  actions[action_index(*world, "act:right_elbow")] = -1.2f;
+  actions[action_index(*world, "act:left_knee")] = -0.8f;
+  run(*world, actions, 200);
+  EXPECT_NEAR(angle(*world, "robot:right_elbow"), -1.2, 0.03);
+  EXPECT_NEAR(angle(*world, "robot:left_knee"), -0.8, 0.03);
+  EXPECT_NEAR(angle(*world, "robot:left_elbow"), 0, 0.03) << "the others hold as well";
+  for (int i = 0; i < world->model().nu; ++i) EXPECT_EQ(world->data().ctrl[i], 0) << "motors rest";
+}
+
+TEST(PositionControl, BoundsAreTheRangesOfMotionAndTargetsAreSensed) {
+  const auto world = floating(kPosition);
+  const auto& actuation = *world->agents()[0].actuation;
+  const std::size_t elbow = action_index(*world, "act:right_elbow");
+  EXPECT_FLOAT_EQ(actuation.low()[elbow], static_cast<float>(-146 * M_PI / 180));
+  EXPECT_FLOAT_EQ(actuation.high()[elbow], static_cast<float>(5 * M_PI / 180));
+  Observation observation(*world);
+  std::vector<float> actions(world->action_size());
+  actions[elbow] = -9;
+  world->step(actions, observation.data(), {});
+  EXPECT_FLOAT_EQ(observation.at("proprioception/target", "act:right_elbow"), actuation.low()[elbow]) << "clipped";
+  world->reset(nullptr, observation.data());
+  EXPECT_EQ(observation.at("proprioception/target", "act:right_elbow"), 0) << "a reset holds the start";
+}
+
+TEST(PositionControl, StartsByHoldingTheStoredPose) {
+  env::AgentOptions agent = blind();
+  agent.actuation = kPosition;
+  World world(room_with_infant("standup"), {agent}, without_renderer());
+  const int lock = engine::find_lock(world.model(), joint_id(world, "robot:right_knee"));
+  EXPECT_NEAR(engine::lock_angle(world.model(), lock), -2.53125, 1e-12);
+  EXPECT_EQ(world.model().eq_active[lock], 1);
+}
+
+TEST(MappedActions, GoFromMinusOneToOneLinearly) {
+  const auto world = floating({actuation::Mode::kTorque, true});
+  const auto& actuation = *world->agents()[0].actuation;
+  for (std::size_t i = 0; i < world->action_size(); ++i) {
+    EXPECT_EQ(actuation.low()[i], -1);
+    EXPECT_EQ(actuation.high()[i], 1);
+  }
+  const std::size_t bend = action_index(*world, "act:hip_bend");  // -1 to 0.765
+  const int motor = world->agents()[0].body.actuators[bend];
+  for (const auto& [action, control] :
+       std::vector<std::pair<float, double>>{{-1, -1}, {1, 0.765}, {0, -0.1175}, {3, 0.765}}) {
+    std::vector<float> actions(world->action_size());
+    actions[bend] = action;
+    run(*world, actions, 1);
+    EXPECT_NEAR(world->data().ctrl[motor], control, 1e-7);
+  }
+}
+
+TEST(Locks, HoldAJointAndLetItGo) {
+  const auto world = floating();
+  const int elbow = joint_id(*world, "robot:right_elbow");
+  env::lock(*world, elbow, -1);
+  std::vector<float> actions(world->action_size());
+  actions[action_index(*world, "act:right_elbow")] = 0.3f;
+  run(*world, actions, 300);
+  EXPECT_NEAR(angle(*world, "robot:right_elbow"), -1, 0.1) << "against a third of its strength";
+  world->reset(nullptr, nullptr);
+  run(*world, {}, 100);
+  EXPECT_NEAR(angle(*world, "robot:right_elbow"), -1, 0.02) << "locks outlive resets";
+  env::unlock(*world, elbow);
+  run(*world, actions, 100);
+  EXPECT_GT(angle(*world, "robot:right_elbow"), -0.1);
+}
+
+TEST(Locks, OfTheSceneCanBeOpened) {
+  World world(room_with_infant("selfbody"), {blind()}, without_renderer());
+  const int knee = joint_id(world, "robot:right_knee");
+  run(world, {}, 50);
+  EXPECT_NEAR(angle(world, "robot:right_knee"), -1.85, 0.02);
+  env::unlock(world, knee);
+  run(world, {}, 50);
+  EXPECT_GT(std::abs(angle(world, "robot:right_knee") + 1.85), 0.03);
+}
+
+TEST(Locks, AreRefusedWhereThereAreNone) {
+  const auto world = floating();
+  expect_error(Status::kUnsupported, "mimo_orientation",
+               [&] { env::lock(*world, joint_id(*world, "mimo_orientation"), 0); });
+  expect_error(Status::kInvalidArgument, "expected 0 to 47", [&] { env::lock(*world, 48, 0); });
+  const int elbow = joint_id(*world, "robot:right_elbow");
+  expect_error(Status::kInvalidArgument, "angle is 2", [&] { env::lock(*world, elbow, 2); });
+  expect_error(Status::kInvalidArgument, "angle is nan", [&] { env::lock(*world, elbow, std::nan("")); });
+  const auto positioned = floating(kPosition);
+  expect_error(Status::kUnsupported, "under position control", [&] { env::lock(*positioned, elbow, 0); });
+  expect_error(Status::kUnsupported, "under position control", [&] { env::unlock(*positioned, elbow); });
+}
+
+// Three worlds on one model: one is changed in every way, the other two stay alike.
+TEST(Overrides, StayInTheirWorld) {
+  const auto changed = floating(), one = floating(), two = floating();
+  const int elbow = joint_id(*changed, "robot:right_elbow");
+  env::lock(*changed, elbow, -1);
+  const std::int32_t motor = engine::find_or_fail(changed->model(), Kind::kActuator, "act:left_elbow");
+  const double gear = 7.5;
+  env::set(changed->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&gear, 1});
+  changed->physics().gravity()[2] = -1;
+  double read = 0;
+  env::get(changed->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&read, 1});
+  EXPECT_EQ(read, gear);
+  env::get(one->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&read, 1});
+  EXPECT_EQ(read, 3.6);
+  EXPECT_EQ(free_room()->eq_active[engine::find_lock(*free_room(), elbow)], 0);
+  const std::vector<float> actions(changed->action_size(), 0.2f);
+  run(*changed, actions, 20);
+  run(*one, actions, 20);
+  run(*two, actions, 20);
+  for (int i = 0; i < one->model().nq; ++i) EXPECT_EQ(one->data().qpos[i], two->data().qpos[i]);
+  EXPECT_LT(angle(*changed, "robot:right_elbow"), angle(*one, "robot:right_elbow") - 0.1);
+  EXPECT_NE(angle(*changed, "robot:left_elbow"), angle(*one, "robot:left_elbow"));
+}
+
+TEST(Overrides, ShareWhatTheyDoNotChange) {
+  const auto world = floating();
+  EXPECT_EQ(world->model().eq_data, free_room()->eq_data);
+  env::lock(*world, joint_id(*world, "robot:right_elbow"), -1);
+  EXPECT_NE(world->model().eq_data, free_room()->eq_data);
+  EXPECT_EQ(world->model().actuator_gear, free_room()->actuator_gear);
+  EXPECT_EQ(world->model().body_mass, free_room()->body_mass);
+}
+
+TEST(Gravity, PullsInOneWorld) {
+  env::EnvOptions options = without_renderer();
+  World moon(free_room(), {blind()}, options), earth(free_room(), {blind()}, options);
+  moon.physics().gravity()[2] = -1.62;
+  run(moon, {}, 5);
+  run(earth, {}, 5);
+  EXPECT_GT(moon.data().qpos[2], earth.data().qpos[2]);
+}
+
+}  // namespace
+}  // namespace mimo::test

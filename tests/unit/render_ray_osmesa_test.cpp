@@ -1,0 +1,177 @@
+// The ray renderer beside MuJoCo's own pictures.
+#include <algorithm>
+#include <random>
+
+#include "base/status.h"
+#include "render_ray_support.h"
+#include "support/scenes.h"
+
+namespace mimo::test {
+namespace {
+
+std::unique_ptr<render::Renderer> osmesa(const engine::ModelPtr& model) {
+  try {
+    return render::make_osmesa_renderer(model, {});
+  } catch (const Error& error) {
+    if (error.status() != Status::kUnsupported) throw;
+    return nullptr;
+  }
+}
+
+// Mean structural similarity of the luminances (Wang et al. 2004; windows of 7 x 7).
+double similarity(const Shot& a, const Shot& b) {
+  const auto luminance = [](const Shot& shot, int x, int y) {
+    const std::array<int, 3> c = shot.color(x, y);
+    return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
+  };
+  constexpr int kWindow = 7;
+  double total = 0;
+  int windows = 0;
+  for (int y = 0; y + kWindow <= a.height; y += 2) {
+    for (int x = 0; x + kWindow <= a.width; x += 2) {
+      double p = 0, q = 0, pp = 0, qq = 0, pq = 0;
+      for (int v = 0; v < kWindow; ++v) {
+        for (int u = 0; u < kWindow; ++u) {
+          const double s = luminance(a, x + u, y + v);
+          const double t = luminance(b, x + u, y + v);
+          p += s, q += t, pp += s * s, qq += t * t, pq += s * t;
+        }
+      }
+      const double n = kWindow * kWindow;
+      p /= n, q /= n, pp = pp / n - p * p, qq = qq / n - q * q, pq = pq / n - p * q;
+      const double c1 = 6.5025;
+      const double c2 = 58.5225;
+      total += (2 * p * q + c1) * (2 * pq + c2) / ((p * p + q * q + c1) * (pp + qq + c2));
+      ++windows;
+    }
+  }
+  return total / windows;
+}
+
+struct Agreement {
+  double ids = 0, depth = 0, similarity = 0;
+  int count = 0;
+
+  void add(const Shot& ours, const Shot& theirs) {
+    int same = 0;
+    int near = 0;
+    for (std::size_t i = 0; i < ours.ids.size(); ++i) {
+      same += ours.ids[i] == theirs.ids[i];
+      near += std::abs(ours.depth[i] - theirs.depth[i]) <= 1e-3 + 1e-3 * theirs.depth[i];
+    }
+    const double pixels = static_cast<double>(ours.ids.size());
+    ids += same / pixels;
+    depth += near / pixels;
+    similarity += test::similarity(ours, theirs);
+    ++count;
+  }
+  void expect(double least_ids, double least_depth, double least_similarity) const {
+    EXPECT_GE(ids / count, least_ids);
+    EXPECT_GE(depth / count, least_depth);
+    EXPECT_GE(similarity / count, least_similarity);
+    ::testing::Test::RecordProperty("ids", std::to_string(ids / count));
+    ::testing::Test::RecordProperty("depth", std::to_string(depth / count));
+    ::testing::Test::RecordProperty("similarity", std::to_string(similarity / count));
+  }
+};
+
+// Both eyes in 50 states along a random motion.
+TEST(RayOsmesa, TheInfantsEyes) {
+  const engine::ModelPtr model = room_with_infant("benchmark");
+  const_cast<mjModel&>(*model).vis.quality.offsamples = 0;
+  const auto reference = osmesa(model);
+  if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
+  const auto ray = render::make_ray_renderer(model, {}, {});
+  engine::Physics physics(model, {});
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Agreement agreement;
+  Shot ours(128, 128), theirs(128, 128);
+  for (int k = 0; k < 50; ++k) {
+    for (int step = 0; step < 30; ++step) {
+      for (int i = 0; i < model->nu; ++i) {
+        const double* range = model->actuator_forcerange + 2 * i;
+        physics.data().ctrl[i] = range[0] + (range[1] - range[0]) * uniform(random);
+      }
+      physics.step(1);
+    }
+    for (const char* eye : {"eye_left", "eye_right"}) {
+      const render::View view =
+          render::camera_view(*model, physics.data(), engine::find_or_fail(*model, engine::Kind::kCamera, eye));
+      ray->draw(*model, physics.data(), view, ours.picture());
+      reference->draw(*model, physics.data(), view, theirs.picture());
+      agreement.add(ours, theirs);
+    }
+  }
+  agreement.expect(0.995, 0.995, 0.93);
+}
+
+// From outside, where silhouettes and shadows are many; OSMesa's solids are polygons.
+TEST(RayOsmesa, TheInfantFromOutside) {
+  const engine::ModelPtr model = room_with_infant("benchmark");
+  const_cast<mjModel&>(*model).vis.quality.offsamples = 0;
+  const auto reference = osmesa(model);
+  if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
+  Studio studio(model, {});
+  Agreement agreement;
+  for (int azimuth = 0; azimuth < 360; azimuth += 45) {
+    const render::View view = render::orbit_view({0.1, 0, 0.4}, 1.6, azimuth, -20, 45);
+    Shot theirs(192, 192);
+    reference->draw(*model, studio.physics().data(), view, theirs.picture());
+    agreement.add(studio.shoot(view, 192, 192), theirs);
+  }
+  agreement.expect(0.99, 0.97, 0.95);
+}
+
+class Feature : public ::testing::TestWithParam<const char*> {};
+
+// One feature at a time, as MuJoCo draws it.
+TEST_P(Feature, LooksTheSame) {
+  const engine::ModelPtr model = engine::compile(
+      world(std::string("<light pos='0 0 3' dir='0 0 -1' castshadow='false' specular='0 0 0'/>") + GetParam(),
+            "<texture name='check' type='2d' builtin='checker' width='64' height='64' rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
+            "<texture name='cube' type='cube' builtin='checker' mark='edge' markrgb='1 0 0' width='64' height='64' rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
+            "<material name='flat' texture='check' texrepeat='3 2' specular='0'/>"
+            "<material name='uniform' texture='check' texrepeat='3 2' texuniform='true' specular='0'/>"
+            "<material name='cube' texture='cube' specular='0'/>"
+            "<material name='cubeuniform' texture='cube' texuniform='true' specular='0'/>"
+            "<material name='mirror' reflectance='.5' specular='0' rgba='.3 .3 .3 1'/>",
+            "<headlight ambient='.3 .3 .3' diffuse='.3 .3 .3'/>"),
+      {}, {});
+  const auto reference = osmesa(model);
+  if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
+  Studio studio(model, {});
+  double difference = 0;
+  Agreement agreement;
+  for (const int azimuth : {20, 140, 260}) {
+    const render::View view = render::orbit_view({0, 0, 0.1}, 1.2, azimuth, -35, 45);
+    Shot theirs(160, 160);
+    reference->draw(*model, studio.physics().data(), view, theirs.picture());
+    const Shot ours = studio.shoot(view, 160, 160);
+    for (std::size_t i = 0; i < ours.rgb.size(); ++i) difference += std::abs(ours.rgb[i] - theirs.rgb[i]);
+    agreement.add(ours, theirs);
+  }
+  EXPECT_LT(difference / (3 * 160 * 160 * 3), 2.5);
+  agreement.expect(0.99, 0.75, 0.93);  // a large ball of OSMesa's is up to 2 mm flatter
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    RayOsmesa, Feature,
+    ::testing::Values("<geom type='plane' size='.5 .4 .1' material='flat'/>",
+                      "<geom type='plane' size='0 0 .1' material='uniform'/>",
+                      "<geom type='box' size='.3 .2 .1' material='flat'/>",
+                      "<geom type='box' size='.3 .2 .1' material='cube'/>",
+                      "<geom type='box' size='.3 .2 .1' material='cubeuniform'/>",
+                      "<geom type='sphere' size='.3' material='cube'/>",
+                      "<geom type='sphere' size='.3' material='uniform'/>",
+                      "<geom type='capsule' size='.15 .2' euler='30 60 0' material='cube'/>",
+                      "<geom type='capsule' size='.15 .2' euler='30 60 0' material='cubeuniform'/>",
+                      "<geom type='capsule' size='.15 .2' euler='30 60 0' material='flat'/>",
+                      "<geom type='cylinder' size='.2 .2' euler='30 60 0' material='cubeuniform'/>",
+                      "<geom type='ellipsoid' size='.1 .2 .3' euler='30 60 0' material='cube'/>",
+                      "<geom type='plane' size='1 1 .1' material='mirror'/><geom type='capsule' size='.1 .2' pos='0 0 .4' rgba='1 .5 0 1'/>",
+                      "<geom type='plane' size='1 1 .1' rgba='.9 .9 .9 1'/><geom type='box' size='.2 .2 .2' pos='0 0 .3' rgba='1 0 0 .3'/>"
+                      "<geom type='sphere' size='.2' pos='.3 0 .3' rgba='0 0 1 .6'/>"));
+
+}  // namespace
+}  // namespace mimo::test

@@ -1,0 +1,223 @@
+// Distances along the skin.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <optional>
+
+#include "senses/touch/skin.h"
+#include "support/tiny.h"
+
+namespace mimo::senses::touch {
+namespace {
+
+Skin skin_of(const std::string& geoms, double spacing) {
+  const auto model = test::compiled("<mujoco><worldbody><body><freejoint/>" + geoms + "</body></worldbody></mujoco>");
+  return Skin(*model, {{1, spacing}});
+}
+
+// Place of a neighbour on a sensor's map; nothing if it is not on it.
+std::optional<double> distance(const Skin& skin, int from, int to) {
+  for (const Neighbour& neighbour : skin.maps().of(from)) {
+    if (neighbour.sensor == to) return std::hypot(neighbour.x, neighbour.y);
+  }
+  return std::nullopt;
+}
+
+const Sensor& sensor(const Skin& skin, int index) { return skin.sensors()[static_cast<std::size_t>(index)]; }
+int count(const Skin& skin) { return static_cast<int>(skin.sensors().size()); }
+
+// Compares all pairs of sensors with the true distance, as far as maps have to reach: two spacings and a bit.
+template <typename Truth>
+void expect_distances(const Skin& skin, double spacing, double tolerance, Truth&& truth) {
+  int compared = 0;
+  for (int i = 0; i < count(skin); ++i) {
+    for (int j = 0; j < count(skin); ++j) {
+      const double expected = truth(sensor(skin, i), sensor(skin, j));
+      const auto found = distance(skin, i, j);
+      if (expected > 2.7 * spacing) {
+        EXPECT_FALSE(found && expected > 3.4 * spacing) << "true distance " << expected / spacing << " spacings";
+        continue;
+      }
+      ASSERT_TRUE(found) << "true distance " << expected / spacing << " spacings";
+      EXPECT_NEAR(*found, expected, tolerance * spacing);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 5 * count(skin));
+}
+
+TEST(TouchMaps, BeginWithTheSensorItselfAndAreSorted) {
+  const Skin skin = skin_of("<geom type='box' size='.03 .02 .01'/>", 0.004);
+  for (int i = 0; i < count(skin); ++i) {
+    const auto map = skin.maps().of(i);
+    EXPECT_EQ(map[0].sensor, i);
+    double last = 0;
+    for (const Neighbour& neighbour : map) {
+      const double far = std::hypot(neighbour.x, neighbour.y);
+      EXPECT_GE(far, last - 1e-9);
+      last = far;
+    }
+  }
+}
+
+TEST(TouchMaps, FollowGreatCirclesOnASphere) {
+  const double radius = 0.0735, spacing = 0.013;
+  const Skin skin = skin_of("<geom type='sphere' size='.0735'/>", spacing);
+  expect_distances(skin, spacing, 0.1, [&](const Sensor& a, const Sensor& b) {
+    return radius * std::acos(std::clamp(a.normal().dot(b.normal()), -1.0, 1.0));
+  });
+}
+
+TEST(TouchMaps, UnrollACylinder) {
+  const double radius = 0.03, spacing = 0.012;
+  const Skin skin = skin_of("<geom type='capsule' size='.03 .2'/>", spacing);
+  const auto on_side = [](const Sensor& s) {
+    return std::abs(s.normal().z()) < 1e-9 && std::abs(s.position.z()) < 0.15;
+  };
+  for (int i = 0; i < count(skin); ++i) {
+    for (int j = 0; j < count(skin); ++j) {
+      const Sensor &a = sensor(skin, i), &b = sensor(skin, j);
+      if (!on_side(a) || !on_side(b)) continue;
+      const double turn = std::acos(std::clamp(a.normal().dot(b.normal()), -1.0, 1.0));
+      const double expected = std::hypot(radius * turn, a.position.z() - b.position.z());
+      if (expected > 2.7 * spacing) continue;
+      ASSERT_TRUE(distance(skin, i, j));
+      EXPECT_NEAR(*distance(skin, i, j), expected, 0.02 * spacing);
+    }
+  }
+}
+
+TEST(TouchMaps, FoldABoxOpen) {
+  const double spacing = 0.01;
+  const Skin skin = skin_of("<geom type='box' size='.05 .05 .05'/>", spacing);
+  const double half = 0.05, inner = 0.02;  // far from the other edges
+  for (int i = 0; i < count(skin); ++i) {
+    for (int j = 0; j < count(skin); ++j) {
+      const Vec3 &a = sensor(skin, i).position, &b = sensor(skin, j).position;
+      const bool over_edge = a.z() == half && b.x() == half && a.x() < half && b.z() < half &&
+                             std::abs(a.y()) < inner && std::abs(b.y()) < inner;
+      if (!over_edge) continue;
+      const double expected = std::hypot((half - a.x()) + (half - b.z()), a.y() - b.y());
+      if (expected > 2.7 * spacing) continue;
+      ASSERT_TRUE(distance(skin, i, j));
+      EXPECT_NEAR(*distance(skin, i, j), expected, 0.12 * spacing);
+    }
+  }
+}
+
+TEST(TouchMaps, TheOtherSideOfAThinPlateIsFar) {
+  const double spacing = 0.01;
+  const Skin skin = skin_of("<geom type='box' size='.05 .05 .002'/>", spacing);
+  int below_near = 0;
+  for (int i = 0; i < count(skin); ++i) {
+    const Sensor& top = sensor(skin, i);
+    const double to_edge = 0.05 - top.position.head<2>().cwiseAbs().maxCoeff();
+    if (top.normal().z() < 0.99) continue;
+    for (const Neighbour& neighbour : skin.maps().of(i)) {
+      if (sensor(skin, neighbour.sensor).position.z() > 0) continue;
+      EXPECT_GT(std::hypot(neighbour.x, neighbour.y), to_edge + 0.003);
+      ++below_near;
+    }
+  }
+  EXPECT_GT(below_near, 0);  // around the edge, the skin does go on
+}
+
+TEST(TouchMaps, CrossTheSeamOfTwoGeoms) {
+  const double spacing = 0.01;
+  const Skin skin =
+      skin_of("<geom type='capsule' size='.03 .05'/><geom type='capsule' size='.03 .05' pos='0 0 .08'/>", spacing);
+  // Coaxial capsules that overlap make one long one.
+  int across = 0;
+  for (int i = 0; i < count(skin); ++i) {
+    for (const Neighbour& neighbour : skin.maps().of(i)) {
+      const Sensor &a = sensor(skin, i), &b = sensor(skin, neighbour.sensor);
+      if (a.geom == b.geom || std::abs(a.normal().z()) > 1e-9 || std::abs(b.normal().z()) > 1e-9) continue;
+      const double turn = std::acos(std::clamp(a.normal().dot(b.normal()), -1.0, 1.0));
+      EXPECT_NEAR(std::hypot(neighbour.x, neighbour.y), std::hypot(0.03 * turn, a.position.z() - b.position.z()),
+                  0.15 * spacing);
+      ++across;
+    }
+  }
+  EXPECT_GT(across, 100);
+}
+
+TEST(TouchMaps, LoneSensorsKnowOnlyThemselves) {
+  const Skin skin = skin_of("<geom type='sphere' size='.01'/><geom type='sphere' size='.01' pos='.015 0 0'/>", 0.02);
+  ASSERT_EQ(count(skin), 2);
+  EXPECT_EQ(skin.maps().of(0).size(), 1u);
+  EXPECT_EQ(skin.maps().of(1).size(), 1u);
+}
+
+TEST(TouchSkin, LeavesOutWhatIsBuried) {
+  const Skin skin = skin_of("<geom type='sphere' size='.05'/><geom type='box' size='.06 .02 .02'/>", 0.01);
+  for (const Sensor& s : skin.sensors()) {
+    const Shape box{Shape::Kind::kBox, {0.06, 0.02, 0.02}}, sphere{Shape::Kind::kSphere, {0.05, 0, 0}};
+    EXPECT_FALSE(inside(s.geom == 0 ? box : sphere, s.position));
+  }
+}
+
+TEST(TouchSkin, APointInsideAnotherGeomIsLeftOutAndHidesNothing) {
+  const Skin skin = skin_of("<geom type='sphere' size='.05'/><geom type='sphere' size='.005'/>", 0.01);
+  for (const Sensor& s : skin.sensors()) EXPECT_EQ(s.geom, 0);
+  EXPECT_GT(count(skin), 100);
+}
+
+TEST(TouchSkin, FramesAreNormalAndTangents) {
+  const Skin skin = skin_of("<geom type='capsule' size='.03 .05' euler='20 30 40'/>", 0.01);
+  int switched = 0;
+  for (const Sensor& s : skin.sensors()) {
+    EXPECT_NEAR(s.frame.determinant(), 1, 1e-9);
+    EXPECT_TRUE((s.frame * s.frame.transpose()).isIdentity(1e-9));
+    const bool x_is_normal = std::abs(s.normal().x()) > std::cos(10 * 3.14159265358979 / 180);
+    const Vec3 axis = x_is_normal ? Vec3::UnitY() : Vec3::UnitX();
+    EXPECT_GT(s.frame.row(1).dot(axis), 0);
+    EXPECT_NEAR(s.frame.row(2).dot(axis), 0, 1e-9);  // normal x first is perpendicular to both
+    switched += x_is_normal;
+  }
+  EXPECT_GT(switched, 0);
+}
+
+TEST(TouchSkin, AMeshIsCoveredBySphereAroundIt) {
+  const auto model = test::compiled(
+      "<mujoco><asset><mesh name='m' vertex='.1 0 0 -.1 0 0 0 .1 0 0 -.1 0 0 0 .1 0 0 -.1'/></asset>"
+      "<worldbody><body><freejoint/><geom type='mesh' mesh='m'/></body></worldbody></mujoco>");
+  const Skin skin(*model, {{1, 0.05}});
+  EXPECT_GT(count(skin), 10);
+  for (const Sensor& s : skin.sensors()) {
+    EXPECT_NEAR((s.position - Vec3(model->geom_pos)).norm(), model->geom_rbound[0], 1e-9);
+  }
+}
+
+TEST(TouchSkin, GeomsThatTouchNothingHaveNone) {
+  const Skin skin =
+      skin_of("<geom size='.05' contype='0' conaffinity='0'/><geom size='.01' pos='.1 0 0' contype='0'/>", 0.005);
+  for (const Sensor& s : skin.sensors()) EXPECT_EQ(s.geom, 1);
+  EXPECT_GT(count(skin), 0);
+}
+
+TEST(TouchSkin, RefusesMoreSensorsThanFit) {
+  test::expect_error(Status::kInvalidArgument, "at most 1e+06",
+                     [] { skin_of("<geom type='sphere' size='1'/>", 1e-5); });
+}
+
+// The nearest sensor, by trying all.
+TEST(TouchSkin, FindsTheNearestSensor) {
+  const Skin skin =
+      skin_of("<geom type='box' size='.03 .02 .01'/><geom type='capsule' size='.01 .03' pos='.03 0 0'/>", 0.005);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 place = 0.05 * Vec3::Random();
+    for (const int geom : {0, 1}) {
+      double nearest = 1;
+      for (const Sensor& s : skin.sensors()) {
+        if (s.geom == geom) nearest = std::min(nearest, (s.position - place).norm());
+      }
+      const Sensor& found = sensor(skin, skin.nearest(geom, place));
+      EXPECT_EQ(found.geom, geom);
+      EXPECT_EQ((found.position - place).norm(), nearest);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mimo::senses::touch
