@@ -116,7 +116,7 @@ void add_touch_option(CLI::App& command, WorldOptions& options) {
 }
 
 void add_renderer_option(CLI::App& command, WorldOptions& options) {
-  command.add_option("--renderer", options.renderer, "What draws pictures: auto or osmesa")
+  command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray or osmesa")
       ->type_name("NAME")
       ->capture_default_str();
 }
