@@ -5,6 +5,7 @@
 #include <new>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "batch/place.h"
 
 namespace mimo::batch {
@@ -21,13 +22,16 @@ Batch::Batch(engine::ModelPtr model, const std::vector<env::AgentOptions>& agent
   if (sees && options_of(0).renderer != "none") studio_.furnish();
   mailboxes_.reserve(options.worlds);
   worlds_.reserve(options.worlds);
+  std::vector<env::AgentOptions> shared;
   for (std::size_t i = 0; i < options.worlds; ++i) {
     env::EnvOptions own = options_of(i);
     mailboxes_.emplace_back(own.log, i);
     own.log = mailboxes_.back().slot();
     own.seed = i;  // worlds that nobody seeds are not all alike
     own.shared_renderer = &studio_;
-    worlds_.push_back(std::make_unique<env::World>(model, agents, own));
+    const auto& like_first = i == 0 ? agents : shared;
+    worlds_.push_back(std::make_unique<env::World>(model, like_first, own));
+    if (i == 0) shared = env::sharing(agents, worlds_[0]->agents());
   }
 }
 

@@ -1,6 +1,6 @@
 #include "batch/mailbox.h"
 
-#include <fmt/format.h>
+#include "base/format.h"
 
 #include "batch/place.h"
 

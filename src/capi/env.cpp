@@ -109,7 +109,9 @@ mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
     const EnvObject& original = open(env);
     std::vector<std::uint8_t> state(original.world.state_bytes());
     original.world.save(Span<std::uint8_t>(state));
-    auto twin = std::make_unique<EnvObject>(original.recipe);
+    auto recipe = std::make_shared<Recipe>(*original.recipe);
+    recipe->agents = env::sharing(std::move(recipe->agents), original.world.agents());
+    auto twin = std::make_unique<EnvObject>(std::move(recipe));
     twin->world.load(Span<const std::uint8_t>(state));
     result = wrap_env(std::move(twin));
   });

@@ -29,7 +29,9 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   }
   if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));
   if (options.touch.any()) {
-    agent.skin = std::make_shared<senses::touch::Skin>(model, senses::spacings(model, agent.body, options.touch));
+    agent.skin = options.skin != nullptr ? options.skin
+                                         : std::make_shared<const senses::touch::Skin>(
+                                               model, senses::spacings(model, agent.body, options.touch));
     agent.senses.push_back(std::make_unique<senses::Touch>(agent.skin, options.touch));
   }
   if (options.vision.any()) {
@@ -43,6 +45,11 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
     for (senses::Field& field : sense->fields()) field.name = options.prefix() + field.name;
   }
   return agent;
+}
+
+std::vector<AgentOptions> sharing(std::vector<AgentOptions> options, const std::vector<Agent>& agents) {
+  for (std::size_t i = 0; i < options.size(); ++i) options[i].skin = agents[i].skin;
+  return options;
 }
 
 }  // namespace mimo::env

@@ -29,4 +29,7 @@ struct Agent {
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
                  std::size_t number, render::Renderer* renderer);
 
+// The options of agents that share what is immutable with those of a world that they were made for before.
+std::vector<AgentOptions> sharing(std::vector<AgentOptions> options, const std::vector<Agent>& agents);
+
 }  // namespace mimo::env

@@ -11,6 +11,7 @@
 #include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
+#include "senses/touch/skin.h"
 #include "senses/vision.h"
 #include "tasks/task.h"
 
@@ -23,6 +24,8 @@ struct AgentOptions {
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
+  // That of the same agent in another world of the same model, to be shared instead of made anew.
+  std::shared_ptr<const senses::touch::Skin> skin = nullptr;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
