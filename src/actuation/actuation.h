@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/span.h"
 #include "body/body.h"
 
@@ -34,6 +35,11 @@ class Actuation {
   virtual void reset(engine::Physics&) const {}
   // Sets the commands for the coming step; actions are finite.
   void apply(Span<const float> actions, engine::Physics& physics) const;
+
+  // What it remembers beside the physics: always the same number of bytes. A load that throws may leave it half
+  // loaded; the world then loads what was there before.
+  virtual void save(ByteWriter&) const {}
+  virtual void load(ByteReader&) {}
 
  protected:
   explicit Actuation(bool normalize) : normalize_(normalize) {}

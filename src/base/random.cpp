@@ -1,5 +1,7 @@
 #include "base/random.h"
 
+#include <algorithm>
+
 namespace mimo {
 namespace {
 
@@ -18,6 +20,14 @@ std::uint64_t split_mix(std::uint64_t& x) {
 
 void Random::reseed(std::uint64_t seed) {
   for (std::uint64_t& word : state_) word = split_mix(seed);
+}
+
+void Random::load(ByteReader& from) {
+  std::array<std::uint64_t, 4> state{};
+  from.take(Span<std::uint64_t>(state));
+  const bool zero = std::all_of(state.begin(), state.end(), [](std::uint64_t word) { return word == 0; });
+  require(!zero, "the state's random generator is all zero, which it never is");  // it would stay there
+  state_ = state;
 }
 
 std::uint64_t Random::next() {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "base/bytes.h"
+
 namespace mimo {
 
 class Random {
@@ -16,6 +18,9 @@ class Random {
   // Uniform in [0, 1): the upper 53 bits.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+  void save(ByteWriter& to) const { to.put(Span<const std::uint64_t>(state_)); }
+  void load(ByteReader& from);
 
  private:
   std::array<std::uint64_t, 4> state_{};

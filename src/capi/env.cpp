@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "capi/agents.h"
+#include "capi/recipe.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -10,6 +11,8 @@
 namespace mimo::capi {
 namespace {
 
+}  // namespace
+
 mimo_env_config default_env_config() {
   mimo_env_config config{};
   config.struct_size = sizeof config;
@@ -17,6 +20,8 @@ mimo_env_config default_env_config() {
   config.renderer = "auto";
   return config;
 }
+
+namespace {
 
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
@@ -42,14 +47,26 @@ env::EnvOptions env_options(const mimo_env_config& config) {
 }
 
 mimo_env* make_env(const SceneObject& object, const mimo_env_config& config) {
-  env::EnvOptions options = env_options(config);
-  options.parameters = object.parameters;
-  const scene::Composition composition = object.scene.compose();
-  engine::ModelPtr model = engine::compile(composition.xml, composition.assets, object.log);
-  return wrap<mimo_env>(std::make_unique<EnvObject>(std::move(model), object.agents, options));
+  return wrap_env(std::make_unique<EnvObject>(make_recipe(object, config)));
 }
 
 }  // namespace
+
+RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config) {
+  auto recipe = std::make_shared<Recipe>();
+  recipe->options = env_options(config);
+  recipe->options.parameters = object.parameters;
+  recipe->agents = object.agents;
+  recipe->task = object.task;
+  const scene::Composition composition = object.scene.compose();
+  recipe->model = engine::compile(composition.xml, composition.assets, object.log);
+  return recipe;
+}
+
+mimo_env* wrap_env(std::unique_ptr<EnvObject> object) {
+  EnvObject& inside = *object;
+  return inside.handle = wrap<mimo_env>(std::move(object));
+}
 }  // namespace mimo::capi
 
 using namespace mimo;
@@ -74,7 +91,7 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     require(scene_name != nullptr, "scene_name is NULL");
     scene::Source source;
     source.name = scene_name;
-    SceneObject object{scene::Scene(source), {}, {}, {}};
+    SceneObject object{scene::Scene(source), {}, {}, {}, {}};
     add_agent(object, default_agent_config(object.scene));
     result = make_env(object, default_env_config());
   });
@@ -86,6 +103,20 @@ mimo_status mimo_env_task(const mimo_env* env, const char** name) noexcept {
 
 mimo_status mimo_env_frame_skip(const mimo_env* env, uint32_t* frame_skip) noexcept {
   return guard([&] { out(frame_skip, "frame_skip") = static_cast<uint32_t>(open(env).world.frame_skip()); });
+}
+
+mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
+  return guard([&] {
+    mimo_env*& result = out(clone, "clone");
+    const EnvObject& original = open(env);
+    std::vector<std::uint8_t> state(original.world.state_bytes());
+    original.world.save(Span<std::uint8_t>(state));
+    auto recipe = std::make_shared<Recipe>(*original.recipe);
+    recipe->agents = env::sharing(std::move(recipe->agents), original.world.agents());
+    auto twin = std::make_unique<EnvObject>(std::move(recipe));
+    twin->world.load(Span<const std::uint8_t>(state));
+    result = wrap_env(std::move(twin));
+  });
 }
 
 void mimo_env_destroy(mimo_env* env) noexcept { destroy(env); }

@@ -28,7 +28,21 @@ void watch_forks() {
   std::call_once(once, [] { pthread_atfork(nullptr, nullptr, [] { fork_generation.fetch_add(1); }); });
 }
 
-const char* word(HandleKind kind) { return kind == HandleKind::kScene ? "mimo_scene" : "mimo_env"; }
+const char* word(HandleKind kind) {
+  switch (kind) {
+    case HandleKind::kScene: return "mimo_scene";
+    case HandleKind::kEnv: return "mimo_env";
+    case HandleKind::kBatch: return "mimo_batch";
+  }
+  return "handle";
+}
+
+// Neither null nor of another kind nor another process's.
+const Control* sound(const void* handle, HandleKind kind) noexcept {
+  const auto* control = static_cast<const Control*>(handle);
+  if (control == nullptr || control->magic != kMagic || control->kind != kind) return nullptr;
+  return control->generation == fork_generation.load() ? control : nullptr;
+}
 
 }  // namespace
 
@@ -55,10 +69,12 @@ void* open_handle(const void* handle, HandleKind kind, const char* argument) {
 }
 
 void* retire_handle(void* handle, HandleKind kind) noexcept {
-  auto* control = static_cast<Control*>(handle);
-  if (control == nullptr || control->magic != kMagic || control->kind != kind) return nullptr;
-  if (control->generation != fork_generation.load()) return nullptr;  // belongs to the parent
-  return control->object.exchange(nullptr);
+  return sound(handle, kind) == nullptr ? nullptr : static_cast<Control*>(handle)->object.exchange(nullptr);
+}
+
+void* peek_handle(const void* handle, HandleKind kind) noexcept {
+  const Control* control = sound(handle, kind);
+  return control == nullptr ? nullptr : control->object.load();
 }
 
 }  // namespace mimo::capi

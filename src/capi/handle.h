@@ -8,12 +8,14 @@
 
 namespace mimo::capi {
 
-enum class HandleKind : unsigned { kScene = 1, kEnv = 2 };
+enum class HandleKind : unsigned { kScene = 1, kEnv = 2, kBatch = 3 };
 
 // Makes a handle that owns the object.
 void* make_handle(HandleKind kind, void* object);
 // The object behind a handle. Throws Status::kBadHandle or kForked; `argument` names the parameter.
 void* open_handle(const void* handle, HandleKind kind, const char* argument);
+// The object behind a handle, or null for everything that open_handle refuses.
+void* peek_handle(const void* handle, HandleKind kind) noexcept;
 // Retires a handle and returns its object, or null for null, retired and foreign handles.
 void* retire_handle(void* handle, HandleKind kind) noexcept;
 
@@ -34,7 +36,16 @@ Public* wrap(std::unique_ptr<Object<Public>> object) {
 template <typename Public>
 Object<Public>& open(Public* handle) {
   using Traits = HandleTraits<Public>;
-  return *static_cast<Object<Public>*>(open_handle(handle, Traits::kKind, Traits::kName));
+  auto& object = *static_cast<Object<Public>*>(open_handle(handle, Traits::kKind, Traits::kName));
+  require_access(object);
+  return object;
+}
+
+template <typename Public>
+bool may_destroy(Public* handle) noexcept {
+  using Traits = HandleTraits<Public>;
+  const auto* object = static_cast<const Object<Public>*>(peek_handle(handle, Traits::kKind));
+  return object != nullptr && is_destructible(*object);
 }
 
 template <typename Public>
@@ -42,8 +53,10 @@ const Object<Public>& open(const Public* handle) {
   return open(const_cast<Public*>(handle));
 }
 
+// Leaves alone what may not be destroyed now or by this call.
 template <typename Public>
 void destroy(Public* handle) noexcept {
+  if (!may_destroy(handle)) return;
   delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kKind));
 }
 

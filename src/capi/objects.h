@@ -1,8 +1,11 @@
 // What the public handles stand for.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "batch/batch.h"
 #include "capi/handle.h"
 #include "env/world.h"
 #include "mimo/mimo.h"
@@ -15,19 +18,76 @@ struct SceneObject {
   std::vector<env::AgentOptions> agents;
   LogSink log;
   tasks::Settings parameters;
+  std::optional<mimo_task> task = {};  // the user's own
 };
 
-struct EnvObject {
-  EnvObject(engine::ModelPtr model, const std::vector<env::AgentOptions>& agents, const env::EnvOptions& options)
-      : world(std::move(model), agents, options) {}
-  env::World world;
+// What worlds are made from: all that is left of a scene when it has been compiled.
+struct Recipe {
+  engine::ModelPtr model;
+  std::vector<env::AgentOptions> agents;
+  env::EnvOptions options;
+  std::optional<mimo_task> task;
 };
+
+using RecipePtr = std::shared_ptr<const Recipe>;
+
+// The options of one world. Its task, where it is the user's, finds the world's handle at `handle`.
+env::EnvOptions options_of(const Recipe& recipe, std::size_t world, mimo_env* const* handle);
+
+// A world of its own, or the view of one in a batch.
+struct EnvObject {
+  explicit EnvObject(RecipePtr of)
+      : recipe(std::move(of)),
+        owned(std::make_unique<env::World>(recipe->model, recipe->agents, options_of(*recipe, 0, &handle))),
+        world(*owned) {}
+  EnvObject(RecipePtr of, batch::Batch& all, std::size_t which)
+      : recipe(std::move(of)), world(all.world(which)), batch(&all), number(which) {}
+
+  RecipePtr recipe;
+  mimo_env* handle = nullptr;
+  std::unique_ptr<env::World> owned;
+  env::World& world;
+  const batch::Batch* batch = nullptr;
+  std::size_t number = 0;
+};
+
+mimo_env* wrap_env(std::unique_ptr<EnvObject> object);
+
+struct BatchObject {
+  BatchObject(RecipePtr of, const batch::Options& options);
+  ~BatchObject();
+  // The handle of a world, made when first asked for.
+  mimo_env* view(std::size_t world);
+
+  RecipePtr recipe;
+  std::vector<mimo_env*> views;
+  batch::Batch batch;
+};
+
+// Whether a handle may be used by this thread now.
+inline void require_access(const SceneObject&) {}
+inline void require_access(const EnvObject& env) {
+  if (env.batch != nullptr) env.batch->require_access(env.number);
+}
+inline void require_access(const BatchObject&) {}  // the batch itself knows which calls it takes
+
+// Views belong to their batch; a task must not pull away the world that it is at work in.
+inline bool is_destructible(const SceneObject&) { return true; }
+inline bool is_destructible(const EnvObject& env) { return env.batch == nullptr && !env.world.in_task(); }
+inline bool is_destructible(const BatchObject& object) { return !object.batch.works_on_this_thread(); }
 
 template <>
 struct HandleTraits<mimo_scene> {
   using Type = SceneObject;
   static constexpr HandleKind kKind = HandleKind::kScene;
   static constexpr const char* kName = "scene";
+};
+
+template <>
+struct HandleTraits<mimo_batch> {
+  using Type = BatchObject;
+  static constexpr HandleKind kKind = HandleKind::kBatch;
+  static constexpr const char* kName = "batch";
 };
 
 template <>

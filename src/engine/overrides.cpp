@@ -41,6 +41,41 @@ double& Overrides::gear(mjModel& model, int actuator) {
   return model.actuator_gear[6 * actuator];
 }
 
+void Overrides::save(const mjModel& model, ByteWriter& to) {
+  for (int i = 0; i < model.neq; ++i) {
+    to.put(model.eq_active[i]);
+    to.put(model.eq_data[i * mjNEQDATA]);
+  }
+  for (int i = 0; i < model.nu; ++i) to.put(model.actuator_gear[6 * i]);
+  to.put(Span<const double>(model.opt.gravity, 3));
+}
+
+void Overrides::check(const mjModel& model, ByteReader& from) {
+  for (int i = 0; i < model.neq; ++i) {
+    from.take_flag();
+    from.take_finite("a lock");
+  }
+  for (int i = 0; i < model.nu; ++i) from.take_finite("a gear");
+  for (int i = 0; i < 3; ++i) from.take_finite("gravity");
+}
+
+// Takes arrays of its own only where the state differs from what the world has now.
+void Overrides::load(mjModel& model, ByteReader& from) {
+  for (int i = 0; i < model.neq; ++i) {
+    const auto active = from.take<mjtByte>();
+    const auto data = from.take<double>();
+    if (active == model.eq_active[i] && data == model.eq_data[i * mjNEQDATA]) continue;
+    own_locks(model);
+    model.eq_active[i] = active;
+    model.eq_data[i * mjNEQDATA] = data;
+  }
+  for (int i = 0; i < model.nu; ++i) {
+    const auto value = from.take<double>();
+    if (value != model.actuator_gear[6 * i]) gear(model, i) = value;
+  }
+  from.take(Span<double>(model.opt.gravity, 3));
+}
+
 int find_lock(const mjModel& model, int joint) {
   for (int i = 0; i < model.neq; ++i) {
     if (model.eq_type[i] == mjEQ_JOINT && model.eq_obj1id[i] == joint && model.eq_obj2id[i] < 0) return i;

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include "base/bytes.h"
+
 namespace mimo::engine {
 
 class Overrides {
@@ -19,6 +21,12 @@ class Overrides {
   void hold(mjModel& model, int lock, double angle);
   void release(mjModel& model, int lock);
   double& gear(mjModel& model, int actuator);
+
+  // Everything in which a world's model may differ, gravity included.
+  static void save(const mjModel& model, ByteWriter& to);
+  // Reads past it. Throws Status::kInvalidArgument for what save never writes.
+  static void check(const mjModel& model, ByteReader& from);
+  void load(mjModel& model, ByteReader& from);  // after check
 
  private:
   std::vector<mjtByte> active_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "engine/guard.h"
 
 namespace mimo::engine {
 namespace {
@@ -130,12 +129,6 @@ void Physics::check_divergence() {
   for (const mjtWarning kind : kDivergence) {
     if (data_->warning[kind].number > 0) fail_world(text_of(kind, data_->warning[kind]));
   }
-}
-
-template <typename Call>
-void Physics::run(Call&& call) {
-  const Complaint complaint = guarded(call);
-  if (complaint.failed) fail_world(complaint.error.data());
 }
 
 // The solver starts from the last acceleration, and kinematics normalises the quaternions among the positions, which is

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/span.h"
+#include "engine/guard.h"
 #include "engine/model.h"
 #include "engine/overrides.h"
 
@@ -60,14 +62,27 @@ class Physics {
   // Throws Status::kSimulation when the world has failed and has not been reset.
   void require_usable() const;
 
+  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start, and
+  // how this world differs from the shared model.
+  void save(ByteWriter& to) const;
+  // Throws Status::kInvalidArgument, with nothing changed, for numbers that are not finite. Afterwards poses and body
+  // velocities are those of the new state; contacts, sensors and accelerations are empty until the next step or
+  // forward(). Makes a failed world usable again.
+  void load(ByteReader& from);
+
   // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.
   std::string take_warnings();
 
  private:
   void fail_world(const std::string& why);
   void check_divergence();
+  void forget_derived();
+  // Calls MuJoCo under the guard; the world is failed when it gives up.
   template <typename Call>
-  void run(Call&& call);
+  void run(Call&& call) {
+    const Complaint complaint = guarded(call);
+    if (complaint.failed) fail_world(complaint.error.data());
+  }
   template <typename Call>
   void run_aside(Call&& call);  // leaves the trajectory as it was
 
@@ -77,7 +92,7 @@ class Physics {
   Overrides overrides_;
   std::vector<double> start_;
   std::array<int, mjNWARNING> warned_{};
-  std::vector<double> positions_, warmstart_;  // room for run_aside() to keep what it changes
+  std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
   double step_time_ = 0;                       // when the step in progress started; MuJoCo sets a diverged world's time back
   bool failed_ = false;
 };

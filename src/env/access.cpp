@@ -138,25 +138,6 @@ void normalise(double* q) {
   for (int i = 0; i < 4; ++i) q[i] /= length;
 }
 
-void check_writable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
-  const Traits& what = traits(quantity);
-  require(what.writable, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    require(std::isfinite(values[i]), "values[{}] is {}, expected a finite number", i, values[i]);
-  }
-  const bool body = quantity == Quantity::kBodyPosition || quantity == Quantity::kBodyOrientation;
-  const double* at = values.data();
-  for (const std::int32_t id : ids) {
-    if (body && free_joint(model, id) < 0) {
-      fail(Status::kInvalidArgument, "body {} (\"{}\") cannot be moved: it has no free joint", id,
-           engine::name(model, Kind::kBody, id));
-    }
-    const double* quat = quaternion_in(model, quantity, id, const_cast<double*>(at));
-    require(quat == nullptr || norm(quat) > 1e-9, "values: the quaternion of {} {} is zero", word(what.kind), id);
-    at += width(model, quantity, id);
-  }
-}
-
 }  // namespace
 
 engine::Kind kind_from(int number) {
@@ -198,10 +179,29 @@ void get(const engine::Physics& physics, Quantity quantity, Span<const std::int3
   }
 }
 
+void check_settable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
+  const Traits& what = traits(quantity);
+  require(what.writable, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    require(std::isfinite(values[i]), "values[{}] is {}, expected a finite number", i, values[i]);
+  }
+  const bool body = quantity == Quantity::kBodyPosition || quantity == Quantity::kBodyOrientation;
+  const double* at = values.data();
+  for (const std::int32_t id : ids) {
+    if (body && free_joint(model, id) < 0) {
+      fail(Status::kInvalidArgument, "body {} (\"{}\") cannot be moved: it has no free joint", id,
+           engine::name(model, Kind::kBody, id));
+    }
+    const double* quat = quaternion_in(model, quantity, id, const_cast<double*>(at));
+    require(quat == nullptr || norm(quat) > 1e-9, "values: the quaternion of {} {} is zero", word(what.kind), id);
+    at += width(model, quantity, id);
+  }
+}
+
 void set(engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
   physics.require_usable();
   const mjModel& model = physics.model();
-  check_writable(model, quantity, ids, values);
+  check_settable(model, quantity, ids, values);
   const double* from = values.data();
   for (const std::int32_t id : ids) {
     const int count = width(model, quantity, id);

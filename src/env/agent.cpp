@@ -18,7 +18,7 @@ std::shared_ptr<const senses::touch::Skin> make_skin(const mjModel& model, const
 }  // namespace
 
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
-                 render::Renderer* renderer) {
+                 std::size_t number, render::Renderer* renderer) {
   const mjModel& model = physics.model();
   Agent agent;
   agent.name = options.name;
@@ -26,7 +26,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
-  agent.task = make_task(model, agent.body);
+  agent.task = make_task(model, agent.body, number);
   if (any(options.proprioception)) {
     senses::ProprioceptionOptions proprioception = options.proprioception;
     proprioception.position_control = options.actuation.mode == actuation::Mode::kPosition;
@@ -48,6 +48,11 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
     for (senses::Field& field : sense->fields()) field.name = options.prefix() + field.name;
   }
   return agent;
+}
+
+std::vector<AgentOptions> sharing(std::vector<AgentOptions> options, const std::vector<Agent>& agents) {
+  for (std::size_t i = 0; i < options.size(); ++i) options[i].skin = agents[i].skin;
+  return options;
 }
 
 }  // namespace mimo::env

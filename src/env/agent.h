@@ -1,7 +1,6 @@
 // One infant in a world: its body, its actuation, its senses.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,11 +25,11 @@ struct Agent {
   double height = 0;
 };
 
-// Makes the task of one agent.
-using TaskMaker = std::function<std::unique_ptr<tasks::Task>(const mjModel&, const body::Body&)>;
-
 // Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision.
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
-                 render::Renderer* renderer);
+                 std::size_t number, render::Renderer* renderer);
+
+// The options of agents that share what is immutable with those of a world that they were made for before.
+std::vector<AgentOptions> sharing(std::vector<AgentOptions> options, const std::vector<Agent>& agents);
 
 }  // namespace mimo::env

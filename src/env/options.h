@@ -1,16 +1,19 @@
 // What a world is made of: the inner form of mimo_agent_config and mimo_env_config.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "actuation/actuation.h"
 #include "base/log.h"
 #include "engine/physics.h"
+#include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
+#include "senses/touch/skin.h"
 #include "senses/vision.h"
-#include "tasks/parameters.h"
+#include "tasks/task.h"
 
 namespace mimo::env {
 
@@ -21,11 +24,16 @@ struct AgentOptions {
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
-  std::shared_ptr<const senses::touch::Skin> skin;  // from another world of the same model and options; null: make one
+  // That of the same agent in another world of the same model, to be shared instead of made anew.
+  std::shared_ptr<const senses::touch::Skin> skin = nullptr;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
 };
+
+// Makes the task of one agent, by its number.
+using TaskMaker =
+    std::function<std::unique_ptr<tasks::Task>(const mjModel& model, const body::Body& body, std::size_t agent)>;
 
 struct EnvOptions {
   int frame_skip = 0;  // 0: the scene's own
@@ -34,8 +42,14 @@ struct EnvOptions {
   std::uint32_t max_steps = 0;  // 0: the task's own
   std::string task;             // "": the scene's own
   tasks::Settings parameters;
+  TaskMaker custom_task;        // stands in for the scene's own, where given
   bool timing = false;
   LogSink log;
+  std::uint64_t seed = 0;                       // of the random stream, until a reset gives another
+  render::Renderer* shared_renderer = nullptr;  // draws for this world, which then has none of its own; outlives it
 };
+
+// Makes what the options ask for. Throws Status::kUnsupported where it does not work here.
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options);
 
 }  // namespace mimo::env

@@ -9,23 +9,36 @@ namespace mimo::env {
 namespace {
 
 constexpr int kFrameSkip = 2;  // where neither config nor scene say
+constexpr const char* kCustomTask = "custom";
 
 bool sees(const std::vector<AgentOptions>& agents) {
   return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
 }
 
+// True as long as this lives.
+class Flag {
+ public:
+  explicit Flag(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Flag() { flag_ = false; }
+  Flag(const Flag&) = delete;
+  Flag& operator=(const Flag&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 }  // namespace
 
 World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
-    : options_(options), shared_model_(std::move(model)), physics_(shared_model_, options.physics) {
+    : options_(options),
+      shared_model_(std::move(model)),
+      physics_(shared_model_, options.physics),
+      random_(options.seed) {
   adopt_scene_choices();
-  const tasks::Definition& task = tasks::definition(options_.task);
-  const auto make_task = [&](const mjModel& shared, const body::Body& body) {
-    return task.make(shared, body, options_.parameters);
-  };
-  if (sees(agents) && options_.renderer != "none") make_renderer();
+  const TaskMaker make_task = task_maker();
+  render::Renderer* eyes = sees(agents) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent_options : agents) {
-    Agent agent = make_agent(physics_, agent_options, make_task, renderer_.get());
+    Agent agent = make_agent(physics_, agent_options, make_task, agents_.size(), eyes);
     agent.action_offset = action_size_;
     action_size_ += agent.actuation->size();
     for (const auto& sense : agent.senses) {
@@ -35,16 +48,30 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
     agents_.push_back(std::move(agent));
   }
   start();
+  measure_state();
   report_warnings();
+}
+
+void World::require_outside_task() const {
+  require(!in_task_, "a task may not reset, step or load the world that it is at work in");
 }
 
 // What the config leaves open, the scene's document may say.
 void World::adopt_scene_choices() {
+  if (options_.task.empty() && options_.custom_task) options_.task = kCustomTask;
   if (options_.task.empty()) options_.task = engine::custom_text(model(), "mimo:task");
   if (options_.task.empty()) options_.task = "none";
   if (options_.frame_skip > 0) return;
   const Span<const double> own = engine::custom_numbers(model(), "mimo:frame_skip");
   options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= 1000 ? static_cast<int>(own[0]) : kFrameSkip;
+}
+
+TaskMaker World::task_maker() const {
+  if (options_.task == kCustomTask) return options_.custom_task;
+  const tasks::Definition& task = tasks::definition(options_.task);
+  return [this, &task](const mjModel& model, const body::Body& body, std::size_t) {
+    return task.make(model, body, options_.parameters);
+  };
 }
 
 // The stored state, before any task.
@@ -54,9 +81,14 @@ void World::start() {
   elapsed_ = 0;
 }
 
-void World::make_renderer() {
-  const std::string name = options_.renderer == "none" ? "auto" : options_.renderer;
-  renderer_ = render::make_renderer(name, shared_model_, options_.log);
+render::Renderer& World::renderer() {
+  if (options_.shared_renderer != nullptr) return *options_.shared_renderer;
+  if (own_renderer_ == nullptr) own_renderer_ = make_renderer(shared_model_, options_);
+  return *own_renderer_;
+}
+
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options) {
+  return render::make_renderer(options.renderer == "none" ? "auto" : options.renderer, model, options.log);
 }
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
@@ -67,11 +99,15 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
 }
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
+  require_outside_task();
   if (seed != nullptr) random_.reseed(*seed);
   start();
-  for (const Agent& agent : agents_) {
-    agent.task->clear();
-    agent.task->reset(physics_, random_);
+  {
+    const Flag at_work(in_task_);
+    for (const Agent& agent : agents_) {
+      agent.task->clear();
+      agent.task->reset(physics_, random_);
+    }
   }
   physics_.data().time = 0;
   physics_.forward();
@@ -80,6 +116,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
 }
 
 void World::step(Span<const float> actions, std::uint8_t* block, const Results& results) {
+  require_outside_task();
   physics_.require_usable();
   const Stopwatch total(options_.timing, timing_.total);
   if (!actions.empty()) {
@@ -120,6 +157,7 @@ void World::sense(std::uint8_t* block, bool timed) {
 
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
 void World::evaluate() {
+  const Flag at_work(in_task_);
   for (const Agent& agent : agents_) agent.task->evaluate(physics_);
   for (const Agent& agent : agents_) agent.task->follow(physics_);
 }
@@ -127,16 +165,24 @@ void World::evaluate() {
 void World::report(const Results& results) const {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const tasks::Task& task = *agents_[i].task;
-    const std::uint64_t limit = options_.max_steps > 0 ? options_.max_steps : task.episode_steps();
     if (!results.reward.empty()) results.reward[i] = task.reward();
     if (!results.terminated.empty()) results.terminated[i] = task.over() ? 1 : 0;
-    if (!results.truncated.empty()) results.truncated[i] = limit > 0 && elapsed_ >= limit ? 1 : 0;
+    if (!results.truncated.empty()) results.truncated[i] = out_of_time(agents_[i]) ? 1 : 0;
   }
 }
 
+bool World::out_of_time(const Agent& agent) const {
+  const std::uint64_t limit = options_.max_steps > 0 ? options_.max_steps : agent.task->episode_steps();
+  return limit > 0 && elapsed_ >= limit;
+}
+
+bool World::over() const {
+  return std::any_of(agents_.begin(), agents_.end(),
+                     [this](const Agent& agent) { return agent.task->over() || out_of_time(agent); });
+}
+
 void World::draw(const render::View& view, const render::Picture& picture) {
-  if (renderer_ == nullptr) make_renderer();
-  renderer_->draw(model(), data(), view, picture);
+  renderer().draw(model(), data(), view, picture);
 }
 
 void World::report_warnings() {

@@ -4,11 +4,13 @@
 #include <memory>
 #include <vector>
 
+#include "base/hash.h"
 #include "base/random.h"
 #include "engine/physics.h"
 #include "env/agent.h"
 #include "env/layout.h"
 #include "env/options.h"
+#include "env/state.h"
 #include "env/timing.h"
 #include "render/renderer.h"
 
@@ -40,34 +42,58 @@ class World {
   int frame_skip() const { return options_.frame_skip; }
   const std::string& task_name() const { return options_.task; }
 
+  // The stream that all of the world's random numbers come from.
+  Random& random() { return random_; }
+
+  // Whether a task is at work in it right now.
+  bool in_task() const { return in_task_; }
+
+  // Whether the episode of any agent has ended, by success, failure or time.
+  bool over() const;
+
   // A block may be null: then nothing is observed.
   void reset(const std::uint64_t* seed, std::uint8_t* block);
   // Without actions the controls stay as they are. Actions are finite.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
   void observe(std::uint8_t* block);
 
+  // The world's state: see env/state.cpp. A failed world has none to save.
+  std::size_t state_bytes() const { return state_.bytes; }
+  void save(Span<std::uint8_t> state) const;  // exactly state_bytes()
+  // Throws, with nothing changed, for anything but a state of the same model, agents and task.
+  void load(Span<const std::uint8_t> state);
+
   // Draws the poses as they are with the world's renderer, which is made when first needed.
   void draw(const render::View& view, const render::Picture& picture);
 
  private:
-  void make_renderer();
+  render::Renderer& renderer();
   void adopt_scene_choices();
+  TaskMaker task_maker() const;
   void start();
   void sense(std::uint8_t* block, bool timed);
   void evaluate();
   void report(const Results& results) const;
+  void require_outside_task() const;
+  bool out_of_time(const Agent& agent) const;
   void report_warnings();
+  void measure_state();
+  void save_parts(ByteWriter& to, Hash* layout) const;
+  void load_parts(ByteReader& from);
 
   EnvOptions options_;
   engine::ModelPtr shared_model_;
   engine::Physics physics_;
-  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   Layout layout_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;
+  bool in_task_ = false;  // a task is at work, and must not start or step the world that it is part of
   Timing timing_;
+  StateFormat state_;
+  std::vector<std::uint8_t> parts_backup_;  // room for load() to keep what it may have to put back
 };
 
 }  // namespace mimo::env

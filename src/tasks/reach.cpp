@@ -35,6 +35,8 @@ class Reach : public Task {
   void watch(const engine::Physics& physics) override { touched_ = touched_ || touches(physics, arm_, target_); }
   void evaluate(const engine::Physics& physics) override;
   void follow(engine::Physics& physics) override;
+  void save(ByteWriter& to) const override;
+  void load(ByteReader& from) override;
 
  private:
   enum { kDistance, kSuccess };
@@ -106,6 +108,18 @@ void Reach::warm_up(engine::Physics& physics, Random& random) {
 void Reach::place_target(engine::Physics& physics, Random& random) {
   double* place = physics.data().qpos + target_address_;
   for (int axis = 0; axis < 3; ++axis) place[axis] += random.uniform(low_[axis], high_[axis]);
+}
+
+void Reach::save(ByteWriter& to) const {
+  Task::save(to);
+  to.put(touched_);
+  to.put(Span<const double>(target_start_.data(), 3));
+}
+
+void Reach::load(ByteReader& from) {
+  Task::load(from);
+  touched_ = from.take_flag();
+  for (double& coordinate : target_start_) coordinate = from.take_finite("the target's place");
 }
 
 bool Reach::reached(const engine::Physics& physics) const {

@@ -68,6 +68,8 @@ class Selfbody : public Task {
   void reset(engine::Physics& physics, Random& random) override;
   void watch(const engine::Physics& physics) override;
   void evaluate(const engine::Physics& physics) override;
+  void save(ByteWriter& to) const override;
+  void load(ByteReader& from) override;
   std::unique_ptr<senses::Sense> make_sense(const mjModel& model) override {
     return std::make_unique<TargetSense>(model, skin_, target_);
   }
@@ -117,6 +119,22 @@ void Selfbody::reset(engine::Physics& physics, Random& random) {
 }
 
 // The stored pose is a sketch: locks, couplings and gravity pull it to where the infant really sits, at rest.
+void Selfbody::save(ByteWriter& to) const {
+  Task::save(to);
+  to.put(std::uint64_t{target_});
+  to.put(target_felt_);
+  to.put(fingers_felt_);
+}
+
+void Selfbody::load(ByteReader& from) {
+  Task::load(from);
+  const auto target = from.take<std::uint64_t>();
+  require(target < skin_.size(), "the state's target is body {} of {}", target, skin_.size());
+  target_ = target;
+  target_felt_ = from.take_flag();
+  fingers_felt_ = from.take_flag();
+}
+
 void Selfbody::settle(engine::Physics& physics) {
   physics.step(settle_steps_);
   mjData& data = physics.data();

@@ -34,6 +34,18 @@ void Task::clear() {
   success_ = failure_ = false;
 }
 
+void Task::save(ByteWriter& to) const {
+  for (const Term& term : terms_) to.put(term.value);
+  to.put(success_);
+  to.put(failure_);
+}
+
+void Task::load(ByteReader& from) {
+  for (Term& term : terms_) term.value = from.take_finite("a reward");
+  success_ = from.take_flag();
+  failure_ = from.take_flag();
+}
+
 Span<const Definition* const> definitions() { return {kDefinitions, std::size(kDefinitions)}; }
 
 const Definition& definition(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/random.h"
 #include "base/span.h"
 #include "body/body.h"
@@ -45,6 +46,11 @@ class Task {
   std::uint64_t episode_steps() const { return episode_steps_; }
   // For the start of an episode, before reset.
   void clear();
+
+  // What it remembers of the episode beside the physics: always the same number of bytes. Who overrides these calls them
+  // first. A load that throws may leave the task half loaded; the world then loads what was there before.
+  virtual void save(ByteWriter& to) const;
+  virtual void load(ByteReader& from);
 
  protected:
   explicit Task(std::vector<Term> terms) : terms_(std::move(terms)) {}

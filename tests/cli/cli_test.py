@@ -121,7 +121,7 @@ class Usage(Case):
                           ["run", "--vision", "0"], ["run", "--vision", "5000"], ["run", "--vision", "on"],
                           ["run", "--touch", "0"], ["run", "--touch", "-1"], ["run", "--touch", "many"],
                           ["run", "--touch", "nan"], ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
-                          ["bench", "--steps", "0"], ["bench", "--worlds", "2"], ["bench", "--threads", "2"],
+                          ["bench", "--steps", "0"], ["bench", "--worlds", "0"], ["bench", "--threads", "0"],
                           ["render"], ["render", "--out", "a.png", "--width", "0"],
                           ["render", "--out", "a.png", "--camera", "eye_left", "--distance", "1"],
                           ["rollout", "--out", "a.json"], ["rollout", "--controls", "a.csv"],
@@ -461,6 +461,21 @@ class Bench(Case):
     @needs_renderer
     def test_vision_is_counted(self):
         self.assertGreater(self.bench("--vision", "32", "--steps", "5")["split_ms"]["vision"], 0)
+
+    def test_many_worlds(self):
+        result = self.bench("--scene", "reach", "--vision", "off", "--steps", "12", "--worlds", "4", "--threads", "2")
+        self.assertLessEqual(self.KEYS, set(result))
+        self.assertEqual((result["steps"], result["worlds"], result["threads"]), (12, 4, 2))
+        self.assertAlmostEqual(sum(result["split_ms"].values()), result["ms_per_step"], places=9)
+        self.assertAlmostEqual(12 * 4 * 0.01 / result["wall_s"], result["realtime_factor"], places=6)
+        self.assertGreater(result["scaling"], 0)
+        self.assertGreater(result["raw_scaling"], 0)
+        self.assertIn(result["allocations_per_step"], (0, None))
+        one_thread = self.bench("--scene", "reach", "--vision", "off", "--steps", "3", "--worlds", "2")
+        self.assertNotIn("scaling", one_thread)
+
+    def test_more_threads_than_worlds(self):
+        self.assertIn("--threads", self.mimo("bench", "--worlds", "2", "--threads", "3", code=1))
 
     def test_other_scenes(self):
         self.assertEqual(self.bench("--scene", "free", "--vision", "off", "--steps", "3")["steps"], 3)

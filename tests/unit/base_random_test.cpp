@@ -1,6 +1,8 @@
 // The generator's numbers, so that seeds mean the same everywhere and for ever.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "base/random.h"
 
 namespace mimo::test {
@@ -42,6 +44,26 @@ TEST(BaseRandom, UniformIsInItsRange) {
   }
   EXPECT_NEAR(sum / 10000, 0.5, 0.015);  // five standard deviations of the mean, 0.0029
   EXPECT_EQ(Random(2).uniform(-3, 5), -3 + 8 * Random(2).uniform());
+}
+
+TEST(BaseRandom, ContinuesFromItsState) {
+  Random first(7);
+  first.next();
+  std::vector<std::uint8_t> state(32);
+  ByteWriter writer{Span<std::uint8_t>(state)};
+  first.save(writer);
+  Random second(8);
+  ByteReader reader{Span<const std::uint8_t>(state)};
+  second.load(reader);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(first.next(), second.next());
+}
+
+TEST(BaseRandom, RefusesTheStateItCannotLeave) {
+  Random random(7), same(7);
+  const std::vector<std::uint8_t> zeros(32);
+  ByteReader reader{Span<const std::uint8_t>(zeros)};
+  EXPECT_THROW(random.load(reader), Error);
+  EXPECT_EQ(random.next(), same.next());
 }
 
 }  // namespace

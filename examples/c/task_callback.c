@@ -1,0 +1,122 @@
+/* A task of one's own for many worlds at once: the infant is to lift its left hand above a height that each episode
+ * draws anew. The two functions below are the task; the library calls them while it steps, on all of its threads.
+ *
+ *   cc task_callback.c $(pkg-config --cflags --libs mimo) && ./a.out
+ */
+#include <mimo/mimo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORLDS = 16, STEPS = 200 };
+
+/* Shared by all worlds; only read while they run. */
+typedef struct lift {
+  int32_t hand;
+} lift;
+
+/* Each world's own. The library keeps it, and saves it with the world's state. */
+typedef struct episode {
+  double height;
+} episode;
+
+static void check(mimo_status status) {
+  if (status == MIMO_OK) return;
+  fprintf(stderr, "%s: %s\n", mimo_status_name(status), mimo_last_error());
+  exit(1);
+}
+
+static mimo_status lift_reset(void *user, mimo_env *env, size_t world, size_t agent, void *memory) {
+  episode *own = memory;
+  double share;
+  mimo_status status = mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
+  (void)user, (void)world, (void)agent;
+  own->height = 0.2 + 0.2 * share;
+  return status;
+}
+
+static mimo_status lift_evaluate(void *user, const mimo_env *env, size_t world, size_t agent, void *memory,
+                                 double *reward, int32_t *outcome) {
+  const lift *task = user;
+  const episode *own = memory;
+  double hand[3];
+  mimo_status status = mimo_env_get(env, MIMO_BODY_POSITION, &task->hand, 1, hand, 3);
+  (void)world, (void)agent;
+  if (status != MIMO_OK) return status;
+  *reward = hand[2] - own->height;
+  if (*reward > 0) *outcome = MIMO_OUTCOME_SUCCESS;
+  return MIMO_OK;
+}
+
+static mimo_batch *make_batch(lift *user) {
+  mimo_scene_config scene_config;
+  mimo_agent_config agent;
+  mimo_env_config env_config;
+  mimo_batch_config batch_config;
+  mimo_task task;
+  mimo_scene *scene;
+  mimo_batch *batch;
+
+  check(mimo_scene_config_init(&scene_config, sizeof scene_config));
+  scene_config.name = "benchmark";
+  check(mimo_scene_create(&scene_config, &scene));
+  check(mimo_agent_config_init(&agent, sizeof agent));
+  agent.vision = 0;
+  agent.touch = 0;
+  check(mimo_scene_add_agent(scene, &agent, NULL));
+
+  check(mimo_task_init(&task, sizeof task));
+  task.user = user;
+  task.memory_bytes = sizeof(episode);
+  task.reset = lift_reset;
+  task.evaluate = lift_evaluate;
+  check(mimo_scene_set_task(scene, &task));
+
+  check(mimo_env_config_init(&env_config, sizeof env_config));
+  env_config.max_steps = 100;
+  check(mimo_batch_config_init(&batch_config, sizeof batch_config));
+  batch_config.worlds = WORLDS;
+  batch_config.autoreset = MIMO_AUTORESET_SAME_STEP;
+  check(mimo_batch_create(scene, &env_config, &batch_config, &batch));
+  mimo_scene_destroy(scene);
+  return batch;
+}
+
+int main(void) {
+  lift user;
+  mimo_batch *batch = make_batch(&user);
+  mimo_batch_results results;
+  mimo_env *first;
+  uint64_t seeds[WORLDS];
+  uint8_t terminated[WORLDS], truncated[WORLDS];
+  float *actions;
+  size_t count, i;
+  int step, successes = 0, time_outs = 0;
+
+  check(mimo_batch_world(batch, 0, &first));
+  check(mimo_env_find(first, MIMO_BODY, "left_hand", &user.hand));
+  check(mimo_env_action_size(first, &count));
+  actions = malloc(WORLDS * count * sizeof *actions);
+  if (actions == NULL) return 1;
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.terminated = terminated;
+  results.truncated = truncated;
+  results.agents = WORLDS;
+
+  for (i = 0; i < WORLDS; ++i) seeds[i] = i;
+  check(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+  for (step = 0; step < STEPS; ++step) {
+    for (i = 0; i < WORLDS * count; ++i) actions[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
+    check(mimo_batch_step(batch, actions, WORLDS * count, NULL, 0, &results));
+    for (i = 0; i < WORLDS; ++i) {
+      successes += terminated[i];
+      time_outs += truncated[i] && !terminated[i];
+    }
+  }
+  printf("%d times high enough, %d times not in time\n", successes, time_outs);
+
+  free(actions);
+  mimo_batch_destroy(batch);
+  return successes + time_outs > 0 ? 0 : 1;
+}

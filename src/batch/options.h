@@ -1,0 +1,33 @@
+// The inner forms of mimo_batch_config and mimo_batch_results.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/status.h"
+
+namespace mimo::batch {
+
+// As mimo.h numbers them (MIMO_AUTORESET_...).
+enum class Autoreset : int { kNone = 0, kNextStep = 1, kSameStep = 2 };
+
+struct Options {
+  std::size_t worlds = 1;
+  std::size_t threads = 1;
+  Autoreset autoreset = Autoreset::kNone;
+  bool restart_failed = false;
+};
+
+// Where the results of a step go; null for what is not wanted. World i has row i.
+struct Output {
+  std::uint8_t* blocks = nullptr;
+  double* reward = nullptr;            // worlds x agents
+  std::uint8_t* terminated = nullptr;  // worlds x agents
+  std::uint8_t* truncated = nullptr;   // worlds x agents
+  std::int32_t* status = nullptr;
+  std::uint8_t* was_reset = nullptr;
+  std::uint8_t* final_blocks = nullptr;
+  std::uint8_t* final_written = nullptr;
+};
+
+}  // namespace mimo::batch

@@ -1,0 +1,113 @@
+#include "batch/pool.h"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <algorithm>
+
+namespace mimo::batch {
+namespace {
+
+// Signals sent to the process are the host's business: its handlers run on its own threads.
+void leave_signals_to_the_host() {
+  sigset_t signals;
+  sigfillset(&signals);
+  for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&signals, fault);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+}  // namespace
+
+Pool::Pool(std::size_t threads) : threads_(threads) {
+  workers_.reserve(threads);
+  try {
+    while (workers_.size() + 1 < threads) add_worker();
+  } catch (...) {
+    stop();
+    throw;
+  }
+}
+
+Pool::~Pool() { stop(); }
+
+void Pool::run(Job& job, std::size_t count) {
+  open(job, count, std::min(workers_.size(), threads_ - 1));
+  work(threads_ - 1);
+  close();
+}
+
+void Pool::start(Job& job, std::size_t count) {
+  if (workers_.size() < threads_) add_worker();
+  open(job, count, threads_);
+}
+
+void Pool::wait() { close(); }
+
+void Pool::add_worker() {
+  workers_.push_back(std::make_unique<Worker>());
+  Worker& worker = *workers_.back();
+  const std::size_t thread = workers_.size() - 1;
+  try {
+    worker.thread = std::thread([this, &worker, thread] { live(worker, thread); });
+  } catch (...) {
+    workers_.pop_back();
+    throw;
+  }
+}
+
+// Wakes as many workers as have something to do.
+void Pool::open(Job& job, std::size_t count, std::size_t helpers) {
+  {
+    const std::lock_guard lock(mutex_);
+    job_ = &job;
+    count_ = count;
+    next_.store(0, std::memory_order_relaxed);
+    helpers = std::min(helpers, count);
+    for (std::size_t i = 0; i < helpers; ++i) workers_[i]->invited = true;
+  }
+  for (std::size_t i = 0; i < helpers; ++i) workers_[i]->wake.notify_one();
+}
+
+// Waits for those who came. Who is late finds the invitation gone: on a busy machine nobody waits for a thread only
+// to learn that there is nothing left for it to do.
+void Pool::close() {
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [this] { return inside_ == 0 && next_.load(std::memory_order_relaxed) >= count_; });
+  for (const auto& worker : workers_) worker->invited = false;
+}
+
+void Pool::work(std::size_t thread) {
+  for (;;) {
+    const std::size_t item = next_.fetch_add(1, std::memory_order_relaxed);
+    if (item >= count_) return;
+    job_->run(item, thread);
+  }
+}
+
+void Pool::live(Worker& worker, std::size_t thread) {
+  leave_signals_to_the_host();
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    worker.wake.wait(lock, [&] { return stopping_ || worker.invited; });
+    if (stopping_) return;
+    worker.invited = false;
+    ++inside_;
+    lock.unlock();
+    work(thread);
+    lock.lock();
+    if (--inside_ == 0) idle_.notify_one();
+  }
+}
+
+void Pool::stop() noexcept {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  for (const auto& worker : workers_) {
+    worker->wake.notify_one();
+    worker->thread.join();
+  }
+}
+
+}  // namespace mimo::batch

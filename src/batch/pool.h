@@ -1,0 +1,70 @@
+// The threads that step the worlds of a batch.
+//
+// A pool of our own, because none that Debian has fits: oneTBB and OpenMP are shared by the whole process and would
+// meet the host's (MATLAB and NumPy bring theirs), header-only ones allocate a std::function for every task. All that
+// is needed here is one job at a time, "call this for each of n items", and a hand-over without an allocation.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace mimo::batch {
+
+// What is to be done for every item. It must not throw. `thread` is a number below Pool::threads(); no two calls with
+// the same number run at the same time.
+class Job {
+ public:
+  virtual void run(std::size_t item, std::size_t thread) noexcept = 0;
+
+ protected:
+  ~Job() = default;
+};
+
+class Pool {
+ public:
+  explicit Pool(std::size_t threads);  // at least 1
+  ~Pool();
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  std::size_t threads() const { return threads_; }
+
+  // Runs the job for items 0 to count - 1 and returns when all are done. The calling thread is one of the threads, so
+  // that a pool of one does without any hand-over.
+  void run(Job& job, std::size_t count);
+
+  // The same in two parts: start() returns at once and leaves the work to the pool, wait() returns when all is done.
+  void start(Job& job, std::size_t count);
+  void wait();
+
+ private:
+  struct Worker {
+    std::condition_variable wake;
+    bool invited = false;
+    std::thread thread;
+  };
+
+  void add_worker();
+  void stop() noexcept;
+  void open(Job& job, std::size_t count, std::size_t helpers);
+  void close();
+  void work(std::size_t thread);
+  void live(Worker& worker, std::size_t thread);
+
+  const std::size_t threads_;
+  std::mutex mutex_;
+  std::condition_variable idle_;
+  std::vector<std::unique_ptr<Worker>> workers_;  // threads - 1; one more once start() was called
+  bool stopping_ = false;
+  std::size_t inside_ = 0;  // workers that are working
+  Job* job_ = nullptr;
+  std::size_t count_ = 0;
+  std::atomic<std::size_t> next_{0};  // the first item that nobody has taken
+};
+
+}  // namespace mimo::batch

@@ -1,0 +1,256 @@
+#include <thread>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/recipe.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+
+BatchObject::BatchObject(RecipePtr of, const batch::Options& options)
+    : recipe(std::move(of)),
+      views(options.worlds),
+      batch(recipe->model, recipe->agents,
+            [this](std::size_t world) { return options_of(*recipe, world, &views[world]); }, options) {
+  // The functions of a user's task get their world's handle; they run where making one would come too late.
+  for (std::size_t i = 0; recipe->task && i < views.size(); ++i) view(i);
+}
+
+BatchObject::~BatchObject() {
+  for (mimo_env* handle : views) {
+    delete static_cast<EnvObject*>(handle == nullptr ? nullptr : retire_handle(handle, HandleKind::kEnv));
+  }
+}
+
+mimo_env* BatchObject::view(std::size_t world) {
+  if (views[world] == nullptr) views[world] = wrap_env(std::make_unique<EnvObject>(recipe, batch, world));
+  return views[world];
+}
+
+namespace {
+
+constexpr std::uint32_t kMostWorlds = 1u << 20;
+constexpr std::uint32_t kMostThreads = 1u << 12;
+
+mimo_batch_config default_batch_config() {
+  mimo_batch_config config{};
+  config.struct_size = sizeof config;
+  config.worlds = 1;
+  return config;
+}
+
+batch::Options batch_options(const mimo_batch_config& config) {
+  require(config.worlds >= 1 && config.worlds <= kMostWorlds, "worlds is {}, expected 1 to {}", config.worlds,
+          kMostWorlds);
+  require(config.threads <= kMostThreads, "threads is {}, expected up to {}, or 0 for the machine's", config.threads,
+          kMostThreads);
+  require(config.autoreset >= MIMO_AUTORESET_NONE && config.autoreset <= MIMO_AUTORESET_SAME_STEP,
+          "autoreset is {}, expected a MIMO_AUTORESET_ constant, 0 to 2", config.autoreset);
+  check_flag(config.restart_failed, "restart_failed");
+  batch::Options options;
+  options.worlds = config.worlds;
+  options.threads = config.threads != 0 ? config.threads : std::max(1u, std::thread::hardware_concurrency());
+  options.autoreset = static_cast<batch::Autoreset>(config.autoreset);
+  options.restart_failed = config.restart_failed != 0;
+  return options;
+}
+
+// A mask, or seeds: NULL, or one for each world.
+void check_per_world(const batch::Batch& batch, std::size_t worlds, bool any) {
+  require(worlds == batch.size() || (worlds == 0 && !any), "worlds is {}, expected {}", worlds, batch.size());
+}
+
+// Blocks of all worlds, one after the other; NULL with 0 bytes where they are optional.
+std::uint8_t* blocks_of(const batch::Batch& batch, void* blocks, std::size_t bytes, const char* argument) {
+  auto* start = static_cast<std::uint8_t*>(blocks);
+  check_buffer(start, bytes, batch.size() * batch.world(0).layout().bytes(), argument);
+  return start;
+}
+
+batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t block_bytes,
+                        const mimo_batch_results* results) {
+  batch::Output output;
+  output.blocks = blocks_of(batch, blocks, block_bytes, "blocks");
+  if (results == nullptr) return output;
+  const mimo_batch_results theirs = read_struct(results, mimo_batch_results{}, "results");
+  const std::size_t agents = batch.size() * batch.world(0).agents().size();
+  const bool any_agents = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr;
+  const bool any_worlds = theirs.status != nullptr || theirs.was_reset != nullptr || theirs.final_written != nullptr;
+  if (any_agents && theirs.agents < agents) {
+    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated and truncated need {}", theirs.agents,
+         agents);
+  }
+  if (any_worlds && theirs.worlds < batch.size()) {
+    fail(Status::kBufferTooSmall, "results: worlds is {}, but status, was_reset and final_written need {}",
+         theirs.worlds, batch.size());
+  }
+  output.reward = theirs.reward;
+  output.terminated = theirs.terminated;
+  output.truncated = theirs.truncated;
+  output.status = theirs.status;
+  output.was_reset = theirs.was_reset;
+  output.final_blocks = blocks_of(batch, theirs.final_blocks, theirs.final_bytes, "results: final_blocks");
+  output.final_written = theirs.final_written;
+  return output;
+}
+
+const float* actions_of(const batch::Batch& batch, const float* actions, std::size_t count) {
+  const std::size_t expected = batch.size() * batch.world(0).action_size();
+  require(actions != nullptr || count == 0, "actions is NULL, but action_count is {}", count);
+  require(count == expected || count == 0, "action_count is {}, expected {} or 0", count, expected);
+  return count == 0 ? nullptr : actions;
+}
+
+// Width of a row of values, after checks of everything that named access is given.
+std::size_t check_values(const batch::Batch& batch, env::Quantity quantity, Span<const std::int32_t> ids,
+                         const double* values, std::size_t count) {
+  const std::size_t expected = batch.size() * env::width(batch.world(0).model(), quantity, ids);
+  require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
+  if (count < expected) fail(Status::kBufferTooSmall, "value_count is {}, but {} are needed", count, expected);
+  require(count == expected, "value_count is {}, expected {}", count, expected);
+  return expected / batch.size();
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_batch_config_init(mimo_batch_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_batch_config(), "config"); });
+}
+
+mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* env_config,
+                              const mimo_batch_config* batch_config, mimo_batch** batch) noexcept {
+  return guard([&] {
+    mimo_batch*& result = out(batch, "batch");
+    const batch::Options options = batch_options(read_struct(batch_config, default_batch_config(), "batch_config"));
+    const mimo_env_config config = read_struct(env_config, default_env_config(), "env_config");
+    result = wrap<mimo_batch>(std::make_unique<BatchObject>(make_recipe(open(scene), config), options));
+  });
+}
+
+void mimo_batch_destroy(mimo_batch* batch) noexcept { destroy(batch); }
+
+mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* threads) noexcept {
+  return guard([&] {
+    const batch::Batch& inner = open(batch).batch;
+    if (worlds != nullptr) *worlds = inner.size();
+    if (threads != nullptr) *threads = inner.threads();
+  });
+}
+
+mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) noexcept {
+  return guard([&] {
+    BatchObject& object = open(batch);
+    object.batch.require_idle();
+    require(world < object.batch.size(), "world is {}, but there are {} worlds", world, object.batch.size());
+    out(env, "env") = object.view(world);
+  });
+}
+
+mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_status* status,
+                                   const char** message) noexcept {
+  return guard([&] {
+    const batch::Batch& inner = open(batch).batch;
+    inner.require_idle();
+    require(world < inner.size(), "world is {}, but there are {} worlds", world, inner.size());
+    const batch::Report& report = inner.report(world);
+    if (status != nullptr) *status = static_cast<mimo_status>(report.status);
+    if (message != nullptr) *message = report.message.c_str();
+  });
+}
+
+mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds,
+                             void* blocks, size_t block_bytes) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    check_per_world(inner, worlds, seeds != nullptr || mask != nullptr);
+    inner.reset(seeds, mask, blocks_of(inner, blocks, block_bytes, "blocks"));
+  });
+}
+
+mimo_status mimo_batch_step(mimo_batch* batch, const float* actions, size_t action_count, void* blocks,
+                            size_t block_bytes, const mimo_batch_results* results) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    inner.step(actions_of(inner, actions, action_count), output_of(inner, blocks, block_bytes, results));
+  });
+}
+
+mimo_status mimo_batch_send(mimo_batch* batch, const float* actions, size_t action_count, void* blocks,
+                            size_t block_bytes, const mimo_batch_results* results) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    inner.send(actions_of(inner, actions, action_count), output_of(inner, blocks, block_bytes, results));
+  });
+}
+
+mimo_status mimo_batch_receive(mimo_batch* batch) noexcept {
+  return guard([&] { open(batch).batch.receive(); });
+}
+
+mimo_status mimo_batch_observe(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* blocks,
+                               size_t block_bytes) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    check_per_world(inner, worlds, mask != nullptr);
+    require(blocks != nullptr, "blocks is NULL");
+    inner.observe(mask, blocks_of(inner, blocks, block_bytes, "blocks"));
+  });
+}
+
+mimo_status mimo_batch_get(const mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
+                           const uint8_t* mask, size_t worlds, double* values, size_t value_count) noexcept {
+  return guard([&] {
+    const batch::Batch& inner = open(batch).batch;
+    const env::Quantity what = env::quantity_from(quantity);
+    const auto which = array(ids, id_count, "ids");
+    check_per_world(inner, worlds, mask != nullptr);
+    check_values(inner, what, which, values, value_count);
+    inner.get(what, which, mask, values);
+  });
+}
+
+mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
+                           const uint8_t* mask, size_t worlds, const double* values, size_t value_count) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    const env::Quantity what = env::quantity_from(quantity);
+    const auto which = array(ids, id_count, "ids");
+    check_per_world(inner, worlds, mask != nullptr);
+    check_values(inner, what, which, values, value_count);
+    inner.set(what, which, mask, values);
+  });
+}
+
+mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* states,
+                                  size_t state_bytes) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    auto* start = static_cast<std::uint8_t*>(states);
+    check_per_world(inner, worlds, mask != nullptr);
+    require(start != nullptr, "states is NULL");
+    check_buffer(start, state_bytes, inner.size() * inner.world(0).state_bytes(), "states");
+    inner.save(mask, start);
+  });
+}
+
+mimo_status mimo_batch_state_load(mimo_batch* batch, const uint8_t* mask, size_t worlds, const void* states,
+                                  size_t state_bytes) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    const std::size_t one = inner.world(0).state_bytes();
+    check_per_world(inner, worlds, mask != nullptr);
+    require(states != nullptr, "states is NULL");
+    require(state_bytes == one || state_bytes == one * inner.size(), "state_bytes is {}, expected {} or {}", state_bytes,
+            one, one * inner.size());
+    inner.load(mask, static_cast<const std::uint8_t*>(states), state_bytes == one ? 0 : one);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,106 @@
+#include "capi/custom_task.h"
+
+#include <algorithm>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+void check(mimo_status status, const char* function) {
+  if (status == MIMO_OK) return;
+  const bool known = status < 0 && status >= MIMO_E_INTERNAL;
+  fail(known ? static_cast<Status>(status) : Status::kInternal, "the task's function {} returned {} ({}): {}", function,
+       status, mimo_status_name(status), mimo_last_error());
+}
+
+mimo_task empty_task() {
+  mimo_task task{};
+  task.struct_size = sizeof task;
+  return task;
+}
+
+}  // namespace
+
+CustomTask::CustomTask(const mimo_task& functions, mimo_env* const* env, std::size_t world, std::size_t agent)
+    : Task({{"reward", 0.0}}),
+      functions_(functions),
+      env_(env),
+      world_(world),
+      agent_(agent),
+      memory_(functions.memory_bytes) {
+  ends_ = true;
+}
+
+void CustomTask::reset(engine::Physics&, Random&) {
+  std::fill(memory_.begin(), memory_.end(), std::uint8_t{0});
+  if (functions_.reset == nullptr) return;
+  check(functions_.reset(functions_.user, *env_, world_, agent_, memory_.data()), "reset");
+}
+
+void CustomTask::evaluate(const engine::Physics&) {
+  double reward = 0;
+  int32_t outcome = MIMO_OUTCOME_NONE;
+  check(functions_.evaluate(functions_.user, *env_, world_, agent_, memory_.data(), &reward, &outcome), "evaluate");
+  terms_[0].value = reward;
+  success_ = outcome > 0;
+  failure_ = outcome < 0;
+}
+
+void CustomTask::save(ByteWriter& to) const {
+  Task::save(to);
+  to.put(Span<const std::uint8_t>(memory_));
+}
+
+void CustomTask::load(ByteReader& from) {
+  Task::load(from);
+  from.take(Span<std::uint8_t>(memory_));
+}
+
+env::EnvOptions options_of(const Recipe& recipe, std::size_t world, mimo_env* const* handle) {
+  env::EnvOptions options = recipe.options;
+  if (!recipe.task) return options;
+  options.custom_task = [task = *recipe.task, world, handle](const mjModel&, const body::Body&, std::size_t agent) {
+    return std::make_unique<CustomTask>(task, handle, world, agent);
+  };
+  return options;
+}
+
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_task_init(mimo_task* task, size_t size) noexcept {
+  return guard([&] { write_struct(task, size, empty_task(), "task"); });
+}
+
+mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexcept {
+  return guard([&] {
+    SceneObject& object = open(scene);
+    if (task == nullptr) {
+      object.task.reset();
+      return;
+    }
+    const mimo_task ours = read_struct(task, empty_task(), "task");
+    require(ours.evaluate != nullptr, "task: evaluate is NULL");
+    require(ours.memory_bytes <= MIMO_TASK_MEMORY_LIMIT, "task: memory_bytes is {}, expected up to {}",
+            ours.memory_bytes, MIMO_TASK_MEMORY_LIMIT);
+    object.task = ours;
+  });
+}
+
+mimo_status mimo_env_random(mimo_env* env, double* values, size_t count) noexcept {
+  return guard([&] {
+    const auto numbers = array(values, count, "values");
+    Random& random = open(env).world.random();
+    std::generate(numbers.begin(), numbers.end(), [&random] { return random.uniform(); });
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,44 @@
+#include "bare_world.h"
+
+#include "timing.h"
+
+namespace cli {
+namespace {
+
+mimo_env_config bare_config(std::int32_t jacobian) {
+  auto config = make_env_config();
+  config.jacobian = jacobian;
+  return config;
+}
+
+}  // namespace
+
+Actions draw(RandomActions& random, std::size_t count) {
+  Actions actions(count);
+  std::generate(actions.begin(), actions.end(), [&] { return random.draw(); });
+  return actions;
+}
+
+BareWorld::BareWorld(const WorldOptions& world, std::int32_t jacobian, std::size_t steps)
+    : env_(open_bare_world(world, bare_config(jacobian))), times_(steps) {
+  for (const std::string& name : env_.action_names()) actuators_.push_back(env_.find(MIMO_ACTUATOR, name));
+  Block nothing(0);
+  env_.reset(world.seed, nothing);
+}
+
+void BareWorld::run(const Actions& actions) {
+  const std::size_t frame_skip = env_.frame_skip();
+  for (const auto& action : actions) {
+    env_.set(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
+    const auto start = Clock::now();
+    env_.physics_step(frame_skip);
+    times_.add(seconds_since(start) / static_cast<double>(frame_skip));
+  }
+}
+
+void BareWorld::warm_up(const Actions& actions) {
+  run(actions);
+  times_ = Samples(0);
+}
+
+}  // namespace cli

@@ -1,0 +1,178 @@
+/* Tasks written as C functions: what they get, what they may do, and that a batch equals single worlds. */
+#include "support/capi.h"
+
+enum { WORLDS = 6, STEPS = 25 };
+
+/* Of each world and agent. */
+typedef struct memory {
+  double target;
+  uint64_t steps;
+} memory;
+
+typedef struct rules {
+  int32_t joint;
+  mimo_status reset_status, evaluate_status;
+} rules;
+
+static mimo_status start(void* user, mimo_env* env, size_t world, size_t agent, void* own) {
+  const rules* rule = user;
+  memory* it = own;
+  double share;
+  size_t count = 0;
+  (void)world;
+  if (it->target != 0 || it->steps != 0 || agent != 0) return MIMO_E_INTERNAL;
+  if (mimo_env_reset(env, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
+  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
+  mimo_env_destroy(env); /* does nothing now */
+  if (mimo_env_agent_count(env, &count) != MIMO_OK || count != 1) return MIMO_E_INTERNAL;
+  if (mimo_env_random(env, &share, 1) != MIMO_OK) return MIMO_E_INTERNAL;
+  it->target = -share;
+  if (mimo_env_set(env, MIMO_JOINT_POSITION, &rule->joint, 1, &it->target, 1) != MIMO_OK) return MIMO_E_INTERNAL;
+  return rule->reset_status;
+}
+
+static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* own, double* reward,
+                         int32_t* outcome) {
+  const rules* rule = user;
+  memory* it = own;
+  double angle;
+  (void)world;
+  (void)agent;
+  if (*reward != 0 || *outcome != MIMO_OUTCOME_NONE) return MIMO_E_INTERNAL;
+  if (mimo_env_get(env, MIMO_JOINT_POSITION, &rule->joint, 1, &angle, 1) != MIMO_OK) return MIMO_E_INTERNAL;
+  *reward = -fabs(angle - it->target);
+  if (++it->steps == 10) *outcome = it->target < -0.5 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_FAILURE;
+  return rule->evaluate_status;
+}
+
+static mimo_scene* scene_with(rules* rule) {
+  mimo_scene* scene = blind_scene("free");
+  mimo_task task;
+  CHECK_OK(mimo_task_init(&task, sizeof task));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "evaluate is NULL", mimo_scene_set_task(scene, &task));
+  task.reset = start;
+  task.evaluate = judge;
+  task.user = rule;
+  task.memory_bytes = MIMO_TASK_MEMORY_LIMIT + 1;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "memory_bytes is", mimo_scene_set_task(scene, &task));
+  task.memory_bytes = sizeof(memory);
+  CHECK_OK(mimo_scene_set_task(scene, &task));
+  return scene;
+}
+
+static void check_batch_equals_singles(mimo_scene* scene) {
+  mimo_env* env = NULL;
+  mimo_batch* batch = NULL;
+  mimo_batch_config config;
+  mimo_batch_results results;
+  double reward[WORLDS], expected[WORLDS][STEPS];
+  uint8_t ends[WORLDS], end;
+  uint64_t seeds[WORLDS], world;
+  int step, outcomes = 0;
+
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  for (world = 0; world < WORLDS; ++world) {
+    seeds[world] = 40 + world;
+    CHECK_OK(mimo_env_reset(env, &seeds[world], NULL, 0));
+    for (step = 0; step < STEPS; ++step) {
+      uint8_t success = 0, failure = 0;
+      CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, &expected[world][step], &end, NULL, 1));
+      CHECK(end == (step == 9));
+      CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
+      CHECK(success + failure == end);
+      if (end) outcomes |= success ? 1 : 2;
+    }
+  }
+  CHECK(outcomes == 3); /* both were seen */
+  mimo_env_destroy(env);
+
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = WORLDS;
+  config.threads = 3;
+  CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
+  CHECK_OK(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.reward = reward;
+  results.terminated = ends;
+  results.agents = WORLDS;
+  for (step = 0; step < STEPS; ++step) {
+    CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
+    for (world = 0; world < WORLDS; ++world) {
+      CHECK(reward[world] == expected[world][step]);
+      CHECK(ends[world] == (step == 9));
+    }
+  }
+  mimo_batch_destroy(batch);
+}
+
+static void check_state(mimo_scene* scene) {
+  mimo_env *env = NULL, *twin = NULL;
+  double first = 0, second = 0;
+  int step;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_clone(env, &twin));
+  for (step = 0; step < 12; ++step) {
+    uint8_t end[2];
+    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, &first, &end[0], NULL, 1));
+    CHECK_OK(mimo_env_step(twin, NULL, 0, NULL, 0, &second, &end[1], NULL, 1));
+    CHECK(first == second && end[0] == end[1] && end[0] == (step == 8));
+  }
+  mimo_env_destroy(twin);
+  mimo_env_destroy(env);
+}
+
+static void check_failing(mimo_scene* scene, rules* rule) {
+  mimo_env* env = NULL;
+  mimo_batch* batch = NULL;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  rule->reset_status = MIMO_E_NOT_FOUND;
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "the task's function reset returned -5", mimo_env_reset(env, NULL, NULL, 0));
+  rule->reset_status = MIMO_OK;
+  CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+  rule->evaluate_status = 5;
+  CHECK_FAILS(MIMO_E_INTERNAL, "evaluate returned 5", mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
+  CHECK_FAILS(MIMO_E_INTERNAL, "world 0: the task's function", mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  rule->evaluate_status = MIMO_OK;
+  mimo_batch_destroy(batch);
+  mimo_env_destroy(env);
+}
+
+static void check_name(mimo_scene* scene) {
+  mimo_env* env = NULL;
+  mimo_env_config config;
+  const char* name = NULL;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_task(env, &name));
+  CHECK_TEXT("custom", name);
+  mimo_env_destroy(env);
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.task = "none";
+  CHECK_OK(mimo_env_create(scene, &config, &env));
+  CHECK_OK(mimo_env_task(env, &name));
+  CHECK_TEXT("none", name);
+  mimo_env_destroy(env);
+  CHECK_OK(mimo_scene_set_task(scene, NULL));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_task(env, &name));
+  CHECK_TEXT("none", name);
+  mimo_env_destroy(env);
+}
+
+int main(void) {
+  rules rule = {0, MIMO_OK, MIMO_OK};
+  mimo_env* env = blind_env("free", NULL);
+  mimo_scene* scene;
+  rule.joint = find(env, MIMO_JOINT, "robot:left_elbow");
+  mimo_env_destroy(env);
+  scene = scene_with(&rule);
+  check_batch_equals_singles(scene);
+  check_state(scene);
+  check_failing(scene, &rule);
+  check_name(scene);
+  mimo_scene_destroy(scene);
+  return failures();
+}
