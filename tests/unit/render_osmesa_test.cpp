@@ -92,7 +92,7 @@ TEST(Osmesa, LeftIsLeftAndTopIsTop) {
   const Image image = take(*renderer_for(world), world, 128, 128);
   const auto shows = [&](double x, double y, std::size_t channel) {
     const std::uint8_t* pixel = &image.rgb[3 * image.at(x, y)];
-    return pixel[channel] > 4 * pixel[(channel + 1) % 3] && pixel[channel] > 4 * pixel[(channel + 2) % 3];
+    return pixel[channel] > 2 * pixel[(channel + 1) % 3] && pixel[channel] > 2 * pixel[(channel + 2) % 3];
   };
   EXPECT_TRUE(shows(0.5, 0.5, 0));   // red
   EXPECT_TRUE(shows(0.15, 0.5, 1));  // green

@@ -144,8 +144,19 @@ TEST(Batch, SendAndReceiveAreAStep) {
   }
   EXPECT_NE(failure([&] { sent.batch.receive(); }), "");
   sent.batch.require_access(0);
-  const std::vector<float> actions = sent.actions(0);
-  sent.batch.send(actions.data(), sent.output());  // and then it is destroyed
+}
+
+// Blocks and actions are the caller's, and must outlive what was sent.
+TEST(Batch, CanBeDestroyedAtWork) {
+  Bytes blocks;
+  std::vector<float> actions;
+  Batch batch(floating_model(), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(6, 2));
+  blocks.resize(6 * batch.world(0).layout().bytes());
+  actions.resize(6 * batch.world(0).action_size());
+  batch.reset(nullptr, nullptr, nullptr);
+  batch::Output output;
+  output.blocks = blocks.data();
+  batch.send(actions.data(), output);
 }
 
 TEST(Batch, ADivergingWorldStopsNoOther) {
