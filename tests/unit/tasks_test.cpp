@@ -194,7 +194,8 @@ TEST(Reach, OriginalRulesWantTheTargetMoved) {
   EXPECT_GT(episode.last.reward, 99);
 }
 
-TEST(Reach, RandomMovementDoesNotAlwaysFindTheBall) {
+// An arm that flails for ten seconds often hits a ball that hangs within its reach, but not always.
+TEST(Reach, RandomMovementFindsTheBallNowAndThen) {
   const auto world = world_of("reach");
   Random random(5);
   const auto policy = [&](const World& w) {
@@ -213,6 +214,7 @@ TEST(Reach, RandomMovementDoesNotAlwaysFindTheBall) {
       EXPECT_GT(episode.total, -500);
     }
   }
+  EXPECT_GT(found, 0);
   EXPECT_LT(found, 8);
 }
 
