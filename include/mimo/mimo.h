@@ -46,8 +46,8 @@ extern "C" {
  * ------------------------------------------------------------------------------------------------- */
 
 #define MIMO_VERSION_MAJOR 0 /**< Version of this header; mimo_version() gives the library's. */
-#define MIMO_VERSION_MINOR 1
-#define MIMO_VERSION_PATCH 0
+#define MIMO_VERSION_MINOR 1 /**< See MIMO_VERSION_MAJOR. */
+#define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_ABI_VERSION 0 /**< Changes when old callers would break; equals the SONAME's number. */
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */

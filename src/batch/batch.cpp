@@ -10,7 +10,7 @@
 
 namespace mimo::batch {
 
-Batch::Batch(engine::ModelPtr model, const std::vector<env::AgentOptions>& agents, const OptionsOf& options_of,
+Batch::Batch(const engine::ModelPtr& model, const std::vector<env::AgentOptions>& agents, const OptionsOf& options_of,
              const Options& options)
     : options_(options),
       agents_(agents.size()),

@@ -30,7 +30,7 @@ class Batch : private Job {
   // Gives the options of world i; its log, seed and renderer are the batch's business.
   using OptionsOf = std::function<env::EnvOptions(std::size_t world)>;
 
-  Batch(engine::ModelPtr model, const std::vector<env::AgentOptions>& agents, const OptionsOf& options_of,
+  Batch(const engine::ModelPtr& model, const std::vector<env::AgentOptions>& agents, const OptionsOf& options_of,
         const Options& options);
   ~Batch();
   Batch(const Batch&) = delete;

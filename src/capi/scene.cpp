@@ -100,8 +100,8 @@ mimo_status mimo_scene_create(const mimo_scene_config* config, mimo_scene** scen
   return guard([&] {
     mimo_scene*& result = out(scene, "scene");
     const mimo_scene_config ours = read_struct(config, default_scene_config(), "config");
-    result = wrap<mimo_scene>(std::unique_ptr<SceneObject>(
-        new SceneObject{scene::Scene(source(ours)), {}, LogSink{ours.log, ours.log_user}, {}}));
+    result = wrap<mimo_scene>(std::make_unique<SceneObject>(
+        SceneObject{scene::Scene(source(ours)), {}, LogSink{ours.log, ours.log_user}, {}}));
   });
 }
 

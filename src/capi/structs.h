@@ -11,13 +11,13 @@ namespace mimo::capi {
 // The size that a struct had in the first release; smaller ones never existed.
 template <typename T>
 struct FirstSize {
-  static constexpr std::size_t value = sizeof(T);
+  static constexpr std::size_t kBytes = sizeof(T);
 };
 
 template <typename T>
 void check_struct_size(std::size_t size, const char* argument) {
   constexpr std::size_t kLargest = 4096;  // beyond any version: memory that was never initialised
-  if (size < FirstSize<T>::value || size > kLargest) {
+  if (size < FirstSize<T>::kBytes || size > kLargest) {
     fail(Status::kStructSize, "{}: struct_size is {}, expected {} (use its _init function)", argument, size, sizeof(T));
   }
 }

@@ -53,9 +53,11 @@ void set_touch(SceneObject& object, std::int32_t agent, const char* body, double
 using namespace mimo;
 using namespace mimo::capi;
 
+// NOLINTBEGIN(readability-non-const-parameter): they are written to, through Arrays
 extern "C" mimo_status mimo_env_touch_sensors(const mimo_env* env, size_t agent, int32_t* bodies, int32_t* geoms,
                                               double* positions, double* frames, size_t capacity,
                                               size_t* count) noexcept {
+  // NOLINTEND(readability-non-const-parameter)
   return guard([&] {
     const auto& agents = open(env).world.agents();
     require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());

@@ -7,6 +7,7 @@
 #include <mutex>
 
 // Exported by MuJoCo 2.2 but not declared in its headers. Weak: a build of MuJoCo may lack them.
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): the names are MuJoCo's
 extern "C" {
 using mimo_mujoco_handler = void (*)(const char*);
 __attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_error_fn();
@@ -14,6 +15,7 @@ __attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_warning_fn();
 __attribute__((weak)) void _mjPRIVATE__set_tls_error_fn(mimo_mujoco_handler handler);
 __attribute__((weak)) void _mjPRIVATE__set_tls_warning_fn(mimo_mujoco_handler handler);
 }
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
 namespace mimo::engine {
 namespace {

@@ -67,14 +67,18 @@ void Physics::reset() {
   forward();
 }
 
-void Physics::step(int count) {
+void Physics::step(int count, bool sensors) {
   require_usable();
-  run([this, count] {
+  const int flags = model_.opt.disableflags;
+  const Complaint complaint = guarded([&] {
     for (int i = 0; i < count && !diverged(*data_); ++i) {
       step_time_ = data_->time;
+      model_.opt.disableflags = sensors && i + 1 == count ? flags : flags | mjDSBL_SENSOR;
       mj_step(&model_, data_.get());
     }
   });
+  model_.opt.disableflags = flags;
+  if (complaint.failed) fail_world(complaint.error.data());
   check_divergence();
 }
 

@@ -41,7 +41,8 @@ class Physics {
   void reset();
 
   // Physics steps. Throws Status::kSimulation when MuJoCo gives up or the state diverges; the world is then failed.
-  void step(int count);
+  // Sensors are worth a few percent of a step: they are those of the last step, or stay as they are without `sensors`.
+  void step(int count, bool sensors = true);
 
   // Recomputes everything that follows from the state, without changing the trajectory.
   void forward();

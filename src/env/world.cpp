@@ -127,7 +127,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   for (int i = 0; i < options_.frame_skip; ++i) {
     {
       const Stopwatch watch(options_.timing, timing_.physics);
-      physics_.step(1);
+      physics_.step(1, i + 1 == options_.frame_skip);
     }
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }

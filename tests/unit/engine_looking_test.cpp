@@ -52,6 +52,25 @@ INSTANTIATE_TEST_SUITE_P(Each, EngineLooking, ::testing::Values(engine::Jacobian
                            return std::string(jacobian.param == engine::Jacobian::kDense ? "Dense" : "Sparse");
                          });
 
+// Several steps at once compute sensors in the last one only; whoever reads them cannot tell.
+TEST(EngineStep, SensorsAreThoseOfTheLastStep) {
+  engine::Physics together(benchmark_model(), {});
+  engine::Physics one_by_one(benchmark_model(), {});
+  const auto sensors = [](const engine::Physics& physics) {
+    return std::vector<double>(physics.data().sensordata, physics.data().sensordata + physics.model().nsensordata);
+  };
+  for (int i = 0; i < 40; ++i) {
+    const std::vector<double> before = sensors(together);
+    together.step(1, false);
+    EXPECT_EQ(sensors(together), before) << "nobody asked for them";
+    together.step(2);
+    for (int step = 0; step < 3; ++step) one_by_one.step(1);
+    ASSERT_EQ(trajectory(together, 0), trajectory(one_by_one, 0));
+    ASSERT_EQ(sensors(together), sensors(one_by_one));
+    ASSERT_NE(sensors(together), before);
+  }
+}
+
 // The same seed, the same numbers: a world repeats itself after a reset, and so does a second world.
 TEST(EngineReset, RepeatsTheTrajectory) {
   engine::Physics first(benchmark_model(), {});

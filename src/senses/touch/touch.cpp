@@ -1,11 +1,11 @@
-#include "base/format.h"
 #include "senses/touch/touch.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 #include "base/fail.h"
-#include "base/format.h"
+#include "base/format.h"  // before fail.h: it decides how fmt is compiled
+#include "engine/custom.h"
 #include "senses/touch/spacing.h"
 
 namespace mimo::senses {
@@ -45,19 +45,36 @@ void check_names(const mjModel& model, const body::Body& body, const TouchOption
   }
 }
 
-double spacing_of(const std::string& name, const TouchOptions& options) {
-  const auto own = options.spacing.find(name);
-  if (own != options.spacing.end()) return own->second;
-  return options.everywhere.value_or(touch::default_spacing(name) / options.scale);
-}
+// The spacing that a body has if nobody says otherwise: what the model's document says in the tuple "mimo:touch", where
+// bodies that are not named have no skin; else the infant's own.
+class UsualSpacing {
+ public:
+  UsualSpacing(const mjModel& model, const body::Body& body)
+      : scene_(engine::custom_tuple(model, body.prefix + "mimo:touch", Kind::kBody)) {}
+
+  double of(int id, const std::string& name) const {
+    if (scene_.empty()) return touch::default_spacing(name);
+    for (const engine::TupleEntry& entry : scene_) {
+      if (entry.id == id) return entry.value;
+    }
+    return 0;
+  }
+
+ private:
+  std::vector<engine::TupleEntry> scene_;
+};
 
 }  // namespace
 
 std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body& body, const TouchOptions& options) {
   check_names(model, body, options);
+  const UsualSpacing usual(model, body);
   std::vector<touch::BodySpacing> list;
   for (const int id : body.bodies) {
-    const double spacing = spacing_of(short_name(model, body, id), options);
+    const std::string name = short_name(model, body, id);
+    const auto own = options.spacing.find(name);
+    const double spacing =
+        own != options.spacing.end() ? own->second : options.everywhere.value_or(usual.of(id, name) / options.scale);
     if (spacing > 0) list.push_back({id, spacing});
   }
   return list;

@@ -1,0 +1,116 @@
+// What a further world of a batch costs in resident memory, against its mjData and its block; and how long saving and
+// loading a state takes; and what a batch on one thread costs beyond stepping its worlds one after the other.
+//
+//   cmake --build build --target bench_worlds && build/bin/bench_worlds
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+#include <unistd.h>
+
+#include "batch/batch.h"
+#include "support/scenes.h"
+#include "support/worlds.h"
+
+namespace mimo::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double resident_kb() {
+  long total = 0, resident = 0;
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  if (file == nullptr || std::fscanf(file, "%ld %ld", &total, &resident) != 2) std::perror("/proc/self/statm");
+  if (file != nullptr) std::fclose(file);
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
+}
+
+// Worlds that have moved for a second: memory that was never touched is not resident.
+struct Moved {
+  Moved(const char* scene, std::size_t worlds)
+      : batch(room_with_infant(scene), {blind()}, [](std::size_t) { return without_renderer(); }, options(worlds)),
+        blocks(worlds * batch.world(0).layout().bytes()),
+        actions(worlds * batch.world(0).action_size(), 0.3F) {
+    batch::Output output;
+    output.blocks = blocks.data();
+    for (int step = 0; step < 100; ++step) batch.step(actions.data(), output);
+  }
+
+  static batch::Options options(std::size_t worlds) {
+    batch::Options options;
+    options.worlds = worlds;
+    options.autoreset = batch::Autoreset::kSameStep;
+    return options;
+  }
+
+  batch::Batch batch;
+  std::vector<std::uint8_t> blocks;
+  std::vector<float> actions;
+};
+
+void bench_memory(const char* scene) {
+  constexpr std::size_t kFew = 8, kMore = 64;
+  const double before = resident_kb();
+  const Moved few(scene, kFew);
+  const double with_few = resident_kb();
+  const Moved more(scene, kMore);
+  const double of_one = (resident_kb() - with_few - (with_few - before)) / (kMore - kFew);
+  const env::World& world = few.batch.world(0);
+  const double data = (static_cast<double>(sizeof(mjData)) + world.data().nbuffer + 8.0 * world.data().nstack) / 1024;
+  const double block = static_cast<double>(world.layout().bytes()) / 1024;
+  std::printf("%s: a further world takes %.0f kB; its mjData has %.0f, its block %.0f: %.2f x mjData beyond the block\n",
+              scene, of_one, data, block, (of_one - block) / data);
+}
+
+void bench_state(const char* scene) {
+  Moved moved(scene, 1);
+  env::World& world = moved.batch.world(0);
+  std::vector<std::uint8_t> state(world.state_bytes());
+  std::vector<double> times;
+  for (int i = 0; i < 2000; ++i) {
+    const auto start = Clock::now();
+    world.save(Span<std::uint8_t>(state));
+    world.load(Span<const std::uint8_t>(state.data(), state.size()));
+    times.push_back(std::chrono::duration<double>(Clock::now() - start).count() * 1e6);
+  }
+  std::nth_element(times.begin(), times.begin() + 1000, times.end());
+  std::printf("%s: saving and loading %zu bytes takes %.1f us (median)\n", scene, state.size(), times[1000]);
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void bench_overhead(const char* scene) {
+  Moved moved(scene, 16);
+  const std::size_t bytes = moved.batch.world(0).layout().bytes(), width = moved.batch.world(0).action_size();
+  batch::Output output;
+  output.blocks = moved.blocks.data();
+  std::vector<double> ratios;
+  for (int turn = 0; turn < 200; ++turn) {
+    const double together = seconds_of([&] { moved.batch.step(moved.actions.data(), output); });
+    const double one_by_one = seconds_of([&] {
+      for (std::size_t i = 0; i < moved.batch.size(); ++i) {
+        moved.batch.world(i).step({moved.actions.data() + i * width, width}, moved.blocks.data() + i * bytes, {});
+      }
+    });
+    ratios.push_back(together / one_by_one);
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + 100, ratios.end());
+  std::printf("%s: a batch takes %.3f of the time of its worlds stepped one by one (median)\n", scene, ratios[100]);
+}
+
+}  // namespace
+}  // namespace mimo::test
+
+int main() {
+  for (const char* scene : {"reach", "benchmark"}) {
+    mimo::test::bench_memory(scene);
+    mimo::test::bench_state(scene);
+    mimo::test::bench_overhead(scene);
+  }
+}
