@@ -10,7 +10,8 @@ add_library(mimo::mimo ALIAS mimo)
 mimo_link_room(mimo capi)
 target_include_directories(mimo PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed)
+# Bound when loaded: else a MuJoCo that the host loads later, of another version, could be given to us in the middle.
+target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed -Wl,-z,now)
 set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
                       SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION}
                       INSTALL_RPATH_USE_LINK_PATH ON)

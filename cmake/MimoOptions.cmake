@@ -38,6 +38,12 @@ else()
   string(APPEND CMAKE_SHARED_LINKER_FLAGS " -Wl,-z,defs")
 endif()
 
+if(MIMO_FUZZ)
+  # Coverage for libFuzzer, without its main.
+  add_compile_options($<$<COMPILE_LANGUAGE:C,CXX>:-fsanitize=fuzzer-no-link>)
+  add_link_options(-fsanitize=fuzzer-no-link)
+endif()
+
 find_program(MIMO_CCACHE ccache)
 if(MIMO_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${MIMO_CCACHE})

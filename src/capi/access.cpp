@@ -98,8 +98,7 @@ mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t*
                            size_t* value_count) noexcept {
   return guard([&] {
     const mjModel& model = open(env).world.model();
-    out(value_count, "value_count") =
-        env::width(model, env::quantity_from(quantity), array(ids, id_count, "ids"));
+    out(value_count, "value_count") = env::width(model, env::quantity_from(quantity), array(ids, id_count, "ids"));
   });
 }
 
@@ -122,6 +121,7 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
     const env::Quantity what = env::quantity_from(quantity);
     const auto which = array(ids, id_count, "ids");
     const auto from = array(values, value_count, "values");
+    env::require_writable(what);
     check_width(physics.model(), what, which, value_count);
     env::set(physics, what, which, from);
   });
@@ -137,8 +137,10 @@ mimo_status mimo_env_contacts(const mimo_env* env, int32_t* ids, double* values,
     const env::World& world = open(env).world;
     const mjData& data = world.data();
     const auto found = static_cast<size_t>(data.ncon);
-    out(count, "count") = found;
+    size_t& all = out(count, "count");
     const bool wanted = ids != nullptr || values != nullptr;
+    check_length<double[MIMO_CONTACT_VALUES]>(capacity, "capacity");
+    all = found;
     if (wanted && capacity < found) {
       fail(Status::kBufferTooSmall, "capacity is {}, but there are {} contacts", capacity, found);
     }

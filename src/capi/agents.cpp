@@ -1,7 +1,6 @@
 #include "capi/agents.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "capi/check.h"
 
@@ -11,8 +10,10 @@ namespace {
 constexpr std::uint32_t kLargestPicture = 4096;
 
 void check_agent_name(const std::string& name) {
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+  // Not isalnum, whose letters depend on the host's locale.
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
   });
   require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
 }
@@ -60,6 +61,7 @@ void check_choice(std::int32_t value, std::int32_t low, std::int32_t high, const
 senses::TouchOptions touch(const mimo_agent_config& config) {
   constexpr std::uint32_t kForces = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
   check_bits(config.touch, kForces | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE, "touch");
+  check_reserved(config.touch_reserved, "touch_reserved");
   require((config.touch & kForces) != kForces,
           "touch is {:#x}: MIMO_TOUCH_FORCE and MIMO_TOUCH_NORMAL_FORCE exclude each other", config.touch);
   const auto has = [&](std::uint32_t bit) { return (config.touch & bit) != 0; };
@@ -150,7 +152,7 @@ scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
 }
 
 std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
-  const env::AgentOptions options = agent_options(config);
+  env::AgentOptions options = agent_options(config);
   for (const env::AgentOptions& other : object.agents) {
     require(other.name != options.name, "name: there is an agent \"{}\" already", options.name);
     require(!other.name.empty() && !options.name.empty(), "name is \"\", but each of several agents needs a name");
@@ -166,7 +168,7 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   } else {
     object.scene.choose_motors(options.prefix(), config.acts);
   }
-  object.agents.push_back(options);
+  object.agents.push_back(std::move(options));  // in reserved room: fails no more, now that the scene has the body
   return object.agents.size() - 1;
 }
 

@@ -11,8 +11,9 @@ namespace mimo::capi {
 BatchObject::BatchObject(RecipePtr of, const batch::Options& options)
     : recipe(std::move(of)),
       views(options.worlds),
-      batch(recipe->model, recipe->agents,
-            [this](std::size_t world) { return options_of(*recipe, world, &views[world]); }, options) {
+      batch(
+          recipe->model, recipe->agents,
+          [this](std::size_t world) { return options_of(*recipe, world, &views[world]); }, options) {
   // The functions of a user's task get their world's handle; they run where making one would come too late.
   for (std::size_t i = 0; recipe->task && i < views.size(); ++i) view(i);
 }
@@ -48,6 +49,7 @@ batch::Options batch_options(const mimo_batch_config& config) {
   require(config.autoreset >= MIMO_AUTORESET_NONE && config.autoreset <= MIMO_AUTORESET_SAME_STEP,
           "autoreset is {}, expected a MIMO_AUTORESET_ constant, 0 to 2", config.autoreset);
   check_flag(config.restart_failed, "restart_failed");
+  check_reserved(config.reserved, "reserved");
   batch::Options options;
   options.worlds = config.worlds;
   options.threads = config.threads != 0 ? config.threads : std::max(1u, std::thread::hardware_concurrency());
@@ -74,6 +76,9 @@ batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t blo
   output.blocks = blocks_of(batch, blocks, block_bytes, "blocks");
   if (results == nullptr) return output;
   const mimo_batch_results theirs = read_struct(results, mimo_batch_results{}, "results");
+  check_reserved(theirs.reserved, "results: reserved");
+  check_length<double>(theirs.agents, "results: agents");
+  check_length<double>(theirs.worlds, "results: worlds");
   const std::size_t agents = batch.size() * batch.world(0).agents().size();
   const bool any_agents = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr;
   const bool any_worlds = theirs.status != nullptr || theirs.was_reset != nullptr || theirs.final_written != nullptr;
@@ -165,8 +170,8 @@ mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_s
   });
 }
 
-mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds,
-                             void* blocks, size_t block_bytes) noexcept {
+mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds, void* blocks,
+                             size_t block_bytes) noexcept {
   return guard([&] {
     batch::Batch& inner = open(batch).batch;
     check_per_world(inner, worlds, seeds != nullptr || mask != nullptr);
@@ -223,6 +228,7 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
     const env::Quantity what = env::quantity_from(quantity);
     const auto which = array(ids, id_count, "ids");
     check_per_world(inner, worlds, mask != nullptr);
+    env::require_writable(what);
     check_values(inner, what, which, values, value_count);
     inner.set(what, which, mask, values);
   });
@@ -247,8 +253,8 @@ mimo_status mimo_batch_state_load(mimo_batch* batch, const uint8_t* mask, size_t
     const std::size_t one = inner.world(0).state_bytes();
     check_per_world(inner, worlds, mask != nullptr);
     require(states != nullptr, "states is NULL");
-    require(state_bytes == one || state_bytes == one * inner.size(), "state_bytes is {}, expected {} or {}", state_bytes,
-            one, one * inner.size());
+    require(state_bytes == one || state_bytes == one * inner.size(), "state_bytes is {}, expected {} or {}",
+            state_bytes, one, one * inner.size());
     inner.load(mask, static_cast<const std::uint8_t*>(states), state_bytes == one ? 0 : one);
   });
 }

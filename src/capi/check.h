@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "base/fail.h"
@@ -16,9 +17,17 @@ T& out(T* pointer, const char* argument) {
   return *pointer;
 }
 
+// A length that no memory can have was a negative number, or comes from an overflow.
+template <typename T>
+void check_length(std::size_t length, const char* argument) {
+  constexpr std::size_t kMost = PTRDIFF_MAX / sizeof(T);
+  require(length <= kMost, "{} has a length of {}, but no memory holds more than {}", argument, length, kMost);
+}
+
 // An optional buffer: NULL with length 0, or of at least `needed` elements.
 template <typename T>
 void check_buffer(const T* buffer, std::size_t length, std::size_t needed, const char* argument) {
+  check_length<T>(length, argument);
   require(buffer != nullptr || length == 0, "{} is NULL, but its length is {}", argument, length);
   if (buffer != nullptr && length < needed) {
     fail(Status::kBufferTooSmall, "{} has a length of {}, but {} are needed", argument, length, needed);
@@ -28,6 +37,7 @@ void check_buffer(const T* buffer, std::size_t length, std::size_t needed, const
 // An array that must be there unless it is empty.
 template <typename T>
 Span<T> array(T* data, std::size_t count, const char* argument) {
+  check_length<T>(count, argument);
   require(data != nullptr || count == 0, "{} is NULL, but its length is {}", argument, count);
   return {data, count};
 }
@@ -39,6 +49,11 @@ inline void check_finite(const double* values, std::size_t count, const char* ar
   for (std::size_t i = 0; i < count; ++i) {
     require(std::isfinite(values[i]), "{}[{}] is {}, expected a finite number", argument, i, values[i]);
   }
+}
+
+// What later versions may give a meaning.
+inline void check_reserved(std::uint32_t value, const char* argument) {
+  require(value == 0, "{} is {}, expected 0", argument, value);
 }
 
 inline void check_flag(std::uint32_t value, const char* argument) {

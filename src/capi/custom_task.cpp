@@ -88,6 +88,7 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
       return;
     }
     const mimo_task ours = read_struct(task, empty_task(), "task");
+    check_reserved(ours.reserved, "task: reserved");
     require(ours.evaluate != nullptr, "task: evaluate is NULL");
     require(ours.memory_bytes <= MIMO_TASK_MEMORY_LIMIT, "task: memory_bytes is {}, expected up to {}",
             ours.memory_bytes, MIMO_TASK_MEMORY_LIMIT);

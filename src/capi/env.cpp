@@ -2,16 +2,13 @@
 #include <mutex>
 
 #include "capi/agents.h"
-#include "capi/recipe.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/recipe.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
-namespace {
-
-}  // namespace
 
 mimo_env_config default_env_config() {
   mimo_env_config config{};
@@ -89,6 +86,7 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
   return guard([&] {
     mimo_env*& result = out(env, "env");
     require(scene_name != nullptr, "scene_name is NULL");
+    require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
     scene::Source source;
     source.name = scene_name;
     SceneObject object{scene::Scene(source), {}, {}, {}, {}};

@@ -24,6 +24,7 @@ mimo_picture_config default_picture_config() {
 }
 
 void check_picture_config(const mimo_picture_config& config) {
+  check_reserved(config.reserved, "reserved");
   require(config.width >= 1 && config.width <= 4096, "width is {}, expected 1 to 4096", config.width);
   require(config.height >= 1 && config.height <= 4096, "height is {}, expected 1 to 4096", config.height);
   require(config.fovy == 0 || (config.fovy >= 1 && config.fovy <= 170),
@@ -103,7 +104,8 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     const env::World& world = open(env).world;
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
-    array(points, 3 * count, "points");
+    check_length<double[3]>(count, "count");
+    check_finite(array(points, 3 * count, "points").data(), 3 * count, "points");
     array(pixels, 3 * count, "pixels");
     const render::View from = view(world, ours, camera_of(world, ours));
     for (std::size_t i = 0; i < count; ++i) project(from, ours, points + 3 * i, pixels + 3 * i);

@@ -30,6 +30,7 @@ mimo_object_config default_object_config() {
 }
 
 scene::Source source(const mimo_scene_config& config) {
+  check_reserved(config.reserved, "config: reserved");
   scene::Source source{text(config.name), text(config.file), text(config.xml), text(config.model_dir)};
   const int given = !source.name.empty() + !source.file.empty() + !source.xml.empty();
   require(given <= 1, "config: name \"{}\", file \"{}\" and xml exclude each other, {} of them are set", source.name,
@@ -68,6 +69,7 @@ scene::Object object_from(const mimo_object_config& config) {
     object.rgba[static_cast<std::size_t>(i)] = config.rgba[i];
   }
   check_flag(config.fixed, "fixed");
+  check_reserved(config.reserved, "reserved");
   object.fixed = config.fixed != 0;
   return object;
 }

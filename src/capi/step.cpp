@@ -34,6 +34,7 @@ Span<T> per_agent(T* values, std::size_t count) {
 }
 
 void check_agents(const env::World& world, std::size_t agents, bool any) {
+  check_length<double>(agents, "agents");
   const std::size_t expected = any ? world.agents().size() : 0;
   if (any && agents < expected) {
     fail(Status::kBufferTooSmall, "agents is {}, but reward, terminated and truncated need {}", agents, expected);
@@ -91,6 +92,7 @@ mimo_status mimo_env_action_size(const mimo_env* env, size_t* count) noexcept {
 mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high, size_t count) noexcept {
   return guard([&] {
     const env::World& world = open(env).world;
+    check_length<float>(count, "count");
     if (count < world.action_size()) {
       fail(Status::kBufferTooSmall, "count is {}, but there are {} actions", count, world.action_size());
     }
@@ -140,7 +142,7 @@ mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noe
 mimo_status mimo_env_physics_step(mimo_env* env, size_t count) noexcept {
   return guard([&] {
     require(count <= 1000000, "count is {}, expected up to 1000000", count);
-    open(env).world.physics().step(static_cast<int>(count));
+    open(env).world.step_physics(static_cast<int>(count));
   });
 }
 

@@ -54,11 +54,19 @@ mimo_status mimo_parameter_describe(size_t index, mimo_parameter* parameter) noe
 }
 
 mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double value) noexcept {
-  return guard([&] { open(scene).parameters.set(text(name), value); });
+  return guard([&] {
+    SceneObject& object = open(scene);
+    require(name != nullptr, "name is NULL");
+    object.parameters.set(name, value);
+  });
 }
 
 mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, double* value) noexcept {
-  return guard([&] { out(value, "value") = open(scene).parameters[text(name)]; });
+  return guard([&] {
+    const SceneObject& object = open(scene);
+    require(name != nullptr, "name is NULL");
+    out(value, "value") = object.parameters[name];
+  });
 }
 
 mimo_status mimo_env_reward_term_count(const mimo_env* env, size_t agent, size_t* count) noexcept {

@@ -63,6 +63,7 @@ extern "C" mimo_status mimo_env_touch_sensors(const mimo_env* env, size_t agent,
     require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());
     const auto& skin = agents[agent].skin;
     const Span<const Sensor> sensors = skin == nullptr ? Span<const Sensor>() : Span<const Sensor>(skin->sensors());
+    check_length<double[MIMO_TOUCH_FRAME_VALUES]>(capacity, "capacity");
     if (count != nullptr) *count = sensors.size();
     const Arrays arrays{bodies, geoms, positions, frames};
     if (arrays.any() && capacity < sensors.size()) {

@@ -64,12 +64,30 @@ void require_plain_streams() {
        locale.name());
 }
 
+// A MuJoCo in the host's global scope takes the place of the one that we were linked with; its structs may be others.
+void require_our_mujoco() {
+  const int found = mj_version();
+  if (found == mjVERSION_HEADER) return;
+  fail(Status::kUnsupported,
+       "libmimo was made for MuJoCo {}.{}.{}, but the program has MuJoCo {} in its global scope, which comes first; "
+       "load "
+       "that one with RTLD_LOCAL, or libmimo with RTLD_DEEPBIND",
+       mjVERSION_HEADER / 100, mjVERSION_HEADER / 10 % 10, mjVERSION_HEADER % 10, mj_versionString());
+}
+
 // MuJoCo's message may have several lines; ours have one.
 std::string one_line(const char* text) {
   std::string line(text);
   std::replace(line.begin(), line.end(), '\n', ' ');
   while (!line.empty() && line.back() == ' ') line.pop_back();
   return line;
+}
+
+// MuJoCo has one way to say that a model is wrong and that memory is out.
+[[noreturn]] void fail_compile(const char* text) {
+  const auto says = [text](const char* words) { return std::strstr(text, words) != nullptr; };
+  const bool memory = says("ould not allocate") || says("memory allocation failed");
+  fail(memory ? Status::kOutOfMemory : Status::kModel, "{}", one_line(text));
 }
 
 std::string some_names(const mjModel& model, Kind kind) {
@@ -90,6 +108,7 @@ std::string some_names(const mjModel& model, Kind kind) {
 
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log) {
   constexpr const char* kDocument = "mimo_scene.xml";
+  require_our_mujoco();
   require_plain_streams();
   VirtualFiles files;
   files.add(kDocument, xml.data(), xml.size());
@@ -98,10 +117,16 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
   const PlainNumbers plain_numbers;
   std::array<char, 1024> text{};
   mjModel* model = nullptr;
-  const Complaint complaint = guarded(
-      [&] { model = mj_loadXML(kDocument, files.get(), text.data(), static_cast<int>(text.size())); });
-  if (complaint.failed) fail(Status::kModel, "{}", one_line(complaint.error.data()));
-  if (model == nullptr) fail(Status::kModel, "{}", one_line(text.data()));
+  Complaint complaint;
+  const auto load = [&] {
+    complaint =
+        guarded([&] { model = mj_loadXML(kDocument, files.get(), text.data(), static_cast<int>(text.size())); });
+  };
+  load();
+  // The streams by which MuJoCo reads numbers take missing memory for a wrong number. What is wrong is so twice.
+  if (model == nullptr && std::strstr(text.data(), "problem reading attribute") != nullptr) load();
+  if (complaint.failed) fail_compile(complaint.error.data());
+  if (model == nullptr) fail_compile(text.data());
   ModelPtr owned(model, [](const mjModel* m) { mj_deleteModel(const_cast<mjModel*>(m)); });
   if (text[0] != '\0') log(LogLevel::kWarning, one_line(text.data()));
   if (complaint.warnings > 0) log(LogLevel::kWarning, one_line(complaint.warning.data()));

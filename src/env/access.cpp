@@ -22,28 +22,24 @@ struct Traits {
 
 const Traits& traits(Quantity quantity) {
   static constexpr std::array<Traits, 22> kTraits = {{
-      {"joint position", Kind::kJoint, 0, true},        {"joint velocity", Kind::kJoint, 0, true},
-      {"joint force", Kind::kJoint, 0, true},           {"joint acceleration", Kind::kJoint, 0, false},
-      {"joint range", Kind::kJoint, 2, false},          {"body position", Kind::kBody, 3, true},
-      {"body orientation", Kind::kBody, 4, true},       {"body velocity", Kind::kBody, 6, false},
-      {"body force", Kind::kBody, 6, true},             {"body mass", Kind::kBody, 1, false},
-      {"body center of mass", Kind::kBody, 3, false},   {"geom position", Kind::kGeom, 3, false},
-      {"geom orientation", Kind::kGeom, 4, false},      {"geom size", Kind::kGeom, 3, false},
-      {"site position", Kind::kSite, 3, false},         {"site orientation", Kind::kSite, 4, false},
-      {"camera position", Kind::kCamera, 3, false},     {"camera orientation", Kind::kCamera, 4, false},
-      {"actuator control", Kind::kActuator, 1, true},   {"actuator force", Kind::kActuator, 1, false},
-      {"sensor value", Kind::kSensor, 0, false},        {"actuator gear", Kind::kActuator, 1, true},
+      {"joint position", Kind::kJoint, 0, true},      {"joint velocity", Kind::kJoint, 0, true},
+      {"joint force", Kind::kJoint, 0, true},         {"joint acceleration", Kind::kJoint, 0, false},
+      {"joint range", Kind::kJoint, 2, false},        {"body position", Kind::kBody, 3, true},
+      {"body orientation", Kind::kBody, 4, true},     {"body velocity", Kind::kBody, 6, false},
+      {"body force", Kind::kBody, 6, true},           {"body mass", Kind::kBody, 1, false},
+      {"body center of mass", Kind::kBody, 3, false}, {"geom position", Kind::kGeom, 3, false},
+      {"geom orientation", Kind::kGeom, 4, false},    {"geom size", Kind::kGeom, 3, false},
+      {"site position", Kind::kSite, 3, false},       {"site orientation", Kind::kSite, 4, false},
+      {"camera position", Kind::kCamera, 3, false},   {"camera orientation", Kind::kCamera, 4, false},
+      {"actuator control", Kind::kActuator, 1, true}, {"actuator force", Kind::kActuator, 1, false},
+      {"sensor value", Kind::kSensor, 0, false},      {"actuator gear", Kind::kActuator, 1, true},
   }};
   return kTraits[static_cast<std::size_t>(quantity) - 1];
 }
 
-int position_width(int joint_type) {
-  return joint_type == mjJNT_FREE ? 7 : joint_type == mjJNT_BALL ? 4 : 1;
-}
+int position_width(int joint_type) { return joint_type == mjJNT_FREE ? 7 : joint_type == mjJNT_BALL ? 4 : 1; }
 
-int velocity_width(int joint_type) {
-  return joint_type == mjJNT_FREE ? 6 : joint_type == mjJNT_BALL ? 3 : 1;
-}
+int velocity_width(int joint_type) { return joint_type == mjJNT_FREE ? 6 : joint_type == mjJNT_BALL ? 3 : 1; }
 
 int width(const mjModel& model, Quantity quantity, int id) {
   if (quantity == Quantity::kJointPosition) return position_width(model.jnt_type[id]);
@@ -133,7 +129,11 @@ double* quaternion_in(const mjModel& model, Quantity quantity, int id, double* v
 
 double norm(const double* q) { return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]); }
 
+// Numbers whose squares are too large for a double have a direction too.
 void normalise(double* q) {
+  if (std::isinf(norm(q))) {
+    for (int i = 0; i < 4; ++i) q[i] *= 1e-200;
+  }
   const double length = norm(q);
   for (int i = 0; i < 4; ++i) q[i] /= length;
 }
@@ -179,9 +179,13 @@ void get(const engine::Physics& physics, Quantity quantity, Span<const std::int3
   }
 }
 
-void check_settable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
+void require_writable(Quantity quantity) {
   const Traits& what = traits(quantity);
   require(what.writable, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
+}
+
+void check_settable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
+  require_writable(quantity);
   for (std::size_t i = 0; i < values.size(); ++i) {
     require(std::isfinite(values[i]), "values[{}] is {}, expected a finite number", i, values[i]);
   }
@@ -193,7 +197,8 @@ void check_settable(const mjModel& model, Quantity quantity, Span<const std::int
            engine::name(model, Kind::kBody, id));
     }
     const double* quat = quaternion_in(model, quantity, id, const_cast<double*>(at));
-    require(quat == nullptr || norm(quat) > 1e-9, "values: the quaternion of {} {} is zero", word(what.kind), id);
+    require(quat == nullptr || norm(quat) > 1e-9, "values: the quaternion of {} {} is zero",
+            word(traits(quantity).kind), id);
     at += width(model, quantity, id);
   }
 }

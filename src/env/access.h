@@ -43,6 +43,8 @@ std::size_t width(const mjModel& model, Quantity quantity, Span<const std::int32
 
 // `values` has exactly the width.
 void get(const engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<double> values);
+// Throws Status::kInvalidArgument for a quantity that can only be read.
+void require_writable(Quantity quantity);
 // Throws Status::kInvalidArgument for what set() would refuse.
 void check_settable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values);
 // Checks everything before it writes anything; recomputes poses when something moved.

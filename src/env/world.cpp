@@ -67,7 +67,7 @@ void World::adopt_scene_choices() {
 }
 
 TaskMaker World::task_maker() const {
-  if (options_.task == kCustomTask) return options_.custom_task;
+  if (options_.task == kCustomTask && options_.custom_task) return options_.custom_task;
   const tasks::Definition& task = tasks::definition(options_.task);
   return [this, &task](const mjModel& model, const body::Body& body, std::size_t) {
     return task.make(model, body, options_.parameters);
@@ -137,6 +137,11 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   if (block != nullptr) sense(block, options_.timing);
   report(results);
   report_warnings();
+}
+
+void World::step_physics(int count) {
+  require_outside_task();
+  physics_.step(count);
 }
 
 void World::observe(std::uint8_t* block) {

@@ -55,6 +55,8 @@ class World {
   void reset(const std::uint64_t* seed, std::uint8_t* block);
   // Without actions the controls stay as they are. Actions are finite.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
+  // Physics alone, with the controls as they are.
+  void step_physics(int count);
   void observe(std::uint8_t* block);
 
   // The world's state: see env/state.cpp. A failed world has none to save.

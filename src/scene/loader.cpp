@@ -50,9 +50,7 @@ std::string compiler_setting(pugi::xml_node root, const char* attribute) {
 
 }  // namespace
 
-bool in_radians(pugi::xml_node root) {
-  return compiler_setting(root, "angle") == "radian";
-}
+bool in_radians(pugi::xml_node root) { return compiler_setting(root, "angle") == "radian"; }
 
 void convert_to_radians(pugi::xml_node root) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -126,9 +124,7 @@ void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_r
     if (host_in_radians) convert_to_radians(root);
   }
   pugi::xml_node parent = include.parent();
-  for (pugi::xml_node child : root.children()) {
-    if (parent.insert_copy_before(child, include).empty()) throw std::bad_alloc();
-  }
+  for (pugi::xml_node child : root.children()) copy_before(include, child);
   parent.remove_child(include);
 }
 

@@ -1,10 +1,10 @@
-#include "base/format.h"
 #include "scene/scene.h"
 
 #include <algorithm>
 #include <set>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "scene/loader.h"
 #include "scene/names.h"
 #include "scene/recipe.h"
@@ -127,7 +127,8 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
 
   const pugi::xml_document guest = Loader(library_).built_in(body + ".xml");
   const pugi::xml_node guest_root = guest.document_element();
-  const pugi::xml_node root = document_.document_element();
+  pugi::xml_document changed = copy(document_);  // what fails half-way must leave the scene as it is
+  const pugi::xml_node root = changed.document_element();
   prefix_names(guest_root, prefix);
   if (in_radians(root)) convert_to_radians(guest_root);
   for (const pugi::xml_node part : guest_root.children()) {
@@ -144,12 +145,16 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   Recipe recipe = Recipe::of_room(root, library_);
   keep_motors(root, prefix, groups != 0 ? groups : recipe.acts());
   recipe.apply(root, prefix, pose != nullptr);
+  document_ = std::move(changed);
   body_assets_added_ = true;
   ++bodies_;
 }
 
 void Scene::choose_motors(const std::string& prefix, unsigned groups) {
-  if (groups != 0) keep_motors(document_.document_element(), prefix, groups);
+  if (groups == 0) return;
+  pugi::xml_document changed = copy(document_);
+  keep_motors(changed.document_element(), prefix, groups);
+  document_ = std::move(changed);
 }
 
 std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }
@@ -157,7 +162,8 @@ std::string Scene::senses() const { return Recipe::of_room(document_.document_el
 void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
           "object name \"{}\": the scene already has a body or geom of that name", object.name);
-  const pugi::xml_node body = append(section(document_.document_element(), "worldbody"), "body");
+  pugi::xml_document changed = copy(document_);
+  const pugi::xml_node body = append(section(changed.document_element(), "worldbody"), "body");
   set(body, "name", object.name);
   set_pose(body, object.pose);
   if (!object.fixed) set(append(body, "freejoint"), "name", object.name);
@@ -178,14 +184,14 @@ void Scene::add_object(const Object& object) {
   set(geom, "friction", "1 0.005 0.0001");
   set(geom, "solref", "0.005 1");
   set(geom, "solimp", "0.95 0.99 0.001 0.5 1");
+  document_ = std::move(changed);
   ++objects_;
 }
 
 pugi::xml_document Scene::finished() const {
-  pugi::xml_document copy;
-  copy.reset(document_);
-  size_buffers(copy.document_element(), bodies_, objects_);
-  return copy;
+  pugi::xml_document document = copy(document_);
+  size_buffers(document.document_element(), bodies_, objects_);
+  return document;
 }
 
 std::string Scene::xml() const { return print(finished()); }
@@ -212,8 +218,7 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   const auto is = [&](pugi::xml_node node, const std::string& name) {
     return std::string(node.name()) == "body" && name == node.attribute("name").value();
   };
-  const pugi::xml_node root =
-      document_.find_node([&](pugi::xml_node node) { return is(node, prefix + kRootBody); });
+  const pugi::xml_node root = document_.find_node([&](pugi::xml_node node) { return is(node, prefix + kRootBody); });
   std::vector<std::string> names;
   walk(root, [&](pugi::xml_node node) {
     const std::string name = node.attribute("name").value();

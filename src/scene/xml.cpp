@@ -1,11 +1,12 @@
-#include "base/format.h"
 #include "scene/xml.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <sstream>
 
 #include "base/fail.h"
+#include "base/format.h"
 
 namespace mimo::scene {
 namespace {
@@ -20,8 +21,45 @@ struct StringWriter : pugi::xml_writer {
   void write(const void* data, std::size_t size) override { text.append(static_cast<const char*>(data), size); }
 };
 
+// MuJoCo's parser and this room's functions go down into elements by recursion: a document that is deeper than any
+// real one would overflow the stack.
+constexpr int kDeepest = 256;
+
+bool too_deep(pugi::xml_node root) {
+  int depth = 0;
+  for (pugi::xml_node node = root; node;) {
+    if (node.first_child()) {
+      node = node.first_child();
+      if (++depth > kDeepest) return true;
+      continue;
+    }
+    while (node && node != root && !node.next_sibling()) {
+      node = node.parent();
+      --depth;
+    }
+    node = node == root ? pugi::xml_node() : node.next_sibling();
+  }
+  return false;
+}
+
 void must(bool done) {
   if (!done) throw std::bad_alloc();
+}
+
+bool same(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
+
+// Whether two nodes hold the same, down to the last one.
+bool same(pugi::xml_node one, pugi::xml_node two) {
+  if (one.type() != two.type() || !same(one.name(), two.name()) || !same(one.value(), two.value())) return false;
+  pugi::xml_attribute mine = one.first_attribute(), theirs = two.first_attribute();
+  for (; mine && theirs; mine = mine.next_attribute(), theirs = theirs.next_attribute()) {
+    if (!same(mine.name(), theirs.name()) || !same(mine.value(), theirs.value())) return false;
+  }
+  pugi::xml_node child = one.first_child(), other = two.first_child();
+  for (; child && other; child = child.next_sibling(), other = other.next_sibling()) {
+    if (!same(child, other)) return false;
+  }
+  return !mine && !theirs && !child && !other;
 }
 
 }  // namespace
@@ -33,6 +71,7 @@ pugi::xml_document parse(const std::string& text, const std::string& origin) {
   if (!result) {
     fail(Status::kModel, "{}, line {}: {}", origin, line_of(text, result.offset), result.description());
   }
+  if (too_deep(document)) fail(Status::kModel, "{}: elements are nested more than {} deep", origin, kDeepest);
   const std::string root = document.document_element().name();
   if (root != "mujoco" && root != "mujocoinclude") {
     fail(Status::kModel, "{}: the root element is <{}>, but MJCF has <mujoco>", origin, root);
@@ -52,7 +91,18 @@ pugi::xml_node append(pugi::xml_node parent, const char* name) {
   return node;
 }
 
-void copy_into(pugi::xml_node parent, pugi::xml_node node) { must(!parent.append_copy(node).empty()); }
+void copy_into(pugi::xml_node parent, pugi::xml_node node) { must(same(parent.append_copy(node), node)); }
+
+void copy_before(pugi::xml_node place, pugi::xml_node node) {
+  must(same(place.parent().insert_copy_before(node, place), node));
+}
+
+pugi::xml_document copy(const pugi::xml_document& document) {
+  pugi::xml_document twin;
+  twin.reset(document);
+  must(same(twin, document));
+  return twin;
+}
 
 void set(pugi::xml_node node, const char* name, const std::string& value) {
   pugi::xml_attribute attribute = node.attribute(name);

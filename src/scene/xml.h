@@ -1,4 +1,4 @@
-// Small helpers over pugixml, which reports a failed allocation by an empty node.
+// Small helpers over pugixml, which reports a failed allocation by an empty node, or by a copy that is not whole.
 #pragma once
 
 #include <new>
@@ -16,7 +16,10 @@ pugi::xml_document parse(const std::string& text, const std::string& origin);
 std::string print(const pugi::xml_document& document);
 
 pugi::xml_node append(pugi::xml_node parent, const char* name);
+// Copies of all that a node or document holds.
 void copy_into(pugi::xml_node parent, pugi::xml_node node);
+void copy_before(pugi::xml_node place, pugi::xml_node node);
+pugi::xml_document copy(const pugi::xml_document& document);
 
 // Sets an attribute, in place of one of that name.
 void set(pugi::xml_node node, const char* name, const std::string& value);

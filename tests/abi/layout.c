@@ -1,0 +1,170 @@
+/* Prints where the fields of all public structs lie, as JSON. check_layout compares it with layout.json: a field that
+ * has moved breaks programs that are already compiled. */
+#include <stddef.h>
+#include <stdio.h>
+
+#include "mimo/mimo.h"
+
+static const char* gap = "";
+
+static void begin(const char* name, size_t size) {
+  printf("%s  \"%s\": {\n    \"size\": %zu", gap, name, size);
+  gap = "\n  },\n";
+}
+
+static void field(const char* name, size_t offset, size_t size) {
+  printf(",\n    \"%s\": [%zu, %zu]", name, offset, size);
+}
+
+#define BEGIN(type) begin(#type, sizeof(type))
+#define FIELD(type, name) field(#name, offsetof(type, name), sizeof(((type*)0)->name))
+
+int main(void) {
+  printf("{\n");
+
+  BEGIN(mimo_scene_config);
+  FIELD(mimo_scene_config, struct_size);
+  FIELD(mimo_scene_config, reserved);
+  FIELD(mimo_scene_config, name);
+  FIELD(mimo_scene_config, file);
+  FIELD(mimo_scene_config, xml);
+  FIELD(mimo_scene_config, model_dir);
+  FIELD(mimo_scene_config, log);
+  FIELD(mimo_scene_config, log_user);
+
+  BEGIN(mimo_agent_config);
+  FIELD(mimo_agent_config, struct_size);
+  FIELD(mimo_agent_config, place_given);
+  FIELD(mimo_agent_config, name);
+  FIELD(mimo_agent_config, body);
+  FIELD(mimo_agent_config, position);
+  FIELD(mimo_agent_config, orientation);
+  FIELD(mimo_agent_config, proprioception);
+  FIELD(mimo_agent_config, vestibular);
+  FIELD(mimo_agent_config, limit_threshold);
+  FIELD(mimo_agent_config, vision);
+  FIELD(mimo_agent_config, vision_width);
+  FIELD(mimo_agent_config, vision_height);
+  FIELD(mimo_agent_config, actuation);
+  FIELD(mimo_agent_config, vision_fovy);
+  FIELD(mimo_agent_config, acts);
+  FIELD(mimo_agent_config, normalize_actions);
+  FIELD(mimo_agent_config, touch);
+  FIELD(mimo_agent_config, touch_response);
+  FIELD(mimo_agent_config, touch_frame);
+  FIELD(mimo_agent_config, touch_reserved);
+  FIELD(mimo_agent_config, touch_scale);
+  FIELD(mimo_agent_config, touch_slip_threshold);
+
+  BEGIN(mimo_object_config);
+  FIELD(mimo_object_config, struct_size);
+  FIELD(mimo_object_config, shape);
+  FIELD(mimo_object_config, name);
+  FIELD(mimo_object_config, size);
+  FIELD(mimo_object_config, position);
+  FIELD(mimo_object_config, orientation);
+  FIELD(mimo_object_config, mass);
+  FIELD(mimo_object_config, rgba);
+  FIELD(mimo_object_config, fixed);
+  FIELD(mimo_object_config, reserved);
+
+  BEGIN(mimo_parameter);
+  FIELD(mimo_parameter, struct_size);
+  FIELD(mimo_parameter, reserved);
+  FIELD(mimo_parameter, name);
+  FIELD(mimo_parameter, description);
+  FIELD(mimo_parameter, standard);
+  FIELD(mimo_parameter, low);
+  FIELD(mimo_parameter, high);
+
+  BEGIN(mimo_env_config);
+  FIELD(mimo_env_config, struct_size);
+  FIELD(mimo_env_config, frame_skip);
+  FIELD(mimo_env_config, jacobian);
+  FIELD(mimo_env_config, disable);
+  FIELD(mimo_env_config, renderer);
+  FIELD(mimo_env_config, max_steps);
+  FIELD(mimo_env_config, timing);
+  FIELD(mimo_env_config, log);
+  FIELD(mimo_env_config, log_user);
+  FIELD(mimo_env_config, task);
+
+  BEGIN(mimo_agent_info);
+  FIELD(mimo_agent_info, struct_size);
+  FIELD(mimo_agent_info, action_offset);
+  FIELD(mimo_agent_info, action_count);
+  FIELD(mimo_agent_info, reserved);
+  FIELD(mimo_agent_info, name);
+  FIELD(mimo_agent_info, mass);
+  FIELD(mimo_agent_info, height);
+
+  BEGIN(mimo_field);
+  FIELD(mimo_field, struct_size);
+  FIELD(mimo_field, dtype);
+  FIELD(mimo_field, name);
+  FIELD(mimo_field, unit);
+  FIELD(mimo_field, frame);
+  FIELD(mimo_field, offset);
+  FIELD(mimo_field, bytes);
+  FIELD(mimo_field, shape);
+  FIELD(mimo_field, ndim);
+  FIELD(mimo_field, time);
+  FIELD(mimo_field, low);
+  FIELD(mimo_field, high);
+
+  BEGIN(mimo_picture_config);
+  FIELD(mimo_picture_config, struct_size);
+  FIELD(mimo_picture_config, width);
+  FIELD(mimo_picture_config, height);
+  FIELD(mimo_picture_config, reserved);
+  FIELD(mimo_picture_config, camera);
+  FIELD(mimo_picture_config, look_at);
+  FIELD(mimo_picture_config, distance);
+  FIELD(mimo_picture_config, azimuth);
+  FIELD(mimo_picture_config, elevation);
+  FIELD(mimo_picture_config, fovy);
+
+  BEGIN(mimo_timing);
+  FIELD(mimo_timing, struct_size);
+  FIELD(mimo_timing, reserved);
+  FIELD(mimo_timing, steps);
+  FIELD(mimo_timing, total);
+  FIELD(mimo_timing, physics);
+  FIELD(mimo_timing, touch);
+  FIELD(mimo_timing, vision);
+  FIELD(mimo_timing, proprioception);
+  FIELD(mimo_timing, vestibular);
+
+  BEGIN(mimo_batch_config);
+  FIELD(mimo_batch_config, struct_size);
+  FIELD(mimo_batch_config, worlds);
+  FIELD(mimo_batch_config, threads);
+  FIELD(mimo_batch_config, autoreset);
+  FIELD(mimo_batch_config, restart_failed);
+  FIELD(mimo_batch_config, reserved);
+
+  BEGIN(mimo_batch_results);
+  FIELD(mimo_batch_results, struct_size);
+  FIELD(mimo_batch_results, reserved);
+  FIELD(mimo_batch_results, reward);
+  FIELD(mimo_batch_results, terminated);
+  FIELD(mimo_batch_results, truncated);
+  FIELD(mimo_batch_results, agents);
+  FIELD(mimo_batch_results, status);
+  FIELD(mimo_batch_results, was_reset);
+  FIELD(mimo_batch_results, final_written);
+  FIELD(mimo_batch_results, worlds);
+  FIELD(mimo_batch_results, final_blocks);
+  FIELD(mimo_batch_results, final_bytes);
+
+  BEGIN(mimo_task);
+  FIELD(mimo_task, struct_size);
+  FIELD(mimo_task, reserved);
+  FIELD(mimo_task, user);
+  FIELD(mimo_task, memory_bytes);
+  FIELD(mimo_task, reset);
+  FIELD(mimo_task, evaluate);
+
+  printf("\n  }\n}\n");
+  return 0;
+}

@@ -1,0 +1,153 @@
+#include "faults/scenarios.h"
+
+#include "support/capi.h"
+
+enum { WORLDS = 3, ROOM = 1 << 20, PICTURE = 16 };
+
+/* A world of few allocations. */
+static const char* const kSmall =
+    "<mujoco><worldbody><geom type='plane' size='1 1 .1'/><body name='a' pos='0 0 1'><freejoint/><geom size='.1'/>"
+    "</body></worldbody></mujoco>";
+
+static mimo_scene *small_scene, *infant_scene, *scene;
+static mimo_env *infant, *env, *made_env;
+static mimo_batch *batch, *made_batch;
+static unsigned char block[ROOM], state[ROOM];
+static size_t block_bytes, batch_bytes, state_bytes;
+
+static mimo_status make_scene(const char* name, const char* xml) {
+  mimo_scene_config config;
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  config.name = name;
+  config.xml = xml;
+  return mimo_scene_create(&config, &scene);
+}
+
+static mimo_status add_infant(mimo_scene* to) {
+  mimo_agent_config agent;
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.vision_width = agent.vision_height = PICTURE;
+  agent.touch_scale = 0.3;
+  return mimo_scene_add_agent(to, &agent, NULL);
+}
+
+static void make_batch_of(const mimo_scene* of, mimo_batch** made) {
+  mimo_batch_config config;
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = WORLDS;
+  config.threads = 2;
+  config.autoreset = MIMO_AUTORESET_SAME_STEP;
+  CHECK_OK(mimo_batch_create(of, NULL, &config, made));
+}
+
+void scenarios_begin(void) {
+  CHECK_OK(make_scene(NULL, kSmall));
+  small_scene = scene;
+  CHECK_OK(make_scene("free", NULL));
+  infant_scene = scene;
+  scene = NULL;
+  CHECK_OK(add_infant(infant_scene));
+  CHECK_OK(mimo_env_create(infant_scene, NULL, &infant));
+  make_batch_of(infant_scene, &batch);
+  if (infant == NULL || batch == NULL) exit(1);
+  CHECK_OK(mimo_env_observation_size(infant, &block_bytes, NULL));
+  CHECK_OK(mimo_env_state_size(infant, &state_bytes));
+  batch_bytes = WORLDS * block_bytes;
+  CHECK(batch_bytes <= ROOM && state_bytes <= ROOM);
+  CHECK_OK(mimo_env_state_save(infant, state, state_bytes));
+}
+
+void scenarios_end(void) {
+  mimo_env_destroy(infant);
+  mimo_batch_destroy(batch);
+  mimo_scene_destroy(small_scene);
+  mimo_scene_destroy(infant_scene);
+}
+
+int scenario_failures(void) { return failures(); }
+
+static void nothing(void) {}
+
+static void clean(void) {
+  mimo_scene_destroy(scene);
+  mimo_env_destroy(env);
+  mimo_env_destroy(made_env);
+  mimo_batch_destroy(made_batch);
+  scene = NULL;
+  env = made_env = NULL;
+  made_batch = NULL;
+}
+
+static mimo_status create_scene(void) { return make_scene("reach", NULL); }
+
+static void prepare_scene(void) { CHECK_OK(make_scene("free", NULL)); }
+static mimo_status add_agent(void) { return add_infant(scene); }
+
+static mimo_status add_object(void) {
+  mimo_object_config object;
+  CHECK_OK(mimo_object_config_init(&object, sizeof object));
+  object.name = "an object with a name that is too long to be kept in a short string";
+  return mimo_scene_add_object(scene, &object);
+}
+
+static mimo_status set_parameter(void) { return mimo_scene_set_parameter(scene, "reach/success_reward", 3); }
+static mimo_status set_touch(void) { return mimo_scene_set_touch(infant_scene, 0, "left_hand", 0.01); }
+static mimo_status print_scene(void) { return mimo_scene_xml(infant_scene, (char*)block, sizeof block, NULL); }
+
+static mimo_status create_small(void) { return mimo_env_create(small_scene, NULL, &made_env); }
+static mimo_status create_infant(void) { return mimo_env_create(infant_scene, NULL, &made_env); }
+static mimo_status make_infant(void) { return mimo_env_make("standup", &made_env); }
+static mimo_status clone_infant(void) { return mimo_env_clone(infant, &made_env); }
+
+static mimo_status reset(void) {
+  const uint64_t seed = 3;
+  return mimo_env_reset(infant, &seed, block, block_bytes);
+}
+static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL, NULL, NULL, 0); }
+static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof block); }
+static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes); }
+static mimo_status draw(void) { return mimo_env_render(made_env, NULL, block, 640 * 480 * 3, NULL, 0, NULL, 0); }
+static mimo_status lock(void) {
+  int32_t joint = -1;
+  const mimo_status status = mimo_env_find(made_env, MIMO_JOINT, "robot:left_elbow", &joint);
+  return status == MIMO_OK ? mimo_env_lock(made_env, joint, -1) : status;
+}
+static void prepare_env(void) { CHECK_OK(mimo_env_clone(infant, &made_env)); }
+
+static mimo_status create_batch(void) {
+  mimo_batch_config config;
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = WORLDS;
+  config.threads = 2;
+  return mimo_batch_create(small_scene, NULL, &config, &made_batch);
+}
+static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, NULL, 0, block, batch_bytes); }
+static mimo_status step_batch(void) { return mimo_batch_step(batch, NULL, 0, block, batch_bytes, NULL); }
+static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes); }
+static void prepare_batch(void) { make_batch_of(small_scene, &made_batch); }
+static mimo_status view_world(void) { return mimo_batch_world(made_batch, 1, &env); }
+
+const scenario all_scenarios[] = {
+    {"scene_create", nothing, create_scene, clean, 1, 0, 400},
+    {"scene_add_agent", prepare_scene, add_agent, clean, 0, 0, 110},
+    {"scene_add_object", prepare_scene, add_object, clean, 0, 0, 400},
+    {"scene_set_parameter", prepare_scene, set_parameter, clean, 0, 0, 400},
+    {"scene_set_touch", nothing, set_touch, clean, 0, 0, 400},
+    {"scene_xml", nothing, print_scene, clean, 0, 0, 400},
+    {"env_create, small", nothing, create_small, clean, 1, 1, 3000},
+    {"env_create", nothing, create_infant, clean, 1, 1, 40},
+    {"env_make", nothing, make_infant, clean, 1, 1, 25},
+    {"env_clone", nothing, clone_infant, clean, 1, 0, 40},
+    {"env_reset", nothing, reset, clean, 0, 0, 0},
+    {"env_step", nothing, step, clean, 0, 0, 0},
+    {"env_state_save", nothing, save, clean, 0, 0, 0},
+    {"env_state_load", nothing, load, clean, 0, 0, 0},
+    {"env_render", prepare_env, draw, clean, 0, 0, 0},
+    {"env_lock", prepare_env, lock, clean, 0, 0, 400},
+    {"batch_create", nothing, create_batch, clean, 1, 1, 150},
+    {"batch_world", prepare_batch, view_world, clean, 1, 0, 100},
+    {"batch_reset", nothing, reset_batch, clean, 0, 0, 0},
+    {"batch_step", nothing, step_batch, clean, 0, 0, 0},
+    {"batch_state_load", nothing, load_batch, clean, 0, 0, 0},
+    {NULL, NULL, NULL, NULL, 0, 0, 1},
+};

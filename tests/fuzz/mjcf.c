@@ -1,0 +1,50 @@
+/* MJCF text of any kind: refused with a message, or a world that can be stepped, watched and felt. */
+#include "fuzz/input.h"
+
+static void use(const mimo_scene* scene) {
+  mimo_env* env = NULL;
+  int32_t bodies[1] = {0};
+  double mass = 0;
+  size_t bytes = 0;
+  void* block;
+  int i;
+  if (CALL(mimo_env_create(scene, NULL, &env)) != MIMO_OK) {
+    PROMISE(env == NULL);
+    return;
+  }
+  CALL(mimo_env_get(env, MIMO_BODY_MASS, bodies, 1, &mass, 1));
+  CALL(mimo_env_observation_size(env, &bytes, NULL));
+  block = bytes < 100000000 ? malloc(bytes + 1) : NULL;
+  for (i = 0; i < 3; ++i) CALL(mimo_env_step(env, NULL, 0, block, block ? bytes : 0, NULL, NULL, NULL, 0));
+  CALL(mimo_env_reset(env, NULL, block, block ? bytes : 0));
+  free(block);
+  mimo_env_destroy(env);
+}
+
+/* An infant whose body is part of the text, as far as it is there. */
+static void add_agent(mimo_scene* scene) {
+  mimo_agent_config config;
+  if (CALL(mimo_scene_default_agent(scene, &config, sizeof config)) != MIMO_OK) return;
+  config.body = "scene";
+  config.vision = 0;
+  CALL(mimo_scene_add_agent(scene, &config, NULL));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  mimo_scene_config config;
+  mimo_scene* scene = NULL;
+  char* text = malloc(size + 1);
+  if (text == NULL) return 0;
+  memcpy(text, data, size);
+  text[size] = '\0';
+  CALL(mimo_scene_config_init(&config, sizeof config));
+  config.xml = text;
+  if (CALL(mimo_scene_create(&config, &scene)) == MIMO_OK) {
+    use(scene);
+    add_agent(scene);
+    use(scene);
+  }
+  mimo_scene_destroy(scene);
+  free(text);
+  return 0;
+}

@@ -1,0 +1,5 @@
+/* Included several times, with another meaning of ROW each time. Of one function each:
+ *   ROW(name, what it needs, a call that succeeds, faults...) */
+#include "misuse/rows_batch.h"
+#include "misuse/rows_env.h"
+#include "misuse/rows_scene.h"

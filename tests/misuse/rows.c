@@ -1,0 +1,181 @@
+/* The table itself, and what its rows do beyond changing one member. */
+#include "misuse/world.h"
+#include "support/capi.h"
+
+#define CHECKED(condition) ((condition) ? MIMO_OK : MIMO_E_INTERNAL)
+
+/* ---- Functions without a status ---- */
+
+static int is_version(const char* text) {
+  int major, minor, patch;
+  return sscanf(text, "%d.%d.%d", &major, &minor, &patch) == 3;
+}
+
+static mimo_status check_status_names(void) {
+  int32_t status;
+  for (status = MIMO_E_INTERNAL; status < 0; ++status) {
+    if (strncmp(mimo_status_name(status), "MIMO_E_", 7) != 0) return MIMO_E_INTERNAL;
+  }
+  if (strcmp(mimo_status_name(MIMO_OK), "MIMO_OK") != 0) return MIMO_E_INTERNAL;
+  for (status = 1; status < 4; ++status) {
+    if (strcmp(mimo_status_name(status), "MIMO_E_UNKNOWN") != 0) return MIMO_E_INTERNAL;
+  }
+  if (strcmp(mimo_status_name(INT32_MIN), "MIMO_E_UNKNOWN") != 0) return MIMO_E_INTERNAL;
+  return CHECKED(strcmp(mimo_status_name(INT32_MAX), "MIMO_E_UNKNOWN") == 0);
+}
+
+static mimo_status check_list(const char* (*entry)(size_t)) {
+  size_t count = 0;
+  while (count < 100 && entry(count) != NULL) ++count;
+  return CHECKED(count > 0 && count < 100 && entry(SIZE_MAX) == NULL);
+}
+
+/* Destroying what is none of the function's own does nothing, says nothing and breaks nothing. */
+static mimo_status check_destroy_scene(args* a) {
+  char before[512];
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  mimo_scene_destroy(NULL);
+  mimo_scene_destroy(retired_scene());
+  mimo_scene_destroy((mimo_scene*)a->env);
+  mimo_scene_destroy((mimo_scene*)a->batch);
+  mimo_scene_destroy(no_handle());
+  mimo_scene_destroy(a->scene);
+  mimo_scene_destroy(a->scene);
+  return CHECKED(strcmp(before, mimo_last_error()) == 0);
+}
+
+static mimo_status check_destroy_env(args* a) {
+  char before[512];
+  size_t count = 0;
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  mimo_env_destroy(NULL);
+  mimo_env_destroy(retired_env());
+  mimo_env_destroy((mimo_env*)a->scene);
+  mimo_env_destroy((mimo_env*)a->batch);
+  mimo_env_destroy(no_handle());
+  return CHECKED(strcmp(before, mimo_last_error()) == 0 && mimo_batch_size(a->batch, &count, NULL) == MIMO_OK);
+}
+
+static mimo_status check_destroy_batch(args* a) {
+  char before[512];
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  mimo_batch_destroy(NULL);
+  mimo_batch_destroy(retired_batch());
+  mimo_batch_destroy((mimo_batch*)a->scene);
+  mimo_batch_destroy((mimo_batch*)a->env);
+  mimo_batch_destroy(no_handle());
+  return CHECKED(strcmp(before, mimo_last_error()) == 0);
+}
+
+static int send_first = 1;
+
+static mimo_status send_and_receive(args* a) {
+  const int send = send_first;
+  mimo_status status;
+  send_first = 1;
+  if (send) {
+    status = mimo_batch_send(a->batch, a->actions, a->actions_count, a->blocks, a->blocks_bytes, a->results);
+    if (status != MIMO_OK) return status;
+  }
+  return mimo_batch_receive(a->batch);
+}
+
+/* ---- Faults beyond one member ---- */
+
+static void nothing_sent(args* a) { (void)a, send_first = 0; }
+static void nothing_to_receive_from(args* a) { a->batch = retired_batch(), send_first = 0; }
+
+static void unknown_scene(args* a) { a->scene_config->name = "nowhere"; }
+static void two_sources(args* a) { a->scene_config->xml = "<mujoco/>"; }
+static void no_file(args* a) { a->scene_config->name = NULL, a->scene_config->file = "/no_such_file.xml"; }
+static void no_xml(args* a) { a->scene_config->name = NULL, a->scene_config->xml = "no XML"; }
+static void not_mjcf(args* a) { a->scene_config->name = NULL, a->scene_config->xml = "<robot/>"; }
+static void no_model_dir(args* a) { a->scene_config->model_dir = "/no_such_folder"; }
+
+/* Readers of XML that work by recursion run out of stack. */
+static void deep_xml(args* a) {
+  enum { DEPTH = 100000 };
+  static char text[32 + 7 * DEPTH];
+  char* at = text + sprintf(text, "<mujoco>");
+  int i;
+  for (i = 0; i < DEPTH; ++i, at += 3) memcpy(at, "<a>", 3);
+  for (i = 0; i < DEPTH; ++i, at += 4) memcpy(at, "</a>", 4);
+  strcpy(at, "</mujoco>");
+  a->scene_config->name = NULL;
+  a->scene_config->xml = text;
+}
+
+static void no_orientation(args* a) { memset(a->agent_config->orientation, 0, sizeof a->agent_config->orientation); }
+static void bad_agent_name(args* a) { a->agent_config->name = "an na"; }
+static void unknown_body(args* a) { a->agent_config->body = "centaur"; }
+static void taken_agent(args* a) { CHECK_OK(mimo_scene_add_agent(a->room, NULL, NULL)); }
+static void unknown_part(args* a) { a->part = "tail"; }
+static void taken_object(args* a) { a->object_config->name = "toy"; }
+static void no_text(args* a) { a->text = NULL, a->capacity = 0; }
+static void unknown_parameter(args* a) { a->parameter_name = "mood"; }
+static void no_evaluate(args* a) { a->task->evaluate = NULL; }
+static void unknown_renderer(args* a) { a->env_config->renderer = "crayons"; }
+static void no_renderer(args* a) { a->env_config->renderer = "none"; }
+static void unknown_task(args* a) { a->env_config->task = "homework"; }
+static void no_custom_task(args* a) { a->env_config->task = "custom"; }
+static void unknown_scene_name(args* a) { a->scene_name = "nowhere"; }
+static void no_scene_name(args* a) { a->scene_name = ""; }
+
+static void nan_action(args* a) { ((float*)a->action)[1] = NAN; }
+static void infinite_action(args* a) { ((float*)a->action)[1] = -INFINITY; }
+static void no_block(args* a) { a->block = NULL, a->block_bytes = 0; }
+static void no_blocks(args* a) { a->blocks = NULL, a->blocks_bytes = 0; }
+static void no_final_blocks(args* a) { a->results->final_blocks = NULL; }
+
+static void set_id(args* a, int32_t id) {
+  static int32_t ids[1];
+  ids[0] = id;
+  a->ids = ids;
+}
+static void negative_id(args* a) { set_id(a, -1); }
+static void huge_id(args* a) { set_id(a, INT32_MAX); }
+static void unknown_name(args* a) { a->name = "nobody"; }
+static void empty_name(args* a) { a->name = ""; }
+static void write_value(args* a, double value) {
+  ((double*)a->to_write)[0] = value;
+  ((double*)a->all_to_write)[0] = value;
+}
+static void nan_value(args* a) { write_value(a, NAN); }
+static void infinite_value(args* a) { write_value(a, INFINITY); }
+static void few_sensors(args* a) { *a->count = a->touch_capacity--; }
+static void unknown_camera(args* a) { a->picture_config->camera = "nobody's"; }
+static void nan_point(args* a) { ((double*)a->points)[0] = NAN; }
+static void no_lock(args* a) { a->joint = a->ids[0]; }
+
+static void no_state(args* a) { memset((void*)a->state, 0, a->state_bytes); }
+static void damaged_state(args* a) { ((unsigned char*)a->state)[a->state_bytes - 1] ^= 1; }
+static void foreign_state_given(args* a) { memcpy((void*)a->state, foreign_state(), 64); }
+#define foreign_state foreign_state_given
+
+/* ---- The table ---- */
+
+#define NONE \
+  { FAULT_END, NULL, 0, 0, 0, 0, NULL, 0, NULL }
+#define ALL_ROWS "misuse/all_rows.h"
+
+#define ROW(name, uses, expression, ...)    \
+  static mimo_status call_##name(args* a) { \
+    (void)a;                                \
+    return expression;                      \
+  }
+#include ALL_ROWS
+#undef ROW
+
+#define ROW(name, uses, expression, ...) static const fault faults_##name[] = {__VA_ARGS__, NONE};
+#include ALL_ROWS
+#undef ROW
+
+#define ROW(name, uses, expression, ...) {#name, uses, call_##name, faults_##name},
+const row all_rows[] = {
+#include ALL_ROWS
+};
+#undef ROW
+
+const size_t row_count = sizeof all_rows / sizeof *all_rows;
+
+int rows_failures(void) { return failures(); }

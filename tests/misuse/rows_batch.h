@@ -1,0 +1,49 @@
+/* Batches. See table.h. */
+
+#define BATCH(f, n) BAD_FIELD(batch_config, mimo_batch_config, f, n, #f)
+ROW(mimo_batch_create, ON_SCENE, mimo_batch_create(a->scene, a->env_config, a->batch_config, a->made_batch),
+    NULL_OK(env_config), NULL_OK(batch_config), NO_NULL(made_batch, "batch"),
+    CONFIG(batch_config, mimo_batch_config, "batch_config"), BAD_SIZES(env_config, mimo_env_config, "env_config"),
+    BATCH(worlds, 0), BATCH(worlds, -1), BATCH(threads, 4097), BATCH(threads, -1), BATCH(autoreset, 3),
+    BATCH(autoreset, -1), BATCH(restart_failed, 2), BATCH(reserved, 1))
+ROW(mimo_batch_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_batch(a), NONE)
+ROW(mimo_batch_size, ON_BATCH | ANYTIME, mimo_batch_size(a->batch, a->count, a->count2), NULL_OK(count),
+    NULL_OK(count2))
+ROW(mimo_batch_world, ON_BATCH, mimo_batch_world(a->batch, a->world, a->made_env), BAD_INDEX(world, "world"),
+    NO_NULL(made_env, "env"))
+ROW(mimo_batch_world_error, ON_BATCH, mimo_batch_world_error(a->batch, a->world, a->status_out, a->string),
+    BAD_INDEX(world, "world"), NULL_OK(status_out), NULL_OK(string))
+
+#define WORLDS EXACT(worlds, "worlds"), BAD_SIZE(worlds, 0, "worlds"), NULL_OK(mask)
+#define BLOCKS NO_NULL(blocks, "blocks"), SHORT(blocks_bytes, "blocks")
+#define ACTIONS NO_NULL(actions, "actions"), EXACT(actions_count, "action_count")
+#define RESULT(f, names) SHORT_FIELD(results, mimo_batch_results, f, names)
+#define RESULTS                                                                                  \
+  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                              \
+      BAD_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"), \
+      RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), DO(no_final_blocks, E_ARG, "final_blocks")
+ROW(mimo_batch_reset, ON_BATCH | HEALS,
+    mimo_batch_reset(a->batch, a->seeds, a->mask, a->worlds, a->blocks, a->blocks_bytes), WORLDS, NULL_OK(seeds),
+    BLOCKS)
+ROW(mimo_batch_step, ON_BATCH | SIMULATES,
+    mimo_batch_step(a->batch, a->actions, a->actions_count, a->blocks, a->blocks_bytes, a->results), ACTIONS, BLOCKS,
+    RESULTS)
+ROW(mimo_batch_send, ON_BATCH | SIMULATES, send_and_receive(a), ACTIONS, BLOCKS, RESULTS)
+ROW(mimo_batch_receive, ON_BATCH | SIMULATES | ANYTIME, send_and_receive(a), DO(nothing_sent, E_ARG, "without"),
+    DO(nothing_to_receive_from, MIMO_E_BAD_HANDLE, "destroyed"))
+ROW(mimo_batch_observe, ON_BATCH | SIMULATES,
+    mimo_batch_observe(a->batch, a->mask, a->worlds, a->blocks, a->blocks_bytes), WORLDS, BLOCKS,
+    DO(no_blocks, E_ARG, "blocks"))
+ROW(mimo_batch_get, ON_BATCH,
+    mimo_batch_get(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_values, a->values_count),
+    QUANTITIES, IDS, WORLDS, NO_NULL(all_values, "values"), VALUES(values_count))
+ROW(mimo_batch_set, ON_BATCH | SIMULATES,
+    mimo_batch_set(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_to_write, a->values_count),
+    QUANTITIES, IDS, WORLDS, NO_NULL(all_to_write, "values"), VALUES(values_count), DO(nan_value, E_ARG, "values[0]"),
+    DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
+ROW(mimo_batch_state_save, ON_BATCH | SIMULATES,
+    mimo_batch_state_save(a->batch, a->mask, a->worlds, a->states_out, a->states_bytes), WORLDS,
+    NO_NULL(states_out, "states"), SHORT(states_bytes, "states"))
+ROW(mimo_batch_state_load, ON_BATCH | HEALS,
+    mimo_batch_state_load(a->batch, a->mask, a->worlds, a->states, a->states_bytes), WORLDS, NO_NULL(states, "states"),
+    EXACT(states_bytes, "state_bytes"), BAD_SIZE(states_bytes, 0, "state_bytes"))

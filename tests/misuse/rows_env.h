@@ -1,0 +1,121 @@
+/* Environments: stepping, named access, pictures, rewards, overrides, state. See table.h. */
+
+ROW(mimo_env_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_env(a), NONE)
+ROW(mimo_env_task, ON_ENV, mimo_env_task(a->env, a->string), NO_NULL(string, "name"))
+ROW(mimo_env_frame_skip, ON_ENV, mimo_env_frame_skip(a->env, a->u32_out), NO_NULL(u32_out, "frame_skip"))
+ROW(mimo_env_agent_count, ON_ENV, mimo_env_agent_count(a->env, a->count), NO_NULL(count, "count"))
+ROW(mimo_env_agent, ON_ENV, mimo_env_agent(a->env, a->index, a->info), BAD_SIZE(index, 1, "index"),
+    BAD_INDEX(index, "index"), DESCRIPTION(info, mimo_agent_info, "info"))
+
+ROW(mimo_env_observation_size, ON_ENV, mimo_env_observation_size(a->env, a->count, a->count2), NULL_OK(count),
+    NULL_OK(count2))
+ROW(mimo_env_observation_field, ON_ENV, mimo_env_observation_field(a->env, a->index, a->field),
+    BAD_INDEX(index, "index"), DESCRIPTION(field, mimo_field, "field"))
+ROW(mimo_env_observation_label, ON_ENV, mimo_env_observation_label(a->env, a->index, a->element, a->string),
+    BAD_INDEX(index, "index"), BAD_INDEX(element, "element"), NO_NULL(string, "label"))
+ROW(mimo_env_action_size, ON_ENV, mimo_env_action_size(a->env, a->count), NO_NULL(count, "count"))
+ROW(mimo_env_action_bounds, ON_ENV, mimo_env_action_bounds(a->env, a->low, a->high, a->actions_known), NULL_OK(low),
+    NULL_OK(high), SHORT(actions_known, "count"))
+ROW(mimo_env_action_name, ON_ENV, mimo_env_action_name(a->env, a->index, a->string), BAD_INDEX(index, "index"),
+    NO_NULL(string, "name"))
+
+ROW(mimo_env_reset, ON_ENV | HEALS, mimo_env_reset(a->env, a->seed, a->block, a->block_bytes), NULL_OK(seed),
+    NO_NULL(block, "block"), SHORT(block_bytes, "block"))
+ROW(mimo_env_step, ON_ENV | SIMULATES,
+    mimo_env_step(a->env, a->action, a->action_count, a->block, a->block_bytes, a->reward, a->terminated, a->truncated,
+                  a->agents),
+    NO_NULL(action, "action"), EXACT(action_count, "action"), DO(nan_action, E_ARG, "action[1]"),
+    DO(infinite_action, MIMO_OK, NULL), NO_NULL(block, "block"), SHORT(block_bytes, "block"), NULL_OK(reward),
+    NULL_OK(terminated), NULL_OK(truncated), SHORT(agents, "agents"))
+ROW(mimo_env_observe, ON_ENV | SIMULATES, mimo_env_observe(a->env, a->block, a->block_bytes), NO_NULL(block, "block"),
+    SHORT(block_bytes, "block"), DO(no_block, E_ARG, "block"))
+ROW(mimo_env_physics_step, ON_ENV | SIMULATES, mimo_env_physics_step(a->env, a->steps), BAD_SIZE(steps, -1, "count"),
+    BAD_SIZE(steps, 1000001, "count"))
+ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "seconds"))
+ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
+
+#define KINDS BAD_I32(kind, 0, "kind"), BAD_I32(kind, 8, "kind"), BAD_IDS(kind, "kind")
+#define QUANTITIES BAD_I32(quantity, 0, "quantity"), BAD_I32(quantity, 23, "quantity"), BAD_IDS(quantity, "quantity")
+#define IDS \
+  NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")
+#define VALUES(m)                                                                                               \
+  SIZE_IS(m, 0, MIMO_E_BUFFER_TOO_SMALL, "value_count"), BAD_SIZE(m, -1, "value"),                              \
+      {FAULT_LESS, #m " is one too small", MEMBER(m), 0, 1, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "value_count"}, { \
+    FAULT_LESS, #m " is one too large", MEMBER(m), 0, -1, 0, NULL, E_ARG, "value_count"                         \
+  }
+ROW(mimo_env_count, ON_ENV, mimo_env_count(a->env, a->kind, a->count), KINDS, NO_NULL(count, "count"))
+ROW(mimo_env_find, ON_ENV, mimo_env_find(a->env, a->kind, a->name, a->id_out), KINDS, NO_NULL(name, "name"),
+    NO_NULL(id_out, "id"), DO(unknown_name, MIMO_E_NOT_FOUND, "nobody"), DO(empty_name, MIMO_E_NOT_FOUND, "\"\""))
+ROW(mimo_env_name, ON_ENV, mimo_env_name(a->env, a->kind, a->id, a->string), KINDS, BAD_IDS(id, "id"),
+    NO_NULL(string, "name"))
+ROW(mimo_env_body_of, ON_ENV, mimo_env_body_of(a->env, a->kind, a->id, a->id_out), KINDS, BAD_IDS(id, "id"),
+    NO_NULL(id_out, "body"), BAD_I32(kind, MIMO_ACTUATOR, "actuator"))
+ROW(mimo_env_width, ON_ENV, mimo_env_width(a->env, a->quantity, a->ids, a->id_count, a->count), QUANTITIES, IDS,
+    NO_NULL(count, "value_count"))
+ROW(mimo_env_get, ON_ENV, mimo_env_get(a->env, a->quantity, a->ids, a->id_count, a->values, a->value_count), QUANTITIES,
+    IDS, NO_NULL(values, "values"), VALUES(value_count))
+ROW(mimo_env_set, ON_ENV | SIMULATES,
+    mimo_env_set(a->env, a->quantity, a->ids, a->id_count, a->to_write, a->value_count), QUANTITIES, IDS,
+    NO_NULL(to_write, "values"), VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
+    DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
+ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
+ROW(mimo_env_contacts, ON_ENV,
+    mimo_env_contacts(a->env, a->contact_ids, a->contact_values, a->contact_capacity, a->count), NULL_OK(contact_ids),
+    NULL_OK(contact_values), NO_NULL(count, "count"), BAD_SIZE(contact_capacity, -1, "capacity"))
+ROW(mimo_env_touch_sensors, ON_ENV,
+    mimo_env_touch_sensors(a->env, a->agent_index, a->bodies, a->geoms, a->positions, a->frames, a->touch_capacity,
+                           a->count),
+    BAD_INDEX(agent_index, "agent"), NULL_OK(bodies), NULL_OK(geoms), NULL_OK(positions), NULL_OK(frames),
+    NULL_OK(count), BAD_SIZE(touch_capacity, -1, "capacity"), DO(few_sensors, MIMO_E_BUFFER_TOO_SMALL, "capacity"))
+
+#define PICTURE(f, n) BAD_FIELD(picture_config, mimo_picture_config, f, n, #f)
+#define PICTURE_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
+#define PICTURE_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
+#define PICTURES                                                                                                      \
+  CONFIG(picture_config, mimo_picture_config, "config"), PICTURE(width, 0), PICTURE(width, 4097), PICTURE(width, -1), \
+      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(reserved, 1), PICTURE_UNREAL(look_at[2]),                    \
+      PICTURE_UNREAL(distance), PICTURE_REAL(distance, 0), PICTURE_REAL(distance, -1), PICTURE_UNREAL(azimuth),       \
+      PICTURE_UNREAL(elevation), PICTURE_UNREAL(fovy), PICTURE_REAL(fovy, -1), PICTURE_REAL(fovy, 171),               \
+      DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
+ROW(mimo_env_render, ON_ENV | SIMULATES,
+    mimo_env_render(a->env, a->picture_config, a->rgb, a->rgb_bytes, a->depth, a->depth_count, a->segmentation,
+                    a->segmentation_count),
+    PICTURES, NO_NULL(rgb, "rgb"), SHORT(rgb_bytes, "rgb"), NO_NULL(depth, "depth"), SHORT(depth_count, "depth"),
+    NO_NULL(segmentation, "segmentation"), SHORT(segmentation_count, "segmentation"),
+    {FAULT_NULL, "the picture is 640 x 480", MEMBER(picture_config), 0, 0, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "rgb"})
+ROW(mimo_env_project, ON_ENV, mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels),
+    PICTURES, NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"),
+    BAD_SIZE(point_count, -1, "count"), BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"),
+    SIZE_IS(point_count, 0, MIMO_OK, NULL), DO(nan_point, E_ARG, "points[0]"))
+
+ROW(mimo_env_timing, ON_ENV, mimo_env_timing(a->env, a->timing), DESCRIPTION(timing, mimo_timing, "timing"))
+ROW(mimo_env_timing_reset, ON_ENV, mimo_env_timing_reset(a->env), NONE)
+ROW(mimo_env_reward_term_count, ON_ENV, mimo_env_reward_term_count(a->env, a->agent_index, a->count),
+    BAD_INDEX(agent_index, "agent"), NO_NULL(count, "count"))
+ROW(mimo_env_reward_term_name, ON_ENV, mimo_env_reward_term_name(a->env, a->agent_index, a->index, a->string),
+    BAD_INDEX(agent_index, "agent"), BAD_INDEX(index, "index"), NO_NULL(string, "name"))
+ROW(mimo_env_reward_terms, ON_ENV, mimo_env_reward_terms(a->env, a->agent_index, a->numbers, a->term_count),
+    BAD_INDEX(agent_index, "agent"), NO_NULL(numbers, "values"), SHORT(term_count, "values"))
+ROW(mimo_env_outcome, ON_ENV, mimo_env_outcome(a->env, a->agent_index, a->flag, a->flag2),
+    BAD_INDEX(agent_index, "agent"), NULL_OK(flag), NULL_OK(flag2))
+
+ROW(mimo_env_lock, ON_ENV, mimo_env_lock(a->env, a->joint, a->angle), BAD_IDS(joint, "joint"),
+    NOT_FINITE(angle, "angle"), BAD_F64(angle, 100, "angle"), DO(no_lock, MIMO_E_UNSUPPORTED, "joint"))
+ROW(mimo_env_unlock, ON_ENV, mimo_env_unlock(a->env, a->joint), BAD_IDS(joint, "joint"),
+    DO(no_lock, MIMO_E_UNSUPPORTED, "joint"))
+ROW(mimo_env_lock_state, ON_ENV, mimo_env_lock_state(a->env, a->joint, a->flag, a->number), BAD_IDS(joint, "joint"),
+    NULL_OK(flag), NULL_OK(number), DO(no_lock, MIMO_E_UNSUPPORTED, "joint"))
+ROW(mimo_env_set_gravity, ON_ENV, mimo_env_set_gravity(a->env, a->x, a->y, a->z), NOT_FINITE(x, "gravity[0]"),
+    NOT_FINITE(y, "gravity[1]"), NOT_FINITE(z, "gravity[2]"))
+ROW(mimo_env_gravity, ON_ENV, mimo_env_gravity(a->env, a->numbers, a->gravity_count), NO_NULL(numbers, "xyz"),
+    SHORT(gravity_count, "xyz"))
+
+ROW(mimo_env_state_size, ON_ENV, mimo_env_state_size(a->env, a->count), NO_NULL(count, "bytes"))
+ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->state_out, a->state_bytes),
+    NO_NULL(state_out, "state"), SHORT(state_bytes, "state"))
+ROW(mimo_env_state_load, ON_ENV | HEALS, mimo_env_state_load(a->env, a->state, a->state_bytes), NO_NULL(state, "state"),
+    EXACT(state_bytes, "state"), BAD_SIZE(state_bytes, 0, "state"), BAD_SIZE(state_bytes, 47, "state"),
+    DO(no_state, E_ARG, "no state"), DO(damaged_state, E_ARG, "damaged"), DO(foreign_state, E_ARG, "another"))
+ROW(mimo_env_clone, ON_ENV | SIMULATES, mimo_env_clone(a->env, a->made_env), NO_NULL(made_env, "clone"))
+ROW(mimo_env_random, ON_ENV, mimo_env_random(a->env, a->numbers, a->number_count), NO_NULL(numbers, "values"),
+    BAD_SIZE(number_count, -1, "values"), SIZE_IS(number_count, 0, MIMO_OK, NULL))

@@ -1,0 +1,93 @@
+/* Versions, configs, scenes, agents, objects, tasks. See table.h. */
+
+ROW(mimo_abi_version, 0, CHECKED(mimo_abi_version() == MIMO_ABI_VERSION), NONE)
+ROW(mimo_version, 0, CHECKED(is_version(mimo_version())), NONE)
+ROW(mimo_mujoco_version, 0, CHECKED(is_version(mimo_mujoco_version())), NONE)
+ROW(mimo_status_name, 0, check_status_names(), NONE)
+ROW(mimo_last_error, 0, CHECKED(mimo_last_error() != NULL), NONE)
+ROW(mimo_scene_builtin, 0, check_list(mimo_scene_builtin), NONE)
+ROW(mimo_task_name, 0, check_list(mimo_task_name), NONE)
+
+ROW(mimo_scene_config_init, 0, mimo_scene_config_init(a->scene_config, sizeof *a->scene_config + a->more_bytes),
+    INIT(scene_config, mimo_scene_config, "config"))
+ROW(mimo_agent_config_init, 0, mimo_agent_config_init(a->agent_config, sizeof *a->agent_config + a->more_bytes),
+    INIT(agent_config, mimo_agent_config, "config"))
+ROW(mimo_object_config_init, 0, mimo_object_config_init(a->object_config, sizeof *a->object_config + a->more_bytes),
+    INIT(object_config, mimo_object_config, "config"))
+ROW(mimo_env_config_init, 0, mimo_env_config_init(a->env_config, sizeof *a->env_config + a->more_bytes),
+    INIT(env_config, mimo_env_config, "config"))
+ROW(mimo_batch_config_init, 0, mimo_batch_config_init(a->batch_config, sizeof *a->batch_config + a->more_bytes),
+    INIT(batch_config, mimo_batch_config, "config"))
+ROW(mimo_picture_config_init, 0, mimo_picture_config_init(a->picture_config, sizeof *a->picture_config + a->more_bytes),
+    INIT(picture_config, mimo_picture_config, "config"))
+ROW(mimo_task_init, 0, mimo_task_init(a->task, sizeof *a->task + a->more_bytes), INIT(task, mimo_task, "task"))
+
+ROW(mimo_scene_create, 0, mimo_scene_create(a->scene_config, a->made_scene), NULL_OK(scene_config),
+    NO_NULL(made_scene, "scene"), CONFIG(scene_config, mimo_scene_config, "config"),
+    BAD_FIELD(scene_config, mimo_scene_config, reserved, 1, "reserved"), DO(unknown_scene, MIMO_E_NOT_FOUND, "nowhere"),
+    DO(two_sources, E_ARG, "exclude each other"), DO(no_file, MIMO_E_NOT_FOUND, "no_such_file"),
+    DO(no_xml, MIMO_E_MODEL, "xml text"), DO(not_mjcf, MIMO_E_MODEL, "root element"),
+    DO(deep_xml, MIMO_E_MODEL, "nested"), DO(no_model_dir, MIMO_E_NOT_FOUND, "model_dir"))
+ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_scene(a), NONE)
+
+#define AGENT_REAL(f, ...) BAD_REAL(agent_config, mimo_agent_config, f, __VA_ARGS__)
+#define AGENT(f, n) BAD_FIELD(agent_config, mimo_agent_config, f, n, #f)
+ROW(mimo_scene_default_agent, ON_SCENE,
+    mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
+    INIT(agent_config, mimo_agent_config, "config"))
+ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config, a->id_out), NULL_OK(agent_config),
+    NULL_OK(id_out), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place_given, 2),
+    UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
+    UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
+    AGENT(proprioception, 64), AGENT(proprioception, -1), AGENT(vestibular, 2),
+    UNREAL(agent_config, mimo_agent_config, limit_threshold, "limit_threshold"),
+    AGENT_REAL(limit_threshold, 0, "limit"), AGENT(vision, 8), AGENT(vision_width, 0), AGENT(vision_width, 4097),
+    AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097), AGENT(actuation, 2),
+    UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"), AGENT_REAL(vision_fovy, 171, "vision_fovy"),
+    AGENT(acts, 0x800), AGENT(acts, 0x80000001), AGENT(normalize_actions, 2), AGENT(touch, 16), AGENT(touch, 3),
+    AGENT(touch_response, 0), AGENT(touch_response, 4), AGENT(touch_frame, 0), AGENT(touch_frame, -1),
+    AGENT(touch_reserved, 1), UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"),
+    AGENT_REAL(touch_scale, -1, "touch_scale"),
+    UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
+    AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
+    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
+ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
+    BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
+    BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
+
+#define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
+#define OBJECT_REAL(f, n) BAD_REAL(object_config, mimo_object_config, f, n, #f)
+#define OBJECT_UNREAL(f) UNREAL(object_config, mimo_object_config, f, #f)
+ROW(mimo_scene_add_object, ON_SCENE, mimo_scene_add_object(a->scene, a->object_config),
+    NO_NULL(object_config, "config"), CONFIG(object_config, mimo_object_config, "config"), OBJECT(shape, 0),
+    OBJECT(shape, 6), OBJECT(shape, -1), OBJECT_UNREAL(size[0]), OBJECT_REAL(size[0], 0), OBJECT_REAL(size[0], -1),
+    OBJECT_UNREAL(position[0]), OBJECT_UNREAL(orientation[3]), OBJECT_UNREAL(mass), OBJECT_REAL(mass, -1),
+    OBJECT_UNREAL(rgba[3]), OBJECT_REAL(rgba[0], 2), OBJECT_REAL(rgba[0], -1), OBJECT(fixed, 2), OBJECT(reserved, 1),
+    {FAULT_FIELD_NULL, "name is NULL", MEMBER(object_config), FIELD(mimo_object_config, name), 0, 0, NULL, E_ARG,
+     "name"},
+    DO(taken_object, E_ARG, "toy"))
+ROW(mimo_scene_xml, ON_SCENE, mimo_scene_xml(a->scene, a->text, a->capacity, a->count), NULL_OK(count),
+    NO_NULL(text, "text"), SHORT(capacity, "text"), DO(no_text, MIMO_OK, NULL))
+ROW(mimo_parameter_count, 0, mimo_parameter_count(a->count), NO_NULL(count, "count"))
+ROW(mimo_parameter_describe, 0, mimo_parameter_describe(a->index, a->parameter), BAD_INDEX(index, "index"),
+    DESCRIPTION(parameter, mimo_parameter, "parameter"))
+ROW(mimo_scene_set_parameter, ON_SCENE, mimo_scene_set_parameter(a->scene, a->parameter_name, a->value),
+    NO_NULL(parameter_name, "name"), NOT_FINITE(value, "reach/"), BAD_F64(value, 1e300, "reach/"),
+    DO(unknown_parameter, MIMO_E_NOT_FOUND, "mood"))
+ROW(mimo_scene_get_parameter, ON_SCENE, mimo_scene_get_parameter(a->scene, a->parameter_name, a->number),
+    NO_NULL(parameter_name, "name"), NO_NULL(number, "value"), DO(unknown_parameter, MIMO_E_NOT_FOUND, "mood"))
+ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_OK(task),
+    CONFIG(task, mimo_task, "task"), BAD_FIELD(task, mimo_task, reserved, 1, "reserved"),
+    {FAULT_FIELD_SIZE, "memory", MEMBER(task), FIELD(mimo_task, memory_bytes), 1048577, 0, NULL, E_ARG, "memory_bytes"},
+    {FAULT_FIELD_SIZE, "huge memory", MEMBER(task), FIELD(mimo_task, memory_bytes), -1, 0, NULL, E_ARG, "memory_bytes"},
+    DO(no_evaluate, E_ARG, "evaluate"))
+
+#define ENV(f, n) BAD_FIELD(env_config, mimo_env_config, f, n, #f)
+ROW(mimo_env_create, ON_SCENE, mimo_env_create(a->scene, a->env_config, a->made_env), NULL_OK(env_config),
+    NO_NULL(made_env, "env"), CONFIG(env_config, mimo_env_config, "config"), ENV(frame_skip, 1001), ENV(frame_skip, -1),
+    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 4), ENV(disable, -1), ENV(timing, 2),
+    DO(unknown_renderer, E_ARG, "crayons"), DO(unknown_task, MIMO_E_NOT_FOUND, "homework"),
+    DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"), DO(no_renderer, E_ARG, "renderer"))
+ROW(mimo_env_make, 0, mimo_env_make(a->scene_name, a->made_env), NO_NULL(scene_name, "scene_name"),
+    NO_NULL(made_env, "env"), DO(unknown_scene_name, MIMO_E_NOT_FOUND, "nowhere"),
+    DO(no_scene_name, E_ARG, "scene_name"))

@@ -1,0 +1,171 @@
+/* The table of misuse: for each function of the API a call that succeeds, and what is done to its arguments so that it
+ * must fail. A fault changes one member of the arguments; the row says which status follows. */
+#ifndef MIMO_TESTS_MISUSE_TABLE_H
+#define MIMO_TESTS_MISUSE_TABLE_H
+
+#include "mimo/mimo.h"
+
+/* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
+typedef struct args {
+  /* handles; `room` is a scene without infant, the others have one */
+  mimo_scene *scene, *room;
+  mimo_env* env;
+  mimo_batch* batch;
+  /* structs, each in memory with room for a later version's tail */
+  mimo_scene_config* scene_config;
+  mimo_agent_config* agent_config;
+  mimo_object_config* object_config;
+  mimo_env_config* env_config;
+  mimo_batch_config* batch_config;
+  mimo_picture_config* picture_config;
+  mimo_task* task;
+  mimo_batch_results* results;
+  mimo_parameter* parameter;
+  mimo_agent_info* info;
+  mimo_field* field;
+  mimo_timing* timing;
+  size_t more_bytes;
+  /* numbers */
+  int32_t kind, id, quantity, joint, agent, body_id;
+  size_t index, element, agent_index, world, steps;
+  double angle, value, spacing, x, y, z;
+  /* strings */
+  const char *name, *scene_name, *part, *parameter_name;
+  /* arrays that are read */
+  const uint64_t *seed, *seeds;
+  const uint8_t* mask;
+  const float *action, *actions;
+  const int32_t* ids;
+  const double *points, *to_write, *all_to_write;
+  const void *state, *states;
+  size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, value_count,
+      values_count;
+  /* arrays that are written */
+  void *block, *blocks, *state_out, *states_out;
+  char* text;
+  double *reward, *values, *all_values, *numbers, *pixels, *contact_values, *positions, *frames;
+  uint8_t *terminated, *truncated, *rgb;
+  float *low, *high, *depth;
+  int32_t *segmentation, *contact_ids, *bodies, *geoms;
+  size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
+  size_t contact_capacity, touch_capacity, number_count, term_count, gravity_count;
+  /* single results */
+  size_t *count, *count2;
+  int32_t* id_out;
+  uint32_t* u32_out;
+  uint8_t *flag, *flag2;
+  double* number;
+  const char** string;
+  mimo_status* status_out;
+  /* handles that calls make */
+  mimo_scene** made_scene;
+  mimo_env** made_env;
+  mimo_batch** made_batch;
+} args;
+
+enum fault_kind {
+  FAULT_END,
+  FAULT_NULL,      /* a pointer becomes NULL */
+  FAULT_SIZE,      /* a size_t becomes `whole` */
+  FAULT_LESS,      /* a size_t becomes smaller by `whole` */
+  FAULT_I32,       /* an int32_t becomes `whole` */
+  FAULT_F64,       /* a double becomes `real` */
+  FAULT_FIELD_I32, /* the same, for a field of a struct that the member points to */
+  FAULT_FIELD_SIZE,
+  FAULT_FIELD_LESS,
+  FAULT_FIELD_F64,
+  FAULT_FIELD_NULL,
+  FAULT_STRUCT_SIZE, /* the struct's first field becomes `whole` */
+  FAULT_STRUCT_TAIL, /* ... the struct's size and 16 bytes more, which are `field` each */
+  FAULT_DO           /* whatever `change` does */
+};
+
+typedef struct fault {
+  enum fault_kind kind;
+  const char* what; /* for people */
+  size_t at, field; /* offsets */
+  int64_t whole;
+  double real;
+  void (*change)(args* a);
+  mimo_status status; /* what the call then answers */
+  const char* names;  /* what the message must name, NULL if the call succeeds */
+} fault;
+
+/* What a row's call works on; whether a world that has failed refuses it or is healed by it; whether it may come
+ * between mimo_batch_send and mimo_batch_receive; whether it destroys. */
+enum { ON_SCENE = 1, ON_ROOM = 2, ON_ENV = 4, ON_BATCH = 8, SIMULATES = 16, HEALS = 32, ANYTIME = 64, DESTROYS = 128 };
+
+typedef struct row {
+  const char* name;
+  int uses;
+  mimo_status (*call)(args* a);
+  const fault* faults;
+} row;
+
+extern const row all_rows[];
+extern const size_t row_count;
+
+/* Failed checks of rows.c; each file counts its own. */
+int rows_failures(void);
+
+/* Faults of members. Those whose name ends with _OK are none: the call succeeds. */
+#define MEMBER(m) offsetof(args, m)
+#define E_ARG MIMO_E_INVALID_ARGUMENT
+#define NO_NULL(m, names) \
+  { FAULT_NULL, #m " is NULL", MEMBER(m), 0, 0, 0, NULL, E_ARG, names }
+#define NULL_OK(m) \
+  { FAULT_NULL, #m " is NULL", MEMBER(m), 0, 0, 0, NULL, MIMO_OK, NULL }
+#define BAD_SIZE(m, n, names) \
+  { FAULT_SIZE, #m " is " #n, MEMBER(m), 0, (int64_t)(n), 0, NULL, E_ARG, names }
+#define SIZE_IS(m, n, status, names) \
+  { FAULT_SIZE, #m " is " #n, MEMBER(m), 0, (int64_t)(n), 0, NULL, status, names }
+/* One element too few, none at all, and as many as no memory has room for. */
+#define SHORT(m, names)                                                                           \
+  {FAULT_LESS, #m " is one too small", MEMBER(m), 0, 1, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, names}, \
+      {FAULT_SIZE, #m " is 0", MEMBER(m), 0, 0, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, names}, {       \
+    FAULT_SIZE, #m " is huge", MEMBER(m), 0, -1, 0, NULL, E_ARG, names                            \
+  }
+/* A length that must be met exactly. */
+#define EXACT(m, names)                                                                \
+  {FAULT_LESS, #m " is one too small", MEMBER(m), 0, 1, 0, NULL, E_ARG, names},        \
+      {FAULT_LESS, #m " is one too large", MEMBER(m), 0, -1, 0, NULL, E_ARG, names}, { \
+    FAULT_SIZE, #m " is huge", MEMBER(m), 0, -1, 0, NULL, E_ARG, names                 \
+  }
+#define BAD_I32(m, n, names) \
+  { FAULT_I32, #m " is " #n, MEMBER(m), 0, n, 0, NULL, E_ARG, names }
+#define BAD_IDS(m, names) BAD_I32(m, -1, names), BAD_I32(m, INT32_MIN, names), BAD_I32(m, INT32_MAX, names)
+#define BAD_INDEX(m, names) BAD_SIZE(m, 1000000, names), BAD_SIZE(m, -1, names)
+#define BAD_F64(m, n, names) \
+  { FAULT_F64, #m " is " #n, MEMBER(m), 0, 0, n, NULL, E_ARG, names }
+#define NOT_FINITE(m, names) BAD_F64(m, NAN, names), BAD_F64(m, INFINITY, names), BAD_F64(m, -INFINITY, names)
+#define DO(function, status, names) \
+  { FAULT_DO, #function, 0, 0, 0, 0, function, status, names }
+
+/* Faults of structs. */
+#define FIELD(t, f) offsetof(t, f)
+#define BAD_FIELD(m, t, f, n, names) \
+  { FAULT_FIELD_I32, #f " is " #n, MEMBER(m), FIELD(t, f), (int64_t)(n), 0, NULL, E_ARG, names }
+#define BAD_REAL(m, t, f, n, names) \
+  { FAULT_FIELD_F64, #f " is " #n, MEMBER(m), FIELD(t, f), 0, n, NULL, E_ARG, names }
+#define UNREAL(m, t, f, names) BAD_REAL(m, t, f, NAN, names), BAD_REAL(m, t, f, INFINITY, names)
+#define SHORT_FIELD(m, t, f, names)                                                                                 \
+  {FAULT_FIELD_LESS, #f " is one too small", MEMBER(m), FIELD(t, f), 1, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, names}, { \
+    FAULT_FIELD_SIZE, #f " is huge", MEMBER(m), FIELD(t, f), -1, 0, NULL, E_ARG, names                              \
+  }
+#define STRUCT_IS(m, n, names) \
+  { FAULT_STRUCT_SIZE, #m "'s struct_size is " #n, MEMBER(m), 0, (int64_t)(n), 0, NULL, MIMO_E_STRUCT_SIZE, names }
+#define STRUCT_LATER(m, t, tail, status, names) \
+  { FAULT_STRUCT_TAIL, #m " is of a later version, tail " #tail, MEMBER(m), tail, sizeof(t), 0, NULL, status, names }
+#define BAD_SIZES(m, t, names) \
+  STRUCT_IS(m, 0, names), STRUCT_IS(m, sizeof(t) - 1, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
+/* A struct that is read, and one that is filled. */
+#define CONFIG(m, t, names) \
+  BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_STRUCT_SIZE, names)
+#define DESCRIPTION(m, t, names) NO_NULL(m, names), BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 1, MIMO_OK, NULL)
+/* A function that is told the struct's size: sizeof(t) + more_bytes. */
+#define INIT(m, t, names)                                                                                          \
+  NO_NULL(m, names), SIZE_IS(more_bytes, -(int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names),                          \
+      SIZE_IS(more_bytes, -1, MIMO_E_STRUCT_SIZE, names), SIZE_IS(more_bytes, 1000000, MIMO_E_STRUCT_SIZE, names), \
+      SIZE_IS(more_bytes, -1 - (int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), SIZE_IS(more_bytes, 16, MIMO_OK, NULL)
+
+#endif

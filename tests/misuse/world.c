@@ -1,0 +1,360 @@
+#include "misuse/world.h"
+
+#include "support/capi.h"
+
+enum { TAIL = 64, MOST_REGIONS = 64, MOST_BYTES = 1 << 20 };
+
+static struct {
+  unsigned char *bytes, *kept;
+  size_t size;
+} regions[MOST_REGIONS];
+static size_t region_count;
+
+static args good;
+static mimo_scene *dead_scene, *spare_scene;
+static mimo_env* dead_env;
+static mimo_batch* dead_batch;
+static unsigned char not_a_handle[256];
+static unsigned char foreign[MOST_BYTES], first_state[MOST_BYTES];
+
+/* Memory of exactly this size, so that the address sanitizer sees what goes beyond it. */
+static void* region(size_t size) {
+  void* bytes = malloc(size);
+  void* kept = malloc(size);
+  CHECK(bytes != NULL && kept != NULL && region_count < MOST_REGIONS);
+  if (failed_checks > 0) exit(failures());
+  regions[region_count].bytes = bytes;
+  regions[region_count].kept = kept;
+  regions[region_count++].size = size;
+  return bytes;
+}
+
+static mimo_scene* make_scene(const char* name, const char* body) {
+  mimo_scene_config room;
+  mimo_agent_config agent;
+  mimo_object_config toy;
+  mimo_scene* scene = NULL;
+  CHECK_OK(mimo_scene_config_init(&room, sizeof room));
+  room.name = name;
+  CHECK_OK(mimo_scene_create(&room, &scene));
+  CHECK_OK(mimo_object_config_init(&toy, sizeof toy));
+  toy.name = "toy";
+  toy.position[1] = 1;
+  CHECK_OK(mimo_scene_add_object(scene, &toy));
+  if (body == NULL) return scene;
+  CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
+  agent.vision = MIMO_VISION_RGB;
+  agent.vision_width = agent.vision_height = PICTURE_SIZE;
+  agent.touch_scale = 0.3;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  return scene;
+}
+
+static mimo_batch* make_batch(const mimo_scene* scene, int32_t autoreset) {
+  mimo_batch_config config;
+  mimo_batch* batch = NULL;
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = WORLDS_IN_BATCH;
+  config.threads = 2;
+  config.autoreset = autoreset;
+  CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
+  return batch;
+}
+
+static void make_dead_handles(void) {
+  dead_scene = make_scene("free", NULL);
+  CHECK_OK(mimo_env_create(dead_scene, NULL, &dead_env));
+  dead_batch = make_batch(dead_scene, MIMO_AUTORESET_NONE);
+  mimo_scene_destroy(dead_scene);
+  mimo_env_destroy(dead_env);
+  mimo_batch_destroy(dead_batch);
+}
+
+static void make_foreign_state(void) {
+  mimo_scene* scene = make_scene("free", NULL);
+  mimo_env* env = NULL;
+  size_t bytes = 0;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_state_size(env, &bytes));
+  CHECK(bytes <= sizeof foreign);
+  CHECK_OK(mimo_env_state_save(env, foreign, sizeof foreign));
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+}
+
+static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
+                         int32_t* outcome) {
+  (void)user, (void)env, (void)world, (void)agent, (void)memory, (void)outcome;
+  *reward = 1;
+  return MIMO_OK;
+}
+
+static void find_things(void) {
+  size_t joints = 0;
+  static int32_t ids[1];
+  CHECK_OK(mimo_env_find(good.env, MIMO_JOINT, "toy", &ids[0]));
+  good.ids = ids;
+  good.id_count = 1;
+  CHECK_OK(mimo_env_count(good.env, MIMO_JOINT, &joints));
+  for (good.joint = 0; (size_t)good.joint < joints; ++good.joint) {
+    if (mimo_env_lock_state(good.env, good.joint, NULL, &good.angle) == MIMO_OK) return;
+  }
+  CHECK(!"a joint that can be locked");
+}
+
+static void make_arrays(void) {
+  const size_t worlds = WORLDS_IN_BATCH;
+  size_t actions = 0, sensors = 0, state = 0, text = 0;
+  CHECK_OK(mimo_env_action_size(good.env, &actions));
+  CHECK_OK(mimo_env_observation_size(good.env, &good.block_bytes, NULL));
+  CHECK_OK(mimo_env_state_size(good.env, &state));
+  CHECK_OK(mimo_env_touch_sensors(good.env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
+  CHECK_OK(mimo_env_reward_term_count(good.env, 0, &good.term_count));
+  CHECK_OK(mimo_scene_xml(spare_scene, NULL, 0, &text));
+  CHECK(actions > 1 && sensors > 0 && good.term_count > 0);
+  good.blocks_bytes = worlds * good.block_bytes;
+  good.action_count = good.actions_known = actions;
+  good.actions_count = worlds * actions;
+  good.state_bytes = state;
+  good.states_bytes = worlds * state;
+  good.worlds = worlds;
+  good.agents = AGENTS;
+  good.value_count = VALUES_PER_WORLD;
+  good.values_count = worlds * VALUES_PER_WORLD;
+  good.touch_capacity = sensors;
+  good.contact_capacity = 200;
+  good.number_count = 4;
+  good.gravity_count = 3;
+  good.point_count = 2;
+  good.capacity = text + 1;
+  good.depth_count = good.segmentation_count = PICTURE_SIZE * PICTURE_SIZE;
+  good.rgb_bytes = 3 * good.depth_count;
+
+  good.seed = region(sizeof(uint64_t));
+  good.seeds = region(worlds * sizeof(uint64_t));
+  good.mask = region(worlds);
+  good.action = region(actions * sizeof(float));
+  good.actions = region(worlds * actions * sizeof(float));
+  good.points = region(3 * good.point_count * sizeof(double));
+  good.to_write = region(good.value_count * sizeof(double));
+  good.all_to_write = region(good.values_count * sizeof(double));
+  good.state = region(state);
+  good.states = region(worlds * state);
+  good.block = region(good.block_bytes);
+  good.blocks = region(good.blocks_bytes);
+  good.state_out = region(state);
+  good.states_out = region(worlds * state);
+  good.text = region(good.capacity);
+  good.reward = region(AGENTS * sizeof(double));
+  good.values = region(good.value_count * sizeof(double));
+  good.all_values = region(good.values_count * sizeof(double));
+  good.numbers = region((good.term_count > 4 ? good.term_count : 4) * sizeof(double));
+  good.pixels = region(3 * good.point_count * sizeof(double));
+  good.contact_values = region(good.contact_capacity * MIMO_CONTACT_VALUES * sizeof(double));
+  good.contact_ids = region(good.contact_capacity * MIMO_CONTACT_IDS * sizeof(int32_t));
+  good.positions = region(3 * sensors * sizeof(double));
+  good.frames = region(MIMO_TOUCH_FRAME_VALUES * sensors * sizeof(double));
+  good.bodies = region(sensors * sizeof(int32_t));
+  good.geoms = region(sensors * sizeof(int32_t));
+  good.terminated = region(AGENTS);
+  good.truncated = region(AGENTS);
+  good.rgb = region(good.rgb_bytes);
+  good.low = region(actions * sizeof(float));
+  good.high = region(actions * sizeof(float));
+  good.depth = region(good.depth_count * sizeof(float));
+  good.segmentation = region(good.segmentation_count * sizeof(int32_t));
+}
+
+static void make_single_results(void) {
+  good.count = region(sizeof(size_t));
+  good.count2 = region(sizeof(size_t));
+  good.id_out = region(sizeof(int32_t));
+  good.u32_out = region(sizeof(uint32_t));
+  good.flag = region(1);
+  good.flag2 = region(1);
+  good.number = region(sizeof(double));
+  good.string = region(sizeof(char*));
+  good.status_out = region(sizeof(mimo_status));
+  good.made_scene = region(sizeof(mimo_scene*));
+  good.made_env = region(sizeof(mimo_env*));
+  good.made_batch = region(sizeof(mimo_batch*));
+}
+
+static void make_structs(void) {
+  good.scene_config = region(sizeof *good.scene_config + TAIL);
+  good.agent_config = region(sizeof *good.agent_config + TAIL);
+  good.object_config = region(sizeof *good.object_config + TAIL);
+  good.env_config = region(sizeof *good.env_config + TAIL);
+  good.batch_config = region(sizeof *good.batch_config + TAIL);
+  good.picture_config = region(sizeof *good.picture_config + TAIL);
+  good.task = region(sizeof *good.task + TAIL);
+  good.results = region(sizeof *good.results + TAIL);
+  good.parameter = region(sizeof *good.parameter + TAIL);
+  good.info = region(sizeof *good.info + TAIL);
+  good.field = region(sizeof *good.field + TAIL);
+  good.timing = region(sizeof *good.timing + TAIL);
+}
+
+void make_everything(void) {
+  memset(not_a_handle, 0x5a, sizeof not_a_handle);
+  make_dead_handles();
+  make_foreign_state();
+  spare_scene = make_scene("selfbody", "mitten");
+  CHECK_OK(mimo_env_create(spare_scene, NULL, &good.env));
+  good.batch = make_batch(spare_scene, MIMO_AUTORESET_SAME_STEP);
+  if (good.env == NULL || good.batch == NULL) exit(failures());
+  find_things();
+  make_arrays();
+  make_single_results();
+  make_structs();
+  CHECK(good.state_bytes <= sizeof first_state);
+  CHECK_OK(mimo_env_state_save(good.env, first_state, sizeof first_state));
+}
+
+void destroy_everything(void) {
+  size_t i;
+  mimo_scene_destroy(spare_scene);
+  mimo_env_destroy(good.env);
+  mimo_batch_destroy(good.batch);
+  for (i = 0; i < region_count; ++i) {
+    free(regions[i].bytes);
+    free(regions[i].kept);
+  }
+}
+
+static void fill_configs(void) {
+  CHECK_OK(mimo_scene_config_init(good.scene_config, sizeof *good.scene_config));
+  CHECK_OK(mimo_agent_config_init(good.agent_config, sizeof *good.agent_config));
+  CHECK_OK(mimo_object_config_init(good.object_config, sizeof *good.object_config));
+  CHECK_OK(mimo_env_config_init(good.env_config, sizeof *good.env_config));
+  CHECK_OK(mimo_batch_config_init(good.batch_config, sizeof *good.batch_config));
+  CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
+  CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
+  good.scene_config->name = "free";
+  good.agent_config->place_given = 1;
+  good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
+  good.object_config->name = "ball";
+  good.env_config->max_steps = 1;
+  good.batch_config->worlds = WORLDS_IN_BATCH;
+  good.picture_config->width = good.picture_config->height = PICTURE_SIZE;
+  good.task->evaluate = judge;
+  good.task->memory_bytes = 8;
+  good.parameter->struct_size = sizeof *good.parameter;
+  good.info->struct_size = sizeof *good.info;
+  good.field->struct_size = sizeof *good.field;
+  good.timing->struct_size = sizeof *good.timing;
+}
+
+static void fill_results(void) {
+  mimo_batch_results* results = good.results;
+  memset(results, 0, sizeof *results);
+  results->struct_size = sizeof *results;
+  results->reward = good.all_values;
+  results->terminated = good.state_out;
+  results->truncated = (uint8_t*)good.state_out + WORLDS_IN_BATCH;
+  results->agents = WORLDS_IN_BATCH * AGENTS;
+  results->status = (mimo_status*)good.contact_ids;
+  results->was_reset = (uint8_t*)good.state_out + 2 * WORLDS_IN_BATCH;
+  results->final_written = (uint8_t*)good.state_out + 3 * WORLDS_IN_BATCH;
+  results->worlds = WORLDS_IN_BATCH;
+  results->final_blocks = good.states_out;
+  results->final_bytes = good.blocks_bytes;
+}
+
+/* Arrays that are read hold what is asked for: no actions, everything at the origin, the world's own state. */
+static void fill_arrays(void) {
+  size_t i;
+  double* write = (double*)good.to_write;
+  memset((void*)good.mask, 1, WORLDS_IN_BATCH);
+  memset((void*)good.action, 0, good.action_count * sizeof(float));
+  memset((void*)good.actions, 0, good.actions_count * sizeof(float));
+  memset((void*)good.points, 0, 3 * good.point_count * sizeof(double));
+  memset(write, 0, VALUES_PER_WORLD * sizeof(double));
+  write[2] = write[3] = 1; /* a metre up, upright */
+  for (i = 0; i < WORLDS_IN_BATCH; ++i) {
+    memcpy((double*)good.all_to_write + i * VALUES_PER_WORLD, write, VALUES_PER_WORLD * sizeof(double));
+  }
+}
+
+static void fill_states(void) {
+  size_t i;
+  memcpy((void*)good.state, first_state, good.state_bytes);
+  for (i = 0; i < WORLDS_IN_BATCH; ++i) {
+    memcpy((unsigned char*)good.states + i * good.state_bytes, first_state, good.state_bytes);
+  }
+}
+
+args good_args(int uses) {
+  size_t i;
+  args a;
+  for (i = 0; i < region_count; ++i) memset(regions[i].bytes, 0xab, regions[i].size);
+  fill_configs();
+  fill_results();
+  fill_arrays();
+  fill_states();
+  *good.made_scene = NULL;
+  *good.made_env = NULL;
+  *good.made_batch = NULL;
+  good.kind = MIMO_BODY;
+  good.quantity = MIMO_JOINT_POSITION;
+  good.steps = 1;
+  good.z = -9.81;
+  good.name = "toy";
+  good.scene_name = "free";
+  good.part = "head";
+  good.parameter_name = "reach/success_reward";
+  good.spacing = 0.05;
+  a = good;
+  /* Calls change scenes for good. */
+  if (uses & ON_SCENE) a.scene = make_scene("selfbody", "mitten");
+  if (uses & ON_ROOM) a.room = make_scene("free", NULL);
+  return a;
+}
+
+void remember_memory(void) {
+  size_t i;
+  for (i = 0; i < region_count; ++i) memcpy(regions[i].kept, regions[i].bytes, regions[i].size);
+}
+
+int memory_changed(void) {
+  size_t i;
+  for (i = 0; i < region_count; ++i) {
+    if (memcmp(regions[i].kept, regions[i].bytes, regions[i].size) != 0) return 1;
+  }
+  return 0;
+}
+
+int destroy_made(args* a) {
+  int made = *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL;
+  mimo_scene_destroy(*good.made_scene);
+  mimo_env_destroy(*good.made_env);
+  mimo_batch_destroy(*good.made_batch);
+  mimo_scene_destroy(a->room);
+  if (a->scene != spare_scene) mimo_scene_destroy(a->scene);
+  return made;
+}
+
+mimo_scene* retired_scene(void) { return dead_scene; }
+mimo_env* retired_env(void) { return dead_env; }
+mimo_batch* retired_batch(void) { return dead_batch; }
+void* no_handle(void) { return not_a_handle; }
+const void* foreign_state(void) { return foreign; }
+
+/* A toy that flies at 1e200 m/s is beyond what MuJoCo takes for a velocity. */
+void break_worlds(void) {
+  double velocity[WORLDS_IN_BATCH * 6] = {0};
+  size_t i;
+  for (i = 0; i < WORLDS_IN_BATCH; ++i) velocity[6 * i] = 1e200;
+  CHECK_OK(mimo_env_set(good.env, MIMO_JOINT_VELOCITY, good.ids, 1, velocity, 6));
+  CHECK_OK(mimo_batch_set(good.batch, MIMO_JOINT_VELOCITY, good.ids, 1, NULL, 0, velocity, 6 * WORLDS_IN_BATCH));
+  CHECK_FAILS(MIMO_E_SIMULATION, "QVEL", mimo_env_physics_step(good.env, 1));
+  CHECK_FAILS(MIMO_E_SIMULATION, "QVEL", mimo_batch_step(good.batch, NULL, 0, NULL, 0, NULL));
+}
+
+void mend_worlds(void) {
+  CHECK_OK(mimo_env_reset(good.env, NULL, NULL, 0));
+  CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_env_set_gravity(good.env, 0, 0, -9.81));
+}
+
+int world_failures(void) { return failures(); }
