@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import gymnasium.vector
 import numpy as np
@@ -126,14 +126,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self.batch.receive()
         self._turn = 1 - self._turn
         reward, terminated, truncated, success = self._judged()
-        over = terminated | truncated
-        infos = self._infos(over, success)
-        if self._mode == Autoreset.SAME_STEP:
-            self._restart(over, infos)
-        elif self._mode == Autoreset.NEXT_STEP and not self._by_library:
+        if self._mode == Autoreset.NEXT_STEP and not self._by_library:
             self._begin(self._over, reward, terminated, truncated)
-            over &= ~self._over
-        self._over = over
+        self._over = terminated | truncated
+        infos = self._infos(self._over, success)
+        if self._mode == Autoreset.SAME_STEP:
+            self._restart(self._over, infos)
         return self._observation(), reward, terminated, truncated, infos
 
     def render(self) -> Optional[Tuple[NDArray[np.uint8], ...]]:
@@ -233,6 +231,3 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
 def make_vec(scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **options: Any) -> VectorEnv:
     """Many worlds of a scene as a gymnasium.vector.VectorEnv; see mimo.VectorEnv for the options."""
     return VectorEnv(scene, num_envs, **options)
-
-
-__all__: List[str] = ["VectorEnv", "make_vec"]
