@@ -1,6 +1,6 @@
 """A scene of one's own: an infant in the free room, a ball that falls on it, and skin that feels it.
 
-    python own_scene.py
+python own_scene.py
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ with mimo.World(scene) as world:
     toy, head = world.bodies("toy"), world.bodies("head")
     print(f"{world.layout.fields['touch/force'].shape[0]} touch sensors")
     world.reset(seed=0)
-    toy.position = head.position + [0.0, 0.0, 0.3]  # above the head
+    toy.position = head.position + np.array([0.0, 0.0, 0.3])  # above the head
     for _ in range(60):
         observation = world.step().observation
         force = np.linalg.norm(observation["touch/force"], axis=-1)

@@ -38,9 +38,7 @@ def test_every_library_is_inside_or_part_of_any_linux():
 @installed
 def test_the_library_takes_the_mujoco_inside(tmp_path):
     code = "import mimo; print(open('/proc/self/maps').read())"
-    maps = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path
-    ).stdout
+    maps = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path).stdout
     loaded = {line.split()[-1] for line in maps.splitlines() if "libmujoco" in line or "libmimo" in line}
     assert loaded == {str(NATIVE / "libmimo.so.0"), str(NATIVE / "libmujoco.so.2.2.2")}
 

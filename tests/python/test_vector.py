@@ -67,7 +67,7 @@ def test_next_step_mode(task):
     envs.reset(seed=1)
     flags = []
     for action in actions(8, 2):
-        observation, reward, terminated, truncated, infos = envs.step(action)
+        observation, reward, _, truncated, infos = envs.step(action)
         flags.append(truncated.tolist())
         if len(flags) == 4:  # the step after the end: a reset
             assert not reward.any()

@@ -25,7 +25,9 @@ def library_path() -> Path:
 
 def _load(path: Path) -> Any:
     if not path.is_file():
-        raise ImportError(f"there is no {path}; install the package with pip, or set MIMO_LIBRARY to the path of libmimo")
+        raise ImportError(
+            f"there is no {path}; install the package with pip, or set MIMO_LIBRARY to the path of libmimo"
+        )
     # Its own scope (ctypes' default): another MuJoCo in this process neither disturbs nor is disturbed.
     library = ctypes.CDLL(str(path))
     for name, (result, arguments) in _abi.FUNCTIONS.items():
@@ -67,7 +69,7 @@ def utf8(value: Optional[str]) -> Optional[bytes]:
     return value.encode()
 
 
-@_abi.LogFunction
+@_abi.LogFunction  # type: ignore[untyped-decorator]
 def log_to_python(_user: Any, level: int, message: bytes) -> None:
     """Hands the library's messages to the logger "mimo". Lives as long as the process, so no handle can outlive it."""
     if not sys.is_finalizing():

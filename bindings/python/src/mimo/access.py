@@ -5,7 +5,8 @@
     world.joints("robot:left_elbow").position = -0.5
 
 Quantities of one number (an angle, a mass) have no axis of their own: (n,), or (worlds, n). Joints of different kinds
-together give their values one after the other. docs/guide/time-and-frames.md says when and in which frame values are true.
+together give their values one after the other.
+docs/guide/time-and-frames.md says when and in which frame values are true.
 """
 
 from __future__ import annotations
@@ -78,7 +79,7 @@ class Access(Handle):
         return count.value
 
     def random(self, count: int, mask: Mask = None) -> Numbers:
-        """Numbers from 0 to 1 from the world's own random stream, (count,); of a batch (worlds, count), 0 where mask is False."""
+        """Numbers from 0 to 1 from the world's own stream: (count,); of a batch (worlds, count), 0 where mask is False."""
         raise NotImplementedError
 
     def _select(self, kind: Type[S], names: Tuple[str, ...]) -> S:

@@ -232,7 +232,7 @@ class Batch(Access):
     def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:
         if seeds is None:
             return None
-        numbers = range(int(seeds), int(seeds) + self.world_count) if np.isscalar(seeds) else list(seeds)  # type: ignore[call-overload, arg-type]
+        numbers = range(int(seeds), int(seeds) + self.world_count) if np.isscalar(seeds) else list(seeds)  # type: ignore[arg-type]
         if len(numbers) != self.world_count:
             raise ValueError(f"{len(numbers)} seeds, expected {self.world_count}, one for each world")
         return np.array([seed_number(int(number)).value for number in numbers], np.uint64)

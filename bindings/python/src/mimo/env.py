@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
-from .options import Options
+from .options import EnvOptions
 from .scene import Scene
 from .spaces import action_box, flat, observation_space
 from .tasks import Task
@@ -27,7 +27,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
     `render_mode` is "rgb_array" or "human"; `camera` names the camera to render from, None is a view from the front.
     """
 
-    metadata: Dict[str, Any] = {"render_modes": ["rgb_array", "human"], "render_fps": 100}
+    metadata: Dict[str, Any] = {"render_modes": ["rgb_array", "human"], "render_fps": 100}  # noqa: RUF012
     render_modes: ClassVar[Sequence[Optional[str]]] = (None, "rgb_array", "human")
 
     def __init__(
@@ -38,7 +38,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         flatten: bool = False,
         render_mode: Optional[str] = None,
         camera: Optional[str] = None,
-        **options: Unpack[Options],  # type: ignore[misc]  # task is one of them, too
+        **options: Unpack[EnvOptions],
     ) -> None:
         if render_mode not in self.render_modes:
             raise ValueError(f"render_mode is {render_mode!r}, expected one of {self.metadata['render_modes']}")
@@ -46,8 +46,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         if len(self.world.agents) != 1:
             raise ValueError(f"the scene has {len(self.world.agents)} infants; for several use mimo.ParallelEnv")
         self._flatten, self.render_mode, self._camera = flatten, render_mode, camera
-        self.observation_space = observation_space(self.world.layout, flatten)
-        self.action_space = action_box(self.world.action_low, self.world.action_high)
+        self.observation_space: Any = observation_space(self.world.layout, flatten)
+        self.action_space: Any = action_box(self.world.action_low, self.world.action_high)
         self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
         self._task = task if isinstance(task, Task) else None
         self._window: Any = None
@@ -81,7 +81,13 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         if self.render_mode == "human":
             self.render()
         if self._task is None:
-            return observation, float(world.reward[0]), bool(world.terminated[0]), bool(world.truncated[0]), self._info()
+            return (
+                observation,
+                float(world.reward[0]),
+                bool(world.terminated[0]),
+                bool(world.truncated[0]),
+                self._info(),
+            )
         judged = self._task.evaluate(world)
         info = self._info(success=bool(judged.success))
         return observation, float(judged.reward), bool(judged.terminated), bool(world.truncated[0]), info
@@ -91,7 +97,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         if self.render_mode is None:
             return None
         camera = {} if self._camera is None else {"camera": self._camera}
-        picture = self.world.render(**PICTURE, **camera)  # type: ignore[misc, arg-type]
+        picture = self.world.render(**PICTURE, **camera)  # type: ignore[arg-type]
         if self.render_mode == "rgb_array":
             return picture
         if self._window is None:

@@ -14,7 +14,12 @@ from ._library import LIB, check, text
 from .constants import Time
 
 ALIGNMENT = 64
-DTYPES = {1: np.dtype(np.uint8), 2: np.dtype(np.int32), 3: np.dtype(np.float32), 4: np.dtype(np.float64)}
+DTYPES: Dict[int, np.dtype[Any]] = {
+    1: np.dtype(np.uint8),
+    2: np.dtype(np.int32),
+    3: np.dtype(np.float32),
+    4: np.dtype(np.float64),
+}
 
 Observation = Dict[str, NDArray[Any]]
 

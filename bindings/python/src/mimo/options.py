@@ -49,10 +49,9 @@ class AgentOptions(TypedDict, total=False):
     touch_slip_threshold: float
 
 
-class WorldOptions(TypedDict, total=False):
+class PhysicsOptions(TypedDict, total=False):
     """How a world is simulated."""
 
-    task: str
     frame_skip: int
     max_steps: int
     renderer: str
@@ -61,10 +60,16 @@ class WorldOptions(TypedDict, total=False):
     timing: bool
 
 
-class Options(AgentOptions, WorldOptions, total=False):
-    """Everything that make, make_vec, World and Batch understand beside their own arguments."""
+class EnvOptions(AgentOptions, PhysicsOptions, total=False):
+    """What make and make_vec understand beside their own arguments."""
 
     parameters: Mapping[str, float]
+
+
+class Options(EnvOptions, total=False):
+    """What World and Batch understand beside their own arguments."""
+
+    task: str
 
 
 class ObjectOptions(TypedDict, total=False):
@@ -93,7 +98,7 @@ class PictureOptions(TypedDict, total=False):
 
 
 AGENT_OPTIONS = frozenset(AgentOptions.__annotations__)
-WORLD_OPTIONS = frozenset(WorldOptions.__annotations__)
+WORLD_OPTIONS = frozenset(PhysicsOptions.__annotations__) | {"task"}
 
 # Switches that are sets of bits: True means the default, not bit 0.
 _BIT_SETS = frozenset({"proprioception", "vision", "touch"})

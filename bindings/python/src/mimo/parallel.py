@@ -26,7 +26,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     An infant whose episode has ended leaves `agents`; the others go on, and its motors rest.
     """
 
-    metadata: Dict[str, Any] = {"name": "mimo", "render_modes": ["rgb_array"], "is_parallelizable": True}
+    metadata: Dict[str, Any] = {"name": "mimo", "render_modes": ["rgb_array"], "is_parallelizable": True}  # noqa: RUF012
 
     def __init__(
         self, scene: Union[str, Scene], *, render_mode: Optional[str] = None, **options: Unpack[Options]
@@ -87,7 +87,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
 
     def render(self) -> Optional[NDArray[np.uint8]]:
         """A picture of the world."""
-        return self.world.render(**PICTURE) if self.render_mode else None  # type: ignore[misc, arg-type]
+        return self.world.render(**PICTURE) if self.render_mode else None  # type: ignore[arg-type]
 
     def close(self) -> None:
         """Closes the world."""
@@ -101,6 +101,4 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
 
     def _observations(self, block: NDArray[np.uint8], agents: List[str]) -> Dict[str, Any]:
         views = self.world.layout.views(block)
-        return {
-            agent: {name: views[field.name] for name, field in self._fields[agent].items()} for agent in agents
-        }
+        return {agent: {name: views[field.name] for name, field in self._fields[agent].items()} for agent in agents}

@@ -18,7 +18,7 @@ class SB3VecEnv(VecEnv):
 
     def __init__(self, scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **options: Any) -> None:
         self.envs = VectorEnv(scene, num_envs, autoreset_mode="SameStep", **options)
-        self.render_mode = self.envs.render_mode  # type: ignore[assignment]
+        self.render_mode = self.envs.render_mode
         super().__init__(num_envs, self.envs.single_observation_space, self.envs.single_action_space)
         self.metadata = self.envs.metadata
 
@@ -28,7 +28,7 @@ class SB3VecEnv(VecEnv):
         observation, _ = self.envs.reset(seed=seed)
         self._reset_seeds()
         self._reset_options()
-        self.reset_infos = [{} for _ in range(self.num_envs)]
+        self.reset_infos: List[Dict[str, Any]] = [{} for _ in range(self.num_envs)]
         return observation
 
     def step_async(self, actions: NDArray[Any]) -> None:
@@ -67,7 +67,9 @@ class SB3VecEnv(VecEnv):
         chosen = self._get_indices(indices)
         return [getattr(self.envs.batch.world(i), method_name)(*method_args, **method_kwargs) for i in chosen]
 
-    def env_is_wrapped(self, wrapper_class: Type[gymnasium.Wrapper[Any, Any, Any, Any]], indices: Any = None) -> List[bool]:
+    def env_is_wrapped(
+        self, wrapper_class: Type[gymnasium.Wrapper[Any, Any, Any, Any]], indices: Any = None
+    ) -> List[bool]:
         """Worlds are never wrapped."""
         return [False] * len(list(self._get_indices(indices)))
 

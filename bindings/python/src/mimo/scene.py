@@ -185,7 +185,7 @@ def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str
             raise TypeError(f"{', '.join(agent)}: of a scene of your own, give these to its add_agent")
         return _with_parameters(scene.copy(), parameters), world
     made = Scene(scene)
-    made.add_agent(**agent)  # type: ignore[typeddict-item]
+    made.add_agent(**agent)
     return _with_parameters(made, parameters), world
 
 

@@ -11,7 +11,7 @@ from .access import Access, Mask
 
 
 class Judgement(NamedTuple):
-    """What a task says of a step. For one world each is a number or a bool, for a batch an array with one entry a world."""
+    """What a task says of a step: a number and two bools for one world, arrays with one entry a world for a batch."""
 
     reward: Any
     terminated: Union[bool, NDArray[np.bool_]] = False  # the episode ends here
@@ -38,5 +38,5 @@ class Task:
         """
 
     def evaluate(self, world: Access) -> Judgement:
-        """Judges a step. Positions of bodies are those of the start of the last physics step, as in the library's tasks."""
+        """Judges a step. Positions of bodies are those of the start of its last physics step."""
         raise NotImplementedError

@@ -14,7 +14,7 @@ from typing_extensions import Unpack
 from .batch import Batch
 from .constants import Autoreset
 from .env import with_task
-from .options import Options
+from .options import EnvOptions
 from .scene import Scene
 from .spaces import action_box, flat, observation_space
 from .tasks import Judgement, Task
@@ -50,7 +50,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         autoreset_mode: Any = "NextStep",
         threads: int = 0,
         render_mode: Optional[str] = None,
-        **options: Unpack[Options],  # type: ignore[misc]  # task is one of them, too
+        **options: Unpack[EnvOptions],
     ) -> None:
         mode = getattr(autoreset_mode, "value", autoreset_mode)
         if mode not in MODES:
@@ -108,11 +108,13 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
             seed = secrets.randbits(63)
         self._seeded = True
         self._turn = 1 - self._turn
-        self._start(self._blocks[self._turn], seed, None)  # type: ignore[arg-type]
+        self._start(self._blocks[self._turn], seed, None)
         self._over[:] = False
         return self._observation(), {}
 
-    def step(self, actions: Any) -> Tuple[Any, NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], Dict[str, Any]]:
+    def step(
+        self, actions: Any
+    ) -> Tuple[Any, NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], Dict[str, Any]]:
         """Goes one step on in all worlds."""
         self.send(actions)
         return self.receive()

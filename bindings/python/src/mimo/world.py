@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import ctypes
 from dataclasses import dataclass
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
@@ -12,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from . import _abi
-from ._library import LIB, check, log_to_python, raise_error, text, utf8
+from ._library import LIB, check, log_to_python, raise_error, text
 from .access import Access, Mask, Numbers
 from .constants import Kind
 from .layout import Layout, Observation
@@ -33,7 +32,7 @@ class Agent:
 
 
 class StepResult(NamedTuple):
-    """What a step gave; the arrays have one entry for each agent. They belong to the world and change with the next step."""
+    """What a step gave, one entry for each agent. The arrays belong to the world and change with its next step."""
 
     observation: Observation
     reward: Numbers
@@ -397,7 +396,7 @@ class World(Access):
 
 
 def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
-    world = World(scene, **copy.copy(options))  # type: ignore[typeddict-item]
+    world = World(scene, **options)
     world.load(state)
     return world
 
