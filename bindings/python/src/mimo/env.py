@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
+from .layout import Supply
 from .options import EnvOptions
 from .scene import Scene
 from .spaces import action_box, flat, observation_space
@@ -51,6 +52,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
         self._task = task if isinstance(task, Task) else None
         self._window: Any = None
+        self._supply = Supply(self.world.layout)
         self._seeded = False
         if self._task is not None:
             self._task.setup(self.world)
@@ -64,20 +66,21 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
             seed = secrets.randbits(64)
         self._seeded = True
         block = self.world.layout.new_block()
+        observation = self.world.layout.views(block)
         self.world.reset_into(block if self._task is None else None, seed)
         if self._task is not None:
             self._task.reset(self.world, None)
             self.world.observe_into(block)
         if self.render_mode == "human":
             self.render()
-        return self._observation(block), self._info(success=False)
+        return flat(observation) if self._flatten else observation, self._info(success=False)
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
         """Goes one step on."""
         world = self.world
-        block = world.layout.new_block()  # a fresh one: what was returned before stays as it is
-        world.step_into(block, action)
-        observation = self._observation(block)
+        address, views = self._supply.take()  # fresh: what was returned before stays as it is
+        world._step_at(address, world.layout.bytes, action)
+        observation = flat(views) if self._flatten else views
         if self.render_mode == "human":
             self.render()
         if self._task is None:
@@ -114,10 +117,6 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
             self._window = None
         self.world.close()
 
-    def _observation(self, block: NDArray[np.uint8]) -> Any:
-        views = self.world.layout.views(block)
-        return flat(views) if self._flatten else views
-
     def _info(self, success: Optional[bool] = None) -> Dict[str, Any]:
         if self._task is not None:
             return {"is_success": bool(success)}
@@ -125,10 +124,11 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         return {"is_success": world.outcome().success, "reward_terms": world.reward_terms()}
 
     def __getstate__(self) -> Dict[str, Any]:
-        return {**self.__dict__, "_window": None}
+        return {**self.__dict__, "_window": None, "_supply": None}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self.__dict__.update(state)
+        self._supply = Supply(self.world.layout)
         if self._task is not None:
             self._task.setup(self.world)  # what it had looked up belonged to the other world
 

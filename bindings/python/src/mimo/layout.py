@@ -14,6 +14,7 @@ from ._library import LIB, check, text
 from .constants import Time
 
 ALIGNMENT = 64
+SUPPLY_BYTES = 65536
 DTYPES: Dict[int, np.dtype[Any]] = {
     1: np.dtype(np.uint8),
     2: np.dtype(np.int32),
@@ -71,6 +72,26 @@ class Layout:
         """The fields of a block. They are views: they share its memory, and keep it alive."""
         record = np.ndarray(block.shape[:-1], self._record, block)
         return {name: record[name] for name in self._names}
+
+
+class Supply:
+    """Fresh blocks, one for each observation that is handed out; cheap, because memory is taken for many at a time."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._count = max(1, SUPPLY_BYTES // layout.bytes)
+        self._next = self._count
+
+    def take(self) -> Tuple[int, Observation]:
+        """The address of a new block, and the views of its fields."""
+        if self._next == self._count:
+            blocks = self._layout.new_block(self._count)
+            self._address = blocks.ctypes.data
+            self._fields = list(self._layout.views(blocks).items())
+            self._next = 0
+        index = self._next
+        self._next = index + 1
+        return self._address + index * self._layout.bytes, {name: rows[index] for name, rows in self._fields}
 
 
 def _fields(env: int, count: int) -> List[Field]:

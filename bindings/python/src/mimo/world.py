@@ -127,6 +127,8 @@ class World(Access):
         self.reward = np.zeros(count)
         self._flags = np.zeros((2, count), np.uint8)
         self.terminated, self.truncated = self._flags.view(np.bool_)
+        self._terms: Dict[int, Tuple[Tuple[str, ...], Numbers, int]] = {}
+        self._outcome = (ctypes.c_uint8(), ctypes.c_uint8())
         self._action = np.zeros(len(self.action_names), np.float32)
         self._results = (
             self.reward.ctypes.data,
@@ -156,7 +158,10 @@ class World(Access):
 
     def step_into(self, block: Optional[NDArray[np.uint8]], action: Optional[ArrayLike] = None) -> None:
         """As step, with a block of your own; None skips the senses. Results are in reward, terminated, truncated."""
-        status = _step(self._handle, *self._prepared(action), *self._place(block), *self._results)
+        self._step_at(*self._place(block), action)
+
+    def _step_at(self, address: Optional[int], size: int, action: Optional[ArrayLike]) -> None:
+        status = _step(self._handle, *self._prepared(action), address, size, *self._results)
         if status != 0:
             raise_error(status)
 
@@ -241,28 +246,29 @@ class World(Access):
 
     def reward_terms(self, agent: int = 0) -> Dict[str, float]:
         """The terms of the last step's reward, which is their sum."""
-        names = self._term_names(agent)
-        values = np.empty(len(names))
-        check(LIB.mimo_env_reward_terms(self._handle, agent, values.ctypes.data, len(names)))
+        terms = self._terms.get(agent)
+        if terms is None:
+            names = self._term_names(agent)
+            values = np.zeros(len(names))
+            terms = self._terms[agent] = (names, values, values.ctypes.data)
+        names, values, address = terms
+        check(LIB.mimo_env_reward_terms(self._handle, agent, address, len(names)))
         return dict(zip(names, values.tolist()))
 
     def outcome(self, agent: int = 0) -> Outcome:
         """Success or failure of the last step."""
-        success, failure = ctypes.c_uint8(), ctypes.c_uint8()
+        success, failure = self._outcome
         check(LIB.mimo_env_outcome(self._handle, agent, success, failure))
         return Outcome(success.value != 0, failure.value != 0)
 
     def _term_names(self, agent: int) -> Tuple[str, ...]:
-        known = self.__dict__.setdefault("_terms", {})
-        if agent not in known:
-            count, name = ctypes.c_size_t(), ctypes.c_char_p()
-            check(LIB.mimo_env_reward_term_count(self._handle, agent, count))
-            names = []
-            for index in range(count.value):
-                check(LIB.mimo_env_reward_term_name(self._handle, agent, index, name))
-                names.append(text(name.value))
-            known[agent] = tuple(names)
-        return known[agent]  # type: ignore[no-any-return]
+        count, name = ctypes.c_size_t(), ctypes.c_char_p()
+        check(LIB.mimo_env_reward_term_count(self._handle, agent, count))
+        names = []
+        for index in range(count.value):
+            check(LIB.mimo_env_reward_term_name(self._handle, agent, index, name))
+            names.append(text(name.value))
+        return tuple(names)
 
     # ---- Named access --------------------------------------------------------------------------------------------
 
