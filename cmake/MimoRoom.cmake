@@ -4,12 +4,16 @@
 # link to its folder, and rooms are linked to the rooms they depend on: a header of a room that is not among the
 # dependencies is simply not found. That is how the direction of dependencies is enforced.
 
+# Where the links are. Two builds of one source tree that share them also share what ccache keeps.
+set(MIMO_ROOMS ${PROJECT_BINARY_DIR}/rooms CACHE PATH "Folder of links to the rooms")
+mark_as_advanced(MIMO_ROOMS)
+
 # mimo_room(<name> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>])
 # Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only.
 function(mimo_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "" "DEPENDS;LIBRARIES;SOURCES")
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
-  set(include_dir ${PROJECT_BINARY_DIR}/rooms/${name})
+  set(include_dir ${MIMO_ROOMS}/${name})
   file(MAKE_DIRECTORY ${include_dir})
   file(CREATE_LINK ${folder} ${include_dir}/${name} SYMBOLIC)
 

@@ -1,0 +1,116 @@
+"""MIMo, the multimodal infant model.
+
+    env = mimo.make("reach")                        # a Gymnasium environment
+    envs = mimo.make_vec("reach", num_envs=64)      # many worlds at once
+    world = mimo.World("benchmark")                 # closer to the library: names, contacts, pictures, states
+
+The library's messages go to the logger "mimo".
+"""
+
+from __future__ import annotations
+
+from typing import Any, Union
+
+from ._library import library_path, mujoco_version, version
+from .access import Access, Selection
+from .batch import Batch
+from .constants import (
+    Act,
+    Actuation,
+    Autoreset,
+    Disable,
+    Frame,
+    Jacobian,
+    Kind,
+    Proprioception,
+    Quantity,
+    Shape,
+    Time,
+    Touch,
+    TouchResponse,
+    Vision,
+)
+from .env import Env, register
+from .errors import (
+    ArgumentError,
+    ClosedError,
+    Error,
+    ForkedError,
+    InternalError,
+    ModelError,
+    NotFoundError,
+    OutOfMemoryError,
+    RenderError,
+    SimulationError,
+    UnsupportedError,
+)
+from .layout import Field, Layout, Observation
+from .scene import Scene, scenes, tasks
+from .tasks import Judgement, Task
+from .vector import VectorEnv, make_vec
+from .world import World
+
+__version__ = version()
+
+
+def make(scene: Union[str, Scene] = "benchmark", **options: Any) -> Env:
+    """One world of a scene as a gymnasium.Env; see mimo.Env for the options."""
+    return Env(scene, **options)
+
+
+def __getattr__(name: str) -> Any:
+    if name == "ParallelEnv":  # needs PettingZoo, which is not everybody's
+        from .parallel import ParallelEnv
+
+        return ParallelEnv
+    raise AttributeError(f"module 'mimo' has no attribute {name!r}")
+
+
+register()
+
+__all__ = [
+    "Access",
+    "Act",
+    "Actuation",
+    "ArgumentError",
+    "Autoreset",
+    "Batch",
+    "ClosedError",
+    "Disable",
+    "Env",
+    "Error",
+    "Field",
+    "ForkedError",
+    "Frame",
+    "InternalError",
+    "Jacobian",
+    "Judgement",
+    "Kind",
+    "Layout",
+    "ModelError",
+    "NotFoundError",
+    "Observation",
+    "OutOfMemoryError",
+    "Proprioception",
+    "Quantity",
+    "RenderError",
+    "Scene",
+    "Selection",
+    "Shape",
+    "SimulationError",
+    "Task",
+    "Time",
+    "Touch",
+    "TouchResponse",
+    "UnsupportedError",
+    "VectorEnv",
+    "Vision",
+    "World",
+    "library_path",
+    "make",
+    "make_vec",
+    "mujoco_version",
+    "scenes",
+    "tasks",
+    "version",
+]

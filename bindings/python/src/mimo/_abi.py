@@ -1,0 +1,337 @@
+"""The C API as ctypes sees it: every struct and every function of mimo.h, in the header's order.
+
+A test reads the header and compares; whoever changes mimo.h changes this table.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
+from typing import Any, Dict, List, Tuple
+
+ABI_VERSION = 0
+
+# Pointers to numbers are passed as addresses: numpy arrays own the memory, and the callers here check the types.
+# Pointers to single results are typed, so that ctypes.byref() of the wrong thing is refused.
+_Out_i32 = ctypes.POINTER(c_int32)
+_Out_u8 = ctypes.POINTER(c_uint8)
+_Out_u32 = ctypes.POINTER(c_uint32)
+_Out_size = ctypes.POINTER(c_size_t)
+_Out_f64 = ctypes.POINTER(c_double)
+_Out_text = ctypes.POINTER(c_char_p)
+_Out_handle = ctypes.POINTER(c_void_p)
+_Handle = c_void_p
+_Array = c_void_p
+_status = c_int32
+
+LogFunction = ctypes.CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+
+
+class Struct(ctypes.Structure):
+    """Begins with struct_size, which the constructor fills."""
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(struct_size=ctypes.sizeof(type(self)), **values)
+
+
+class SceneConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+        ("file", c_char_p),
+        ("xml", c_char_p),
+        ("model_dir", c_char_p),
+        ("log", LogFunction),
+        ("log_user", c_void_p),
+    ]
+
+
+class AgentConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("place_given", c_uint32),
+        ("name", c_char_p),
+        ("body", c_char_p),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("proprioception", c_uint32),
+        ("vestibular", c_uint32),
+        ("limit_threshold", c_double),
+        ("vision", c_uint32),
+        ("vision_width", c_uint32),
+        ("vision_height", c_uint32),
+        ("actuation", c_uint32),
+        ("vision_fovy", c_double),
+        ("acts", c_uint32),
+        ("normalize_actions", c_uint32),
+        ("touch", c_uint32),
+        ("touch_response", c_int32),
+        ("touch_frame", c_int32),
+        ("touch_reserved", c_uint32),
+        ("touch_scale", c_double),
+        ("touch_slip_threshold", c_double),
+    ]
+
+
+class ObjectConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("shape", c_int32),
+        ("name", c_char_p),
+        ("size", c_double * 3),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("mass", c_double),
+        ("rgba", c_double * 4),
+        ("fixed", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class Parameter(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+        ("description", c_char_p),
+        ("standard", c_double),
+        ("low", c_double),
+        ("high", c_double),
+    ]
+
+
+class EnvConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("frame_skip", c_uint32),
+        ("jacobian", c_int32),
+        ("disable", c_uint32),
+        ("renderer", c_char_p),
+        ("max_steps", c_uint32),
+        ("timing", c_uint32),
+        ("log", LogFunction),
+        ("log_user", c_void_p),
+        ("task", c_char_p),
+    ]
+
+
+class AgentInfo(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("action_offset", c_uint32),
+        ("action_count", c_uint32),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+        ("mass", c_double),
+        ("height", c_double),
+    ]
+
+
+class Field(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dtype", c_int32),
+        ("name", c_char_p),
+        ("unit", c_char_p),
+        ("frame", c_char_p),
+        ("offset", c_size_t),
+        ("bytes", c_size_t),
+        ("shape", c_size_t * 4),
+        ("ndim", c_uint32),
+        ("time", c_int32),
+        ("low", c_double),
+        ("high", c_double),
+    ]
+
+
+class PictureConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("reserved", c_uint32),
+        ("camera", c_char_p),
+        ("look_at", c_double * 3),
+        ("distance", c_double),
+        ("azimuth", c_double),
+        ("elevation", c_double),
+        ("fovy", c_double),
+    ]
+
+
+class Timing(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("steps", c_uint64),
+        ("total", c_double),
+        ("physics", c_double),
+        ("touch", c_double),
+        ("vision", c_double),
+        ("proprioception", c_double),
+        ("vestibular", c_double),
+    ]
+
+
+class BatchConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("worlds", c_uint32),
+        ("threads", c_uint32),
+        ("autoreset", c_int32),
+        ("restart_failed", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class BatchResults(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("reward", _Array),
+        ("terminated", _Array),
+        ("truncated", _Array),
+        ("agents", c_size_t),
+        ("status", _Array),
+        ("was_reset", _Array),
+        ("final_written", _Array),
+        ("worlds", c_size_t),
+        ("final_blocks", c_void_p),
+        ("final_bytes", c_size_t),
+    ]
+
+
+TaskReset = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, c_size_t, c_size_t, c_void_p)
+TaskEvaluate = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, c_size_t, c_size_t, c_void_p, _Out_f64, _Out_i32)
+
+
+class Task(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("user", c_void_p),
+        ("memory_bytes", c_size_t),
+        ("reset", TaskReset),
+        ("evaluate", TaskEvaluate),
+    ]
+
+
+def _config(struct: Any) -> Any:
+    return ctypes.POINTER(struct)
+
+
+# name: (result, arguments)
+FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
+    "mimo_abi_version": (c_uint32, []),
+    "mimo_version": (c_char_p, []),
+    "mimo_mujoco_version": (c_char_p, []),
+    "mimo_status_name": (c_char_p, [_status]),
+    "mimo_last_error": (c_char_p, []),
+    "mimo_scene_config_init": (_status, [_config(SceneConfig), c_size_t]),
+    "mimo_scene_builtin": (c_char_p, [c_size_t]),
+    "mimo_scene_create": (_status, [_config(SceneConfig), _Out_handle]),
+    "mimo_scene_destroy": (None, [_Handle]),
+    "mimo_agent_config_init": (_status, [_config(AgentConfig), c_size_t]),
+    "mimo_scene_default_agent": (_status, [_Handle, _config(AgentConfig), c_size_t]),
+    "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_i32]),
+    "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
+    "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
+    "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
+    "mimo_scene_xml": (_status, [_Handle, c_char_p, c_size_t, _Out_size]),
+    "mimo_task_name": (c_char_p, [c_size_t]),
+    "mimo_parameter_count": (_status, [_Out_size]),
+    "mimo_parameter_describe": (_status, [c_size_t, _config(Parameter)]),
+    "mimo_scene_set_parameter": (_status, [_Handle, c_char_p, c_double]),
+    "mimo_scene_get_parameter": (_status, [_Handle, c_char_p, _Out_f64]),
+    "mimo_env_config_init": (_status, [_config(EnvConfig), c_size_t]),
+    "mimo_env_create": (_status, [_Handle, _config(EnvConfig), _Out_handle]),
+    "mimo_env_make": (_status, [c_char_p, _Out_handle]),
+    "mimo_env_destroy": (None, [_Handle]),
+    "mimo_env_task": (_status, [_Handle, _Out_text]),
+    "mimo_env_frame_skip": (_status, [_Handle, _Out_u32]),
+    "mimo_env_agent_count": (_status, [_Handle, _Out_size]),
+    "mimo_env_agent": (_status, [_Handle, c_size_t, _config(AgentInfo)]),
+    "mimo_env_observation_size": (_status, [_Handle, _Out_size, _Out_size]),
+    "mimo_env_observation_field": (_status, [_Handle, c_size_t, _config(Field)]),
+    "mimo_env_observation_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
+    "mimo_env_action_size": (_status, [_Handle, _Out_size]),
+    "mimo_env_action_bounds": (_status, [_Handle, _Array, _Array, c_size_t]),
+    "mimo_env_action_name": (_status, [_Handle, c_size_t, _Out_text]),
+    "mimo_env_reset": (_status, [_Handle, _Array, c_void_p, c_size_t]),
+    "mimo_env_step": (
+        _status,
+        [_Handle, _Array, c_size_t, c_void_p, c_size_t, _Array, _Array, _Array, c_size_t],
+    ),
+    "mimo_env_observe": (_status, [_Handle, c_void_p, c_size_t]),
+    "mimo_env_physics_step": (_status, [_Handle, c_size_t]),
+    "mimo_env_time": (_status, [_Handle, _Out_f64]),
+    "mimo_env_timestep": (_status, [_Handle, _Out_f64]),
+    "mimo_env_count": (_status, [_Handle, c_int32, _Out_size]),
+    "mimo_env_find": (_status, [_Handle, c_int32, c_char_p, _Out_i32]),
+    "mimo_env_name": (_status, [_Handle, c_int32, c_int32, _Out_text]),
+    "mimo_env_body_of": (_status, [_Handle, c_int32, c_int32, _Out_i32]),
+    "mimo_env_width": (_status, [_Handle, c_int32, _Array, c_size_t, _Out_size]),
+    "mimo_env_get": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
+    "mimo_env_set": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
+    "mimo_env_update": (_status, [_Handle]),
+    "mimo_env_contacts": (_status, [_Handle, _Array, _Array, c_size_t, _Out_size]),
+    "mimo_env_touch_sensors": (
+        _status,
+        [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
+    ),
+    "mimo_picture_config_init": (_status, [_config(PictureConfig), c_size_t]),
+    "mimo_env_render": (
+        _status,
+        [_Handle, _config(PictureConfig), _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
+    ),
+    "mimo_env_project": (_status, [_Handle, _config(PictureConfig), _Array, c_size_t, _Array]),
+    "mimo_env_timing": (_status, [_Handle, _config(Timing)]),
+    "mimo_env_timing_reset": (_status, [_Handle]),
+    "mimo_env_reward_term_count": (_status, [_Handle, c_size_t, _Out_size]),
+    "mimo_env_reward_term_name": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
+    "mimo_env_reward_terms": (_status, [_Handle, c_size_t, _Array, c_size_t]),
+    "mimo_env_outcome": (_status, [_Handle, c_size_t, _Out_u8, _Out_u8]),
+    "mimo_env_lock": (_status, [_Handle, c_int32, c_double]),
+    "mimo_env_unlock": (_status, [_Handle, c_int32]),
+    "mimo_env_lock_state": (_status, [_Handle, c_int32, _Out_u8, _Out_f64]),
+    "mimo_env_set_gravity": (_status, [_Handle, c_double, c_double, c_double]),
+    "mimo_env_gravity": (_status, [_Handle, _Array, c_size_t]),
+    "mimo_env_state_size": (_status, [_Handle, _Out_size]),
+    "mimo_env_state_save": (_status, [_Handle, c_void_p, c_size_t]),
+    "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t]),
+    "mimo_env_clone": (_status, [_Handle, _Out_handle]),
+    "mimo_batch_config_init": (_status, [_config(BatchConfig), c_size_t]),
+    "mimo_batch_create": (
+        _status,
+        [_Handle, _config(EnvConfig), _config(BatchConfig), _Out_handle],
+    ),
+    "mimo_batch_destroy": (None, [_Handle]),
+    "mimo_batch_size": (_status, [_Handle, _Out_size, _Out_size]),
+    "mimo_batch_world": (_status, [_Handle, c_size_t, _Out_handle]),
+    "mimo_batch_world_error": (_status, [_Handle, c_size_t, _Out_i32, _Out_text]),
+    "mimo_batch_reset": (_status, [_Handle, _Array, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_batch_step": (
+        _status,
+        [_Handle, _Array, c_size_t, c_void_p, c_size_t, _config(BatchResults)],
+    ),
+    "mimo_batch_send": (
+        _status,
+        [_Handle, _Array, c_size_t, c_void_p, c_size_t, _config(BatchResults)],
+    ),
+    "mimo_batch_receive": (_status, [_Handle]),
+    "mimo_batch_observe": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_batch_get": (
+        _status,
+        [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
+    ),
+    "mimo_batch_set": (
+        _status,
+        [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
+    ),
+    "mimo_batch_state_save": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_batch_state_load": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_task_init": (_status, [_config(Task), c_size_t]),
+    "mimo_scene_set_task": (_status, [_Handle, _config(Task)]),
+    "mimo_env_random": (_status, [_Handle, _Array, c_size_t]),
+}

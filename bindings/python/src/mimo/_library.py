@@ -1,0 +1,86 @@
+"""Loads libmimo from this package, once, and turns its status codes into exceptions."""
+
+from __future__ import annotations
+
+import ctypes
+import logging
+import os
+import sys
+from pathlib import Path
+from typing import Any, Optional
+
+from . import _abi
+from .errors import make_error
+
+NATIVE = Path(__file__).resolve().parent / "_native"
+
+_logger = logging.getLogger("mimo")
+_levels = {1: logging.WARNING, 2: logging.INFO}
+
+
+def library_path() -> Path:
+    """The library inside this package; developers can name another in MIMO_LIBRARY."""
+    return Path(os.environ.get("MIMO_LIBRARY") or NATIVE / "libmimo.so.0").resolve()
+
+
+def _load(path: Path) -> Any:
+    if not path.is_file():
+        raise ImportError(
+            f"there is no {path}; install the package with pip, or set MIMO_LIBRARY to the path of libmimo"
+        )
+    # Its own scope (ctypes' default): another MuJoCo in this process neither disturbs nor is disturbed.
+    library = ctypes.CDLL(str(path))
+    for name, (result, arguments) in _abi.FUNCTIONS.items():
+        function = getattr(library, name, None)
+        if function is None:
+            raise ImportError(f"{path} has no {name}; it belongs to another version of this package")
+        function.restype, function.argtypes = result, arguments
+    version = library.mimo_abi_version()
+    if version != _abi.ABI_VERSION:
+        raise ImportError(f"{path} has ABI version {version}, this package needs {_abi.ABI_VERSION}")
+    return library
+
+
+LIB = _load(library_path())
+
+
+def raise_error(status: int) -> None:
+    """Raises what the last failed call on this thread complained about."""
+    raise make_error(status, LIB.mimo_last_error().decode())
+
+
+def check(status: int) -> None:
+    """Raises unless the call succeeded."""
+    if status != 0:
+        raise_error(status)
+
+
+def text(value: Optional[bytes]) -> str:
+    """A string of the library's."""
+    return (value or b"").decode()
+
+
+def utf8(value: Optional[str]) -> Optional[bytes]:
+    """A string for the library. Python would pass an embedded zero on, and C would stop reading there."""
+    if value is None:
+        return None
+    if "\0" in value:
+        raise ValueError(f"{value!r} contains a zero byte")
+    return value.encode()
+
+
+@_abi.LogFunction  # type: ignore[untyped-decorator]
+def log_to_python(_user: Any, level: int, message: bytes) -> None:
+    """Hands the library's messages to the logger "mimo". Lives as long as the process, so no handle can outlive it."""
+    if not sys.is_finalizing():
+        _logger.log(_levels.get(level, logging.INFO), "%s", message.decode(errors="replace"))
+
+
+def version() -> str:
+    """Version of the library, "major.minor.patch"."""
+    return text(LIB.mimo_version())
+
+
+def mujoco_version() -> str:
+    """Version of the MuJoCo that the library runs on."""
+    return text(LIB.mimo_mujoco_version())

@@ -1,0 +1,249 @@
+"""Named access: joints, bodies, ... of one world, or of all worlds of a batch at once.
+
+    hands = world.bodies("left_hand", "right_hand")     # looked up once
+    hands.position                                      # (2, 3); of a batch (worlds, 2, 3)
+    world.joints("robot:left_elbow").position = -0.5
+
+Quantities of one number (an angle, a mass) have no axis of their own: (n,), or (worlds, n). Joints of different kinds
+together give their values one after the other.
+docs/guide/time-and-frames.md says when and in which frame values are true.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, List, Optional, Tuple, Type, TypeVar, Union, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._handle import Handle
+from ._library import LIB, check, text, utf8
+from .constants import Kind, Quantity
+
+Mask = Optional[NDArray[np.bool_]]
+Numbers = NDArray[np.float64]
+S = TypeVar("S", bound="Selection")
+
+
+class Access(Handle):
+    """What worlds and batches have in common: names, and reading and writing by them."""
+
+    _names_handle: int  # of an environment that knows the names
+    _lead: Tuple[int, ...] = ()  # (worlds,) for a batch
+
+    def bodies(self, *names: str) -> "Bodies":
+        """Rigid bodies by name; without names, all of them."""
+        return self._select(Bodies, names)
+
+    def joints(self, *names: str) -> "Joints":
+        """Joints by name; without names, all of them."""
+        return self._select(Joints, names)
+
+    def geoms(self, *names: str) -> "Geoms":
+        """Shapes of bodies by name; without names, all of them."""
+        return self._select(Geoms, names)
+
+    def sites(self, *names: str) -> "Sites":
+        """Marked places on bodies by name; without names, all of them."""
+        return self._select(Sites, names)
+
+    def cameras(self, *names: str) -> "Cameras":
+        """Cameras by name; without names, all of them."""
+        return self._select(Cameras, names)
+
+    def actuators(self, *names: str) -> "Actuators":
+        """Motors by name; without names, all of them."""
+        return self._select(Actuators, names)
+
+    def sensors(self, *names: str) -> "Sensors":
+        """MuJoCo's sensors by name; without names, all of them."""
+        return self._select(Sensors, names)
+
+    def find(self, kind: Kind, name: str) -> int:
+        """The number of something by its name."""
+        found = ctypes.c_int32()
+        check(LIB.mimo_env_find(self._names_handle, kind, utf8(name), found))
+        return found.value
+
+    def name(self, kind: Kind, number: int) -> str:
+        """The name of something, "" where the model gives none."""
+        found = ctypes.c_char_p()
+        check(LIB.mimo_env_name(self._names_handle, kind, number, found))
+        return text(found.value)
+
+    def count(self, kind: Kind) -> int:
+        """How many of a kind there are."""
+        count = ctypes.c_size_t()
+        check(LIB.mimo_env_count(self._names_handle, kind, count))
+        return count.value
+
+    def random(self, count: int, mask: Mask = None) -> Numbers:
+        """Numbers from 0 to 1 from the world's own stream: (count,); of a batch (worlds, count), 0 where mask is False."""
+        raise NotImplementedError
+
+    def _select(self, kind: Type[S], names: Tuple[str, ...]) -> S:
+        ids = [self.find(kind.kind, name) for name in names] or range(self.count(kind.kind))
+        return kind(self, np.array(ids, np.int32))
+
+    def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
+        raise NotImplementedError
+
+    def _write(self, quantity: int, ids: NDArray[np.int32], values: Numbers, mask: Mask) -> None:
+        raise NotImplementedError
+
+
+class Selection:
+    """Some bodies, joints, ...: their numbers in `ids`, their names in `names`."""
+
+    kind: Kind
+
+    def __init__(self, access: Access, ids: NDArray[np.int32]) -> None:
+        self._access = access
+        self._shapes: dict[int, Tuple[Tuple[int, ...], int]] = {}
+        self.ids = ids
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+    @property
+    def names(self) -> List[str]:
+        """Names, in order; "" where the model gives none."""
+        return [self._access.name(self.kind, int(number)) for number in self.ids]
+
+    @property
+    def body_ids(self) -> NDArray[np.int32]:
+        """The body that each belongs to, or the parent of a body."""
+        found = ctypes.c_int32()
+        bodies = []
+        for number in self.ids:
+            check(LIB.mimo_env_body_of(self._access._names_handle, self.kind, int(number), found))
+            bodies.append(found.value)
+        return np.array(bodies, np.int32)
+
+    def write(self, quantity: str, values: ArrayLike, mask: Mask = None) -> None:
+        """As `selection.quantity = values`, but in a batch only in the worlds where mask is True."""
+        attribute = getattr(type(self), quantity, None)
+        if not isinstance(attribute, WritableValues):
+            raise AttributeError(f"{quantity} of {type(self).__name__.lower()} cannot be written")
+        self._set(attribute.quantity, values, mask)
+
+    def _get(self, quantity: Quantity) -> Numbers:
+        shape, _ = self._shape(quantity)
+        values = np.empty(shape)
+        self._access._read(quantity, self.ids, values)
+        return values
+
+    def _set(self, quantity: Quantity, values: ArrayLike, mask: Mask) -> None:
+        shape, _ = self._shape(quantity)
+        whole = np.ascontiguousarray(np.broadcast_to(np.asarray(values, np.float64), shape))
+        self._access._write(quantity, self.ids, whole, mask)
+
+    def _shape(self, quantity: Quantity) -> Tuple[Tuple[int, ...], int]:
+        """Shape of a quantity's values, asked for once."""
+        if quantity not in self._shapes:
+            widths = [self._width(quantity, self.ids[i : i + 1]) for i in range(len(self.ids))]
+            total = sum(widths)
+            same = len(set(widths)) == 1 and widths[0] > 1
+            own = (len(widths), widths[0]) if same else (total,)
+            self._shapes[quantity] = (self._access._lead + own, total)
+        return self._shapes[quantity]
+
+    def _width(self, quantity: Quantity, ids: NDArray[np.int32]) -> int:
+        count = ctypes.c_size_t()
+        check(LIB.mimo_env_width(self._access._names_handle, quantity, ids.ctypes.data, len(ids), count))
+        return count.value
+
+
+class Values:
+    """A quantity that can be read."""
+
+    def __init__(self, quantity: Quantity, doc: str) -> None:
+        self.quantity = quantity
+        self.__doc__ = doc
+
+    @overload
+    def __get__(self: S2, owner: None, kind: Any) -> S2: ...
+
+    @overload
+    def __get__(self, owner: Selection, kind: Any) -> Numbers: ...
+
+    def __get__(self: S2, owner: Optional[Selection], kind: Any) -> Union[S2, Numbers]:
+        return self if owner is None else owner._get(self.quantity)
+
+    def __set__(self, owner: Selection, values: Any) -> None:
+        raise AttributeError(f"{self.quantity.name.lower()} cannot be written")
+
+
+S2 = TypeVar("S2", bound=Values)
+
+
+class WritableValues(Values):
+    """A quantity that can be read and written."""
+
+    def __set__(self, owner: Selection, values: Any) -> None:
+        owner._set(self.quantity, values, None)
+
+
+class Bodies(Selection):
+    """Rigid bodies."""
+
+    kind = Kind.BODY
+    position = WritableValues(Quantity.BODY_POSITION, "Of the frame's origin, world, m. Writable with a free joint.")
+    orientation = WritableValues(Quantity.BODY_ORIENTATION, "Quaternion w x y z. Writable with a free joint.")
+    velocity = Values(Quantity.BODY_VELOCITY, "Linear (m/s) of the origin, angular (rad/s), world frame: 6.")
+    force = WritableValues(Quantity.BODY_FORCE, "Force (N) and torque (Nm) applied by you until changed: 6.")
+    mass = Values(Quantity.BODY_MASS, "kg.")
+    center_of_mass = Values(Quantity.BODY_CENTER_OF_MASS, "Of the body alone, world, m.")
+
+
+class Joints(Selection):
+    """Joints: hinges (1 number), ball joints (4, velocity 3) and free joints (7, velocity 6)."""
+
+    kind = Kind.JOINT
+    position = WritableValues(Quantity.JOINT_POSITION, "rad, m, or quaternion.")
+    velocity = WritableValues(Quantity.JOINT_VELOCITY, "rad/s, m/s.")
+    force = WritableValues(Quantity.JOINT_FORCE, "Generalised force applied by you until changed.")
+    acceleration = Values(Quantity.JOINT_ACCELERATION, "rad/s^2, m/s^2.")
+    range = Values(Quantity.JOINT_RANGE, "Low and high; -inf and inf when not limited.")
+
+
+class Geoms(Selection):
+    """Shapes of bodies."""
+
+    kind = Kind.GEOM
+    position = Values(Quantity.GEOM_POSITION, "World, m.")
+    orientation = Values(Quantity.GEOM_ORIENTATION, "Quaternion w x y z.")
+    size = Values(Quantity.GEOM_SIZE, "Three numbers by shape, m.")
+
+
+class Sites(Selection):
+    """Marked places on bodies."""
+
+    kind = Kind.SITE
+    position = Values(Quantity.SITE_POSITION, "World, m.")
+    orientation = Values(Quantity.SITE_ORIENTATION, "Quaternion w x y z.")
+
+
+class Cameras(Selection):
+    """Cameras; they look along their -z, +y is up in the picture."""
+
+    kind = Kind.CAMERA
+    position = Values(Quantity.CAMERA_POSITION, "World, m.")
+    orientation = Values(Quantity.CAMERA_ORIENTATION, "Quaternion w x y z.")
+
+
+class Actuators(Selection):
+    """Motors."""
+
+    kind = Kind.ACTUATOR
+    control = WritableValues(Quantity.ACTUATOR_CONTROL, "Control input.")
+    force = Values(Quantity.ACTUATOR_FORCE, "N or Nm.")
+    gear = WritableValues(Quantity.ACTUATOR_GEAR, "Torque at control input 1, Nm; outlives resets.")
+
+
+class Sensors(Selection):
+    """MuJoCo's sensors."""
+
+    kind = Kind.SENSOR
+    value = Values(Quantity.SENSOR_VALUE, "In the sensor's unit.")

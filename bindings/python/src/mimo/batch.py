@@ -1,0 +1,272 @@
+"""Many worlds of one scene, stepped by the library's threads. Their arrays are stacked along the first axis."""
+
+from __future__ import annotations
+
+import ctypes
+import weakref
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
+
+from . import _abi
+from ._library import LIB, check, raise_error, text
+from .access import Access, Mask, Numbers
+from .constants import Autoreset
+from .errors import Error, make_error
+from .layout import Observation
+from .options import Options
+from .scene import Scene, prepare
+from .world import World, env_config, seed_number
+
+Seeds = Optional[Union[int, Sequence[int]]]
+
+
+class BatchResult(NamedTuple):
+    """What a step gave, worlds x agents. The arrays belong to the batch and change with its next step."""
+
+    observation: Observation
+    reward: Numbers
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+
+
+class Batch(Access):
+    """Many worlds. World i does exactly what a single World does that is reset with seed i and given the i-th actions.
+
+    `autoreset` says what happens when an episode ends, see mimo.Autoreset. A world whose simulation fails is cut off
+    (truncated) and starts anew unless `restart_failed` is False; otherwise the step raises mimo.SimulationError.
+    """
+
+    def __init__(
+        self,
+        scene: Union[str, Scene] = "benchmark",
+        worlds: int = 1,
+        *,
+        threads: int = 0,
+        autoreset: Autoreset = Autoreset.NONE,
+        restart_failed: bool = True,
+        **options: Unpack[Options],
+    ) -> None:
+        self._scene, self._options = prepare(scene, options)
+        self._settings = {"threads": threads, "autoreset": autoreset, "restart_failed": restart_failed}
+        self._create(worlds)
+        self.world_count = worlds
+        self._lead = (worlds,)
+        # Worlds that are in use keep the batch alive, not the other way round.
+        self._worlds: "weakref.WeakValueDictionary[int, World]" = weakref.WeakValueDictionary()
+        self._names_handle = self._world_handle(0)
+        first = World._of_batch(self._names_handle, self._scene, self._options, None)
+        self.layout, self.agents = first.layout, first.agents
+        self.action_names, self.action_low, self.action_high = first.action_names, first.action_low, first.action_high
+        self._make_arrays()
+        self._in_flight: Tuple[Any, ...] = ()
+
+    def _create(self, worlds: int) -> None:
+        config = _abi.BatchConfig()
+        check(LIB.mimo_batch_config_init(config, ctypes.sizeof(config)))
+        if not 1 <= worlds < 2**32:
+            raise ValueError(f"worlds is {worlds}, expected at least 1")
+        config.worlds, config.threads = worlds, self._settings["threads"]
+        config.autoreset, config.restart_failed = self._settings["autoreset"], self._settings["restart_failed"]
+        handle = ctypes.c_void_p()
+        check(LIB.mimo_batch_create(self._scene._handle, env_config(self._options), config, handle))
+        self._own(handle.value or 0, LIB.mimo_batch_destroy)
+
+    def _make_arrays(self) -> None:
+        worlds, agents = self.world_count, len(self.agents)
+        self.blocks = self.layout.new_block(worlds)
+        self.observation = self.layout.views(self.blocks)
+        self.final_blocks = self.layout.new_block(worlds)
+        self.final_blocks[:] = 0
+        self.reward = np.zeros((worlds, agents))
+        self.terminated = np.zeros((worlds, agents), np.bool_)
+        self.truncated = np.zeros((worlds, agents), np.bool_)
+        self.was_reset = np.zeros(worlds, np.bool_)
+        self.status = np.zeros(worlds, np.int32)
+        self._results = _abi.BatchResults(
+            reward=self.reward.ctypes.data,
+            terminated=self.terminated.ctypes.data,
+            truncated=self.truncated.ctypes.data,
+            agents=worlds * agents,
+            status=self.status.ctypes.data,
+            was_reset=self.was_reset.ctypes.data,
+            worlds=worlds,
+        )
+        if self._settings["autoreset"] == Autoreset.SAME_STEP:
+            self._results.final_blocks = self.final_blocks.ctypes.data
+            self._results.final_bytes = self.final_blocks.nbytes
+
+    @property
+    def threads(self) -> int:
+        """How many threads step the worlds."""
+        threads = ctypes.c_size_t()
+        check(LIB.mimo_batch_size(self._handle, None, threads))
+        return threads.value
+
+    # ---- Stepping ------------------------------------------------------------------------------------------------
+
+    def reset(self, seeds: Seeds = None, mask: Mask = None) -> Observation:
+        """Starts episodes. One seed s means s, s + 1, ...; without, worlds go on with their own random numbers."""
+        self.reset_into(self.blocks, seeds, mask)
+        return self.observation
+
+    def reset_into(self, blocks: Optional[NDArray[np.uint8]], seeds: Seeds = None, mask: Mask = None) -> None:
+        """As reset, with blocks of your own (layout.new_block(worlds)); None skips the senses."""
+        numbers, chosen = self._seeds(seeds), self._mask(mask)
+        count = 0 if numbers is None and chosen is None else self.world_count
+        check(LIB.mimo_batch_reset(self._handle, _data(numbers), _data(chosen), count, *_place(blocks)))
+
+    def step(self, actions: Optional[ArrayLike] = None) -> BatchResult:
+        """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""
+        self.step_into(self.blocks, actions)
+        return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
+
+    def step_into(self, blocks: Optional[NDArray[np.uint8]], actions: Optional[ArrayLike] = None) -> None:
+        """As step, with blocks of your own; None skips the senses."""
+        given = self._actions(actions)
+        self._raise(LIB.mimo_batch_step(self._handle, *_place_of(given), *_place(blocks), self._results))
+
+    def send(self, actions: Optional[ArrayLike] = None, blocks: Optional[NDArray[np.uint8]] = None) -> None:
+        """Starts a step and returns; receive() waits for it. By default it goes to the batch's own blocks."""
+        given = self._actions(actions)
+        given = None if given is None else given.copy()  # the caller may go on writing to it
+        target = self.blocks if blocks is None else blocks
+        check(LIB.mimo_batch_send(self._handle, *_place_of(given), *_place(target), self._results))
+        self._in_flight = (given, target)  # alive until received
+
+    def receive(self) -> BatchResult:
+        """Waits for the step that was sent."""
+        status = LIB.mimo_batch_receive(self._handle)
+        self._in_flight = ()
+        self._raise(status)
+        return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
+
+    def observe_into(self, blocks: NDArray[np.uint8], mask: Mask = None) -> None:
+        """What the senses give for the current states, without changing trajectories."""
+        chosen = self._mask(mask)
+        count = 0 if chosen is None else self.world_count
+        check(LIB.mimo_batch_observe(self._handle, _data(chosen), count, *_place(blocks)))
+
+    def world(self, index: int) -> World:
+        """One world, between the batch's own calls: its contacts, pictures, locks, state."""
+        world = self._worlds.get(index)
+        if world is None:
+            world = World._of_batch(self._world_handle(index), self._scene, self._options, self)
+            self._worlds[index] = world
+        return world
+
+    def error(self, index: int) -> Optional[Error]:
+        """What became of one world in the last call: None, or what went wrong."""
+        status, message = ctypes.c_int32(), ctypes.c_char_p()
+        check(LIB.mimo_batch_world_error(self._handle, index, status, message))
+        return make_error(status.value, text(message.value)) if status.value else None
+
+    def close(self) -> None:
+        """Frees the batch and its worlds; waits for a step that was sent."""
+        super().close()
+        self._in_flight = ()
+
+    # ---- Named access and states ---------------------------------------------------------------------------------
+
+    def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
+        arguments = (quantity, ids.ctypes.data, len(ids), None, 0, values.ctypes.data, values.size)
+        check(LIB.mimo_batch_get(self._handle, *arguments))
+
+    def _write(self, quantity: int, ids: NDArray[np.int32], values: Numbers, mask: Mask) -> None:
+        chosen = self._mask(mask)
+        count = 0 if chosen is None else self.world_count
+        arguments = (quantity, ids.ctypes.data, len(ids), _data(chosen), count, values.ctypes.data, values.size)
+        check(LIB.mimo_batch_set(self._handle, *arguments))
+
+    def random(self, count: int, mask: Mask = None) -> Numbers:
+        """Numbers from 0 to 1, (worlds, count), each world's from its own random stream; 0 where mask is False."""
+        values = np.zeros((self.world_count, count))
+        for index in range(self.world_count) if mask is None else np.flatnonzero(mask):
+            check(LIB.mimo_env_random(self._world_handle(int(index)), values[index].ctypes.data, count))
+        return values
+
+    def save(self) -> List[bytes]:
+        """The states of all worlds."""
+        size = self._state_size()
+        states = ctypes.create_string_buffer(size * self.world_count)
+        check(LIB.mimo_batch_state_save(self._handle, None, 0, states, len(states)))
+        raw = states.raw
+        return [raw[i * size : (i + 1) * size] for i in range(self.world_count)]
+
+    def load(self, states: Union[bytes, Sequence[bytes]], mask: Mask = None) -> None:
+        """Loads one state into each world, or a single one into all: futures of one present."""
+        joined = states if isinstance(states, bytes) else b"".join(states)
+        chosen = self._mask(mask)
+        count = 0 if chosen is None else self.world_count
+        check(LIB.mimo_batch_state_load(self._handle, _data(chosen), count, joined, len(joined)))
+
+    def _state_size(self) -> int:
+        size = ctypes.c_size_t()
+        check(LIB.mimo_env_state_size(self._names_handle, size))
+        return size.value
+
+    def _world_handle(self, index: int) -> int:
+        handle = ctypes.c_void_p()
+        check(LIB.mimo_batch_world(self._handle, index, handle))
+        return handle.value or 0
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "Batch":
+        return _rebuilt(self._scene, self.world_count, {**self._settings, **self._options}, self.save())
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _rebuilt, (self._scene, self.world_count, {**self._settings, **self._options}, self.save())
+
+    # ---- Arguments -----------------------------------------------------------------------------------------------
+
+    def _actions(self, actions: Optional[ArrayLike]) -> Optional[NDArray[np.float32]]:
+        if actions is None:
+            return None
+        given = np.ascontiguousarray(actions, np.float32)
+        shape = (self.world_count, len(self.action_names))
+        if given.shape != shape:
+            raise ValueError(f"actions have the shape {given.shape}, expected {shape}")
+        return given
+
+    def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:
+        if seeds is None:
+            return None
+        numbers = range(int(seeds), int(seeds) + self.world_count) if np.isscalar(seeds) else list(seeds)  # type: ignore[arg-type]
+        if len(numbers) != self.world_count:
+            raise ValueError(f"{len(numbers)} seeds, expected {self.world_count}, one for each world")
+        return np.array([seed_number(int(number)).value for number in numbers], np.uint64)
+
+    def _mask(self, mask: Mask) -> Optional[NDArray[np.uint8]]:
+        if mask is None:
+            return None
+        chosen = np.ascontiguousarray(mask, np.bool_)
+        if chosen.shape != self._lead:
+            raise ValueError(f"the mask has the shape {chosen.shape}, expected {self._lead}, one for each world")
+        return chosen.view(np.uint8)
+
+    def _raise(self, status: int) -> None:
+        if status != 0:
+            raise_error(status)
+
+
+def _rebuilt(scene: Scene, worlds: int, options: Dict[str, Any], states: Sequence[bytes]) -> Batch:
+    batch = Batch(scene, worlds, **options)
+    batch.load(states)
+    return batch
+
+
+def _data(array: Optional[NDArray[Any]]) -> Optional[int]:
+    return None if array is None else array.ctypes.data
+
+
+def _place(blocks: Optional[NDArray[np.uint8]]) -> Tuple[Optional[int], int]:
+    if blocks is None:
+        return None, 0
+    if blocks.dtype != np.uint8 or not blocks.flags.c_contiguous or not blocks.flags.writeable:
+        raise ValueError("blocks: expected a contiguous, writable array of uint8, as layout.new_block(worlds) gives it")
+    return blocks.ctypes.data, blocks.nbytes
+
+
+def _place_of(actions: Optional[NDArray[np.float32]]) -> Tuple[Optional[int], int]:
+    return (None, 0) if actions is None else (actions.ctypes.data, actions.size)

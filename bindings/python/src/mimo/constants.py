@@ -1,0 +1,155 @@
+"""The constants of mimo.h, as enums. A test compares them with the header."""
+
+from __future__ import annotations
+
+from enum import IntEnum, IntFlag
+
+
+class Proprioception(IntFlag):
+    """What the joints tell."""
+
+    VELOCITY = 0x01
+    TORQUE = 0x02
+    LIMIT = 0x04
+    ACTUATION = 0x08
+    JOINT_TORQUE = 0x10
+    POSITION = 0x20
+    DEFAULT = 0x2F
+    ALL = 0x3F
+
+
+class Vision(IntFlag):
+    """What both eyes give."""
+
+    RGB = 0x01
+    DEPTH = 0x02
+    SEGMENTATION = 0x04
+
+
+class Actuation(IntEnum):
+    """What an action is: a motor's share of its largest torque, or the angle at which a joint is to be."""
+
+    TORQUE = 0
+    POSITION = 1
+
+
+class Act(IntFlag):
+    """Parts of the body that have motors."""
+
+    TRUNK = 0x01
+    HEAD = 0x02
+    EYES = 0x04
+    RIGHT_ARM = 0x08
+    LEFT_ARM = 0x10
+    RIGHT_HAND = 0x20
+    LEFT_HAND = 0x40
+    RIGHT_LEG = 0x80
+    LEFT_LEG = 0x100
+    RIGHT_FOOT = 0x200
+    LEFT_FOOT = 0x400
+    ALL = 0x7FF
+    NONE = 0x80000000
+
+
+class Touch(IntFlag):
+    """What the skin tells."""
+
+    FORCE = 0x1
+    NORMAL_FORCE = 0x2
+    SLIP = 0x4
+    FRICTION_USE = 0x8
+
+
+class TouchResponse(IntEnum):
+    """Who feels how much of a touch."""
+
+    NEAREST = 1
+    LINEAR = 2
+    GAUSSIAN = 3
+
+
+class Frame(IntEnum):
+    """Frame of reference of touch forces."""
+
+    BODY = 1
+    WORLD = 2
+    SKIN = 3
+
+
+class Shape(IntEnum):
+    """Shapes of objects, and what their size is."""
+
+    SPHERE = 1  # radius
+    CAPSULE = 2  # radius, half length of the cylindrical part
+    ELLIPSOID = 3  # three radii
+    CYLINDER = 4  # radius, half length
+    BOX = 5  # three half lengths
+
+
+class Jacobian(IntEnum):
+    """How MuJoCo solves: the same solution to rounding, sparse is faster."""
+
+    MODEL = 0
+    DENSE = 1
+    SPARSE = 2
+
+
+class Disable(IntFlag):
+    """Parts of physics to leave out."""
+
+    CONTACT = 0x1
+    GRAVITY = 0x2
+
+
+class Time(IntEnum):
+    """When a field was true: at the end of the step, or at the start of its last physics step."""
+
+    AT_END = 1
+    AT_LAST_START = 2
+
+
+class Kind(IntEnum):
+    """What a name belongs to."""
+
+    BODY = 1
+    JOINT = 2
+    GEOM = 3
+    SITE = 4
+    CAMERA = 5
+    ACTUATOR = 6
+    SENSOR = 7
+
+
+class Quantity(IntEnum):
+    """What can be read, and in part written, by name."""
+
+    JOINT_POSITION = 1
+    JOINT_VELOCITY = 2
+    JOINT_FORCE = 3
+    JOINT_ACCELERATION = 4
+    JOINT_RANGE = 5
+    BODY_POSITION = 6
+    BODY_ORIENTATION = 7
+    BODY_VELOCITY = 8
+    BODY_FORCE = 9
+    BODY_MASS = 10
+    BODY_CENTER_OF_MASS = 11
+    GEOM_POSITION = 12
+    GEOM_ORIENTATION = 13
+    GEOM_SIZE = 14
+    SITE_POSITION = 15
+    SITE_ORIENTATION = 16
+    CAMERA_POSITION = 17
+    CAMERA_ORIENTATION = 18
+    ACTUATOR_CONTROL = 19
+    ACTUATOR_FORCE = 20
+    SENSOR_VALUE = 21
+    ACTUATOR_GEAR = 22
+
+
+class Autoreset(IntEnum):
+    """What a batch does when an episode ends; the modes of Gymnasium's vector environments."""
+
+    NONE = 0
+    NEXT_STEP = 1
+    SAME_STEP = 2

@@ -1,0 +1,78 @@
+"""Stable-Baselines3: many worlds as its VecEnv. Needs the extra [train]."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, Union
+
+import gymnasium
+import numpy as np
+from numpy.typing import NDArray
+from stable_baselines3.common.vec_env.base_vec_env import VecEnv
+
+from .scene import Scene
+from .vector import VectorEnv
+
+
+class SB3VecEnv(VecEnv):
+    """Takes what mimo.make_vec takes: SB3VecEnv("reach", 16). Seeds are given by seed() before a reset, as SB3 does."""
+
+    def __init__(self, scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **options: Any) -> None:
+        self.envs = VectorEnv(scene, num_envs, autoreset_mode="SameStep", **options)
+        self.render_mode = self.envs.render_mode
+        super().__init__(num_envs, self.envs.single_observation_space, self.envs.single_action_space)
+        self.metadata = self.envs.metadata
+
+    def reset(self) -> Any:
+        """Starts an episode in all worlds."""
+        seed = self._seeds[0] if self._seeds else None
+        observation, _ = self.envs.reset(seed=seed)
+        self._reset_seeds()
+        self._reset_options()
+        self.reset_infos: List[Dict[str, Any]] = [{} for _ in range(self.num_envs)]
+        return observation
+
+    def step_async(self, actions: NDArray[Any]) -> None:
+        """Starts a step."""
+        self.envs.send(actions)
+
+    def step_wait(self) -> Tuple[Any, NDArray[Any], NDArray[Any], List[Dict[str, Any]]]:
+        """Waits for the step."""
+        observation, reward, terminated, truncated, infos = self.envs.receive()
+        done = terminated | truncated
+        listed: List[Dict[str, Any]] = [{"TimeLimit.truncated": False} for _ in range(self.num_envs)]
+        for index in np.flatnonzero(done):
+            listed[index] = {
+                "TimeLimit.truncated": bool(truncated[index] and not terminated[index]),
+                "terminal_observation": infos["final_obs"][index],
+                "is_success": bool(infos["is_success"][index]),
+            }
+        return observation, reward.astype(np.float32), done, listed
+
+    def close(self) -> None:
+        """Closes all worlds."""
+        self.envs.close()
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> List[Any]:
+        """An attribute of the environment; the same for all worlds."""
+        return [getattr(self.envs, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        """Sets an attribute of the environment; for all worlds at once."""
+        if len(list(self._get_indices(indices))) != self.num_envs:
+            raise ValueError("the worlds of a batch share their attributes; set them for all")
+        setattr(self.envs, attr_name, value)
+
+    def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> List[Any]:
+        """Calls a method of single worlds (mimo.World)."""
+        chosen = self._get_indices(indices)
+        return [getattr(self.envs.batch.world(i), method_name)(*method_args, **method_kwargs) for i in chosen]
+
+    def env_is_wrapped(
+        self, wrapper_class: Type[gymnasium.Wrapper[Any, Any, Any, Any]], indices: Any = None
+    ) -> List[bool]:
+        """Worlds are never wrapped."""
+        return [False] * len(list(self._get_indices(indices)))
+
+    def get_images(self) -> Sequence[Optional[NDArray[np.uint8]]]:
+        """One picture a world."""
+        return list(self.envs.render() or [None] * self.num_envs)

@@ -1,0 +1,205 @@
+"""Scenes: a room, objects and infants, from which worlds are made."""
+
+from __future__ import annotations
+
+import copy
+import ctypes
+import os
+from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, Optional, Tuple, Union
+
+from typing_extensions import Unpack
+
+from . import _abi
+from ._handle import Handle
+from ._library import LIB, check, log_to_python, text, utf8
+from .options import AGENT_OPTIONS, WORLD_OPTIONS, AgentOptions, ObjectOptions, Options, fill
+
+_Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
+
+
+def scenes() -> List[str]:
+    """Names of the built-in scenes."""
+    return _names(LIB.mimo_scene_builtin)
+
+
+def tasks() -> List[str]:
+    """Names of the built-in tasks."""
+    return _names(LIB.mimo_task_name)
+
+
+def _names(by_index: Any) -> List[str]:
+    names: List[str] = []
+    while (name := by_index(len(names))) is not None:
+        names.append(text(name))
+    return names
+
+
+class Scene(Handle):
+    """A description of what is to be simulated.
+
+    Starts from a built-in scene, an MJCF file, an MJCF text, or (without arguments) from an empty world. Infants and
+    objects are then added. Worlds made from it keep what they were made of: it may be changed or closed afterwards.
+    Scenes can be pickled and copied; a file is then read again.
+    """
+
+    def __init__(
+        self,
+        name: Optional[str] = None,
+        *,
+        file: Optional[Union[str, "os.PathLike[str]"]] = None,
+        xml: Optional[str] = None,
+        model_dir: Optional[Union[str, "os.PathLike[str]"]] = None,
+    ) -> None:
+        self._start = {
+            "name": name,
+            "file": None if file is None else os.path.abspath(file),
+            "xml": xml,
+            "model_dir": None if model_dir is None else os.path.abspath(model_dir),
+        }
+        self._steps: List[_Step] = []
+        self._agents = 0
+        config = _abi.SceneConfig()
+        check(LIB.mimo_scene_config_init(config, ctypes.sizeof(config)))
+        for key, value in self._start.items():
+            setattr(config, key, utf8(value))
+        config.log = log_to_python
+        handle = ctypes.c_void_p()
+        check(LIB.mimo_scene_create(config, handle))
+        self._own(handle.value or 0, LIB.mimo_scene_destroy)
+
+    def add_agent(self, **options: Unpack[AgentOptions]) -> int:
+        """Adds an infant and returns its number; what is not given is as the scene's task wants it."""
+        config = _abi.AgentConfig()
+        check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
+        standard = {key: getattr(config, key) for key in ("proprioception", "vision", "touch")}
+        check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
+        fill(config, options, standard)
+        if "position" in options or "orientation" in options:
+            config.place_given = 1
+        number = ctypes.c_int32()
+        check(LIB.mimo_scene_add_agent(self._handle, config, number))
+        self._agents += 1
+        self._remember("add_agent", **options)
+        return number.value
+
+    def set_touch(self, body: Optional[str], spacing: float, agent: int = 0) -> None:
+        """Sets the distance (m) between the touch sensors of a part of the body; 0: no skin there; None: everywhere."""
+        check(LIB.mimo_scene_set_touch(self._handle, agent, utf8(body), spacing))
+        self._remember("set_touch", body, spacing, agent)
+
+    def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
+        """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
+        config = _abi.ObjectConfig()
+        check(LIB.mimo_object_config_init(config, ctypes.sizeof(config)))
+        fill(config, {**options, "name": name}, {})
+        check(LIB.mimo_scene_add_object(self._handle, config))
+        self._remember("add_object", name, **options)
+
+    @property
+    def parameters(self) -> "Parameters":
+        """The numbers by which tasks can be changed: scene.parameters["reach/success_reward"] = 10."""
+        return Parameters(self)
+
+    @property
+    def xml(self) -> str:
+        """The whole scene as one MJCF document, as MuJoCo will compile it."""
+        length = ctypes.c_size_t()
+        check(LIB.mimo_scene_xml(self._handle, None, 0, length))
+        buffer = ctypes.create_string_buffer(length.value + 1)
+        check(LIB.mimo_scene_xml(self._handle, buffer, len(buffer), None))
+        return text(buffer.value)
+
+    @property
+    def agent_count(self) -> int:
+        """How many infants were added."""
+        return self._agents
+
+    def copy(self) -> "Scene":
+        """Another scene, made by the same calls."""
+        return copy.deepcopy(self)
+
+    def _set_parameter(self, name: str, value: float) -> None:
+        check(LIB.mimo_scene_set_parameter(self._handle, utf8(name), value))
+        self._remember("_set_parameter", name, value)
+
+    def _remember(self, method: str, *arguments: Any, **options: Any) -> None:
+        self._steps.append((method, arguments, options))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _rebuilt, (self._start, copy.deepcopy(self._steps))
+
+
+def _rebuilt(start: Dict[str, Any], steps: List[_Step]) -> Scene:
+    scene = Scene(**start)
+    for method, arguments, options in steps:
+        getattr(scene, method)(*arguments, **options)
+    return scene
+
+
+class Parameters(MutableMapping[str, float]):
+    """The parameters of a scene's tasks, by name. They count for worlds made from now on."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
+
+    def __getitem__(self, name: str) -> float:
+        value = ctypes.c_double()
+        check(LIB.mimo_scene_get_parameter(self._scene._handle, utf8(name), value))
+        return value.value
+
+    def __setitem__(self, name: str, value: float) -> None:
+        self._scene._set_parameter(name, value)
+
+    def __delitem__(self, name: str) -> None:
+        raise TypeError("parameters cannot be removed")
+
+    def __iter__(self) -> Iterator[str]:
+        return (text(described.name) for described in map(_described, range(len(self))))
+
+    def __len__(self) -> int:
+        count = ctypes.c_size_t()
+        check(LIB.mimo_parameter_count(count))
+        return count.value
+
+    def describe(self, name: str) -> str:
+        """One line about a parameter: what it is, its default and its range."""
+        for index in range(len(self)):
+            it = _described(index)
+            if text(it.name) == name:
+                return f"{text(it.description)} (default {it.standard:g}, {it.low:g} to {it.high:g})"
+        self[name]  # raises with the names that are there
+        raise AssertionError(name)
+
+
+def _described(index: int) -> _abi.Parameter:
+    parameter = _abi.Parameter()
+    check(LIB.mimo_parameter_describe(index, parameter))
+    return parameter
+
+
+def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str, Any]]:
+    """A scene with its infants, and what is left of the options for the worlds made of it."""
+    agent, world, parameters = _sorted(options)
+    if isinstance(scene, Scene):
+        if agent:
+            raise TypeError(f"{', '.join(agent)}: of a scene of your own, give these to its add_agent")
+        return _with_parameters(scene.copy(), parameters), world
+    made = Scene(scene)
+    made.add_agent(**agent)
+    return _with_parameters(made, parameters), world
+
+
+def _sorted(options: Mapping[str, Any]) -> Tuple[Dict[str, Any], Dict[str, Any], Mapping[str, float]]:
+    unknown = options.keys() - AGENT_OPTIONS - WORLD_OPTIONS - {"parameters"}
+    if unknown:
+        known = ", ".join(sorted(AGENT_OPTIONS | WORLD_OPTIONS))
+        raise TypeError(f"no option {', '.join(sorted(unknown))}; there are: parameters, {known}")
+    agent = {key: value for key, value in options.items() if key in AGENT_OPTIONS}
+    world = {key: value for key, value in options.items() if key in WORLD_OPTIONS}
+    return agent, world, options.get("parameters", {})
+
+
+def _with_parameters(scene: Scene, parameters: Mapping[str, float]) -> Scene:
+    for name, value in parameters.items():
+        scene.parameters[name] = value
+    return scene

@@ -1,0 +1,441 @@
+"""One simulated world: the C API's environment, with numpy arrays."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
+
+from . import _abi
+from ._library import LIB, check, log_to_python, raise_error, text
+from .access import Access, Mask, Numbers
+from .constants import Kind
+from .layout import Layout, Observation
+from .options import Options, PictureOptions, fill
+from .scene import Scene, prepare
+
+_step = LIB.mimo_env_step
+
+
+@dataclass(frozen=True)
+class Agent:
+    """What is to be known of one infant of a world."""
+
+    name: str  # "" for a sole one
+    actions: slice  # its part of the action array
+    mass: float  # kg
+    height: float  # vertical extent in the initial pose, m
+
+
+class StepResult(NamedTuple):
+    """What a step gave, one entry for each agent. The arrays belong to the world and change with its next step."""
+
+    observation: Observation
+    reward: Numbers
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+
+
+class Contacts(NamedTuple):
+    """Contacts, one a row; frames, forces and torques as mimo.h explains at MIMO_CONTACT_VALUES."""
+
+    geoms: NDArray[np.int32]  # n x 2
+    bodies: NDArray[np.int32]  # n x 2
+    position: Numbers  # n x 3, world, m
+    frame: Numbers  # n x 3 x 3, rows: normal from geom 1 to geom 2, two tangents
+    distance: Numbers  # n, negative: overlap
+    force: Numbers  # n x 3, on body 2, in the contact's frame, N
+    torque: Numbers  # n x 3
+
+
+class TouchSensors(NamedTuple):
+    """The touch sensors of an agent, in the order of its touch fields."""
+
+    bodies: NDArray[np.int32]  # n
+    geoms: NDArray[np.int32]  # n
+    position: Numbers  # n x 3, in the frame of the sensor's body, m
+    frame: Numbers  # n x 3 x 3, rows: outward normal, two tangents, in the frame of the body
+
+
+class Outcome(NamedTuple):
+    """Whether an agent's last step was a success or a failure, also where that does not end the episode."""
+
+    success: bool
+    failure: bool
+
+
+class Picture(NamedTuple):
+    """A drawing of the world."""
+
+    rgb: NDArray[np.uint8]  # height x width x 3
+    depth: NDArray[np.float32]  # height x width, m along the camera's axis
+    segmentation: NDArray[np.int32]  # height x width, geom ids, -1: background
+
+
+def env_config(options: Dict[str, Any]) -> _abi.EnvConfig:
+    """The C struct of a world's options."""
+    config = _abi.EnvConfig()
+    check(LIB.mimo_env_config_init(config, ctypes.sizeof(config)))
+    config.log = log_to_python
+    fill(config, options, {})
+    return config
+
+
+def seed_number(seed: int) -> ctypes.c_uint64:
+    """A seed for the library; ctypes would silently take it modulo 2^64."""
+    if not 0 <= seed < 2**64:
+        raise ValueError(f"seed is {seed}, expected 0 to 2^64 - 1")
+    return ctypes.c_uint64(seed)
+
+
+class World(Access):
+    """One world with its infants, their senses and a task.
+
+    `World("reach", vision=False)` makes it of a built-in scene with one infant, `World(scene)` of a scene of your own.
+    Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
+    """
+
+    def __init__(self, scene: Union[str, Scene] = "benchmark", **options: Unpack[Options]) -> None:
+        made, rest = prepare(scene, options)
+        handle = ctypes.c_void_p()
+        check(LIB.mimo_env_create(made._handle, env_config(rest), handle))
+        self._own(handle.value or 0, LIB.mimo_env_destroy)
+        self._describe(made, rest, None)
+
+    @classmethod
+    def _of_batch(cls, handle: int, scene: Scene, options: Dict[str, Any], batch: Any) -> "World":
+        """A world that belongs to a batch, which it keeps alive."""
+        world = cls.__new__(cls)
+        world._borrow(handle)
+        world._describe(scene, options, batch)
+        return world
+
+    def _describe(self, scene: Scene, options: Dict[str, Any], owner: Any) -> None:
+        self._scene, self._options, self._owner = scene, options, owner
+        handle = self._names_handle = self._handle
+        self.layout = Layout(handle)
+        self.agents = _agents(handle)
+        self.action_names = _action_names(handle)
+        self.action_low, self.action_high = _action_bounds(handle, len(self.action_names))
+        count = len(self.agents)
+        self.block = self.layout.new_block()
+        self.observation = self.layout.views(self.block)
+        self.reward = np.zeros(count)
+        self._flags = np.zeros((2, count), np.uint8)
+        self.terminated, self.truncated = self._flags.view(np.bool_)
+        self._terms: Dict[int, Tuple[Tuple[str, ...], Numbers, int]] = {}
+        self._outcome = (ctypes.c_uint8(), ctypes.c_uint8())
+        self._action = np.zeros(len(self.action_names), np.float32)
+        self._results = (
+            self.reward.ctypes.data,
+            self._flags[0].ctypes.data,
+            self._flags[1].ctypes.data,
+            count,
+        )
+        self._action_place = (self._action.ctypes.data, len(self._action))
+        self._block_place = (self.block.ctypes.data, self.layout.bytes)
+
+    # ---- Stepping ------------------------------------------------------------------------------------------------
+
+    def reset(self, seed: Optional[int] = None) -> Observation:
+        """Starts an episode; without a seed the world goes on with its own random numbers."""
+        self.reset_into(self.block, seed)
+        return self.observation
+
+    def reset_into(self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None) -> None:
+        """As reset, with a block of your own (layout.new_block()); None skips the senses."""
+        number = None if seed is None else ctypes.byref(seed_number(seed))
+        check(LIB.mimo_env_reset(self._handle, number, *self._place(block)))
+
+    def step(self, action: Optional[ArrayLike] = None) -> StepResult:
+        """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
+        self.step_into(self.block, action)
+        return StepResult(self.observation, self.reward, self.terminated, self.truncated)
+
+    def step_into(self, block: Optional[NDArray[np.uint8]], action: Optional[ArrayLike] = None) -> None:
+        """As step, with a block of your own; None skips the senses. Results are in reward, terminated, truncated."""
+        self._step_at(*self._place(block), action)
+
+    def _step_at(self, address: Optional[int], size: int, action: Optional[ArrayLike]) -> None:
+        status = _step(self._handle, *self._prepared(action), address, size, *self._results)
+        if status != 0:
+            raise_error(status)
+
+    def observe(self) -> Observation:
+        """What the senses give for the current state, without changing the trajectory."""
+        self.observe_into(self.block)
+        return self.observation
+
+    def observe_into(self, block: NDArray[np.uint8]) -> None:
+        """As observe, with a block of your own."""
+        check(LIB.mimo_env_observe(self._handle, *self._place(block)))
+
+    def physics_step(self, count: int = 1) -> None:
+        """Bare physics: physics steps with the controls as they are, without senses or task."""
+        check(LIB.mimo_env_physics_step(self._handle, count))
+
+    def update(self) -> None:
+        """Recomputes poses from the current joint positions."""
+        check(LIB.mimo_env_update(self._handle))
+
+    def _prepared(self, action: Optional[ArrayLike]) -> Tuple[Optional[int], int]:
+        if action is None:
+            return None, 0
+        try:
+            self._action[...] = action
+        except ValueError as error:
+            raise ValueError(f"action: {error}; expected {len(self._action)} numbers") from None
+        return self._action_place
+
+    def _place(self, block: Optional[NDArray[np.uint8]]) -> Tuple[Optional[int], int]:
+        if block is self.block:
+            return self._block_place
+        if block is None:
+            return None, 0
+        if block.dtype != np.uint8 or not block.flags.c_contiguous or not block.flags.writeable:
+            raise ValueError("block: expected a contiguous, writable array of uint8, as layout.new_block() gives it")
+        return block.ctypes.data, block.nbytes
+
+    # ---- What it is ----------------------------------------------------------------------------------------------
+
+    @property
+    def task(self) -> str:
+        """Name of the task."""
+        name = ctypes.c_char_p()
+        check(LIB.mimo_env_task(self._handle, name))
+        return text(name.value)
+
+    @property
+    def frame_skip(self) -> int:
+        """Physics steps in a step."""
+        count = ctypes.c_uint32()
+        check(LIB.mimo_env_frame_skip(self._handle, count))
+        return count.value
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the reset."""
+        return self._number(LIB.mimo_env_time)
+
+    @property
+    def timestep(self) -> float:
+        """Length of one physics step, s."""
+        return self._number(LIB.mimo_env_timestep)
+
+    @property
+    def timing(self) -> Dict[str, float]:
+        """Where the time of steps went, in seconds; needs the option timing=True."""
+        timing = _abi.Timing()
+        check(LIB.mimo_env_timing(self._handle, timing))
+        return {name: getattr(timing, name) for name, *_ in timing._fields_[2:]}
+
+    def reset_timing(self) -> None:
+        """Starts counting anew."""
+        check(LIB.mimo_env_timing_reset(self._handle))
+
+    def _number(self, function: Any) -> float:
+        value = ctypes.c_double()
+        check(function(self._handle, value))
+        return value.value
+
+    # ---- Rewards -------------------------------------------------------------------------------------------------
+
+    def reward_terms(self, agent: int = 0) -> Dict[str, float]:
+        """The terms of the last step's reward, which is their sum."""
+        terms = self._terms.get(agent)
+        if terms is None:
+            names = self._term_names(agent)
+            values = np.zeros(len(names))
+            terms = self._terms[agent] = (names, values, values.ctypes.data)
+        names, values, address = terms
+        check(LIB.mimo_env_reward_terms(self._handle, agent, address, len(names)))
+        return dict(zip(names, values.tolist()))
+
+    def outcome(self, agent: int = 0) -> Outcome:
+        """Success or failure of the last step."""
+        success, failure = self._outcome
+        check(LIB.mimo_env_outcome(self._handle, agent, success, failure))
+        return Outcome(success.value != 0, failure.value != 0)
+
+    def _term_names(self, agent: int) -> Tuple[str, ...]:
+        count, name = ctypes.c_size_t(), ctypes.c_char_p()
+        check(LIB.mimo_env_reward_term_count(self._handle, agent, count))
+        names = []
+        for index in range(count.value):
+            check(LIB.mimo_env_reward_term_name(self._handle, agent, index, name))
+            names.append(text(name.value))
+        return tuple(names)
+
+    # ---- Named access --------------------------------------------------------------------------------------------
+
+    def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
+        check(LIB.mimo_env_get(self._handle, quantity, ids.ctypes.data, len(ids), values.ctypes.data, values.size))
+
+    def _write(self, quantity: int, ids: NDArray[np.int32], values: Numbers, mask: Mask) -> None:
+        if mask is not None:
+            raise ValueError("mask: there is only one world")
+        check(LIB.mimo_env_set(self._handle, quantity, ids.ctypes.data, len(ids), values.ctypes.data, values.size))
+
+    def random(self, count: int, mask: Mask = None) -> Numbers:
+        """Numbers from 0 to 1 from the world's own random stream, which is part of its state."""
+        if mask is not None:
+            raise ValueError("mask: there is only one world")
+        values = np.empty(count)
+        check(LIB.mimo_env_random(self._handle, values.ctypes.data, count))
+        return values
+
+    def contacts(self) -> Contacts:
+        """The contacts that the last physics step computed, or the reset."""
+        count = ctypes.c_size_t()
+        check(LIB.mimo_env_contacts(self._handle, None, None, 0, count))
+        n = count.value
+        ids, values = np.empty((n, 4), np.int32), np.empty((n, 19))
+        check(LIB.mimo_env_contacts(self._handle, ids.ctypes.data, values.ctypes.data, n, count))
+        return Contacts(
+            geoms=ids[:, :2],
+            bodies=ids[:, 2:],
+            position=values[:, :3],
+            frame=values[:, 3:12].reshape(n, 3, 3),
+            distance=values[:, 12],
+            force=values[:, 13:16],
+            torque=values[:, 16:],
+        )
+
+    def touch_sensors(self, agent: int = 0) -> TouchSensors:
+        """Where an infant's skin feels; empty where touch is off."""
+        count = ctypes.c_size_t()
+        check(LIB.mimo_env_touch_sensors(self._handle, agent, None, None, None, None, 0, count))
+        n = count.value
+        bodies, geoms = np.empty(n, np.int32), np.empty(n, np.int32)
+        position, frame = np.empty((n, 3)), np.empty((n, 3, 3))
+        places = [array.ctypes.data for array in (bodies, geoms, position, frame)]
+        check(LIB.mimo_env_touch_sensors(self._handle, agent, *places, n, count))
+        return TouchSensors(bodies, geoms, position, frame)
+
+    def lock(self, joint: str, angle: float) -> None:
+        """Holds a joint at an angle (rad), softly, from the next step on; outlives resets."""
+        check(LIB.mimo_env_lock(self._handle, self.find(Kind.JOINT, joint), angle))
+
+    def unlock(self, joint: str) -> None:
+        """Lets a joint go, also one that the scene has locked."""
+        check(LIB.mimo_env_unlock(self._handle, self.find(Kind.JOINT, joint)))
+
+    def locked(self, joint: str) -> Optional[float]:
+        """The angle at which a joint is held, or None."""
+        locked, angle = ctypes.c_uint8(), ctypes.c_double()
+        check(LIB.mimo_env_lock_state(self._handle, self.find(Kind.JOINT, joint), locked, angle))
+        return angle.value if locked.value else None
+
+    @property
+    def gravity(self) -> Numbers:
+        """Gravity, m/s^2, world frame; writable, and outlives resets."""
+        xyz = np.empty(3)
+        check(LIB.mimo_env_gravity(self._handle, xyz.ctypes.data, 3))
+        return xyz
+
+    @gravity.setter
+    def gravity(self, xyz: ArrayLike) -> None:
+        x, y, z = np.asarray(xyz, np.float64)
+        check(LIB.mimo_env_set_gravity(self._handle, x, y, z))
+
+    # ---- Pictures ------------------------------------------------------------------------------------------------
+
+    def render(self, **picture: Unpack[PictureOptions]) -> NDArray[np.uint8]:
+        """Draws the current state: height x width x 3, row 0 is the top. By default 640 x 480 of the infant's front."""
+        config = _picture_config(picture)
+        rgb = np.empty((config.height, config.width, 3), np.uint8)
+        check(LIB.mimo_env_render(self._handle, config, rgb.ctypes.data, rgb.size, None, 0, None, 0))
+        return rgb
+
+    def draw(self, **picture: Unpack[PictureOptions]) -> Picture:
+        """As render, with depth and the geom seen in each pixel."""
+        config = _picture_config(picture)
+        size = (config.height, config.width)
+        drawn = Picture(np.empty((*size, 3), np.uint8), np.empty(size, np.float32), np.empty(size, np.int32))
+        places = [part for array in drawn for part in (array.ctypes.data, array.size)]
+        check(LIB.mimo_env_render(self._handle, config, *places))
+        return drawn
+
+    def project(self, points: ArrayLike, **picture: Unpack[PictureOptions]) -> Numbers:
+        """Where points of the world (n x 3, m) lie in such a picture: pixels right, pixels down, depth in m (n x 3)."""
+        places = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
+        pixels = np.empty_like(places)
+        config = _picture_config(picture)
+        check(LIB.mimo_env_project(self._handle, config, places.ctypes.data, len(places), pixels.ctypes.data))
+        return pixels
+
+    # ---- State ---------------------------------------------------------------------------------------------------
+
+    def save(self) -> bytes:
+        """Everything that the world's future depends on, as bytes."""
+        size = ctypes.c_size_t()
+        check(LIB.mimo_env_state_size(self._handle, size))
+        state = ctypes.create_string_buffer(size.value)
+        check(LIB.mimo_env_state_save(self._handle, state, size.value))
+        return state.raw
+
+    def load(self, state: bytes) -> None:
+        """Goes on from a state, exactly as the world that saved it."""
+        check(LIB.mimo_env_state_load(self._handle, state, len(state)))
+
+    def clone(self) -> "World":
+        """Another world of the same scene and options, in the same state. The model is shared."""
+        handle = ctypes.c_void_p()
+        check(LIB.mimo_env_clone(self._handle, handle))
+        world = World.__new__(World)
+        world._own(handle.value or 0, LIB.mimo_env_destroy)
+        world._describe(self._scene, self._options, None)
+        return world
+
+    def __copy__(self) -> "World":
+        return self.clone()
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "World":
+        return self.clone()
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _rebuilt, (self._scene, self._options, self.save())
+
+
+def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
+    world = World(scene, **options)
+    world.load(state)
+    return world
+
+
+def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
+    config = _abi.PictureConfig()
+    check(LIB.mimo_picture_config_init(config, ctypes.sizeof(config)))
+    fill(config, picture, {})
+    return config
+
+
+def _agents(env: int) -> List[Agent]:
+    count, info = ctypes.c_size_t(), _abi.AgentInfo()
+    check(LIB.mimo_env_agent_count(env, count))
+    agents = []
+    for index in range(count.value):
+        check(LIB.mimo_env_agent(env, index, info))
+        actions = slice(info.action_offset, info.action_offset + info.action_count)
+        agents.append(Agent(text(info.name), actions, info.mass, info.height))
+    return agents
+
+
+def _action_names(env: int) -> List[str]:
+    count, name = ctypes.c_size_t(), ctypes.c_char_p()
+    check(LIB.mimo_env_action_size(env, count))
+    names = []
+    for index in range(count.value):
+        check(LIB.mimo_env_action_name(env, index, name))
+        names.append(text(name.value))
+    return names
+
+
+def _action_bounds(env: int, count: int) -> Tuple[NDArray[np.float32], NDArray[np.float32]]:
+    low, high = np.empty(count, np.float32), np.empty(count, np.float32)
+    check(LIB.mimo_env_action_bounds(env, low.ctypes.data, high.ctypes.data, count))
+    return low, high

@@ -1,0 +1,65 @@
+"""Draws learning curves: for each task the mean over seeds of each algorithm, and the spread of one standard deviation.
+
+    python learning_curves.py runs --out curves.png [--value return|success|length]
+
+Reads the folders that train.py writes, and prints the last values.
+"""
+
+import argparse
+import re
+from collections import defaultdict
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+NAMES = {"reach": "reaching", "standup": "standing up", "selfbody": "self-body"}
+
+
+def read(folder, value):
+    """{task: {algorithm: [(steps, values) of each seed]}}"""
+    curves = defaultdict(lambda: defaultdict(list))
+    for file in sorted(folder.glob("*/curve.csv")):
+        named = re.fullmatch(r"(\w+)-(\w+)-(\d+)", file.parent.name)
+        rows = np.genfromtxt(file, delimiter=",", names=True)
+        if named and rows.size:
+            rows = np.atleast_1d(rows)
+            curves[named[1]][named[2]].append((rows["steps"], rows[value]))
+    return curves
+
+
+def over_seeds(runs):
+    """Steps, mean and standard deviation, as far as all seeds have got."""
+    last = min(steps[-1] for steps, _ in runs)
+    grid = runs[0][0][runs[0][0] <= last]
+    values = np.array([np.interp(grid, steps, value) for steps, value in runs])
+    return grid, values.mean(axis=0), values.std(axis=0)
+
+
+def draw(curves, value):
+    figure, axes = plt.subplots(1, len(curves), figsize=(4 * len(curves), 3.2), squeeze=False, layout="constrained")
+    for place, (task, algorithms) in zip(axes[0], sorted(curves.items())):
+        for algorithm, runs in sorted(algorithms.items()):
+            steps, mean, spread = over_seeds(runs)
+            (line,) = place.plot(steps, mean, label=f"{algorithm.upper()} ({len(runs)} seeds)")
+            place.fill_between(steps, mean - spread, mean + spread, color=line.get_color(), alpha=0.2, linewidth=0)
+            print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
+        place.set(title=NAMES.get(task, task), xlabel="steps")
+        place.legend(fontsize=8)
+    axes[0, 0].set_ylabel(f"{value} of an episode")
+    return figure
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("runs", type=Path)
+    parser.add_argument("--out", type=Path, default=Path("curves.png"))
+    parser.add_argument("--value", default="return", choices=["return", "success", "length"])
+    options = parser.parse_args()
+    found = read(options.runs, options.value)
+    if not found:
+        raise SystemExit(f"there are no curves in {options.runs}")
+    draw(found, options.value).savefig(options.out, dpi=150)

@@ -1,0 +1,147 @@
+"""Trains MIMo on one of the paper's tasks with Stable-Baselines3's PPO or SAC and their default settings.
+
+    python train.py --task reach --algorithm ppo --seed 0 --steps 1000000
+
+Writes to OUT/TASK-ALGORITHM-SEED: curve.csv (one row an evaluation), the latest checkpoint, and TensorBoard's files.
+Started again, it goes on from the checkpoint. learning_curves.py draws the curves. Needs `pip install 'mimo[train]'`.
+"""
+
+import argparse
+import csv
+import time
+from pathlib import Path
+
+import numpy as np
+from stable_baselines3 import PPO, SAC
+from stable_baselines3.common.callbacks import BaseCallback
+from stable_baselines3.common.vec_env import VecMonitor
+
+import mimo
+from mimo.sb3 import SB3VecEnv
+
+COLUMNS = ["steps", "return", "return_std", "success", "length", "wall_s"]
+EVALUATION_SEED = 1_000_000  # the episodes of an evaluation: the same each time, and none of the training's
+
+
+def make_model(options, envs, folder):
+    common = {"seed": options.seed, "device": "cpu", "tensorboard_log": str(folder) if has_tensorboard() else None}
+    if options.algorithm == "ppo":
+        # As many steps between two updates as by default, whose 2048 are those of a single environment.
+        return PPO("MultiInputPolicy", envs, n_steps=max(1, options.rollout // options.worlds), **common)
+    # An update a step, as by default.
+    return SAC("MultiInputPolicy", envs, gradient_steps=-1, **common)
+
+
+def load_model(options, envs, folder):
+    kind = PPO if options.algorithm == "ppo" else SAC
+    model = kind.load(folder / "model.zip", envs, device="cpu")
+    if options.algorithm == "sac":
+        model.load_replay_buffer(folder / "replay.pkl")
+    return model
+
+
+def has_tensorboard():
+    try:
+        import torch.utils.tensorboard  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def evaluate(model, envs):
+    """Returns, successes and lengths of one episode in each world, without exploration."""
+    observation, _ = envs.reset(seed=EVALUATION_SEED)
+    over = np.zeros(envs.num_envs, bool)
+    total, length, success = np.zeros(envs.num_envs), np.zeros(envs.num_envs), np.zeros(envs.num_envs, bool)
+    while not over.all():
+        actions, _ = model.predict(observation, deterministic=True)
+        observation, reward, terminated, truncated, infos = envs.step(actions)
+        total += np.where(over, 0, reward)
+        length += ~over
+        ended = (terminated | truncated) & ~over
+        if ended.any():
+            success |= ended & infos["is_success"]
+        over |= ended
+    return total, success, length
+
+
+class Evaluation(BaseCallback):
+    """Now and then evaluates, writes a row of the curve, and saves a checkpoint."""
+
+    def __init__(self, options, folder):
+        super().__init__()
+        self.options, self.folder = options, folder
+        self.envs = mimo.make_vec(
+            options.task,
+            num_envs=options.evaluation_episodes,
+            autoreset_mode="Disabled",
+            max_steps=options.max_steps,
+        )
+        self.start = time.time()
+        self.curve = folder / "curve.csv"
+        if not self.curve.exists():
+            self.curve.write_text(",".join(COLUMNS) + "\n")
+
+    def _on_training_start(self):
+        self.due = self.num_timesteps + self.options.evaluate_every
+
+    def _on_step(self):
+        if self.num_timesteps >= self.due:
+            self.due += self.options.evaluate_every
+            self.note()
+        return True
+
+    def note(self):
+        total, success, length = evaluate(self.model, self.envs)
+        row = [total.mean(), total.std(), success.mean(), length.mean(), time.time() - self.start]
+        with self.curve.open("a", newline="") as file:
+            csv.writer(file).writerow([self.num_timesteps, *(f"{value:.6g}" for value in row)])
+        self.logger.record("evaluation/return", row[0])
+        self.logger.record("evaluation/success", row[2])
+        self.save()
+
+    def save(self):
+        if self.options.algorithm == "sac":
+            self.model.save_replay_buffer(self.folder / "replay.pkl")
+        unfinished = self.folder / "unfinished.zip"
+        self.model.save(unfinished)
+        unfinished.replace(self.folder / "model.zip")
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--task", required=True, choices=["reach", "standup", "selfbody"])
+    parser.add_argument("--algorithm", required=True, choices=["ppo", "sac"])
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--steps", type=int, default=100_000, help="of all worlds together, also those before a resume")
+    parser.add_argument("--worlds", type=int, default=16)
+    parser.add_argument("--threads", type=int, default=0, help="0: all cores")
+    parser.add_argument("--out", type=Path, default=Path("runs"))
+    parser.add_argument("--evaluate-every", type=int, default=10_000, help="steps")
+    parser.add_argument("--evaluation-episodes", type=int, default=16)
+    parser.add_argument("--max-steps", type=int, default=0, help="of an episode; 0: the task's own")
+    parser.add_argument("--rollout", type=int, default=2048, help="PPO: steps between updates")
+    parser.add_argument("--quiet", action="store_true", help="no progress bar")
+    return parser.parse_args()
+
+
+def main():
+    options = parse()
+    folder = options.out / f"{options.task}-{options.algorithm}-{options.seed}"
+    folder.mkdir(parents=True, exist_ok=True)
+    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, max_steps=options.max_steps))
+    envs.seed(options.seed * 1000)  # the worlds of one seed are none of another's
+    resumed = (folder / "model.zip").exists()
+    model = load_model(options, envs, folder) if resumed else make_model(options, envs, folder)
+    if resumed:
+        print(f"{folder} goes on from step {model.num_timesteps}", flush=True)
+    left = options.steps - model.num_timesteps
+    if left <= 0:
+        return
+    model.learn(left, Evaluation(options, folder), reset_num_timesteps=not resumed, progress_bar=not options.quiet)
+    print(f"{folder}: {model.num_timesteps} steps")
+    print((folder / "curve.csv").read_text().splitlines()[-1])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,177 @@
+"""The Gymnasium environment, by Gymnasium's own checker and by what users rely on."""
+
+import warnings
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import mimo
+import mimo.plot
+
+NAMES = ["mimo/Reach-v0", "mimo/Standup-v0", "mimo/SelfBody-v0", "mimo/Benchmark-v0", "mimo/Free-v0"]
+SMALL = {"vision_width": 16, "vision_height": 16, "touch_scale": 0.25}
+
+# What the checker warns of, and why it may: velocities, torques and forces have no bounds in nature, and torques of
+# motors are actions by choice; motors have ranges of their own, which normalize_actions maps to -1..1. Whatever else it says fails the test.
+EXPLAINED = (
+    "we recommend using a symmetric and normalized space",
+    "space minimum value is -infinity",
+    "space maximum value is infinity",
+    "minimum value is -inf",
+    "maximum value is inf",
+)
+
+
+class RecordingWindow:
+    """In place of a window: this machine may have no display."""
+
+    shown = 0
+
+    def __init__(self, title):
+        assert title.startswith("MIMo")
+
+    def show(self, picture):
+        assert picture.shape == (360, 480, 3)
+        RecordingWindow.shown += 1
+
+    def close(self):
+        pass
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_gymnasium_s_checker(name, monkeypatch):
+    monkeypatch.setattr(mimo.plot, "Window", RecordingWindow)
+    env = gymnasium.make(name, render_mode="rgb_array", **SMALL)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        check_env(env.unwrapped)
+    unexplained = [str(w.message) for w in said if not any(text in str(w.message) for text in EXPLAINED)]
+    assert unexplained == []
+    env.close()
+    assert RecordingWindow.shown > 0
+
+
+@pytest.mark.parametrize(("scene", "numbers"), [("reach", 220), ("standup", 258 + 6)])
+def test_flat_observations(scene, numbers):
+    # 220 and 264: sizes of the original's observations.
+    env = mimo.make(scene, flatten=True)
+    assert env.observation_space.shape == (numbers,)
+    flat, _ = env.reset(seed=4)
+    named, _ = mimo.make(scene).reset(seed=4)
+    np.testing.assert_array_equal(flat, np.concatenate([field.ravel() for field in named.values()]))
+    assert flat in env.observation_space
+
+
+def test_make_and_gymnasium_make_are_the_same():
+    one, other = mimo.make("reach"), gymnasium.make("mimo/Reach-v0")
+    for env in (one, other):
+        env.reset(seed=1)
+    action = one.action_space.sample()
+    assert one.step(action)[1] == other.step(action)[1]
+
+
+def test_observations_stay_as_they_were():
+    env = mimo.make("reach")
+    first, _ = env.reset(seed=1)
+    kept = {name: field.copy() for name, field in first.items()}
+    env.step(env.action_space.sample())
+    for name, field in first.items():
+        np.testing.assert_array_equal(field, kept[name])
+
+
+def test_info_has_terms_and_success():
+    env = mimo.make("selfbody")
+    env.reset(seed=1)
+    _, reward, _, _, info = env.step(env.action_space.sample())
+    assert set(info) == {"is_success", "reward_terms"}
+    assert sum(info["reward_terms"].values()) == reward
+
+
+def test_episodes_are_cut_off():
+    env = mimo.make("reach", max_steps=3)
+    env.reset(seed=1)
+    assert [env.step(np.zeros(8))[3] for _ in range(3)] == [False, False, True]
+
+
+def test_without_a_seed_chance_decides():
+    starts = [mimo.make("reach").reset()[0]["proprioception/position"] for _ in range(2)]
+    assert not np.array_equal(*starts)
+
+
+def test_render_modes(monkeypatch):
+    env = mimo.make("reach", render_mode="rgb_array", camera=None)
+    env.reset(seed=1)
+    assert env.render().shape == (360, 480, 3)
+    assert mimo.make("reach").render() is None
+    with pytest.raises(ValueError, match="render_mode"):
+        mimo.make("reach", render_mode="ascii")
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    with pytest.raises(mimo.UnsupportedError, match="no window"):
+        mimo.make("reach", render_mode="human").reset(seed=1)
+
+
+class NearBall(mimo.Task):
+    """Reward: height of the hand; ends when it is higher than the goal."""
+
+    def __init__(self, goal=0.36):
+        self.goal = goal
+
+    def setup(self, world):
+        self.hand = world.bodies("right_fingers")
+        self.ball = world.bodies("target")
+
+    def reset(self, world, mask):
+        place = np.array([0.3, 0.0, 0.7]) + 0.1 * world.random(3, mask)
+        self.ball.write("position", place[..., None, :], mask)
+
+    def evaluate(self, world):
+        height = self.hand.position[..., 0, 2]
+        return mimo.Judgement(height, terminated=height > self.goal, success=height > self.goal)
+
+
+def test_a_task_of_one_s_own():
+    env = mimo.make("reach", task=NearBall(), max_steps=5)
+    observation, _ = env.reset(seed=2)
+    twin = mimo.World("reach", task="none")
+    twin.reset(seed=2)
+    expected = np.array([0.3, 0.0, 0.7]) + 0.1 * twin.random(3)
+    np.testing.assert_allclose(env.world.bodies("target").position[0], expected, atol=1e-12)
+    assert observation in env.observation_space
+    _, reward, terminated, _, info = env.step(np.zeros(8))
+    assert reward == env.world.bodies("right_fingers").position[0, 2]
+    assert terminated == info["is_success"] == (reward > 0.36)
+
+
+def test_options_reach_the_infant():
+    env = mimo.make(
+        "reach",
+        acts=mimo.Act.RIGHT_ARM,
+        actuation=mimo.Actuation.POSITION,
+        normalize_actions=True,
+        vision=mimo.Vision.RGB | mimo.Vision.DEPTH,
+        vision_width=24,
+        vision_height=16,
+        proprioception=False,
+    )
+    assert env.action_space.shape == (4,)
+    assert (env.action_space.low == -1).all()
+    assert set(env.observation_space.spaces) == {
+        "vision/eye_left",
+        "vision/eye_left_depth",
+        "vision/eye_right",
+        "vision/eye_right_depth",
+    }
+    observation, _ = env.reset(seed=0)
+    assert observation["vision/eye_left"].shape == (16, 24, 3)
+    assert observation["vision/eye_left"].dtype == np.uint8
+    assert env.observation_space["vision/eye_left"].high.max() == 255
+
+
+def test_true_means_the_default():
+    fields = mimo.World("reach", touch=True, touch_scale=0.25, vision=False, proprioception=True).layout.fields
+    assert "touch/force" in fields
+    assert "proprioception/joint_torque" not in fields
+    assert "proprioception/position" in fields

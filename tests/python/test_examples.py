@@ -1,0 +1,40 @@
+"""Every example runs, and so does every program in the documentation."""
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+EXAMPLES = {
+    "own_experiment.py": ["--worlds", "2", "--steps", "20"],
+    "own_scene.py": [],
+    "overhead.py": ["--steps", "20", "--worlds", "4"],
+    "tutorial.py": [],
+}
+
+
+def run(arguments, folder):
+    environment = {**os.environ, "MPLBACKEND": "Agg"}
+    done = subprocess.run(arguments, cwd=folder, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_example(name, root, tmp_path):
+    assert run([sys.executable, root / "examples/python" / name, *EXAMPLES[name]], tmp_path)
+
+
+def test_no_example_is_forgotten(root):
+    in_test_sb3 = {"train.py", "learning_curves.py", "profile_ppo.py"}
+    assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | in_test_sb3
+
+
+def test_programs_of_the_documentation(root, tmp_path):
+    text = (root / "docs/python.md").read_text()
+    programs = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)
+    assert len(programs) >= 5
+    for program in programs:
+        run([sys.executable, "-c", program], tmp_path)

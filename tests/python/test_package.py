@@ -1,0 +1,91 @@
+"""The package as installed: complete, self-contained, and quiet."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import mimo
+from mimo import _abi, _library
+
+NATIVE = Path(mimo.__file__).parent / "_native"
+installed = pytest.mark.skipif(
+    not NATIVE.is_dir(), reason="runs from the source tree (MIMO_LIBRARY), not from the installed package"
+)
+
+# What may be asked of any Linux: the C and C++ runtimes and zlib, as in the manylinux policies. OSMesa is no
+# dependency, it is looked for at run time.
+SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z))\.so.*")
+
+
+@installed
+def test_every_library_is_inside_or_part_of_any_linux():
+    inside = {file.name for file in NATIVE.iterdir()}
+    assert {"libmimo.so.0", "libmujoco.so.2.2.2", "mimo"} <= inside
+    for file in NATIVE.iterdir():
+        if not file.is_file():
+            continue
+        dynamic = subprocess.run(["readelf", "-d", file], capture_output=True, text=True, check=True).stdout
+        needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
+        missing = [name for name in needed if name not in inside and not SYSTEM.fullmatch(name)]
+        assert missing == [], file.name
+
+
+@installed
+def test_the_library_takes_the_mujoco_inside(tmp_path):
+    code = "import mimo; print(open('/proc/self/maps').read())"
+    maps = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path).stdout
+    loaded = {line.split()[-1] for line in maps.splitlines() if "libmujoco" in line or "libmimo" in line}
+    assert loaded == {str(NATIVE / "libmimo.so.0"), str(NATIVE / "libmujoco.so.2.2.2")}
+
+
+@installed
+def test_the_program_is_inside(tmp_path):
+    program = shutil.which("mimo", path=os.path.dirname(sys.executable))
+    told = subprocess.run([program, "info", "--json"], capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert '"mass_kg"' in told.stdout
+
+
+@installed
+def test_licences_of_what_is_inside_are_inside():
+    names = {file.name for file in (NATIVE / "licences").iterdir()}
+    if Path("/etc/debian_version").exists():
+        assert any(name.startswith("libmujoco") for name in names)
+
+
+def test_import_prints_nothing_and_makes_no_files(tmp_path):
+    code = "import mimo; w = mimo.World('reach'); w.reset(seed=1); w.step(); print('done')"
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, env=environment)
+    assert (told.stdout, told.stderr, told.returncode) == ("done\n", "", 0)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_another_abi_version_is_refused(monkeypatch):
+    monkeypatch.setattr(_abi, "ABI_VERSION", 99)
+    with pytest.raises(ImportError, match="ABI version 0, this package needs 99"):
+        _library._load(_library.library_path())
+
+
+def test_a_missing_function_is_named(monkeypatch):
+    monkeypatch.setitem(_abi.FUNCTIONS, "mimo_env_fly", (None, []))
+    with pytest.raises(ImportError, match="mimo_env_fly"):
+        _library._load(_library.library_path())
+
+
+def test_a_missing_library_is_named(tmp_path):
+    with pytest.raises(ImportError, match=r"nothing\.so"):
+        _library._load(tmp_path / "nothing.so")
+
+
+def test_version_and_scenes(root):
+    header = (root / "include/mimo/mimo.h").read_text()
+    numbers = re.findall(r"#define MIMO_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header)
+    assert mimo.__version__ == ".".join(numbers)
+    assert mimo.mujoco_version() == "2.2.2"
+    assert {"reach", "standup", "selfbody", "benchmark", "free"} <= set(mimo.scenes())
+    assert {"none", "reach", "standup", "selfbody"} <= set(mimo.tasks())

@@ -1,0 +1,94 @@
+"""Stable-Baselines3: its checker, its contract of vectorised environments, and a very short training."""
+
+import copy
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import mimo
+
+sb3 = pytest.importorskip("stable_baselines3", reason="Stable-Baselines3 (extra [train]) is not installed")
+from stable_baselines3.common.env_checker import check_env  # noqa: E402
+from stable_baselines3.common.vec_env import SubprocVecEnv  # noqa: E402
+
+from mimo.sb3 import SB3VecEnv  # noqa: E402
+
+
+@pytest.mark.parametrize("scene", ["reach", "standup", "selfbody"])
+@pytest.mark.filterwarnings("error")
+def test_checker(scene):
+    check_env(mimo.make(scene, normalize_actions=True))
+
+
+def test_a_step_that_ends_an_episode():
+    envs, plain = SB3VecEnv("reach", 2, max_steps=2), mimo.make_vec("reach", 2, autoreset_mode="Disabled")
+    envs.seed(7)
+    envs.reset()
+    plain.reset(seed=7)
+    zeros = np.zeros((2, 8))
+    for _ in range(2):
+        observation, reward, done, infos = envs.step(zeros)
+        last, last_reward, *_ = plain.step(zeros)
+    assert done.all()
+    np.testing.assert_allclose(reward, last_reward, rtol=1e-6)
+    for i, info in enumerate(infos):
+        assert info["TimeLimit.truncated"]
+        assert info["is_success"] is False
+        np.testing.assert_array_equal(
+            info["terminal_observation"]["proprioception/position"], last["proprioception/position"][i]
+        )
+    assert not observation["proprioception/velocity"].any()  # already the next episode, at rest
+
+
+def test_the_last_observation_survives_a_step():
+    # PPO stores the observation before a step after that step.
+    envs = SB3VecEnv("reach", 2)
+    before = envs.reset()
+    kept = copy.deepcopy(before)
+    envs.step(np.ones((2, 8)))
+    for name in kept:
+        np.testing.assert_array_equal(before[name], kept[name])
+
+
+def test_attributes_and_methods():
+    envs = SB3VecEnv("reach", 3)
+    assert envs.get_attr("num_envs") == [3, 3, 3]
+    assert envs.env_method("save", indices=[1])[0] == envs.envs.batch.world(1).save()
+    assert envs.env_is_wrapped(object) == [False] * 3
+    envs.close()
+
+
+def test_in_subprocesses():
+    envs = SubprocVecEnv([mimo.make, mimo.make], start_method="spawn")
+    assert envs.reset()["proprioception/position"].shape == (2, 47)
+    envs.close()
+
+
+@pytest.mark.parametrize("algorithm", ["PPO", "SAC"])
+def test_learning_runs(algorithm):
+    envs = SB3VecEnv("reach", 2, max_steps=10)
+    some = {"n_steps": 16, "batch_size": 16, "n_epochs": 1} if algorithm == "PPO" else {"learning_starts": 16}
+    model = getattr(sb3, algorithm)("MultiInputPolicy", envs, seed=0, device="cpu", **some)
+    model.learn(48)
+    assert model.num_timesteps >= 48
+    action, _ = model.predict(envs.reset())
+    assert action.shape == (2, 8)
+
+
+def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path):
+    scripts = root / "examples/python"
+    train = [sys.executable, scripts / "train.py", "--task", "reach", "--algorithm", "ppo", "--worlds", "2"]
+    train += ["--out", tmp_path, "--evaluate-every", "64", "--evaluation-episodes", "1", "--max-steps", "8", "--quiet"]
+    train += ["--rollout", "32"]
+    for seed in ("0", "1"):
+        subprocess.run([*train, "--steps", "128", "--seed", seed], check=True)
+    told = subprocess.run([*train, "--steps", "192", "--seed", "0"], check=True, capture_output=True, text=True)
+    assert "goes on from step 128" in told.stdout
+    curve = np.genfromtxt(tmp_path / "reach-ppo-0" / "curve.csv", delimiter=",", names=True)
+    assert curve["steps"].tolist() == [64, 128, 192]
+    subprocess.run(
+        [sys.executable, scripts / "learning_curves.py", tmp_path, "--out", tmp_path / "curves.png"], check=True
+    )
+    assert (tmp_path / "curves.png").stat().st_size > 1000

@@ -1,0 +1,129 @@
+"""The table of functions, the structs and the constants are those of mimo.h."""
+
+import ctypes
+import re
+from enum import IntFlag
+
+import pytest
+
+from mimo import _abi, constants, errors
+
+NUMBERS = {
+    "int32_t": ctypes.c_int32,
+    "uint32_t": ctypes.c_uint32,
+    "uint64_t": ctypes.c_uint64,
+    "size_t": ctypes.c_size_t,
+    "double": ctypes.c_double,
+    "mimo_status": ctypes.c_int32,
+    "mimo_log_fn": _abi.LogFunction,
+    "mimo_task_reset_fn": _abi.TaskReset,
+    "mimo_task_evaluate_fn": _abi.TaskEvaluate,
+}
+STRUCTS = {
+    "mimo_scene_config": _abi.SceneConfig,
+    "mimo_agent_config": _abi.AgentConfig,
+    "mimo_object_config": _abi.ObjectConfig,
+    "mimo_parameter": _abi.Parameter,
+    "mimo_env_config": _abi.EnvConfig,
+    "mimo_agent_info": _abi.AgentInfo,
+    "mimo_field": _abi.Field,
+    "mimo_picture_config": _abi.PictureConfig,
+    "mimo_timing": _abi.Timing,
+    "mimo_batch_config": _abi.BatchConfig,
+    "mimo_batch_results": _abi.BatchResults,
+    "mimo_task": _abi.Task,
+}
+
+
+@pytest.fixture(scope="module")
+def header(root):
+    text = (root / "include/mimo/mimo.h").read_text()
+    return re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+
+
+def fits(declared, given):
+    """Whether a ctypes type is what the C declaration of a parameter or member says."""
+    declared = " ".join(declared.replace("const", " ").replace("*", " * ").split())
+    if "*" not in declared:
+        return given is NUMBERS[declared]
+    if declared == "char *":
+        return given is ctypes.c_char_p
+    if declared == "char * *":
+        return given is ctypes.POINTER(ctypes.c_char_p)
+    target, stars = declared.split(" *", 1)
+    if target in STRUCTS:
+        return given is ctypes.POINTER(STRUCTS[target])
+    if "*" in stars:
+        return given is ctypes.POINTER(ctypes.c_void_p)
+    if given is ctypes.c_void_p:  # arrays, handles and anything
+        return True
+    return {"uint8_t": ctypes.c_uint8, **NUMBERS}.get(target) is getattr(given, "_type_", None)
+
+
+def test_every_function_has_the_header_s_types(header):
+    found = re.findall(r"MIMO_API\s+([\w\s*]+?)\s*(mimo_\w+)\(([^;]*?)\)\s*MIMO_NOEXCEPT;", header)
+    assert {name for _, name, _ in found} == set(_abi.FUNCTIONS)
+    for result, name, parameters in found:
+        returned, given = _abi.FUNCTIONS[name]
+        declared = [] if parameters.strip() == "void" else [re.sub(r"\w+\s*$", "", p) for p in parameters.split(",")]
+        assert len(declared) == len(given), name
+        assert all(fits(d, g) for d, g in zip(declared, given)), name
+        assert returned is None if result == "void" else fits(result, returned), name
+
+
+def test_the_table_is_what_the_library_exports(root):
+    exported = (root / "tests/abi/symbols.txt").read_text().split()
+    assert sorted(_abi.FUNCTIONS) == sorted(name for name in exported if name.startswith("mimo_"))
+
+
+@pytest.mark.parametrize("name", STRUCTS)
+def test_every_struct_has_the_header_s_members(header, name):
+    body = re.search(rf"typedef struct {name} {{(.*?)}} {name};", header, flags=re.DOTALL).group(1)
+    declared = [line.strip() for line in body.split(";") if line.strip()]
+    members = STRUCTS[name]._fields_
+    assert len(declared) == len(members)
+    for line, (member, kind) in zip(declared, members):
+        kind_text, written, count = re.fullmatch(r"(.*?)(\w+)(?:\[(\d+)\])?", line, flags=re.DOTALL).groups()
+        assert written == member
+        element = kind._type_ if count else kind
+        assert fits(kind_text, element), line
+        assert not count or kind._length_ == int(count)
+
+
+PREFIXES = {
+    "MIMO_PROPRIOCEPTION_": constants.Proprioception,
+    "MIMO_VISION_": constants.Vision,
+    "MIMO_ACTUATION_": constants.Actuation,
+    "MIMO_ACT_": constants.Act,
+    "MIMO_FRAME_": constants.Frame,
+    "MIMO_SHAPE_": constants.Shape,
+    "MIMO_JACOBIAN_": constants.Jacobian,
+    "MIMO_DISABLE_": constants.Disable,
+    "MIMO_AUTORESET_": constants.Autoreset,
+}
+
+
+@pytest.mark.parametrize("prefix", PREFIXES)
+def test_constants_are_the_header_s(header, prefix):
+    defined = re.findall(rf"#define {prefix}(\w+) (-?\w+?)u?\s", header)
+    assert {name: int(value, 0) for name, value in defined} == {
+        name: int(member) for name, member in PREFIXES[prefix].__members__.items()
+    }
+
+
+@pytest.mark.parametrize("prefixless", [constants.Kind, constants.Quantity, constants.Time])
+def test_constants_without_a_prefix(header, prefixless):
+    for name, member in prefixless.__members__.items():
+        assert re.search(rf"#define MIMO_{name} {int(member)}\s", header), name
+
+
+def test_touch_constants(header):
+    for name, member in [*constants.Touch.__members__.items(), *constants.TouchResponse.__members__.items()]:
+        written = re.search(rf"#define MIMO_TOUCH_{name} (\w+?)u?\s", header).group(1)
+        assert int(written, 0) == member
+    assert issubclass(constants.Touch, IntFlag)
+
+
+def test_every_status_has_its_exception(header):
+    defined = {int(value) for value in re.findall(r"#define MIMO_E_\w+ (-\d+)", header)}
+    assert set(errors.BY_STATUS) == defined
