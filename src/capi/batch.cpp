@@ -11,8 +11,9 @@ namespace mimo::capi {
 BatchObject::BatchObject(RecipePtr of, const batch::Options& options)
     : recipe(std::move(of)),
       views(options.worlds),
-      batch(recipe->model, recipe->agents,
-            [this](std::size_t world) { return options_of(*recipe, world, &views[world]); }, options) {
+      batch(
+          recipe->model, recipe->agents,
+          [this](std::size_t world) { return options_of(*recipe, world, &views[world]); }, options) {
   // The functions of a user's task get their world's handle; they run where making one would come too late.
   for (std::size_t i = 0; recipe->task && i < views.size(); ++i) view(i);
 }
@@ -165,8 +166,8 @@ mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_s
   });
 }
 
-mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds,
-                             void* blocks, size_t block_bytes) noexcept {
+mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds, void* blocks,
+                             size_t block_bytes) noexcept {
   return guard([&] {
     batch::Batch& inner = open(batch).batch;
     check_per_world(inner, worlds, seeds != nullptr || mask != nullptr);
@@ -228,6 +229,17 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
   });
 }
 
+mimo_status mimo_batch_set_face(mimo_batch* batch, size_t agent, const char* name, const uint8_t* mask,
+                                size_t worlds) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    check_per_world(inner, worlds, mask != nullptr);
+    check_agent(inner.world(0), agent);
+    require(name != nullptr, "name is NULL");
+    inner.set_face(agent, name, mask);
+  });
+}
+
 mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* states,
                                   size_t state_bytes) noexcept {
   return guard([&] {
@@ -247,8 +259,8 @@ mimo_status mimo_batch_state_load(mimo_batch* batch, const uint8_t* mask, size_t
     const std::size_t one = inner.world(0).state_bytes();
     check_per_world(inner, worlds, mask != nullptr);
     require(states != nullptr, "states is NULL");
-    require(state_bytes == one || state_bytes == one * inner.size(), "state_bytes is {}, expected {} or {}", state_bytes,
-            one, one * inner.size());
+    require(state_bytes == one || state_bytes == one * inner.size(), "state_bytes is {}, expected {} or {}",
+            state_bytes, one, one * inner.size());
     inner.load(mask, static_cast<const std::uint8_t*>(states), state_bytes == one ? 0 : one);
   });
 }
