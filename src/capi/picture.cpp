@@ -25,7 +25,6 @@ mimo_picture_config default_picture_config() {
 }
 
 void check_picture_config(const mimo_picture_config& config) {
-  check_reserved(config.reserved, "reserved");
   require(config.width >= 1 && config.width <= 4096, "width is {}, expected 1 to 4096", config.width);
   require(config.height >= 1 && config.height <= 4096, "height is {}, expected 1 to 4096", config.height);
   require(config.fovy == 0 || (config.fovy >= 1 && config.fovy <= 170),
