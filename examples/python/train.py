@@ -19,7 +19,7 @@ from stable_baselines3.common.vec_env import VecMonitor
 import mimo
 from mimo.sb3 import SB3VecEnv
 
-COLUMNS = ["steps", "return", "return_std", "success", "length", "wall_s"]
+COLUMNS = ["steps", "mean_return", "return_std", "success", "length", "wall_s"]
 EVALUATION_SEED = 1_000_000  # the episodes of an evaluation: the same each time, and none of the training's
 
 

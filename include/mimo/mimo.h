@@ -2,11 +2,11 @@
  * libmimo: MIMo, the multimodal infant model, as a C library.  MIT licence, see LICENSE.
  *
  * In the order of use:
- *   1. versions and status       6. named access: joints, bodies, contacts by name
+ *   1. versions and status       6. named access: joints, bodies, contacts by name; gaze
  *   2. logging                   7. pictures
  *   3. scenes, agents, tasks     8. timing
  *   4. environments              9. rewards and outcomes
- *   5. stepping, observations    10. what differs from world to world: locks, gravity
+ *   5. stepping, observations    10. what differs from world to world: faces, locks, gravity
  *                                11. state: save, load, clone
  *                                12. batches of worlds
  *                                13. tasks of your own
@@ -183,6 +183,12 @@ MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
 #define MIMO_FRAME_WORLD 2 /**< The frame of the world. */
 #define MIMO_FRAME_SKIN 3  /**< The frame of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors. */
 
+/**
+ * Name of the index-th face of the built-in bodies, or NULL past the last: "neutral", "enjoyment", "sadness", "surprise",
+ * "disgust", "anger", "fear". Static string. Further ones are materials of your own MJCF named "mimo_face_<name>".
+ */
+MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
+
 /** One infant: where it is, what it senses, what of it acts. */
 typedef struct mimo_agent_config {
   uint32_t struct_size;          /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
@@ -207,6 +213,7 @@ typedef struct mimo_agent_config {
   uint32_t touch_reserved;       /**< 0. */
   double touch_scale;            /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
   double touch_slip_threshold;   /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
+  const char *face;              /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */
 } mimo_agent_config;
 
 /**
@@ -272,6 +279,35 @@ MIMO_API mimo_status mimo_object_config_init(mimo_object_config *config, size_t 
 /** Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use. */
 MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_config *config) MIMO_NOEXCEPT;
 
+/** A camera whose pictures are fields of the observation: "vision/NAME", "vision/NAME_depth", "vision/NAME_segmentation". */
+typedef struct mimo_camera_config {
+  uint32_t struct_size; /**< sizeof(mimo_camera_config), set by mimo_camera_config_init. */
+  uint32_t outputs;     /**< MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB. */
+  const char *name;     /**< A camera of the scene's MJCF or of an infant, "anna/eye_left"; with placed = 1 the name of a new one. */
+  uint32_t width;       /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t height;      /**< Pixels, 1 to 4096. Default 256. */
+  double fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one. */
+  uint32_t placed;      /**< 1: make the camera, where the entries below say; 0: it is there already. */
+  uint32_t reserved;    /**< 0. */
+  const char *body;     /**< Body that carries it, by its name in the model; NULL: it stands still in the world. */
+  double position[3];   /**< Where it is, metres, in the frame of the body. */
+  double look_at[3];    /**< The point in the middle of its picture, metres, in the frame of the body, whose z axis points up in the picture. */
+} mimo_camera_config;
+
+/**
+ * Fills a config with defaults: an existing camera without a name; a new one would look from (1.5, 0, 0.8) at (0, 0, 0.4).
+ * @param size sizeof(mimo_camera_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_camera_config_init(mimo_camera_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Has a camera observed. Its fields come after those of all agents and belong to the scene.
+ * Errors: MIMO_E_NOT_FOUND for a body that the scene does not have, and from mimo_env_create for a camera that the
+ *         model does not have; MIMO_E_INVALID_ARGUMENT for a camera that is observed already, or a new one whose name
+ *         is in use.
+ */
+MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_config *config) MIMO_NOEXCEPT;
+
 /**
  * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it
  * names "mimo/..." are the built-in ones, installed as share/mimo/models.
@@ -324,6 +360,13 @@ typedef struct mimo_env mimo_env;
 #define MIMO_DISABLE_CONTACT 0x1u /**< No contacts. */
 #define MIMO_DISABLE_GRAVITY 0x2u /**< No gravity. */
 
+#define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
+#define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror what is before them. */
+#define MIMO_RENDER_SKY 0x04u         /**< The scene's sky; without it the background is black. */
+#define MIMO_RENDER_HAZE 0x08u        /**< Haze at the horizon of an endless floor. */
+#define MIMO_RENDER_FOG 0x10u         /**< Fog, as the scene's MJCF describes it. */
+#define MIMO_RENDER_DEFAULT 0x0fu     /**< Everything but fog. */
+
 /** How a world is simulated. */
 typedef struct mimo_env_config {
   uint32_t struct_size;  /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
@@ -336,6 +379,10 @@ typedef struct mimo_env_config {
   mimo_log_fn log;       /**< Messages during create, reset and step, or NULL. */
   void *log_user;        /**< Passed to log. */
   const char *task;      /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
+  uint32_t render;       /**< MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT. */
+  uint32_t samples;      /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa. */
+  uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them. Pictures do not differ. Default 1; best so in batches, whose worlds are drawn side by side. */
+  uint32_t reserved;     /**< 0. */
 } mimo_env_config;
 
 /**
@@ -598,16 +645,66 @@ MIMO_API mimo_status mimo_env_touch_sensors(const mimo_env *env, size_t agent, i
                                             double *positions, double *frames, size_t capacity,
                                             size_t *count) MIMO_NOEXCEPT;
 
+/** Where an infant looks. */
+typedef struct mimo_gaze {
+  uint32_t struct_size;      /**< sizeof(mimo_gaze), set by the caller. */
+  uint32_t meets;            /**< 1: the lines of sight come closest to each other before both eyes; 0: they lead apart. */
+  double left_position[3];   /**< Of the left eye's camera, world, m. */
+  double left_direction[3];  /**< Its line of sight, unit vector, world. */
+  double right_position[3];  /**< Of the right eye's camera. */
+  double right_direction[3]; /**< Its line of sight. */
+  double vergence;           /**< Angle between the lines of sight, rad; negative where they lead apart. */
+  double point[3];           /**< Where they meet: half-way between them where they are closest, world, m; zero if they do not. */
+  double miss;               /**< How far they pass each other there, m. */
+} mimo_gaze;
+
+/** Reads where an agent looks, by the poses of its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first. */
+MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze *gaze) MIMO_NOEXCEPT;
+
+#define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
+#define MIMO_LOOK_HEAD 1 /**< The head turns first, so that the eyes have to turn little. */
+
+#define MIMO_LOOK_JOINTS 8 /**< As many joints as looking takes at most. */
+
+/**
+ * Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position
+ * control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0.
+ * @param point    three numbers, metres, world frame.
+ * @param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD.
+ * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD swivel
+ *                 and tilt of the head before them. May be NULL.
+ * @param angles   receives their angles, rad, cut to the joints' ranges; may be NULL.
+ * @param capacity how many joints the arrays have room for.
+ * @param count    receives how many there are; may be NULL.
+ * @param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;
+ *                 may be NULL.
+ * Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL.
+ */
+MIMO_API mimo_status mimo_env_look_angles(mimo_env *env, size_t agent, const double *point, int32_t how,
+                                          int32_t *joints, double *angles, size_t capacity, size_t *count,
+                                          double *errors) MIMO_NOEXCEPT;
+
+/**
+ * Makes an agent look at a point at once: its joints are set, as by mimo_env_set, not driven. Springs and motors
+ * go on moving them in the next step.
+ * @param errors as in mimo_env_look_angles.
+ */
+MIMO_API mimo_status mimo_env_look_at(mimo_env *env, size_t agent, const double *point, int32_t how,
+                                      double *errors) MIMO_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------------------------
  * 7. Pictures for people: any camera of the model, or a free one that looks at a point.
  * ------------------------------------------------------------------------------------------------- */
+
+#define MIMO_PICTURE_RGBA 0x1u      /**< Four bytes a pixel, the last one 255. */
+#define MIMO_PICTURE_BOTTOM_UP 0x2u /**< Row 0 is the bottom, as textures of OpenGL and Unity have it; also of depth and segmentation. */
 
 /** What to draw. */
 typedef struct mimo_picture_config {
   uint32_t struct_size; /**< sizeof(mimo_picture_config), set by mimo_picture_config_init. */
   uint32_t width;       /**< Pixels, 1 to 4096. Default 640. */
   uint32_t height;      /**< Pixels, 1 to 4096. Default 480. */
-  uint32_t reserved;    /**< 0. */
+  uint32_t format;      /**< MIMO_PICTURE_ bits. Default 0: RGB, row 0 is the top. */
   const char *camera;   /**< A camera of the model; NULL: the free camera below. */
   double look_at[3];    /**< Free camera: the point in the middle, world, m. */
   double distance;      /**< Free camera: from that point, m, > 0. */
@@ -624,7 +721,7 @@ MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_
 
 /**
  * Draws the current state.
- * @param rgb          height x width x 3 bytes, row 0 is the top; NULL with rgb_bytes 0: not wanted.
+ * @param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted.
  * @param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted.
  * @param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted.
  */
@@ -689,6 +786,16 @@ MIMO_API mimo_status mimo_env_outcome(const mimo_env *env, size_t agent, uint8_t
  * ------------------------------------------------------------------------------------------------- */
 
 /**
+ * Gives an agent another face, in this world only. Pictures show it from the next one on.
+ * @param name see mimo_face_name.
+ * Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are.
+ */
+MIMO_API mimo_status mimo_env_set_face(mimo_env *env, size_t agent, const char *name) MIMO_NOEXCEPT;
+
+/** The face that an agent shows. @param name receives a string owned by the environment; "" for a body without faces. */
+MIMO_API mimo_status mimo_env_face(const mimo_env *env, size_t agent, const char **name) MIMO_NOEXCEPT;
+
+/**
  * Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle.
  * @param joint a hinge of an infant.
  * @param angle within the joint's range, rad.
@@ -718,7 +825,7 @@ MIMO_API mimo_status mimo_env_gravity(const mimo_env *env, double *xyz, size_t c
 MIMO_API mimo_status mimo_env_state_size(const mimo_env *env, size_t *bytes) MIMO_NOEXCEPT;
 
 /**
- * Saves physics, actuation, task, random numbers, elapsed steps, locks, gears and gravity.
+ * Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces and gravity.
  * The bytes may be kept in a file and are good for this version of the library on this kind of machine.
  * @param state receives mimo_env_state_size bytes; needs no alignment.
  * Errors: MIMO_E_SIMULATION for a world that has failed.
@@ -873,6 +980,10 @@ MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, int32_t quantity, c
 MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
                                     const uint8_t *mask, size_t worlds, const double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
+
+/** Gives an agent another face in many worlds, as mimo_env_set_face. */
+MIMO_API mimo_status mimo_batch_set_face(mimo_batch *batch, size_t agent, const char *name, const uint8_t *mask,
+                                         size_t worlds) MIMO_NOEXCEPT;
 
 /** Saves the states of many worlds. @param states worlds x mimo_env_state_size bytes. */
 MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *states,

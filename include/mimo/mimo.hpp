@@ -63,6 +63,12 @@ inline mimo_picture_config picture_config() {
   return config;
 }
 
+inline mimo_camera_config camera_config() {
+  mimo_camera_config config;
+  check(mimo_camera_config_init(&config, sizeof config));
+  return config;
+}
+
 /// Contiguous elements that belong to somebody else.
 template <typename T>
 class View {
@@ -174,6 +180,7 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     return agent;
   }
   void add_object(const mimo_object_config& config) { check(mimo_scene_add_object(get(), &config)); }
+  void add_camera(const mimo_camera_config& config) { check(mimo_scene_add_camera(get(), &config)); }
 
   std::string xml() const {
     std::size_t length = 0;
@@ -276,6 +283,27 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   }
   void set_values(std::int32_t quantity, const std::vector<std::int32_t>& ids, const std::vector<double>& values) {
     check(mimo_env_set(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+  }
+
+  std::string face(std::size_t agent = 0) const {
+    const char* name = nullptr;
+    check(mimo_env_face(get(), agent, &name));
+    return name;
+  }
+  void set_face(const std::string& name, std::size_t agent = 0) {
+    check(mimo_env_set_face(get(), agent, name.c_str()));
+  }
+
+  mimo_gaze gaze(std::size_t agent = 0) const {
+    mimo_gaze gaze;
+    gaze.struct_size = sizeof gaze;
+    check(mimo_env_gaze(get(), agent, &gaze));
+    return gaze;
+  }
+  /// Turns the eyes, and the head with MIMO_LOOK_HEAD, to a point at once.
+  void look_at(double x, double y, double z, std::int32_t how = MIMO_LOOK_EYES, std::size_t agent = 0) {
+    const double point[3] = {x, y, z};
+    check(mimo_env_look_at(get(), agent, point, how, nullptr));
   }
 
  private:

@@ -145,6 +145,8 @@ static void infinite_value(args* a) { write_value(a, INFINITY); }
 static void few_sensors(args* a) { *a->count = a->touch_capacity--; }
 static void unknown_camera(args* a) { a->picture_config->camera = "nobody's"; }
 static void nan_point(args* a) { ((double*)a->points)[0] = NAN; }
+static void unknown_carrier(args* a) { a->camera_config->body = "centaur"; }
+static void unknown_face(args* a) { a->face = "bored"; }
 static void no_lock(args* a) { a->joint = a->ids[0]; }
 
 static void no_state(args* a) { memset((void*)a->state, 0, a->state_bytes); }

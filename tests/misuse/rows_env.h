@@ -73,7 +73,7 @@ ROW(mimo_env_touch_sensors, ON_ENV,
 #define PICTURE_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
 #define PICTURES                                                                                                      \
   CONFIG(picture_config, mimo_picture_config, "config"), PICTURE(width, 0), PICTURE(width, 4097), PICTURE(width, -1), \
-      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(reserved, 1), PICTURE_UNREAL(look_at[2]),                    \
+      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(format, 4), PICTURE_UNREAL(look_at[2]),                      \
       PICTURE_UNREAL(distance), PICTURE_REAL(distance, 0), PICTURE_REAL(distance, -1), PICTURE_UNREAL(azimuth),       \
       PICTURE_UNREAL(elevation), PICTURE_UNREAL(fovy), PICTURE_REAL(fovy, -1), PICTURE_REAL(fovy, 171),               \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")

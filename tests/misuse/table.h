@@ -24,13 +24,15 @@ typedef struct args {
   mimo_agent_info* info;
   mimo_field* field;
   mimo_timing* timing;
+  mimo_camera_config* camera_config;
+  mimo_gaze* gaze;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, agent, body_id;
+  int32_t kind, id, quantity, joint, agent, how;
   size_t index, element, agent_index, world, steps;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name;
+  const char *name, *scene_name, *part, *parameter_name, *face;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;

@@ -193,6 +193,8 @@ static void make_structs(void) {
   good.info = region(sizeof *good.info + TAIL);
   good.field = region(sizeof *good.field + TAIL);
   good.timing = region(sizeof *good.timing + TAIL);
+  good.camera_config = region(sizeof *good.camera_config + TAIL);
+  good.gaze = region(sizeof *good.gaze + TAIL);
 }
 
 void make_everything(void) {
@@ -230,6 +232,11 @@ static void fill_configs(void) {
   CHECK_OK(mimo_batch_config_init(good.batch_config, sizeof *good.batch_config));
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
+  CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
+  good.camera_config->name = "watcher";
+  good.camera_config->placed = 1;
+  good.camera_config->width = good.camera_config->height = PICTURE_SIZE;
+  good.gaze->struct_size = sizeof *good.gaze;
   good.scene_config->name = "free";
   good.agent_config->place_given = 1;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
@@ -302,6 +309,8 @@ args good_args(int uses) {
   good.name = "toy";
   good.scene_name = "free";
   good.part = "head";
+  good.face = "neutral";
+  good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
   good.spacing = 0.05;
   a = good;
