@@ -22,10 +22,12 @@
  *             take a handle without const need it for themselves; different handles are independent.
  *             Any thread may call.
  *   Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
- *             in bytes). One that is too short is refused and stays as it was. Strings passed in are UTF-8
- *             and copied; who owns a string passed out is said where it is declared.
+ *             in bytes). One that is too short is refused and stays as it was (MIMO_E_BUFFER_TOO_SMALL); a
+ *             length that no memory has, such as a negative number turned into size_t, is
+ *             MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
+ *             is said where it is declared.
  *   Structs   Versioned structs start with struct_size and are filled by their _init function, called as
- *             mimo_X_init(&x, sizeof x). They only ever grow at the end.
+ *             mimo_X_init(&x, sizeof x). They only ever grow at the end. Reserved fields are 0.
  *   Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
  *             of a free joint is linear in the world frame, then angular in the body's own frame.
  */
@@ -129,7 +131,7 @@ MIMO_API mimo_status mimo_scene_config_init(mimo_scene_config *config, size_t si
 MIMO_API const char *mimo_scene_builtin(size_t index) MIMO_NOEXCEPT;
 
 /**
- * Makes a scene. Parses the MJCF but compiles nothing yet.
+ * Makes a scene. Parses the MJCF but compiles nothing yet. Elements may be nested 256 deep.
  * @param config NULL means defaults.
  * @param scene  receives the handle; destroy it with mimo_scene_destroy.
  */
@@ -394,7 +396,9 @@ MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) 
  * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
  * @param scene  is not needed any more afterwards.
  * @param config NULL means defaults.
- * Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_UNSUPPORTED when eyes are on and no renderer works here.
+ * Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
+ *         and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another
+ *         version lies in the program's global scope.
  */
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;
@@ -506,8 +510,9 @@ MIMO_API mimo_status mimo_env_reset(mimo_env *env, const uint64_t *seed, void *b
  * @param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL.
  * @param agents       length of the last three arrays, 0 if all are NULL.
  * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action (nothing happens then);
- *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified and the
- *         world takes nothing but reset and destroy until it has been reset.
+ *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
+ *         world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,
+ *         sense, draw, write values, save or clone answers MIMO_E_SIMULATION.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, double *reward, uint8_t *terminated, uint8_t *truncated,
@@ -522,6 +527,8 @@ MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_b
 /**
  * Bare physics: count physics steps with the controls as they are, without actuation, senses or task.
  * What MuJoCo alone costs; also for hosts that bring senses and control of their own.
+ * @param count 0 to 1000000.
+ * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world.
  */
 MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
 
@@ -724,7 +731,8 @@ MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *c
 
 /**
  * Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it.
- * @param points count x 3, metres, world frame, C order.
+ * @param config NULL means defaults, as in mimo_env_render.
+ * @param points count x 3, metres, world frame, C order; finite.
  * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's
  *               axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
  */

@@ -147,7 +147,6 @@ static void unknown_camera(args* a) { a->picture_config->camera = "nobody's"; }
 static void no_camera_body(args* a) { a->camera_config->body = "ghost"; }
 static void watched_already(args* a) { CHECK_OK(mimo_scene_add_camera(a->scene, a->camera_config)); }
 static void unknown_face(args* a) { a->face = "boredom"; }
-static void face_at_first(args* a) { a->agent_config->face = "boredom"; }
 static void nan_point(args* a) { ((double*)a->points)[0] = NAN; }
 static void no_lock(args* a) { a->joint = a->ids[0]; }
 

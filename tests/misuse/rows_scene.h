@@ -53,8 +53,7 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
-    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
-    DO(face_at_first, MIMO_E_NOT_FOUND, "boredom"))
+    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
     BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
