@@ -1,6 +1,6 @@
 """A tour: an infant in a room moves at random; what it sees, feels and how its joints move become pictures.
 
-    python tutorial.py [FOLDER]        # pictures go there, by default to the current folder
+python tutorial.py [FOLDER]        # pictures go there, by default to the current folder
 """
 
 import sys

@@ -57,6 +57,7 @@ mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* c
         vision({"outputs", ours.outputs}, {"width", ours.width}, {"height", ours.height}, {"fovy", ours.fovy});
     require(camera.vision.any(), "outputs is 0, expected at least one of the MIMO_VISION_ bits");
     check_flag(ours.placed, "placed");
+    check_reserved(ours.reserved, "reserved");
     for (const env::CameraOptions& other : object.cameras) {
       require(other.camera != camera.camera, "name: camera \"{}\" is observed already", camera.camera);
     }

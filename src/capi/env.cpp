@@ -60,6 +60,7 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   options.task = text(config.task);
   options.quality = quality(config);
   check_flag(config.timing, "timing");
+  check_reserved(config.reserved, "reserved");
   options.timing = config.timing != 0;
   options.log = {config.log, config.log_user};
   return options;

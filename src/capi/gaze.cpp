@@ -62,6 +62,7 @@ mimo_status mimo_env_look_angles(mimo_env* env, size_t agent, const double* poin
   return guard([&] {
     const body::Look wanted = look(open(env).world, agent, point, how);
     const std::size_t found = wanted.angles.size();
+    check_length<double>(capacity, "capacity");
     if ((joints != nullptr || angles != nullptr) && capacity < found) {
       fail(Status::kBufferTooSmall, "capacity is {}, but there are {} joints", capacity, found);
     }

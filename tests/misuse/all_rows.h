@@ -3,4 +3,3 @@
 #include "misuse/rows_batch.h"
 #include "misuse/rows_env.h"
 #include "misuse/rows_scene.h"
-#include "misuse/rows_sight.h"

@@ -16,7 +16,6 @@ from stable_baselines3.common.vec_env import SubprocVecEnv  # noqa: E402
 
 from mimo.sb3 import SB3VecEnv  # noqa: E402
 
-
 # Torques have three axes a sensor, touch three a place; policies flatten them themselves.
 EXPLAINED = "has an unconventional shape"
 

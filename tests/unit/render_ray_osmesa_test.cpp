@@ -86,7 +86,7 @@ TEST(RayOsmesa, TheInfantsEyes) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0, 1);
   Agreement agreement;
-  Shot ours(128, 128), theirs(128, 128);
+  Shot ours(256, 256), theirs(256, 256);  // the default size
   for (int k = 0; k < 50; ++k) {
     for (int step = 0; step < 30; ++step) {
       for (int i = 0; i < model->nu; ++i) {

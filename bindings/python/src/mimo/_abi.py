@@ -71,6 +71,7 @@ class AgentConfig(Struct):
         ("touch_reserved", c_uint32),
         ("touch_scale", c_double),
         ("touch_slip_threshold", c_double),
+        ("face", c_char_p),
     ]
 
 
@@ -113,6 +114,10 @@ class EnvConfig(Struct):
         ("log", LogFunction),
         ("log_user", c_void_p),
         ("task", c_char_p),
+        ("render", c_uint32),
+        ("samples", c_uint32),
+        ("render_threads", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
