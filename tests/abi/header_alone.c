@@ -1,6 +1,8 @@
 /* Compiled in many languages by CMakeLists.txt beside it: the header needs nothing before it and can come twice. */
+/* clang-format off: it would take the second line for a mistake */
 #include "mimo/mimo.h"
 #include "mimo/mimo.h"
+/* clang-format on */
 
 mimo_status header_alone(void);
 mimo_status header_alone(void) { return MIMO_OK; }
