@@ -50,24 +50,24 @@ extern "C" {
 #define MIMO_VERSION_MAJOR 0 /**< Version of this header; mimo_version() gives the library's. */
 #define MIMO_VERSION_MINOR 1 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
-#define MIMO_ABI_VERSION 0 /**< Changes when old callers would break; equals the SONAME's number. */
+#define MIMO_ABI_VERSION 0   /**< Changes when old callers would break; equals the SONAME's number. */
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
 typedef int32_t mimo_status;
 
-#define MIMO_OK 0                   /**< The call did what it says. */
-#define MIMO_E_INVALID_ARGUMENT -1  /**< An argument is NULL, out of range or not finite. */
-#define MIMO_E_BAD_HANDLE -2        /**< Not a handle of that kind, or one already destroyed. */
-#define MIMO_E_BUFFER_TOO_SMALL -3  /**< A caller's buffer is shorter than needed; nothing was written. */
-#define MIMO_E_STRUCT_SIZE -4       /**< struct_size unknown, or an unknown tail of the struct is not zero. */
-#define MIMO_E_NOT_FOUND -5         /**< No body, joint, scene, file... of that name. */
-#define MIMO_E_MODEL -6             /**< A model does not compile; the message is MuJoCo's. */
-#define MIMO_E_SIMULATION -7        /**< The simulation failed or diverged; reset makes the world usable again. */
-#define MIMO_E_RENDER -8            /**< The renderer failed. */
-#define MIMO_E_UNSUPPORTED -9       /**< Not possible here, for example no OSMesa on this machine. */
-#define MIMO_E_OUT_OF_MEMORY -10    /**< An allocation failed. */
-#define MIMO_E_FORKED -11           /**< The handle was made in the parent process, before fork(). */
-#define MIMO_E_INTERNAL -12         /**< A defect in libmimo; please report the message. */
+#define MIMO_OK 0                  /**< The call did what it says. */
+#define MIMO_E_INVALID_ARGUMENT -1 /**< An argument is NULL, out of range or not finite. */
+#define MIMO_E_BAD_HANDLE -2       /**< Not a handle of that kind, or one already destroyed. */
+#define MIMO_E_BUFFER_TOO_SMALL -3 /**< A caller's buffer is shorter than needed; nothing was written. */
+#define MIMO_E_STRUCT_SIZE -4      /**< struct_size unknown, or an unknown tail of the struct is not zero. */
+#define MIMO_E_NOT_FOUND -5        /**< No body, joint, scene, file... of that name. */
+#define MIMO_E_MODEL -6            /**< A model does not compile; the message is MuJoCo's. */
+#define MIMO_E_SIMULATION -7       /**< The simulation failed or diverged; reset makes the world usable again. */
+#define MIMO_E_RENDER -8           /**< The renderer failed. */
+#define MIMO_E_UNSUPPORTED -9      /**< Not possible here, for example no OSMesa on this machine. */
+#define MIMO_E_OUT_OF_MEMORY -10   /**< An allocation failed. */
+#define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
+#define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;
@@ -191,29 +191,29 @@ MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
 
 /** One infant: where it is, what it senses, what of it acts. */
 typedef struct mimo_agent_config {
-  uint32_t struct_size;          /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
-  uint32_t place_given;          /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
-  const char *name;              /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
-  const char *body;              /**< "mitten"; or "scene": the body is already part of the scene's MJCF. */
-  double position[3];            /**< Of the root body mimo_location, metres, world frame. */
-  double orientation[4];         /**< Of the root body, w x y z; need not be normalised. */
-  uint32_t proprioception;       /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
-  uint32_t vestibular;           /**< 1: accelerometer and gyroscope in the head; 0: none. */
-  double limit_threshold;        /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
-  uint32_t vision;               /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
-  uint32_t vision_width;         /**< Pixels, 1 to 4096. Default 256. */
-  uint32_t vision_height;        /**< Pixels, 1 to 4096. Default 256. */
-  uint32_t actuation;            /**< A MIMO_ACTUATION_ constant. Default torque. */
-  double vision_fovy;            /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
-  uint32_t acts;                 /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
-  uint32_t normalize_actions;    /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
-  uint32_t touch;                /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
-  int32_t touch_response;        /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch. */
-  int32_t touch_frame;           /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
-  uint32_t touch_reserved;       /**< 0. */
-  double touch_scale;            /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
-  double touch_slip_threshold;   /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
-  const char *face;              /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */
+  uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
+  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
+  const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
+  const char *body;            /**< "mitten"; or "scene": the body is already part of the scene's MJCF. */
+  double position[3];          /**< Of the root body mimo_location, metres, world frame. */
+  double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
+  uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
+  uint32_t vestibular;         /**< 1: accelerometer and gyroscope in the head; 0: none. */
+  double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
+  uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
+  uint32_t vision_width;       /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t vision_height;      /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t actuation;          /**< A MIMO_ACTUATION_ constant. Default torque. */
+  double vision_fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
+  uint32_t acts;               /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
+  uint32_t normalize_actions;  /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
+  uint32_t touch;              /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
+  int32_t touch_response;      /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch. */
+  int32_t touch_frame;         /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
+  uint32_t touch_reserved;     /**< 0. */
+  double touch_scale;          /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
+  double touch_slip_threshold; /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
+  const char *face;            /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */
 } mimo_agent_config;
 
 /**
@@ -369,20 +369,20 @@ typedef struct mimo_env mimo_env;
 
 /** How a world is simulated. */
 typedef struct mimo_env_config {
-  uint32_t struct_size;  /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
-  uint32_t frame_skip;   /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
-  int32_t jacobian;      /**< A MIMO_JACOBIAN_ constant. */
-  uint32_t disable;      /**< MIMO_DISABLE_ bits. */
-  const char *renderer;  /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
-  uint32_t max_steps;    /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
-  uint32_t timing;       /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
-  mimo_log_fn log;       /**< Messages during create, reset and step, or NULL. */
-  void *log_user;        /**< Passed to log. */
-  const char *task;      /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
-  uint32_t render;       /**< MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT. */
-  uint32_t samples;      /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa. */
+  uint32_t struct_size;    /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
+  uint32_t frame_skip;     /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
+  int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
+  uint32_t disable;        /**< MIMO_DISABLE_ bits. */
+  const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
+  uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
+  uint32_t timing;         /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
+  mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
+  void *log_user;          /**< Passed to log. */
+  const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
+  uint32_t render;         /**< MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT. */
+  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa. */
   uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them. Pictures do not differ. Default 1; best so in batches, whose worlds are drawn side by side. */
-  uint32_t reserved;     /**< 0. */
+  uint32_t reserved;       /**< 0. */
 } mimo_env_config;
 
 /**
@@ -550,28 +550,28 @@ MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIM
 #define MIMO_ACTUATOR 6 /**< Motors. */
 #define MIMO_SENSOR 7   /**< MuJoCo's sensors. */
 
-#define MIMO_JOINT_POSITION 1      /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
-#define MIMO_JOINT_VELOCITY 2      /**< Joint: 1, 3 or 6. Writable. */
-#define MIMO_JOINT_FORCE 3         /**< Joint: 1, 3 or 6; generalised force applied by you until changed. Writable. */
-#define MIMO_JOINT_ACCELERATION 4  /**< Joint: 1, 3 or 6. */
-#define MIMO_JOINT_RANGE 5         /**< Joint: 2, low and high; -inf and inf when not limited. */
-#define MIMO_BODY_POSITION 6       /**< Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint. */
-#define MIMO_BODY_ORIENTATION 7    /**< Body: 4, w x y z. Writable for bodies with a free joint. */
-#define MIMO_BODY_VELOCITY 8       /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
-#define MIMO_BODY_FORCE 9          /**< Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable. */
-#define MIMO_BODY_MASS 10          /**< Body: 1, kg. */
+#define MIMO_JOINT_POSITION 1       /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
+#define MIMO_JOINT_VELOCITY 2       /**< Joint: 1, 3 or 6. Writable. */
+#define MIMO_JOINT_FORCE 3          /**< Joint: 1, 3 or 6; generalised force applied by you until changed. Writable. */
+#define MIMO_JOINT_ACCELERATION 4   /**< Joint: 1, 3 or 6. */
+#define MIMO_JOINT_RANGE 5          /**< Joint: 2, low and high; -inf and inf when not limited. */
+#define MIMO_BODY_POSITION 6        /**< Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint. */
+#define MIMO_BODY_ORIENTATION 7     /**< Body: 4, w x y z. Writable for bodies with a free joint. */
+#define MIMO_BODY_VELOCITY 8        /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
+#define MIMO_BODY_FORCE 9           /**< Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable. */
+#define MIMO_BODY_MASS 10           /**< Body: 1, kg. */
 #define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
-#define MIMO_GEOM_POSITION 12      /**< Geom: 3, world, m. */
-#define MIMO_GEOM_ORIENTATION 13   /**< Geom: 4, w x y z. */
-#define MIMO_GEOM_SIZE 14          /**< Geom: 3, by shape. */
-#define MIMO_SITE_POSITION 15      /**< Site: 3, world, m. */
-#define MIMO_SITE_ORIENTATION 16   /**< Site: 4, w x y z. */
-#define MIMO_CAMERA_POSITION 17    /**< Camera: 3, world, m. */
-#define MIMO_CAMERA_ORIENTATION 18 /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
-#define MIMO_ACTUATOR_CONTROL 19   /**< Actuator: 1, control input. Writable. */
-#define MIMO_ACTUATOR_FORCE 20     /**< Actuator: 1, N or Nm. */
-#define MIMO_SENSOR_VALUE 21       /**< Sensor: its dimension. */
-#define MIMO_ACTUATOR_GEAR 22      /**< Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable. */
+#define MIMO_GEOM_POSITION 12       /**< Geom: 3, world, m. */
+#define MIMO_GEOM_ORIENTATION 13    /**< Geom: 4, w x y z. */
+#define MIMO_GEOM_SIZE 14           /**< Geom: 3, by shape. */
+#define MIMO_SITE_POSITION 15       /**< Site: 3, world, m. */
+#define MIMO_SITE_ORIENTATION 16    /**< Site: 4, w x y z. */
+#define MIMO_CAMERA_POSITION 17     /**< Camera: 3, world, m. */
+#define MIMO_CAMERA_ORIENTATION 18  /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
+#define MIMO_ACTUATOR_CONTROL 19    /**< Actuator: 1, control input. Writable. */
+#define MIMO_ACTUATOR_FORCE 20      /**< Actuator: 1, N or Nm. */
+#define MIMO_SENSOR_VALUE 21        /**< Sensor: its dimension. */
+#define MIMO_ACTUATOR_GEAR 22       /**< Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable. */
 
 /** How many of a kind (MIMO_BODY ...) the world has. */
 MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
@@ -929,18 +929,18 @@ MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const uint64_t *seeds, 
  * terminated 0 and truncated 1; one with a NaN among its actions does not move, and only its status is written.
  */
 typedef struct mimo_batch_results {
-  uint32_t struct_size;    /**< sizeof(mimo_batch_results), set by the caller. */
-  uint32_t reserved;       /**< 0. */
-  double *reward;          /**< worlds x agents. */
-  uint8_t *terminated;     /**< worlds x agents. */
-  uint8_t *truncated;      /**< worlds x agents. */
-  size_t agents;           /**< Length of the three arrays above. */
-  mimo_status *status;     /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
-  uint8_t *was_reset;      /**< Per world: 1 when this step started a new episode: the block is its first. */
-  uint8_t *final_written;  /**< Per world: 1 when its final block was written. */
-  size_t worlds;           /**< Length of the three arrays above. */
-  void *final_blocks;      /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows stay as they are. */
-  size_t final_bytes;      /**< Length, as that of the blocks. */
+  uint32_t struct_size;   /**< sizeof(mimo_batch_results), set by the caller. */
+  uint32_t reserved;      /**< 0. */
+  double *reward;         /**< worlds x agents. */
+  uint8_t *terminated;    /**< worlds x agents. */
+  uint8_t *truncated;     /**< worlds x agents. */
+  size_t agents;          /**< Length of the three arrays above. */
+  mimo_status *status;    /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
+  uint8_t *was_reset;     /**< Per world: 1 when this step started a new episode: the block is its first. */
+  uint8_t *final_written; /**< Per world: 1 when its final block was written. */
+  size_t worlds;          /**< Length of the three arrays above. */
+  void *final_blocks;     /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows stay as they are. */
+  size_t final_bytes;     /**< Length, as that of the blocks. */
 } mimo_batch_results;
 
 /**

@@ -172,9 +172,9 @@ void add_bench(CLI::App& program) {
       ->capture_default_str();
   add_seed_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
-  CLI::Option* paper = command->add_flag(
-      "--paper", options->paper,
-      "The paper's Fig. 3: seven sizes of eyes and densities of touch, 60 episodes of a minute each");
+  CLI::Option* paper =
+      command->add_flag("--paper", options->paper,
+                        "The paper's Fig. 3: seven sizes of eyes and densities of touch, 60 episodes of a minute each");
   command->add_flag("--short", options->brief, "With --paper: one episode each")->needs(paper);
   command->add_option("--csv", options->csv, "With --paper: its table goes to this file as well")
       ->type_name("FILE")

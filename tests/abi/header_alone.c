@@ -1,5 +1,6 @@
 /* Compiled in many languages by CMakeLists.txt beside it: the header needs nothing before it and can come twice. */
-/* clang-format off: it would take the second line for a mistake */
+/* Twice on purpose, which clang-format would undo. */
+/* clang-format off */
 #include "mimo/mimo.h"
 #include "mimo/mimo.h"
 /* clang-format on */

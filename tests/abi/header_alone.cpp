@@ -1,5 +1,6 @@
 // Compiled in many versions of C++ by CMakeLists.txt beside it.
-// clang-format off: it would take the second line for a mistake
+// Twice on purpose, which clang-format would undo.
+// clang-format off
 #include "mimo/mimo.hpp"
 #include "mimo/mimo.hpp"
 // clang-format on

@@ -74,8 +74,9 @@ ROW(mimo_scene_add_object, ON_SCENE, mimo_scene_add_object(a->scene, a->object_c
 ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_config),
     NO_NULL(camera_config, "config"), CONFIG(camera_config, mimo_camera_config, "config"), CAMERA(outputs, 0),
     CAMERA(outputs, 8), CAMERA(outputs, -1), CAMERA(width, 0), CAMERA(width, 4097), CAMERA(height, 0),
-    CAMERA(height, 4097), CAMERA(height, -1), CAMERA_UNREAL(fovy), BAD_REAL(camera_config, mimo_camera_config, fovy, 171, "fovy"),
-    CAMERA(placed, 2), CAMERA(reserved, 1), CAMERA_UNREAL(position[1]), CAMERA_UNREAL(look_at[2]),
+    CAMERA(height, 4097), CAMERA(height, -1), CAMERA_UNREAL(fovy),
+    BAD_REAL(camera_config, mimo_camera_config, fovy, 171, "fovy"), CAMERA(placed, 2), CAMERA(reserved, 1),
+    CAMERA_UNREAL(position[1]), CAMERA_UNREAL(look_at[2]),
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(camera_config), FIELD(mimo_camera_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
@@ -98,8 +99,8 @@ ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_
 #define ENV(f, n) BAD_FIELD(env_config, mimo_env_config, f, n, #f)
 ROW(mimo_env_create, ON_SCENE, mimo_env_create(a->scene, a->env_config, a->made_env), NULL_OK(env_config),
     NO_NULL(made_env, "env"), CONFIG(env_config, mimo_env_config, "config"), ENV(frame_skip, 1001), ENV(frame_skip, -1),
-    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 4), ENV(disable, -1), ENV(timing, 2),
-    ENV(render, 32), ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65), ENV(render_threads, -1), ENV(reserved, 1),
+    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 4), ENV(disable, -1), ENV(timing, 2), ENV(render, 32),
+    ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65), ENV(render_threads, -1), ENV(reserved, 1),
     DO(unknown_renderer, E_ARG, "crayons"), DO(unknown_task, MIMO_E_NOT_FOUND, "homework"),
     DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"), DO(no_renderer, E_ARG, "renderer"))
 ROW(mimo_env_make, 0, mimo_env_make(a->scene_name, a->made_env), NO_NULL(scene_name, "scene_name"),

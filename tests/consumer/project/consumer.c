@@ -8,7 +8,7 @@ static int complain(void) {
 }
 
 int main(void) {
-  mimo_env *env;
+  mimo_env* env;
   double seconds = 0;
   printf("libmimo %s on MuJoCo %s\n", mimo_version(), mimo_mujoco_version());
   if (mimo_abi_version() != MIMO_ABI_VERSION) return 1;
