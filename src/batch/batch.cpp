@@ -1,7 +1,6 @@
 #include "batch/batch.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <new>
 
 #include "base/fail.h"
