@@ -59,20 +59,18 @@ void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uin
   perform(call);
 }
 
-void Batch::step(const float* actions, const Output& output) {
+Batch::Call Batch::step_call(const float* actions, const Output& output) {
   Call call;
   call.work = &Batch::step_world;
   call.actions = actions;
   call.output = output;
-  perform(call);
+  return call;
 }
 
+void Batch::step(const float* actions, const Output& output) { perform(step_call(actions, output)); }
+
 void Batch::send(const float* actions, const Output& output) {
-  Call call;
-  call.work = &Batch::step_world;
-  call.actions = actions;
-  call.output = output;
-  begin(call);
+  begin(step_call(actions, output));
   try {
     pool_.start(*this, size());
   } catch (...) {  // no thread to be had

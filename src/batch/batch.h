@@ -85,6 +85,7 @@ class Batch : private Job {
     std::size_t stride = 0;
   };
 
+  static Call step_call(const float* actions, const Output& output);
   void begin(const Call& call);
   void perform(const Call& call);
   void finish();
