@@ -28,4 +28,14 @@ void prefix_names(pugi::xml_node root, const std::string& prefix) {
   }
 }
 
+void prefix_classes(pugi::xml_node root, const std::string& prefix) {
+  if (prefix.empty()) return;
+  walk(root, [&](pugi::xml_node node) {
+    for (const char* name : {"class", "childclass"}) {
+      const pugi::xml_attribute attribute = node.attribute(name);
+      if (!attribute.empty()) set(node, name, prefix + attribute.value());
+    }
+  });
+}
+
 }  // namespace mimo::scene

@@ -10,4 +10,7 @@ namespace mimo::scene {
 // default classes and assets stay: they are shared by all infants.
 void prefix_names(pugi::xml_node root, const std::string& prefix);
 
+// Prefixes the default classes of a body's document and all uses of them, for a scene that has classes of these names.
+void prefix_classes(pugi::xml_node root, const std::string& prefix);
+
 }  // namespace mimo::scene

@@ -4,6 +4,7 @@
 
 #include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 #include "scene/library.h"
 
@@ -18,7 +19,12 @@ class Recipe {
   unsigned acts() const;
   // Words: "proprioception vestibular"; "" if the recipe does not say.
   std::string senses() const;
-  // Puts its content into the document that holds the infant. With `keep_root` the infant stays where it was put.
+  // One word: "muscle"; "" if the recipe does not say.
+  std::string actuation() const;
+  // Bodies that it is made for, the usual one first; none if it does for all.
+  std::vector<std::string> bodies() const;
+  // Puts its content into the document that holds the infant, but for what concerns parts that the infant does not
+  // have: one recipe does for several bodies. With `keep_root` the infant stays where it was put.
   void apply(pugi::xml_node root, const std::string& prefix, bool keep_root);
 
  private:

@@ -15,7 +15,7 @@ namespace mimo::scene {
 namespace {
 
 constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody"};
-constexpr const char* kBodies[] = {"mitten"};
+constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kPlaces = "mimo:place";  // custom number of a room: 7 values a place
 
@@ -92,25 +92,52 @@ std::array<double, 6> picture_axes(const Camera& camera) {
   return {right[0], right[1], right[2], up[0], up[1], up[2]};
 }
 
-// MuJoCo sizes its buffers for the worst case, 19 MB a world. In ten hours of random movement an infant needed up to
-// 37 contacts, 175 constraints (210 with every joint locked) and 23,000 numbers of stack. A buffer that is full after
-// all shows as a warning, never as a crash.
+// Infants of one kind share their default classes; those of another kind have the same names and other content.
+bool has_infant_classes(pugi::xml_node root) {
+  for (const pugi::xml_node section : root.children("default")) {
+    if (!section.find_child_by_attribute("default", "class", "mimo").empty()) return true;
+  }
+  return false;
+}
+
+// Textures and materials are the same for all kinds where they have the same name.
+void add_assets(pugi::xml_node root, pugi::xml_node assets) {
+  std::set<std::string> there;
+  for (const pugi::xml_node section : root.children("asset")) {
+    for (const pugi::xml_node asset : section.children()) {
+      there.insert(std::string(asset.name()) + " " + asset.attribute("name").value());
+    }
+  }
+  const pugi::xml_node added = append(root, "asset");
+  for (const pugi::xml_node asset : assets.children()) {
+    const bool is_new = there.count(std::string(asset.name()) + " " + asset.attribute("name").value()) == 0;
+    if (asset.type() == pugi::node_element && is_new) copy_into(added, asset);
+  }
+  if (added.first_child().empty()) root.remove_child(added);
+}
+
+// MuJoCo sizes its buffers for the worst case, 19 MB a world. In ten hours of random movement an infant with mitten
+// hands needed up to 37 contacts, 175 constraints (210 with every joint locked) and 23,000 numbers of stack; one with
+// five fingers, whose contacts have six constraints, in ten minutes 68, 410 and 63,000. A buffer that is full after all
+// shows as a warning, never as a crash.
 struct Buffers {
   int contacts, constraints, stack;
 };
 constexpr Buffers kRoom = {20, 60, 20000};
-constexpr Buffers kInfant = {100, 340, 80000};
+constexpr Buffers kMitten = {100, 340, 80000};
+constexpr Buffers kFingers = {200, 900, 230000};
 constexpr Buffers kObject = {20, 60, 5000};
 
-void size_buffers(pugi::xml_node root, int infants, int objects) {
-  if (infants == 0) return;
+void size_buffers(pugi::xml_node root, int mittens, int fingers, int objects) {
+  if (mittens + fingers == 0) return;
   for (const pugi::xml_node given : root.children("size")) {
     for (const char* name : {"njmax", "nconmax", "nstack", "memory"}) {
       if (given.attribute(name)) return;  // the document's author has decided
     }
   }
   const auto sum = [=](int Buffers::*which) {
-    return std::to_string(kRoom.*which + infants * kInfant.*which + objects * kObject.*which);
+    return std::to_string(kRoom.*which + mittens * kMitten.*which + fingers * kFingers.*which +
+                          objects * kObject.*which);
   };
   const pugi::xml_node size = section(root, "size");
   set(size, "nconmax", sum(&Buffers::contacts));
@@ -174,6 +201,10 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   const std::string root_name = prefix + kRootBody;
   require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
   const Pose place = pose != nullptr ? *pose : next_place();
+  Recipe recipe = Recipe::of_room(document_.document_element(), library_);
+  const std::vector<std::string> fit = recipe.bodies();
+  require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
+          "body \"{}\": the scene is made for {} only", body, fmt::join(fit, ", "));
 
   const pugi::xml_document guest = Loader(library_).built_in(body + ".xml");
   const pugi::xml_node guest_root = guest.document_element();
@@ -181,22 +212,27 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   const pugi::xml_node root = changed.document_element();
   prefix_names(guest_root, prefix);
   if (in_radians(root)) convert_to_radians(guest_root);
+  const bool known = kinds_.count(body) > 0;
+  const std::string classes = known ? kinds_.at(body).classes : has_infant_classes(root) ? body + ":" : "";
+  prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
-    const bool shared = name == "default" || name == "asset";
     if (name == "compiler" || part.type() != pugi::node_element) continue;
-    if (shared && body_assets_added_) continue;
-    copy_into(root, part);
+    if (name == "asset") {
+      add_assets(root, part);
+    } else if (name != "default" || !known) {
+      copy_into(root, part);
+    }
   }
   for (const pugi::xml_node world : root.children("worldbody")) {
     const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
     if (!added.empty()) set_pose(added, place);
   }
-  Recipe recipe = Recipe::of_room(root, library_);
   keep_motors(root, prefix, groups != 0 ? groups : recipe.acts());
   recipe.apply(root, prefix, pose != nullptr);
+  Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
   document_ = std::move(changed);
-  body_assets_added_ = true;
+  ++kind.count;
   ++bodies_;
 }
 
@@ -208,6 +244,15 @@ void Scene::choose_motors(const std::string& prefix, unsigned groups) {
 }
 
 std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }
+
+std::string Scene::actuation() const { return Recipe::of_room(document_.document_element(), library_).actuation(); }
+
+const char* Scene::usual_body() const {
+  const std::vector<std::string> fit = Recipe::of_room(document_.document_element(), library_).bodies();
+  const auto* const found =
+      fit.empty() ? std::begin(kBodies) : std::find(std::begin(kBodies), std::end(kBodies), fit.front());
+  return found != std::end(kBodies) ? *found : kBodies[0];
+}
 
 void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
@@ -255,7 +300,8 @@ void Scene::add_camera(const Camera& camera) {
 
 pugi::xml_document Scene::finished() const {
   pugi::xml_document document = copy(document_);
-  size_buffers(document.document_element(), bodies_, objects_);
+  const auto count = [&](const char* body) { return kinds_.count(body) > 0 ? kinds_.at(body).count : 0; };
+  size_buffers(document.document_element(), count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", kRootBody);
   if (infants) keep_hands_in_sight(document.document_element());
   return document;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -55,13 +56,17 @@ class Scene {
  public:
   explicit Scene(const Source& source);
 
-  // Adds the body of an infant ("mitten"). Its model names get the prefix; no pose means the scene's own place; only
-  // motors of the groups act, 0 means the scene's own choice.
+  // Adds the body of an infant ("mitten", "fingers"). Its model names get the prefix; no pose means the scene's own
+  // place; only motors of the groups act, 0 means the scene's own choice.
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
   // The senses that the scene gives its infants, "proprioception vestibular"; "" if it does not say.
   std::string senses() const;
+  // How infants of this scene usually act, "muscle"; "" if it does not say.
+  std::string actuation() const;
+  // The body that infants of this scene usually have; static.
+  const char* usual_body() const;
   void add_object(const Object& object);
   void add_camera(const Camera& camera);
 
@@ -82,7 +87,12 @@ class Scene {
   pugi::xml_document document_;
   int bodies_ = 0;
   int objects_ = 0;
-  bool body_assets_added_ = false;
+  // How many infants of a body were added, and what the names of their default classes begin with.
+  struct Kind {
+    int count = 0;
+    std::string classes;
+  };
+  std::map<std::string, Kind> kinds_;
 };
 
 // Names of the built-in scenes and bodies; nullptr past the last.
