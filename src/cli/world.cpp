@@ -39,6 +39,20 @@ bool file_holds_infant(const WorldOptions& options) {
   return Env(load_scene(options), config).has(MIMO_BODY, "mimo_location");
 }
 
+// "scene" where the infant is part of the scene's file, "" where there is none.
+std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& usual) {
+  if (is_file(options.scene) && file_holds_infant(options)) return "scene";
+  return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
+}
+
+// Words for MIMO_ACTUATION_ constants, in their order.
+const std::vector<std::string> kActuations = {"torque", "position", "muscle", "mujoco-muscle"};
+
+std::uint32_t actuation(const WorldOptions& options, const mimo_agent_config& usual) {
+  const auto found = std::find(kActuations.begin(), kActuations.end(), options.actuation);
+  return found == kActuations.end() ? usual.actuation : static_cast<std::uint32_t>(found - kActuations.begin());
+}
+
 std::uint32_t pixels(const WorldOptions& options) {
   if (options.vision == "off") return 0;
   return options.vision.empty() ? 256 : static_cast<std::uint32_t>(std::stoul(options.vision));
@@ -93,8 +107,8 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
   command
       .add_option("--body", options.body,
-                  "Body of the infant: mitten. A file that holds an infant keeps that\n"
-                  "one; a file without gets one only if this is given")
+                  "Body of the infant: mitten or fingers. A file that holds an infant\n"
+                  "keeps that one; a file without gets one only if this is given")
       ->type_name("BODY");
 }
 
@@ -123,6 +137,14 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
+void add_actuation_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--actuation", options.actuation,
+                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: the scene's own")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(kActuations));
+}
+
 void add_face_option(CLI::App& command, WorldOptions& options) {
   std::string names;
   for (std::size_t i = 0; const char* name = mimo_face_name(i); ++i) names += (i ? ", " : "") + std::string(name);
@@ -136,19 +158,15 @@ void add_seed_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
-std::string body_of_scene(const WorldOptions& options) {
-  if (is_file(options.scene)) {
-    return file_holds_infant(options) ? "scene" : options.body;
-  }
-  return options.body.empty() ? "mitten" : options.body;
-}
-
 Scene make_scene(const WorldOptions& options, Senses senses) {
   Scene scene = load_scene(options);
-  const std::string body = body_of_scene(options);
+  auto usual = defaults(mimo_agent_config_init);
+  check(mimo_scene_default_agent(scene.get(), &usual, sizeof usual));
+  const std::string body = body_of_scene(options, usual);
   if (body.empty()) return scene;
   mimo_agent_config agent = agent_config(options, senses);
   agent.body = body.c_str();
+  agent.actuation = actuation(options, usual);
   scene.add_agent(agent);
   return scene;
 }

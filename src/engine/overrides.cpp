@@ -51,6 +51,20 @@ void Overrides::paint(mjModel& model, int geom, int material) {
   model.geom_matid[geom] = material;
 }
 
+void Overrides::slacken(mjModel& model, int joint, int dof, double damping) {
+  own(stiffness_, model.jnt_stiffness, model.njnt);
+  own(damping_, model.dof_damping, model.nv);
+  model.jnt_stiffness[joint] = 0;
+  model.dof_damping[dof] = damping;
+}
+
+void Overrides::unlimit(mjModel& model, int actuator) {
+  own(control_limited_, model.actuator_ctrllimited, model.nu);
+  own(force_limited_, model.actuator_forcelimited, model.nu);
+  model.actuator_ctrllimited[actuator] = 0;
+  model.actuator_forcelimited[actuator] = 0;
+}
+
 void Overrides::save(const mjModel& model, ByteWriter& to) {
   for (int i = 0; i < model.neq; ++i) {
     to.put(model.eq_active[i]);

@@ -23,6 +23,10 @@ class Overrides {
   void release(mjModel& model, int lock);
   double& gear(mjModel& model, int actuator);
   void paint(mjModel& model, int geom, int material);
+  // Takes a hinge's spring away and sets its damper. Frees a motor from its limits. Neither is part of a state: a world
+  // does it when it is made.
+  void slacken(mjModel& model, int joint, int dof, double damping);
+  void unlimit(mjModel& model, int actuator);
 
   // Everything in which a world's model may differ, gravity included.
   static void save(const mjModel& model, ByteWriter& to);
@@ -35,6 +39,8 @@ class Overrides {
   std::vector<mjtNum> data_;
   std::vector<mjtNum> gear_;
   std::vector<int> material_;
+  std::vector<mjtNum> stiffness_, damping_;
+  std::vector<mjtByte> control_limited_, force_limited_;
 };
 
 // The equality that can hold a joint; -1 if the model has none.

@@ -1,5 +1,6 @@
 #include "env/agent.h"
 
+#include "actuation/feedback.h"
 #include "base/fail.h"
 #include "senses/vestibular.h"
 
@@ -7,7 +8,7 @@ namespace mimo::env {
 namespace {
 
 bool any(const senses::ProprioceptionOptions& p) {
-  return p.position || p.velocity || p.torque || p.limit || p.actuation || p.joint_torque;
+  return p.position || p.velocity || p.torque || p.limit || p.actuation || p.joint_torque || p.effort;
 }
 
 std::shared_ptr<const senses::touch::Skin> make_skin(const mjModel& model, const body::Body& body,
@@ -31,8 +32,13 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   if (any(options.proprioception)) {
     senses::ProprioceptionOptions proprioception = options.proprioception;
     proprioception.position_control = options.actuation.mode == actuation::Mode::kPosition;
+    if (!agent.actuation->fields(model).empty()) proprioception.actuation = false;  // it has fields of its own
     agent.senses.push_back(std::make_unique<senses::Proprioception>(model, agent.body, proprioception));
   }
+  const bool own_fields = options.proprioception.actuation;
+  auto feedback =
+      std::make_unique<actuation::Feedback>(model, *agent.actuation, own_fields, options.proprioception.effort);
+  if (!feedback->fields().empty()) agent.senses.push_back(std::move(feedback));
   if (options.vestibular) agent.senses.push_back(std::make_unique<senses::Vestibular>(agent.body));
   if (options.touch.any()) {
     agent.skin = options.skin != nullptr ? options.skin : make_skin(model, agent.body, options.touch);

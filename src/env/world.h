@@ -81,6 +81,7 @@ class World {
   void write(senses::Sense& sense, std::uint8_t* block, bool timed);
   TaskMaker task_maker() const;
   void start();
+  void step_once(bool sensors);
   void sense(std::uint8_t* block, bool timed);
   void evaluate();
   void report(const Results& results) const;

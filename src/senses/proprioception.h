@@ -13,6 +13,7 @@ struct ProprioceptionOptions {
   bool limit = true;
   bool actuation = true;
   bool joint_torque = false;       // about each joint's own axis
+  bool effort = false;             // what the commands cost; the actuation writes it
   double limit_threshold = 0.035;  // rad
   bool position_control = false;   // actuation means target angles then
 };

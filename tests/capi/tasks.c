@@ -107,8 +107,8 @@ static void check_agents(void) {
   agent.acts = 0x800;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
   agent.acts = MIMO_ACT_RIGHT_LEG | MIMO_ACT_LEFT_LEG;
-  agent.actuation = 2;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 2", mimo_scene_add_agent(scene, &agent, NULL));
+  agent.actuation = 4;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 4", mimo_scene_add_agent(scene, &agent, NULL));
   agent.actuation = MIMO_ACTUATION_POSITION;
   agent.normalize_actions = 1;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
