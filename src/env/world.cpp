@@ -197,7 +197,10 @@ void World::write(senses::Sense& sense, std::uint8_t* block, bool timed) {
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
 void World::evaluate() {
   const Flag at_work(in_task_);
-  for (const Agent& agent : agents_) agent.task->evaluate(physics_);
+  for (const Agent& agent : agents_) {
+    agent.task->spend(agent.actuation->effort(model(), data()));
+    agent.task->evaluate(physics_);
+  }
   for (const Agent& agent : agents_) agent.task->follow(physics_);
 }
 

@@ -18,6 +18,7 @@ constexpr const char* kRecipe = "mimo:infant";
 constexpr const char* kActs = "mimo:acts";
 constexpr const char* kSenses = "mimo:senses";
 constexpr const char* kActuation = "mimo:actuation";
+constexpr const char* kStill = "mimo:still";
 constexpr const char* kBodies = "mimo:bodies";
 constexpr const char* kRootJoint = "mimo:root_joint";
 constexpr const char* kRootPose = "mimo:root";
@@ -112,6 +113,8 @@ unsigned Recipe::acts() const {
 
 std::string Recipe::senses() const { return custom_text(document_.document_element(), kSenses); }
 
+std::string Recipe::still() const { return custom_text(document_.document_element(), kStill); }
+
 std::string Recipe::actuation() const { return custom_text(document_.document_element(), kActuation); }
 
 std::vector<std::string> Recipe::bodies() const {
@@ -133,14 +136,16 @@ void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_roo
   }
 }
 
-void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups) {
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still) {
+  const std::string resting = prefix + "act:" + still;
   for (pugi::xml_node section : root.children("actuator")) {
     for (pugi::xml_node motor = section.first_child(); motor;) {
       const pugi::xml_node next = motor.next_sibling();
       const std::string name = motor.attribute("name").value();
       if (name.compare(0, prefix.size(), prefix) == 0) {
         const unsigned group = group_of(name.substr(prefix.size()));
-        if (group != 0 && (group & groups) == 0) section.remove_child(motor);
+        const bool rests = !still.empty() && name.compare(0, resting.size(), resting) == 0;
+        if (rests || (group != 0 && (group & groups) == 0)) section.remove_child(motor);
       }
       motor = next;
     }

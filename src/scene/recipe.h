@@ -17,6 +17,8 @@ class Recipe {
 
   // Groups whose motors act; all of them if the recipe does not say.
   unsigned acts() const;
+  // How the names of motors begin that do not act although their group does, "right_thumb_"; "" if none.
+  std::string still() const;
   // Words: "proprioception vestibular"; "" if the recipe does not say.
   std::string senses() const;
   // One word: "muscle"; "" if the recipe does not say.
@@ -34,7 +36,7 @@ class Recipe {
 // A custom text of a document; "" if there is none.
 std::string custom_text(pugi::xml_node root, const std::string& name);
 
-// Takes the infant's motors of all groups but these out of the document.
-void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups);
+// Takes the infant's motors of all groups but these out of the document, and those whose names begin with `still`.
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still = "");
 
 }  // namespace mimo::scene

@@ -14,7 +14,7 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody"};
+constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "catch"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kPlaces = "mimo:place";  // custom number of a room: 7 values a place
@@ -228,7 +228,11 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
     const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
     if (!added.empty()) set_pose(added, place);
   }
-  keep_motors(root, prefix, groups != 0 ? groups : recipe.acts());
+  if (groups != 0) {
+    keep_motors(root, prefix, groups);
+  } else {
+    keep_motors(root, prefix, recipe.acts(), recipe.still());
+  }
   recipe.apply(root, prefix, pose != nullptr);
   Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
   document_ = std::move(changed);

@@ -119,9 +119,20 @@ static void check_agents(void) {
   CHECK(low[3] == -1 && high[3] == 1);
   mimo_env_destroy(env);
 
+  scene = scene_named("catch");
+  CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
+  CHECK(strcmp(agent.body, "fingers") == 0 && agent.actuation == MIMO_ACTUATION_MUSCLE && agent.vision == 0);
+  agent.body = "mitten";
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "made for fingers only", mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_scene_add_agent(scene, NULL, NULL));
+  env = env_of(scene);
+  CHECK_OK(mimo_env_action_size(env, &count));
+  CHECK(count == 40);
+  mimo_env_destroy(env);
+
   scene = scene_named("free");
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
-  CHECK(agent.vision == MIMO_VISION_RGB);
+  CHECK(agent.vision == MIMO_VISION_RGB && strcmp(agent.body, "mitten") == 0);
   agent.vision = 0;
   agent.acts = MIMO_ACT_NONE;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));

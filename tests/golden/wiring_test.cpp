@@ -43,7 +43,7 @@ std::string name_of(mjtObj type, int id) {
   return text == nullptr ? "" : text;
 }
 
-TEST_P(GoldenWiring, Actuators) {
+void expect_actuators() {
   const Table table(tables() + "actuators.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.nu);
@@ -83,7 +83,7 @@ std::map<std::string, double> coefficients(const std::string& text) {
   return result;
 }
 
-TEST_P(GoldenWiring, Tendons) {
+void expect_tendons() {
   const Table table(tables() + "tendons.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.ntendon);
@@ -107,6 +107,16 @@ TEST_P(GoldenWiring, Tendons) {
     EXPECT_TRUE(close(row.numbers("solref_lim"), m.tendon_solref_lim + mjNREF * id));
     EXPECT_TRUE(close(row.numbers("solimp_lim"), m.tendon_solimp_lim + mjNIMP * id));
   }
+}
+
+TEST_P(GoldenWiring, Actuators) { expect_actuators(); }
+TEST_P(GoldenWiring, Tendons) { expect_tendons(); }
+
+// The original's room has the right hand's locks and sensors only; our infant keeps all that it has.
+TEST(GoldenWiringOfCatch, ActuatorsAndTendons) {
+  tested = "catch";
+  expect_actuators();
+  expect_tendons();
 }
 
 TEST_P(GoldenWiring, Equalities) {
