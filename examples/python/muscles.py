@@ -55,11 +55,11 @@ axes[0].set(xlabel="length", ylabel="force / peak force", ylim=(0, 1.4))
 axes[0].axvspan(0.75, 1.05, alpha=0.15, label="range of motion")
 axes[1].set(xlabel="velocity / fastest shortening (stretch: positive)", ylabel="force / peak force")
 axes[2].set(xlabel="time (s)", ylabel="activation; told 1 until 0.15 s")
-for axis in axes:
-    axis.legend(fontsize="small")
+for axis, place in zip(axes, ("upper left", "upper left", "upper right")):
+    axis.legend(fontsize="x-small", loc=place)
 figure.savefig(folder / "muscle_curves.png", dpi=120)
 
-# 2. The elbow bends to -70 degrees; from 1.5 s to 1.7 s something pushes it back with 1 Nm.
+# 2. The elbow bends to -70 degrees; from 4 s to 4.2 s something pushes it back with 1 Nm.
 goal = np.deg2rad(-70)
 spring = 0.13 * (goal - np.deg2rad(-20))  # what the joint's spring gives against it, Nm
 
@@ -88,18 +88,18 @@ ways = {
     "muscles, both at 0.1": (mimo.Actuation.MUSCLE, lambda world: balanced(world, 0.1)),
     "muscles, both at 0.8": (mimo.Actuation.MUSCLE, lambda world: balanced(world, 0.8)),
 }
-times = np.arange(1, 301) * 0.01
+times = np.arange(1, 701) * 0.01
 figure, axis = plt.subplots(figsize=(7, 3.6), layout="constrained")
 for name, (actuation, command) in ways.items():
     world = weightless(actuation)
     action, elbow, angles = command(world), world.joints(JOINT), []
     for time in times:
-        elbow.force = [1.0 if 1.5 < time <= 1.7 else 0.0]
+        elbow.force = [1.0 if 4 < time <= 4.2 else 0.0]
         world.step(action)
         angles.append(np.rad2deg(elbow.position[0]))
     axis.plot(times, angles, label=name)
-    print(f"{name:22s} at {angles[149]:6.1f} degrees, pushed to {max(angles[150:]):6.1f}")
-axis.axvspan(1.5, 1.7, alpha=0.15)
+    print(f"{name:22s} at {angles[399]:6.1f} degrees, pushed to {max(angles[400:]):6.1f}")
+axis.axvspan(4, 4.2, alpha=0.15)
 axis.set(xlabel="time (s)", ylabel="elbow (degrees)")
 axis.legend()
 figure.savefig(folder / "muscle_movement.png", dpi=120)

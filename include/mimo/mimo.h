@@ -236,8 +236,8 @@ typedef struct mimo_agent_config {
 MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Fills a config with what the scene gives its infant by itself: its body (static string), and in reach, standup and
- * selfbody the senses of the paper's experiments, and no eyes; elsewhere the same as mimo_agent_config_init.
+ * Fills a config with what the scene gives its infant by itself: its body (static string), and in reach, standup,
+ * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agent_config *config,

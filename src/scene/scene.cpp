@@ -14,7 +14,7 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "catch"};
+constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "catch", "showroom"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kPlaces = "mimo:place";  // custom number of a room: 7 values a place

@@ -13,9 +13,9 @@ struct ProprioceptionOptions {
   bool limit = true;
   bool actuation = true;
   bool joint_torque = false;       // about each joint's own axis
-  bool effort = false;             // what the commands cost; the actuation writes it
   double limit_threshold = 0.035;  // rad
   bool position_control = false;   // actuation means target angles then
+  bool effort = false;             // what the commands cost; the actuation writes it
 };
 
 class Proprioception : public Sense {

@@ -33,7 +33,8 @@ class GoldenModel : public ::testing::TestWithParam<const char*> {
   void SetUp() override { tested = GetParam(); }
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenModel,
-                         ::testing::Values("v1_benchmark", "v2_benchmark", "reach", "standup", "selfbody", "catch"),
+                         ::testing::Values("v1_benchmark", "v2_benchmark", "reach", "standup", "selfbody", "catch",
+                                           "showroom"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 std::string body_name(int body) { return engine::name(model(), Kind::kBody, body); }

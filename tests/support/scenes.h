@@ -56,7 +56,7 @@ inline engine::ModelPtr benchmark_model(const std::string& body = "mitten") {
 inline engine::ModelPtr golden_model(const std::string& tables) {
   if (tables == "v1_benchmark") return benchmark_model();
   if (tables == "v2_benchmark") return benchmark_model("fingers");
-  return room_with_infant(tables, tables == "catch" ? "fingers" : "mitten");
+  return room_with_infant(tables, tables == "catch" || tables == "showroom" ? "fingers" : "mitten");
 }
 
 // An infant held still 1 m above the origin: its root hangs on a stiff weld, all joints are locked at 0, no floor.
