@@ -34,7 +34,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   const TaskMaker make_task = task_maker();
   render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
-  for (const CameraOptions& camera : options_.cameras) add_camera(camera, eyes);
+  for (const CameraOptions& camera : options_.cameras) observer_.add_camera(physics_.model(), camera, eyes);
   start();
   measure_state();
   report_warnings();
@@ -44,31 +44,10 @@ void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, r
   Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes);
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
-  for (const auto& sense : agent.senses) lay_out(*sense);
+  for (const auto& sense : agent.senses) observer_.add(*sense);
   body::read_stored_pose(physics_.model(), agent.body, physics_.start());
   agents_.push_back(std::move(agent));
   if (!options.face.empty()) set_face(agents_.size() - 1, options.face);
-}
-
-void World::add_camera(const CameraOptions& options, render::Renderer* renderer) {
-  if (renderer == nullptr) {
-    fail(Status::kInvalidArgument, "renderer \"none\": camera \"{}\" is to be observed; choose a renderer",
-         options.camera);
-  }
-  const senses::Lens lens{"vision/" + options.camera,
-                          engine::find_or_fail(model(), engine::Kind::kCamera, options.camera)};
-  cameras_.push_back(
-      std::make_unique<senses::Vision>(model(), std::vector<senses::Lens>{lens}, options.vision, *renderer));
-  lay_out(*cameras_.back());
-}
-
-void World::lay_out(senses::Sense& sense) {
-  for (senses::Field& field : sense.fields()) {
-    for (std::size_t i = 0; i < layout_.size(); ++i) {
-      require(layout_[i].name != field.name, "there are two fields \"{}\"", field.name);
-    }
-    layout_.add(field);
-  }
 }
 
 void World::require_outside_task() const {
@@ -176,16 +155,7 @@ void World::observe(std::uint8_t* block) {
 
 // Only steps are timed: looking in between would blur what a step costs.
 void World::sense(std::uint8_t* block, bool timed) {
-  for (const Agent& agent : agents_) {
-    for (const auto& sense : agent.senses) write(*sense, block, timed);
-  }
-  for (const auto& camera : cameras_) write(*camera, block, timed);
-  layout_.clear_gaps(block);
-}
-
-void World::write(senses::Sense& sense, std::uint8_t* block, bool timed) {
-  const Stopwatch watch(timed, timing_.senses[static_cast<std::size_t>(sense.part())]);
-  sense.write(model(), data(), block);
+  observer_.observe(model(), data(), block, timed ? &timing_ : nullptr);
 }
 
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.

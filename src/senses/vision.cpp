@@ -3,10 +3,36 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "base/format.h"
 
 namespace mimo::senses {
+namespace {
 
-std::vector<Lens> eyes(const body::Body& body) {
+using engine::Kind;
+
+std::vector<Lens> carried_cameras(const mjModel& model, const body::Body& body) {
+  std::vector<Lens> lenses;
+  std::vector<std::string> others;
+  for (int camera = 0; camera < model.ncam; ++camera) {
+    const std::string own = engine::name(model, Kind::kCamera, camera);
+    const std::string name = own.empty() ? "camera" + std::to_string(camera) : own;
+    if (body.root == 0 || body.has(model.cam_bodyid[camera])) {  // the world's own as well, where it is all
+      lenses.push_back({"vision/" + name, camera});
+    } else {
+      others.push_back(name);
+    }
+  }
+  if (lenses.empty()) {
+    fail(Status::kNotFound, "vision is on, but body \"{}\" carries no camera; cameras elsewhere: {}",
+         engine::name(model, Kind::kBody, body.root), others.empty() ? "none" : fmt::to_string(fmt::join(others, ", ")));
+  }
+  return lenses;
+}
+
+}  // namespace
+
+std::vector<Lens> eyes(const mjModel& model, const body::Body& body) {
+  if (!body.infant) return carried_cameras(model, body);
   if (body.eye_left < 0 || body.eye_right < 0) {
     fail(Status::kNotFound, "vision is on, but the model has no cameras {0}eye_left and {0}eye_right", body.prefix);
   }

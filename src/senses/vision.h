@@ -27,8 +27,8 @@ struct Lens {
   int camera;
 };
 
-// The infant's eyes. Throws Status::kNotFound where the model lacks them.
-std::vector<Lens> eyes(const body::Body& body);
+// The infant's eyes; all cameras that another agent carries. Throws Status::kNotFound where there are none.
+std::vector<Lens> eyes(const mjModel& model, const body::Body& body);
 
 class Vision : public Sense {
  public:
