@@ -1,10 +1,32 @@
 #include "env/agent.h"
 
+#include <algorithm>
+
+#include "base/fail.h"
+
 namespace mimo::env {
+namespace {
+
+// MuJoCo knows the forces between bodies only when a sensor wants something of the kind.
+bool knows_forces_between_bodies(const mjModel& model) {
+  return std::any_of(model.sensor_type, model.sensor_type + model.nsensor, [](int type) {
+    return type == mjSENS_FORCE || type == mjSENS_TORQUE || type == mjSENS_ACCELEROMETER;
+  });
+}
+
+void check_joint_torque(const mjModel& model, const AgentOptions& options) {
+  if (!options.proprioception.joint_torque || knows_forces_between_bodies(model)) return;
+  fail(Status::kUnsupported,
+       "proprioception: torque about the joints' axes needs a force, torque or accelerometer sensor somewhere in the "
+       "model, for MuJoCo to compute the forces between its bodies");
+}
+
+}  // namespace
 
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
                  std::size_t number, render::Renderer* renderer) {
   const mjModel& model = physics.model();
+  check_joint_torque(model, options);
   Agent agent{perceive(model, options, renderer), options.name, {}, nullptr, nullptr};
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);

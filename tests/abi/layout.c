@@ -56,6 +56,8 @@ int main(void) {
   FIELD(mimo_agent_config, touch_scale);
   FIELD(mimo_agent_config, touch_slip_threshold);
   FIELD(mimo_agent_config, face);
+  FIELD(mimo_agent_config, root);
+  FIELD(mimo_agent_config, vestibular_at);
 
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);

@@ -53,10 +53,13 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
-    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
+    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
+    DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"))
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
     BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
+ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent, a->name), BAD_I32(agent, 1, "agent"),
+    BAD_IDS(agent, "agent"), NO_NULL(name, "joint"), DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))
 
 #define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_REAL(f, n) BAD_REAL(object_config, mimo_object_config, f, n, #f)

@@ -87,6 +87,11 @@ class Scene(Handle):
         check(LIB.mimo_scene_set_touch(self._handle, agent, utf8(body), spacing))
         self._remember("set_touch", body, spacing, agent)
 
+    def read_joint(self, joint: str, agent: int = 0) -> None:
+        """Has proprioception read this hinge or slide of an agent; the first call takes away all others."""
+        check(LIB.mimo_scene_read_joint(self._handle, agent, utf8(joint)))
+        self._remember("read_joint", joint, agent)
+
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
         config = _abi.ObjectConfig()
