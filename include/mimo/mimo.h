@@ -272,6 +272,36 @@ MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, int32_t agent, cons
  */
 MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, int32_t agent, const char *joint) MIMO_NOEXCEPT;
 
+/** How much less an agent senses than there is to be sensed. What is not limited costs nothing. */
+typedef struct mimo_limits {
+  uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
+  uint32_t delay;       /**< Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0. */
+  double gain;          /**< Factor of all values, >= 0. Default 1. */
+  double noise;         /**< Standard deviation of the Gaussian noise that is added, >= 0, in the field's unit (colours: levels of 255). Default 0. */
+  double blur;          /**< Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000. */
+} mimo_limits;
+
+/**
+ * Fills limits with those of a perfect sense.
+ * @param size sizeof(mimo_limits) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_limits_init(mimo_limits *limits, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then
+ * comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field. The noise follows from
+ * the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of
+ * the world's state, and no episode senses anything of the one before.
+ * @param path   a field without its agent's name, "vision/eye_left", or all fields below a path, "touch". Where several
+ *               calls concern a field, the last one counts. Gain and noise of "vision" do not concern depth and
+ *               segmentation, unless these are named.
+ * @param limits NULL: a perfect sense.
+ * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there
+ *         are. Attached senses cannot be limited.
+ */
+MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, int32_t agent, const char *path,
+                                            const mimo_limits *limits) MIMO_NOEXCEPT;
+
 #define MIMO_SHAPE_SPHERE 1    /**< size: radius. */
 #define MIMO_SHAPE_CAPSULE 2   /**< size: radius, half length of the cylindrical part (along z). */
 #define MIMO_SHAPE_ELLIPSOID 3 /**< size: three radii. */

@@ -69,6 +69,12 @@ inline mimo_camera_config camera_config() {
   return config;
 }
 
+inline mimo_limits limits() {
+  mimo_limits limits;
+  check(mimo_limits_init(&limits, sizeof limits));
+  return limits;
+}
+
 /// Contiguous elements that belong to somebody else.
 template <typename T>
 class View {
@@ -194,6 +200,9 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
   void read_joint(const std::string &joint, std::int32_t agent = 0) {
     check(mimo_scene_read_joint(get(), agent, joint.c_str()));
+  }
+  void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
+    check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
   }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }

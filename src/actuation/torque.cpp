@@ -29,7 +29,8 @@ Torque::Torque(const mjModel& model, const body::Body& body, bool normalize)
   for (const int id : actuators_) {
     const Bounds bounds = bounds_of(model, body, id);
     const char* name = engine::name(model, engine::Kind::kActuator, id);
-    require(!normalize || std::isfinite(bounds.high), "normalize_actions is 1, but actuator \"{}\" has no ctrlrange", name);
+    require(!normalize || std::isfinite(bounds.high), "normalize_actions is 1, but actuator \"{}\" has no ctrlrange",
+            name);
     add(name, bounds.low, bounds.high);
   }
 }

@@ -31,10 +31,10 @@ struct Sensor {
 };
 
 struct Body {
-  bool infant = true;  // else a part of the model that the library knows nothing more about
-  std::string prefix;  // of all its names, "" or "anna/"
-  int root = 0;        // body mimo_location
-  int head = -1;       // -1: none that we know of
+  bool infant = true;           // else a part of the model that the library knows nothing more about
+  std::string prefix;           // of all its names, "" or "anna/"
+  int root = 0;                 // body mimo_location
+  int head = -1;                // -1: none that we know of
   std::vector<int> bodies;      // the whole subtree, in model order
   std::vector<Joint> joints;    // robot:*, in model order; hinges, and slides of what is no infant
   std::vector<int> actuators;   // act:*, in model order

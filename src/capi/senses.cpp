@@ -20,7 +20,8 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const mimo_env_config* c
     const SceneObject& object = open(scene);
     const env::EnvOptions options = make_options(object, read_struct(config, default_env_config(), "config"));
     engine::ModelPtr theirs = engine::adopt({model, mujoco_version, model_size, data_size});
-    result = wrap<mimo_senses>(std::make_unique<SensesObject>(SensesObject{{std::move(theirs), object.agents, options}}));
+    result =
+        wrap<mimo_senses>(std::make_unique<SensesObject>(SensesObject{{std::move(theirs), object.agents, options}}));
   });
 }
 

@@ -38,7 +38,7 @@ class BufferWalk {
 };
 
 bool is_sound(const mjModel& model) {
-#define X(n)                     \
+#define X(n) \
   if (model.n < 0) return false;
   MJMODEL_INTS
 #undef X

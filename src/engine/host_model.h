@@ -16,8 +16,8 @@ struct HostModel {
   std::size_t model_size = 0, data_size = 0;
 };
 
-// The model, which stays the host's. Throws Status::kUnsupported for another MuJoCo than ours, kInvalidArgument for what
-// cannot be a model of it.
+// The model, which stays the host's. Throws Status::kUnsupported for another MuJoCo than ours, kInvalidArgument for
+// what cannot be a model of it.
 ModelPtr adopt(const HostModel& host);
 
 // Data of that model. Throws Status::kInvalidArgument for what cannot be.

@@ -13,8 +13,8 @@ using Vec3 = Eigen::Vector3d;
 
 Spatial spatial(const mjtNum* values) { return Eigen::Map<const Spatial>(values); }
 
-// The part of a body's acceleration that comes from how fast its joints turn. After a step of MuJoCo qvel is already that
-// of the end, while everything else is of the start: the velocities of then are what explains the bodies' motion.
+// The part of a body's acceleration that comes from how fast its joints turn. After a step of MuJoCo qvel is already
+// that of the end, while everything else is of the start: the velocities of then are what explains the bodies' motion.
 Spatial velocity_product(const mjModel& model, const mjData& data, int body) {
   const int count = model.body_dofnum[body];
   const int first = model.body_dofadr[body];

@@ -10,6 +10,10 @@ Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agen
   for (const AgentOptions& agent : agents) {
     require(agent.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
             agent.face);
+    if (!agent.limits.empty()) {
+      fail(Status::kUnsupported, "limits of \"{}\": attached senses have no past and no random numbers",
+           agent.limits.front().path);
+    }
     agents_.push_back(perceive(*model_, agent, renderer_.get()));
   }
   for (const Perception& agent : agents_) {

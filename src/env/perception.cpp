@@ -24,7 +24,9 @@ body::Body chosen_joints(const mjModel& model, body::Body body, const std::vecto
   if (names.empty()) return body;
   std::vector<body::Joint> chosen;
   for (const std::string& name : names) {
-    const auto is = [&](const body::Joint& joint) { return engine::name(model, engine::Kind::kJoint, joint.id) == name; };
+    const auto is = [&](const body::Joint& joint) {
+      return engine::name(model, engine::Kind::kJoint, joint.id) == name;
+    };
     const auto found = std::find_if(body.joints.begin(), body.joints.end(), is);
     if (found == body.joints.end()) {
       std::vector<std::string> there;

@@ -35,7 +35,11 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add_camera(physics_.model(), camera, eyes);
+  for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits);
+  limits_.make_room(layout());
   start();
+  limits_.start(random_);
+  sense(nullptr, Moment::kStart);
   measure_state();
   report_warnings();
 }
@@ -115,7 +119,8 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   }
   physics_.data().time = 0;
   physics_.forward();
-  if (block != nullptr) sense(block, false);
+  limits_.start(random_);
+  sense(block, Moment::kStart);
   report_warnings();
 }
 
@@ -138,7 +143,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   ++elapsed_;
   ++timing_.steps;
   evaluate();
-  if (block != nullptr) sense(block, options_.timing);
+  sense(block, Moment::kStep);
   report(results);
   report_warnings();
 }
@@ -150,12 +155,20 @@ void World::step_physics(int count) {
 
 void World::observe(std::uint8_t* block) {
   physics_.forward();
-  sense(block, false);
+  sense(block, Moment::kBetween);
 }
 
 // Only steps are timed: looking in between would blur what a step costs.
-void World::sense(std::uint8_t* block, bool timed) {
-  observer_.observe(model(), data(), block, timed ? &timing_ : nullptr);
+void World::sense(std::uint8_t* block, Moment moment) {
+  std::uint8_t* to = block == nullptr && limits_.late() ? limits_.room() : block;
+  if (to == nullptr) return;
+  const bool timed = options_.timing && moment == Moment::kStep;
+  observer_.observe(model(), data(), to, timed ? &timing_ : nullptr);
+  switch (moment) {
+    case Moment::kStart: return limits_.begin(to);
+    case Moment::kStep: return limits_.step(to, elapsed_);
+    case Moment::kBetween: return limits_.look(to, elapsed_);
+  }
 }
 
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.

@@ -78,7 +78,9 @@ class World {
   void add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes);
   TaskMaker task_maker() const;
   void start();
-  void sense(std::uint8_t* block, bool timed);
+  enum class Moment { kStart, kStep, kBetween };
+  // Without a block only where senses are late, and what they give now is for later.
+  void sense(std::uint8_t* block, Moment moment);
   void evaluate();
   void report(const Results& results) const;
   void require_outside_task() const;
@@ -94,6 +96,7 @@ class World {
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   Observer observer_;
+  Limits limits_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;

@@ -64,10 +64,12 @@ Proprioception::Proprioception(const mjModel& model, body::Body body, const Prop
   const Units units = units_of(model, body_.joints);
   using P = Proprioception;
   if (options.position) {
-    add(field("position", {joints}, units.position, "joint", Time::kEnd, names(model, body_.joints)), &P::write_position);
+    add(field("position", {joints}, units.position, "joint", Time::kEnd, names(model, body_.joints)),
+        &P::write_position);
   }
   if (options.velocity) {
-    add(field("velocity", {joints}, units.velocity, "joint", Time::kEnd, names(model, body_.joints)), &P::write_velocity);
+    add(field("velocity", {joints}, units.velocity, "joint", Time::kEnd, names(model, body_.joints)),
+        &P::write_velocity);
   }
   if (options.torque && !body_.torques.empty()) {
     add(field("torque", {body_.torques.size(), 3}, "Nm", "site", Time::kLastStart, axis_names(model, body_.torques)),
@@ -80,7 +82,8 @@ Proprioception::Proprioception(const mjModel& model, body::Body body, const Prop
   }
   if (options.actuation && options.position_control) {
     for (const body::Motor& motor : body::motors(model, body_)) locks_.push_back(motor.lock);
-    add(field("target", {motors}, units.position, "joint", Time::kEnd, names(model, body_.actuators)), &P::write_target);
+    add(field("target", {motors}, units.position, "joint", Time::kEnd, names(model, body_.actuators)),
+        &P::write_target);
   } else if (options.actuation && motors > 0) {
     add(field("control", {motors}, "", "actuator", Time::kEnd, names(model, body_.actuators)), &P::write_control);
     if (body_.infant) {

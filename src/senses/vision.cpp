@@ -1,5 +1,6 @@
 #include "senses/vision.h"
 
+#include <cmath>
 #include <limits>
 
 #include "base/fail.h"
@@ -24,7 +25,8 @@ std::vector<Lens> carried_cameras(const mjModel& model, const body::Body& body) 
   }
   if (lenses.empty()) {
     fail(Status::kNotFound, "vision is on, but body \"{}\" carries no camera; cameras elsewhere: {}",
-         engine::name(model, Kind::kBody, body.root), others.empty() ? "none" : fmt::to_string(fmt::join(others, ", ")));
+         engine::name(model, Kind::kBody, body.root),
+         others.empty() ? "none" : fmt::to_string(fmt::join(others, ", ")));
   }
   return lenses;
 }
@@ -53,7 +55,16 @@ Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   if (options_.segmentation) {
     view.segmentation = add(lens.path + "_segmentation", Type::kI32, "", -1, model.ngeom - 1);
   }
+  const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];
+  for (Field& field : fields_) {
+    if (field.pixels_per_degree == 0) field.pixels_per_degree = pixels_per_degree(fovy);  // those just added
+  }
   return view;
+}
+
+double Vision::pixels_per_degree(double fovy) const {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  return options_.height / 2.0 / std::tan(fovy / 2 * kDegree) * kDegree;
 }
 
 int Vision::add(const std::string& name, Type type, const char* unit, double low, double high) {

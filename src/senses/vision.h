@@ -47,6 +47,8 @@ class Vision : public Sense {
   };
 
   int add(const std::string& name, Type type, const char* unit, double low, double high);
+  // In the middle of the picture of a camera with this field of view.
+  double pixels_per_degree(double fovy) const;
   View view(const mjModel& model, const Lens& lens);
   template <typename T>
   T* pixels(std::uint8_t* block, int field) const {

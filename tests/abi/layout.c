@@ -59,6 +59,13 @@ int main(void) {
   FIELD(mimo_agent_config, root);
   FIELD(mimo_agent_config, vestibular_at);
 
+  BEGIN(mimo_limits);
+  FIELD(mimo_limits, struct_size);
+  FIELD(mimo_limits, delay);
+  FIELD(mimo_limits, gain);
+  FIELD(mimo_limits, noise);
+  FIELD(mimo_limits, blur);
+
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);
   FIELD(mimo_object_config, shape);

@@ -3,8 +3,8 @@
 ROW(mimo_senses_attach, ON_CART,
     mimo_senses_attach(a->scene, a->env_config, a->model, a->version, a->model_size, a->data_size, a->made_senses),
     NULL_OK(env_config), CONFIG(env_config, mimo_env_config, "config"), NO_NULL(model, "model"),
-    NO_NULL(made_senses, "senses"), {FAULT_I32, "another version", MEMBER(version), 0, 237, 0, NULL,
-                                     MIMO_E_UNSUPPORTED, "mujoco_version"},
+    NO_NULL(made_senses, "senses"),
+    {FAULT_I32, "another version", MEMBER(version), 0, 237, 0, NULL, MIMO_E_UNSUPPORTED, "mujoco_version"},
     SIZE_IS(model_size, 1, MIMO_E_UNSUPPORTED, "model_size"), SIZE_IS(data_size, -1, MIMO_E_UNSUPPORTED, "data_size"),
     SIZE_IS(model_size, 0, MIMO_OK, NULL), SIZE_IS(data_size, 0, MIMO_OK, NULL), DO(no_model, E_ARG, "model"),
     DO(unknown_renderer, E_ARG, "crayons"))
@@ -13,9 +13,8 @@ ROW(mimo_senses_observation_size, ON_SENSES, mimo_senses_observation_size(a->sen
     NULL_OK(count), NULL_OK(count2))
 ROW(mimo_senses_observation_field, ON_SENSES, mimo_senses_observation_field(a->senses, a->index, a->field),
     BAD_INDEX(index, "index"), DESCRIPTION(field, mimo_field, "field"))
-ROW(mimo_senses_observation_label, ON_SENSES,
-    mimo_senses_observation_label(a->senses, a->index, a->element, a->string), BAD_INDEX(index, "index"),
-    BAD_INDEX(element, "element"), NO_NULL(string, "label"))
+ROW(mimo_senses_observation_label, ON_SENSES, mimo_senses_observation_label(a->senses, a->index, a->element, a->string),
+    BAD_INDEX(index, "index"), BAD_INDEX(element, "element"), NO_NULL(string, "label"))
 ROW(mimo_senses_touch_sensors, ON_SENSES,
     mimo_senses_touch_sensors(a->senses, a->agent_index, a->bodies, a->geoms, a->positions, a->frames,
                               a->touch_capacity, a->count),

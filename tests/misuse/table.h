@@ -27,13 +27,14 @@ typedef struct args {
   mimo_timing* timing;
   mimo_camera_config* camera_config;
   mimo_gaze* gaze;
+  mimo_limits* limits;
   size_t more_bytes;
   /* numbers */
   int32_t kind, id, quantity, joint, agent, body_id, how, version;
   size_t index, element, agent_index, world, steps, model_size, data_size;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face;
+  const char *name, *scene_name, *part, *parameter_name, *face, *path;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;

@@ -70,7 +70,8 @@ static mimo_batch* make_batch(const mimo_scene* scene, int32_t autoreset) {
 static void make_host(void) {
   static const char text[] =
       "<mujoco><worldbody><geom type='plane' size='1 1 1'/><body name='cart' pos='0 0 0.1'><freejoint/>"
-      "<geom type='box' size='.2 .1 .1'/><body><joint name='mast'/><geom size='.1'/></body></body></worldbody></mujoco>";
+      "<geom type='box' size='.2 .1 .1'/><body><joint name='mast'/><geom "
+      "size='.1'/></body></body></worldbody></mujoco>";
   char error[500] = "";
   mjVFS* files = malloc(sizeof *files);
   if (files == NULL) exit(1);
@@ -247,6 +248,7 @@ static void make_structs(void) {
   good.timing = region(sizeof *good.timing + TAIL);
   good.camera_config = region(sizeof *good.camera_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
+  good.limits = region(sizeof *good.limits + TAIL);
 }
 
 void make_everything(void) {
@@ -290,6 +292,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
+  CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   good.scene_config->name = "free";
   good.agent_config->place_given = 1;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
@@ -367,6 +370,7 @@ args good_args(int uses) {
   good.scene_name = "free";
   good.part = "head";
   good.face = "fear";
+  good.path = "touch";
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
   good.spacing = 0.05;
@@ -397,8 +401,8 @@ int memory_changed(void) {
 }
 
 int destroy_made(args* a) {
-  int made = *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL ||
-             *good.made_senses != NULL;
+  int made =
+      *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL || *good.made_senses != NULL;
   mimo_scene_destroy(*good.made_scene);
   mimo_env_destroy(*good.made_env);
   mimo_batch_destroy(*good.made_batch);

@@ -68,9 +68,10 @@ def test_an_environment_of_the_same_model_senses_the_same(humanoid, root):
     scene = mimo.Scene(file=root / "tests/models/humanoid.xml")
     scene.add_agent(body="scene", root="torso", vision=False, vestibular=False)
     scene.set_touch(None, 0.04)
-    with mimo.World(scene, frame_skip=1) as world, mimo.Senses(
-        scene, humanoid.model, mujoco_version=humanoid.version
-    ) as senses:
+    with (
+        mimo.World(scene, frame_skip=1) as world,
+        mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version) as senses,
+    ):
         world.reset()
         for _ in range(300):
             world.step(np.zeros(7, np.float32))

@@ -77,6 +77,16 @@ class AgentConfig(Struct):
     ]
 
 
+class Limits(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("delay", c_uint32),
+        ("gain", c_double),
+        ("noise", c_double),
+        ("blur", c_double),
+    ]
+
+
 class ObjectConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -274,6 +284,8 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_i32]),
     "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
     "mimo_scene_read_joint": (_status, [_Handle, c_int32, c_char_p]),
+    "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
+    "mimo_scene_limit_sense": (_status, [_Handle, c_int32, c_char_p, _config(Limits)]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
     "mimo_face_name": (c_char_p, [c_size_t]),

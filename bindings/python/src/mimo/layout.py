@@ -106,7 +106,6 @@ class Layout:
         return tuple(labels)
 
 
-
 class Supply:
     """Fresh blocks, one for each observation that is handed out; cheap, because memory is taken for many at a time."""
 
