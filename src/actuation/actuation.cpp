@@ -23,7 +23,9 @@ void Actuation::apply(Span<const float> actions, engine::Physics& physics) {
   }
 }
 
-std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& body, const Options& options) {
+std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& agent, const Options& options) {
+  body::Body body = agent;
+  if (options.none) body.actuators.clear();
   switch (options.mode) {
     case Mode::kPosition: return std::make_unique<Position>(model, body, options.normalize);
     case Mode::kMuscle: return std::make_unique<MimoMuscle>(model, body, options.normalize);

@@ -15,9 +15,13 @@ namespace mimo::actuation {
 // As mimo.h numbers them (MIMO_ACTUATION_...).
 enum class Mode : int { kTorque = 0, kPosition = 1, kMuscle = 2, kMujocoMuscle = 3 };
 
+// Muscles have fields of their own, see Actuation::fields.
+inline bool is_muscle(Mode mode) { return mode == Mode::kMuscle || mode == Mode::kMujocoMuscle; }
+
 struct Options {
   Mode mode = Mode::kTorque;
   bool normalize = false;  // actions from -1 to 1 are mapped to the bounds, linearly
+  bool none = false;       // the agent leaves its actuators to others
 };
 
 class Actuation {

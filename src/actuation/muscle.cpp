@@ -1,6 +1,8 @@
 #include "actuation/muscle.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "actuation/muscle_curves.h"
 #include "base/fail.h"
@@ -41,6 +43,10 @@ Muscle::Muscle(const mjModel& model, const body::Body& body, bool normalize) : A
     const double* numbers = numbers_of(model, motor.id);
     Joint joint{motor.joint, motor.id, model.actuator_gear[6 * motor.id], model.qpos_spring[motor.joint.qpos],
                 numbers[0]};
+    if (!std::isfinite(motor.joint.low)) {
+      fail(Status::kUnsupported, "muscles: joint {} of {} has no range",
+           engine::name(model, Kind::kJoint, motor.joint.id), engine::name(model, Kind::kActuator, motor.id));
+    }
     const double low = motor.joint.low - joint.rest, high = motor.joint.high - joint.rest;
     const double range = curves::kAtLongEnd - curves::kAtShortEnd + kTiny;
     Side& negative = joint.sides[0];

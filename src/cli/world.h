@@ -31,7 +31,7 @@ void add_seed_option(CLI::App& command, WorldOptions& options);
 
 enum class Senses { kAll, kAllButVision, kNone };
 
-// The scene with its infant, if it has one.
+// The scene with its agent.
 Scene make_scene(const WorldOptions& options, Senses senses);
 
 // An env_config with defaults and the log on stderr.
