@@ -1,4 +1,4 @@
-"""Muscles: their curves, as the infant's elbow measures them, and one movement under torque, position and muscle control.
+"""Muscles: their curves, as the infant's elbow measures them, and a movement under torque, position and muscle control.
 
 python muscles.py [FOLDER]        # pictures go there, by default to the current folder
 """
@@ -19,10 +19,16 @@ PEAK, FASTEST = 35.43, 1.566  # of the muscle that bends the elbow, as the model
 
 
 def weightless(actuation):
-    world = mimo.World("free", vision=False, touch=False, actuation=actuation,
-                       disable=mimo.Disable.GRAVITY | mimo.Disable.CONTACT)
+    apart = mimo.Disable.GRAVITY | mimo.Disable.CONTACT
+    world = mimo.World("free", vision=False, touch=False, actuation=actuation, disable=apart)
     world.reset(seed=0)
     return world
+
+
+def activations(world, told, steps):
+    """How a muscle's activation goes on when all muscles are told the same."""
+    action = np.full(len(world.action_names), told)
+    return [world.step(action).observation["proprioception/activation"][0] for _ in range(steps)]
 
 
 def forces(world, angle, velocity=0.0):
@@ -43,11 +49,11 @@ figure, axes = plt.subplots(1, 3, figsize=(11, 3.2), layout="constrained")
 for name, model in MODELS.items():
     world = weightless(model)
     passive = np.array([forces(world, angle)[0] for angle in angles]) / PEAK
-    rise = [world.step(np.ones(len(world.action_names))).observation["proprioception/activation"][0] for _ in range(15)]
+    rise = activations(world, 1.0, 15)
     total = np.array([forces(world, angle)[0] for angle in angles]) / PEAK
     moving = np.array([forces(world, best, FASTEST * v / slope)[0] for v in velocities]) / PEAK
-    fall = [world.step(np.zeros(len(world.action_names))).observation["proprioception/activation"][0] for _ in range(35)]
-    line, = axes[0].plot(lengths, total - passive, label=f"{name}, active")
+    fall = activations(world, 0.0, 35)
+    (line,) = axes[0].plot(lengths, total - passive, label=f"{name}, active")
     axes[0].plot(lengths, passive, ":", color=line.get_color(), label=f"{name}, passive")
     axes[1].plot(velocities, moving, label=name)
     axes[2].plot(np.arange(1, 51) * 0.01, rise + fall, label=name)
@@ -66,8 +72,7 @@ spring = 0.13 * (goal - np.deg2rad(-20))  # what the joint's spring gives agains
 
 def balanced(world, strength):
     """Activations of both muscles with which the elbow rests at the goal: their forces are then equal."""
-    for _ in range(30):
-        world.step(np.ones(len(world.action_names)))
+    activations(world, 1.0, 30)
     pull, push = forces(world, goal)
     world.reset(seed=0)
     action = np.zeros(len(world.action_names))

@@ -184,6 +184,11 @@ static void check_lacks(void) {
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no hinge or slide joint \"neck\"; it has: hip_left, knee_left",
               attach(scene, h, &senses));
   mimo_scene_destroy(scene);
+  config.actuation = MIMO_ACTUATION_MUSCLE;
+  scene = scene_of(&config);
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "effort and muscles", attach(scene, h, &senses));
+  mimo_scene_destroy(scene);
+  config.actuation = MIMO_ACTUATION_TORQUE;
   config.touch = MIMO_TOUCH_FORCE;
   scene = scene_of(&config);
   CHECK_OK(mimo_scene_set_touch(scene, 0, "skull", 0.01));

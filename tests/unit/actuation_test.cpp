@@ -70,6 +70,19 @@ TEST(Groups, EveryMotorBelongsToOne) {
   expect_error(Status::kModel, "\"tail\" is no part", [] { scene::groups_from("head tail"); });
 }
 
+// 22 motors for five fingers in place of one for a mitten, a further one for each big toe.
+TEST(Groups, HandsWithFiveFingersHaveMore) {
+  std::map<unsigned, int> motors;
+  const engine::ModelPtr model = room_with_infant("free", "fingers");
+  for (int id = 0; id < model->nu; ++id) ++motors[scene::group_of(engine::name(*model, Kind::kActuator, id))];
+  EXPECT_EQ(motors[scene::kRightHand], 25);
+  EXPECT_EQ(motors[scene::kLeftHand], 25);
+  EXPECT_EQ(motors[scene::kRightFoot], 5);
+  EXPECT_EQ(motors[scene::kLeftFoot], 5);
+  EXPECT_EQ(motors[scene::kRightArm], 4);
+  EXPECT_EQ(motors.count(0), 0u);
+}
+
 TEST(Groups, AreSwitchedOnPerAgent) {
   scene::Scene scene(named("free"));
   scene.add_body("mitten", "", nullptr, scene::kHead | scene::kEyes);
