@@ -36,7 +36,7 @@ Scene load_scene(const WorldOptions& options) {
 bool file_holds_infant(const WorldOptions& options) {
   auto config = defaults(mimo_env_config_init);
   config.renderer = "none";
-  return Env(load_scene(options), config).has(MIMO_BODY, "mimo_location");
+  return !Env(load_scene(options), config).infants().empty();
 }
 
 std::uint32_t pixels(const WorldOptions& options) {
@@ -149,7 +149,7 @@ Scene make_scene(const WorldOptions& options, Senses senses) {
   if (body.empty()) return scene;
   mimo_agent_config agent = agent_config(options, senses);
   agent.body = body.c_str();
-  scene.add_agent(agent);
+  scene.add_agents(agent);
   return scene;
 }
 

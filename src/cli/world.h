@@ -32,7 +32,7 @@ std::string body_of_scene(const WorldOptions& options);
 
 enum class Senses { kAll, kAllButVision, kNone };
 
-// The scene with its infant, if it has one.
+// The scene with its infants, if it has any.
 Scene make_scene(const WorldOptions& options, Senses senses);
 
 // An env_config with defaults and the log on stderr.

@@ -7,7 +7,7 @@
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
-  /* handles; `room` is a scene without infant, the others have one */
+  /* handles; `room` is a scene without infant, or without anything; the others have one */
   mimo_scene *scene, *room;
   mimo_env* env;
   mimo_batch* batch;
@@ -25,6 +25,7 @@ typedef struct args {
   mimo_field* field;
   mimo_timing* timing;
   mimo_camera_config* camera_config;
+  mimo_model_config* model_config;
   mimo_gaze* gaze;
   size_t more_bytes;
   /* numbers */
@@ -32,13 +33,13 @@ typedef struct args {
   size_t index, element, agent_index, world, steps;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face;
+  const char *name, *scene_name, *part, *parameter_name, *face, *room_name, *joint_name, *other;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
-  const double *points, *to_write, *all_to_write;
+  const double *points, *to_write, *all_to_write, *pose;
   const void *state, *states;
   size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, value_count,
       values_count;
@@ -95,7 +96,17 @@ typedef struct fault {
 
 /* What a row's call works on; whether a world that has failed refuses it or is healed by it; whether it may come
  * between mimo_batch_send and mimo_batch_receive; whether it destroys. */
-enum { ON_SCENE = 1, ON_ROOM = 2, ON_ENV = 4, ON_BATCH = 8, SIMULATES = 16, HEALS = 32, ANYTIME = 64, DESTROYS = 128 };
+enum {
+  ON_SCENE = 1,
+  ON_ROOM = 2,
+  ON_ENV = 4,
+  ON_BATCH = 8,
+  SIMULATES = 16,
+  HEALS = 32,
+  ANYTIME = 64,
+  DESTROYS = 128,
+  ON_EMPTY = 256 /* a room that is none */
+};
 
 typedef struct row {
   const char* name;

@@ -23,6 +23,7 @@ STRUCTS = {
     "mimo_scene_config": _abi.SceneConfig,
     "mimo_agent_config": _abi.AgentConfig,
     "mimo_object_config": _abi.ObjectConfig,
+    "mimo_model_config": _abi.ModelConfig,
     "mimo_camera_config": _abi.CameraConfig,
     "mimo_gaze": _abi.Gaze,
     "mimo_parameter": _abi.Parameter,
