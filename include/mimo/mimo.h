@@ -252,9 +252,9 @@ MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_co
 
 /**
  * Adds all infants that the scene names (its MJCF's custom text "mimo:infants", "anna ben"), each at a place of its own;
- * in a scene that names none a single one without a name.
- * @param config what they have in common, without a name; a place only where there is just one. NULL: the scene's own,
- *               see mimo_scene_default_agent.
+ * in a scene that names none a single one.
+ * @param config what they have in common; a name only where the scene gives none, a place only where there is just one.
+ *               NULL: the scene's own, see mimo_scene_default_agent.
  * @param count  receives how many were added; may be NULL.
  * Errors: as mimo_scene_add_agent. All of them are added, or none.
  */

@@ -154,9 +154,13 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
 }
 
 std::size_t add_agents(SceneObject& object, const mimo_agent_config& config) {
-  const std::vector<std::string> names = object.scene.infants();
-  require(text(config.name).empty(), "name is \"{}\", but the scene names its infants; see mimo_scene_add_agent",
-          text(config.name));
+  std::vector<std::string> names = object.scene.infants();
+  const std::string given = text(config.name);
+  if (names.empty()) {
+    names.push_back(given);
+  } else {
+    require(given.empty(), "name is \"{}\", but the scene names its infants itself", given);
+  }
   require(config.place_given == 0 || names.size() == 1, "place_given is {}, but each of {} infants has its own place",
           config.place_given, names.size());
   SceneObject changed = object;

@@ -225,9 +225,7 @@ void Scene::choose_motors(const std::string& prefix, unsigned groups) {
 
 std::vector<std::string> Scene::infants() const {
   std::istringstream words(custom_text(document_.document_element(), kInfants));
-  std::vector<std::string> names{std::istream_iterator<std::string>(words), {}};
-  if (names.empty()) names.emplace_back();
-  return names;
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }

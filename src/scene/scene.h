@@ -69,7 +69,7 @@ class Scene {
   void choose_motors(const std::string& prefix, unsigned groups);
   // The senses that the scene gives its infants, "proprioception vestibular"; "" if it does not say.
   std::string senses() const;
-  // Names of the infants that the scene is made for, "anna" and "ben"; just "" where it names none.
+  // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
   std::vector<std::string> infants() const;
   void add_object(const Object& object);
   void add_model(const Model& model);

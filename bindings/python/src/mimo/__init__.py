@@ -45,7 +45,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
-from .scene import Scene, scenes, tasks
+from .scene import Scene, rooms, scenes, tasks
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -110,6 +110,7 @@ __all__ = [
     "make",
     "make_vec",
     "mujoco_version",
+    "rooms",
     "scenes",
     "tasks",
     "version",
