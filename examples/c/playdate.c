@@ -2,9 +2,9 @@
  *
  *   cc playdate.c -lm $(pkg-config --cflags --libs mimo) && ./a.out
  *
- * They sit face to face, as the scene "playdate" has them. Ben looks at Anna's head; two pictures of his left eye, before
- * and after her smile, differ on her head and hardly anywhere else. Then her right hand and his left one are led to each
- * other. What her skin feels of his hand and his of hers is opposite: the sum of all these forces is zero.
+ * They sit face to face, as the scene "playdate" has them. Ben looks at Anna's head; two pictures of his left eye,
+ * before and after her smile, differ on her head and hardly anywhere else. Then her right hand and his left one are led
+ * to each other. What her skin feels of his hand and his of hers is opposite: the sum of all these forces is zero.
  */
 #include <math.h>
 #include <mimo/mimo.h>
@@ -137,8 +137,13 @@ static void felt_by_hand(const world* w, int infant, double* sum) {
 static const struct {
   const char* joint;
   double angle;
-} stretched[] = {{"shoulder_horizontal", 1.18}, {"shoulder_ad_ab", 0.88}, {"shoulder_rotation", -0.43}, {"elbow", -0.5},
-                 {"hand1", -0.02},              {"hand2", 0.3},           {"hand3", 0.07}};
+} stretched[] = {{"shoulder_horizontal", 1.18},
+                 {"shoulder_ad_ab", 0.88},
+                 {"shoulder_rotation", -0.43},
+                 {"elbow", -0.5},
+                 {"hand1", -0.02},
+                 {"hand2", 0.3},
+                 {"hand3", 0.07}};
 enum { JOINTS = sizeof stretched / sizeof *stretched };
 
 static void touch(world* w) {

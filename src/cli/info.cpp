@@ -76,7 +76,8 @@ void add_info(CLI::App& program) {
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
-      "motors. mass_kg and height_m are the (first) infant's. Fields of time 'end' belong to the end of a step, those of time\n"
+      "motors. mass_kg and height_m are the (first) infant's. Fields of time 'end' belong to the end of a step, those "
+      "of time\n"
       "'last_start' to the start of its last physics step.\n"
       "Examples:\n"
       "  mimo info\n"

@@ -38,11 +38,12 @@ void place_root(const mjModel& model, int body, Span<const double> pose, Span<do
 }  // namespace
 
 void read_stored_pose(const mjModel& model, Span<double> qpos) {
-  visit_named(model, mjOBJ_NUMERIC, model.nnumeric, "mimo:root", [&](const std::string& name, const std::string& prefix) {
-    const Span<const double> pose = custom_numbers(model, name);
-    const int body = find(model, Kind::kBody, (prefix + kRootBody).c_str());
-    if (pose.size() == 7 && body >= 0) place_root(model, body, pose, qpos);
-  });
+  visit_named(model, mjOBJ_NUMERIC, model.nnumeric, "mimo:root",
+              [&](const std::string& name, const std::string& prefix) {
+                const Span<const double> pose = custom_numbers(model, name);
+                const int body = find(model, Kind::kBody, (prefix + kRootBody).c_str());
+                if (pose.size() == 7 && body >= 0) place_root(model, body, pose, qpos);
+              });
   visit_named(model, mjOBJ_TUPLE, model.ntuple, "mimo:pose", [&](const std::string& name, const std::string&) {
     for (const TupleEntry& entry : custom_tuple(model, name, Kind::kJoint)) {
       const int type = model.jnt_type[entry.id];

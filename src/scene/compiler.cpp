@@ -28,8 +28,8 @@ void scale(pugi::xml_node node, const char* name, double factor, std::size_t fir
 
 bool slides(pugi::xml_attribute type) { return std::string(type.value()) == "slide"; }
 
-// Angles are converted where they stand, in classes, too. What a slide gets from a class is no angle, and what others get
-// from the class of a slide is not converted there: both get it spelt out.
+// Angles are converted where they stand, in classes, too. What a slide gets from a class is no angle, and what others
+// get from the class of a slide is not converted there: both get it spelt out.
 void part_from_slides(pugi::xml_node root) {
   const Defaults defaults(root);
   for (const pugi::xml_node world : root.children("worldbody")) {

@@ -21,8 +21,8 @@ bool speaks_for(pugi::xml_node setting, pugi::xml_node element) {
   if (is(section, "tendon")) return is(setting, "tendon");
   if (is(section, "equality")) return is(setting, "equality");
   if (!is(section, "actuator")) return is(setting, element.name());
-  return is_one_of(setting, {"general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle",
-                             "adhesion"});
+  return is_one_of(
+      setting, {"general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion"});
 }
 
 std::string main_class(pugi::xml_node root) {

@@ -37,8 +37,8 @@ class Defaults {
 // Whether the main class, from which all elements and classes get something, says anything at all.
 bool has_main_defaults(pugi::xml_node root);
 
-// Turns the main class into one of that name, and has everything that it counted for name it: for the document all stays
-// as it was, while what is put beside it gets nothing from it.
+// Turns the main class into one of that name, and has everything that it counted for name it: for the document all
+// stays as it was, while what is put beside it gets nothing from it.
 void name_main_defaults(pugi::xml_node root, const std::string& name);
 
 }  // namespace mimo::scene

@@ -5,8 +5,8 @@
 
 namespace mimo::scene {
 
-// A new "joint" or "weld". Spelt out, so that main defaults of a user's document do not change it: it is on, and holds as
-// the infant's own do.
+// A new "joint" or "weld". Spelt out, so that main defaults of a user's document do not change it: it is on, and holds
+// as the infant's own do.
 pugi::xml_node add_equality(pugi::xml_node root, const char* kind);
 
 }  // namespace mimo::scene

@@ -19,8 +19,8 @@ std::string text_of(pugi::xml_attribute attribute) { return attribute.value(); }
 
 bool is_pose(const std::string& tuple) {
   const std::string ending = std::string("/") + kPose;
-  return tuple == kPose || (tuple.size() > ending.size() &&
-                            tuple.compare(tuple.size() - ending.size(), ending.size(), ending) == 0);
+  return tuple == kPose ||
+         (tuple.size() > ending.size() && tuple.compare(tuple.size() - ending.size(), ending.size(), ending) == 0);
 }
 
 // What the document says about a hinge or slide, in SI units.
@@ -30,7 +30,8 @@ class Joint {
     for (const pugi::xml_node world : root.children("worldbody")) {
       if (node_.empty()) node_ = find_named(world, "joint", name);
     }
-    if (node_.empty()) fail(Status::kNotFound, "no joint named \"{}\"; there are: {}", name, some_names(root, {"joint"}));
+    if (node_.empty())
+      fail(Status::kNotFound, "no joint named \"{}\"; there are: {}", name, some_names(root, {"joint"}));
     const std::string type = text_of(defaults_.find(node_, "type"));
     slides_ = type == "slide";
     require(type.empty() || slides_ || type == "hinge", "joint \"{}\" is of type {}, expected a hinge or slide", name,
@@ -49,8 +50,8 @@ class Joint {
     const std::vector<double> range = numbers(defaults_.find(node_, "range"));
     if (!limited() || range.size() != 2) return;
     const double low = range[0] * unit(), high = range[1] * unit();
-    require(value >= low && value <= high, "value of joint \"{}\" is {}, expected {:.6g} to {:.6g} {}", name, value, low,
-            high, what);
+    require(value >= low && value <= high, "value of joint \"{}\" is {}, expected {:.6g} to {:.6g} {}", name, value,
+            low, high, what);
   }
 
  private:

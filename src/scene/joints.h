@@ -6,8 +6,8 @@
 
 namespace mimo::scene {
 
-// Both throw Status::kNotFound for a joint that is not there, and kInvalidArgument for one that is no hinge or slide, and
-// for a value out of its range.
+// Both throw Status::kNotFound for a joint that is not there, and kInvalidArgument for one that is no hinge or slide,
+// and for a value out of its range.
 void start_joint(pugi::xml_node root, const std::string& joint, double value);
 // It starts where it is held.
 void lock_joint(pugi::xml_node root, const std::string& joint, double value);

@@ -10,9 +10,9 @@ namespace {
 
 // Attributes that name a model element in these sections, or refer to one.
 constexpr const char* kSections[] = {"worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"};
-constexpr const char* kReferences[] = {"name",     "body",          "body1",      "body2",  "joint",  "joint1",
-                                       "joint2",   "jointinparent", "geom",       "geom1",  "geom2",  "site",
-                                       "sidesite", "cranksite",     "slidersite", "tendon", "target", "objname",
+constexpr const char* kReferences[] = {"name",     "body",          "body1",      "body2",   "joint",  "joint1",
+                                       "joint2",   "jointinparent", "geom",       "geom1",   "geom2",  "site",
+                                       "sidesite", "cranksite",     "slidersite", "tendon",  "target", "objname",
                                        "camera",   "refsite",       "refname",    "actuator"};
 // Those that name default classes and assets, wherever they stand; elements of a composite are named by its prefix.
 constexpr const char* kShared[] = {"class", "childclass", "material", "mesh", "hfield", "texture", "prefix"};
@@ -95,8 +95,7 @@ std::string some_names(pugi::xml_node root, std::initializer_list<const char*> e
 }
 
 bool has_names_with(pugi::xml_node root, const std::string& prefix) {
-  return !root
-              .find_node([&](pugi::xml_node node) {
+  return !root.find_node([&](pugi::xml_node node) {
                 for (const char* name : {"name", "class"}) {
                   if (std::string(node.attribute(name).value()).rfind(prefix, 0) == 0) return true;
                 }

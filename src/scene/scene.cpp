@@ -24,11 +24,11 @@ constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "sel
 constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kBodies[] = {"mitten"};
 constexpr const char* kRootBody = "mimo_location";
-constexpr const char* kPlaces = "mimo:place";    // custom number of a room: 7 values a place
+constexpr const char* kPlaces = "mimo:place";     // custom number of a room: 7 values a place
 constexpr const char* kInfants = "mimo:infants";  // custom text: names of those whom the scene is made for
 constexpr const char* kBodyClass = "mimo";        // default class of all that belongs to an infant
 constexpr const char* kRoomClass = "room";
-constexpr const char* kSceneClass = "scene";      // a user's main defaults, where something stands beside them
+constexpr const char* kSceneClass = "scene";  // a user's main defaults, where something stands beside them
 
 template <std::size_t N>
 const char* entry(const char* const (&list)[N], std::size_t index) {
@@ -122,8 +122,7 @@ Composition packed(const pugi::xml_document& document) {
 }
 
 bool has_class(pugi::xml_node root, const std::string& name) {
-  return !root
-              .find_node([&](pugi::xml_node node) {
+  return !root.find_node([&](pugi::xml_node node) {
                 return std::string(node.name()) == "default" && name == node.attribute("class").value();
               })
               .empty();
@@ -270,8 +269,8 @@ void Scene::add_model(const Model& model) {
   const pugi::xml_node root = changed.document_element();
   become_object(guest, root, model);
   if (has_main_defaults(root)) name_main_defaults(root, kSceneClass);
-  for (const char* name : {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor",
-                           "custom"}) {
+  for (const char* name :
+       {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"}) {
     for (const pugi::xml_node part : guest.document_element().children(name)) copy_into(root, part);
   }
   document_ = std::move(changed);
@@ -301,8 +300,8 @@ void Scene::lock_joint(const std::string& joint, double value) {
 void Scene::add_camera(const Camera& camera) {
   require(!has_name("camera", camera.name), "camera name \"{}\": the scene already has a camera of that name",
           camera.name);
-  const pugi::xml_node carrier =
-      camera.body.empty() ? section(document_.document_element(), "worldbody") : find_named(document_, "body", camera.body);
+  const pugi::xml_node carrier = camera.body.empty() ? section(document_.document_element(), "worldbody")
+                                                     : find_named(document_, "body", camera.body);
   if (carrier.empty()) fail(Status::kNotFound, "camera \"{}\": no body named \"{}\"", camera.name, camera.body);
   const std::array<double, 6> axes = picture_axes(camera);  // before anything is changed
   const pugi::xml_node node = append(carrier, "camera");

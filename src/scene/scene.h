@@ -84,8 +84,8 @@ class Scene {
   // Bodies below and including the infant's root, by their names without the prefix.
   std::vector<std::string> body_names(const std::string& prefix) const;
 
-  // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png". Both throw what
-  // engine::compile throws where bodies are fastened as they start.
+  // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png". Both throw
+  // what engine::compile throws where bodies are fastened as they start.
   std::string xml() const;
   Composition compose() const;
 

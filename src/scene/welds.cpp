@@ -39,8 +39,7 @@ void add_weld(pugi::xml_node root, const Weld& weld, const Pose& pose) {
   set(node, "body2", weld.body);
   const auto& [p, q] = pose;
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  const std::array<double, 7> numbers{p[0],          p[1],          p[2],         q[0] / length,
-                                      q[1] / length, q[2] / length, q[3] / length};
+  const std::array<double, 7> numbers{p[0], p[1], p[2], q[0] / length, q[1] / length, q[2] / length, q[3] / length};
   set(node, "relpose", Span<const double>(numbers));
 }
 

@@ -90,7 +90,7 @@ ROW(mimo_scene_weld, ON_SCENE, mimo_scene_weld(a->scene, a->part, a->other, a->p
     NULL_OK(other), NULL_OK(pose), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"),
     DO(unknown_other, MIMO_E_NOT_FOUND, "ghost"), DO(weld_to_itself, E_ARG, "head"), DO(pose_of_nan, E_ARG, "pose[6]"),
     DO(pose_of_zeros, E_ARG, "orientation"))
-#define JOINT_FAULTS                                                                                           \
+#define JOINT_FAULTS                                                                                        \
   NO_NULL(joint_name, "joint"), NOT_FINITE(angle, "robot:head_tilt"), BAD_F64(angle, 9, "robot:head_tilt"), \
       DO(unknown_joint, MIMO_E_NOT_FOUND, "tail")
 ROW(mimo_scene_lock, ON_SCENE, mimo_scene_lock(a->scene, a->joint_name, a->angle), JOINT_FAULTS)

@@ -40,9 +40,9 @@ inline void expect_same_physics(const mjModel& expected, const mjModel& actual, 
     }
   };
   MJMODEL_POINTERS_PREAMBLE((&expected))
-#define X(type, name, nr, nc)                                                                                        \
-  compare(#name, static_cast<int>(expected.nr) * static_cast<int>(nc), static_cast<int>(actual.nr) * static_cast<int>(nc), \
-          expected.name, actual.name);
+#define X(type, name, nr, nc)                                          \
+  compare(#name, static_cast<int>(expected.nr) * static_cast<int>(nc), \
+          static_cast<int>(actual.nr) * static_cast<int>(nc), expected.name, actual.name);
   MJMODEL_POINTERS
 #undef X
 }

@@ -57,9 +57,9 @@ TEST_F(SceneFurnish, AnEmptySceneGetsTheRoomOfFree) {
 }
 
 TEST_F(SceneFurnish, WhatASceneSaysItselfStays) {
-  scene::Scene scene(
-      from_text("<mujoco><option timestep='0.002'/><visual><map znear='0.5'/></visual><custom><numeric name='mimo:place' "
-                "data='1 2 3 1 0 0 0'/></custom><default><geom contype='4' conaffinity='4'/></default></mujoco>"));
+  scene::Scene scene(from_text(
+      "<mujoco><option timestep='0.002'/><visual><map znear='0.5'/></visual><custom><numeric name='mimo:place' "
+      "data='1 2 3 1 0 0 0'/></custom><default><geom contype='4' conaffinity='4'/></default></mujoco>"));
   scene.set_room("playroom");
   scene.add_body("mitten", "", nullptr);
   const engine::ModelPtr model = compile(scene);
@@ -84,7 +84,8 @@ TEST_F(SceneFurnish, OneRoomIsEnough) {
 // ---- Poses
 
 const std::string kDrawer =
-    "<default><geom contype='0'/><joint limited='true'/><default class='rail'><joint type='slide' range='0 .4'/></default></default>"
+    "<default><geom contype='0'/><joint limited='true'/><default class='rail'><joint type='slide' range='0 "
+    ".4'/></default></default>"
     "<worldbody><body name='chest'><geom size='.1'/>"
     "<body name='drawer'><joint name='rail' class='rail'/><geom size='.1'/></body>"
     "<body name='door'><joint name='hinge' range='-90 45' ref='10'/><geom size='.1'/></body>"
@@ -101,9 +102,9 @@ TEST_F(SceneFurnish, JointsStartWhereTheyAreSet) {
   scene.add_model(chest);
   scene.start_joint("chest/rail", 0.25);
   scene.start_joint("chest/hinge", -1);
-  scene.start_joint("chest/hinge", -1.25);           // the last word counts
-  scene.start_joint("anna/robot:head_tilt", 0.5);    // the recipe says nothing about this one
-  scene.start_joint("anna/robot:left_knee", -1.5);   // and something else about this one
+  scene.start_joint("chest/hinge", -1.25);          // the last word counts
+  scene.start_joint("anna/robot:head_tilt", 0.5);   // the recipe says nothing about this one
+  scene.start_joint("anna/robot:left_knee", -1.5);  // and something else about this one
   engine::Physics physics = started(scene);
   for (int round = 0; round < 2; ++round) {
     EXPECT_EQ(angle(physics, "chest/rail"), 0.25);
@@ -289,9 +290,9 @@ TEST_F(SceneFurnish, AFileWithAnInfantGetsAnother) {
 TEST_F(SceneFurnish, ScenesNameTheirInfants) {
   EXPECT_TRUE(scene::Scene(named("reach")).infants().empty());
   EXPECT_EQ(scene::Scene(named("playdate")).infants(), (std::vector<std::string>{"anna", "ben"}));
-  EXPECT_EQ(
-      scene::Scene(from_text("<mujoco><custom><text name='mimo:infants' data=' a  b c '/></custom></mujoco>")).infants(),
-      (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(scene::Scene(from_text("<mujoco><custom><text name='mimo:infants' data=' a  b c '/></custom></mujoco>"))
+                .infants(),
+            (std::vector<std::string>{"a", "b", "c"}));
 }
 
 TEST_F(SceneFurnish, CopiesOfScenesAreApart) {

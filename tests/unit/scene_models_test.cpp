@@ -18,8 +18,8 @@ namespace {
 using engine::Kind;
 using SceneModels = QuietTest;
 
-// A cart with an arm that uses much of what MJCF has: main defaults and classes within classes, a hinge and a slide that
-// share a class, all kinds of orientations, and one of each kind of element outside bodies.
+// A cart with an arm that uses much of what MJCF has: main defaults and classes within classes, a hinge and a slide
+// that share a class, all kinds of orientations, and one of each kind of element outside bodies.
 const std::string kCart =
     "<default>"
     "  <geom type='box' size='.1 .1 .1' density='500' friction='.7 .01 .001' euler='10 20 30' material='red'/>"
@@ -103,7 +103,8 @@ TEST_F(SceneModels, StayWhatTheyAre) {
 
 // Its own settings count where the scene has others.
 TEST_F(SceneModels, OwnSettingsCount) {
-  for (const char* settings : {"<compiler angle='radian'/>", "<compiler eulerseq='ZYX'/>", "<compiler eulerseq='yxz'/>"}) {
+  for (const char* settings :
+       {"<compiler angle='radian'/>", "<compiler eulerseq='ZYX'/>", "<compiler eulerseq='yxz'/>"}) {
     SCOPED_TRACE(settings);
     const scene::Model model = without_euler_in_class(cart("cart", settings));
     expect_same_physics(*compiled(model.xml), *in_scene("", model), {1e-12, 1e-12});
@@ -175,11 +176,13 @@ TEST_F(SceneModels, PlaceAndFreedom) {
 
 // What is there for looking at the document alone stays behind; solver and keyframes are the scene's business.
 TEST_F(SceneModels, OnlyTheBodyComesAlong) {
-  scene::Scene scene(from_text("<mujoco><option timestep='0.004'/><worldbody><body><freejoint/><geom size='1'/></body>"
-                               "</worldbody><keyframe><key qpos='1 2 3 1 0 0 0'/></keyframe></mujoco>"));
-  scene.add_model(of("<option timestep='0.1' gravity='0 0 -1'/><size njmax='1'/><worldbody><light/><geom type='plane' "
-                     "size='1 1 1'/><site/><camera/></worldbody><worldbody><body><freejoint/><geom size='1'/></body>"
-                     "</worldbody><keyframe><key qpos='0 0 5 1 0 0 0'/></keyframe>"));
+  scene::Scene scene(
+      from_text("<mujoco><option timestep='0.004'/><worldbody><body><freejoint/><geom size='1'/></body>"
+                "</worldbody><keyframe><key qpos='1 2 3 1 0 0 0'/></keyframe></mujoco>"));
+  scene.add_model(
+      of("<option timestep='0.1' gravity='0 0 -1'/><size njmax='1'/><worldbody><light/><geom type='plane' "
+         "size='1 1 1'/><site/><camera/></worldbody><worldbody><body><freejoint/><geom size='1'/></body>"
+         "</worldbody><keyframe><key qpos='0 0 5 1 0 0 0'/></keyframe>"));
   const engine::ModelPtr model = compile(scene);
   EXPECT_EQ(model->opt.timestep, 0.004);
   EXPECT_EQ(model->opt.gravity[2], -9.81);
@@ -192,8 +195,7 @@ TEST_F(SceneModels, OnlyTheBodyComesAlong) {
 TEST_F(SceneModels, FilesLieBesideTheDocument) {
   const Folder folder;
   folder.write("toys/parts/leg.xml", "<mujoco><worldbody/><asset><mesh file='leg.obj'/></asset></mujoco>");
-  folder.write("toys/meshes/leg.obj",
-               "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 .1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder.write("toys/meshes/leg.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 .1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   scene::Model stool;
   stool.file = folder.write("toys/stool.xml",
                             "<mujoco><compiler meshdir='meshes'/><include file='parts/leg.xml'/><worldbody><body>"
@@ -230,7 +232,8 @@ TEST_F(SceneModels, RefusalsLeaveTheSceneAsItWas) {
     return model;
   }());
   refuse(Status::kUnsupported, "coordinate", of("<compiler coordinate='global'/>" + body));
-  for (const char* setting : {"settotalmass='3'", "boundmass='1'", "balanceinertia='true'", "inertiagrouprange='1 2'"}) {
+  for (const char* setting :
+       {"settotalmass='3'", "boundmass='1'", "balanceinertia='true'", "inertiagrouprange='1 2'"}) {
     refuse(Status::kUnsupported, setting == std::string("settotalmass='3'") ? "settotalmass=\"3\"" : "whole scene",
            of(std::string("<compiler ") + setting + "/>" + body));
   }
@@ -252,7 +255,8 @@ TEST_F(SceneModels, RefusalsLeaveTheSceneAsItWas) {
 // A rope's elements are made by the compiler; their names and those who refer to them agree.
 TEST_F(SceneModels, CompositesHaveNamesOfTheirOwn) {
   const std::string rope =
-      "<worldbody><body name='B1'><composite type='rope' count='3 1 1' spacing='.1'><geom type='capsule' size='.02 .03'/>"
+      "<worldbody><body name='B1'><composite type='rope' count='3 1 1' spacing='.1'><geom type='capsule' size='.02 "
+      ".03'/>"
       "</composite></body></worldbody><sensor><framepos objtype='body' objname='B0'/></sensor>";
   scene::Scene scene(scene::Source{});
   for (const char* name : {"one", "two"}) {
