@@ -21,3 +21,8 @@ for renderer in ray osmesa; do
     --elevation -8 --width 960 --height 1200 --out "$work/body_$renderer.png"
 done
 montage "$work/body_ray.png" "$work/body_osmesa.png" -resize 40% -tile 2x1 -geometry +3+3 -depth 8 body.png
+
+# Two infants, and both smile.
+"$mimo" render --scene playdate --touch off --face enjoyment --look-at 0 0 0.2 --distance 1.05 --azimuth 65 \
+  --elevation -14 --width 1600 --height 1040 --out "$work/playdate.png"
+montage "$work/playdate.png" -resize 50% -tile 1x1 -geometry +0+0 -depth 8 playdate.png

@@ -67,8 +67,9 @@ Defaults::Defaults(pugi::xml_node root) : main_(main_class(root)) {
 }
 
 void Defaults::read(pugi::xml_node node, const std::string& name, const std::string& parent) {
-  Class& entry = classes_[name];
-  entry.parent = parent;
+  if (name.empty()) return;  // an error that the compiler will tell of
+  Class& entry =
+      classes_.emplace(name, Class{parent, {}}).first->second;  // the first counts: no class is its own parent
   entry.nodes.push_back(node);
   for (const pugi::xml_node nested : node.children("default")) read(nested, nested.attribute("class").value(), name);
 }

@@ -242,7 +242,7 @@ static void check_seated(void) {
   }
   for (i = 0; i < 2; ++i) {
     height_and_place(env, prefixes[i], after);
-    CHECK(hypot(hypot(after[0] - before[i][0], after[1] - before[i][1]), after[2] - before[i][2]) < 0.03);
+    CHECK(hypot(hypot(after[0] - before[i][0], after[1] - before[i][1]), after[2] - before[i][2]) < 0.005);
   }
   mimo_env_destroy(env);
 }

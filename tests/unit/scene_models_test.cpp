@@ -252,6 +252,18 @@ TEST_F(SceneModels, RefusalsLeaveTheSceneAsItWas) {
   expect_error(Status::kUnsupported, "global", [&] { global.add_body("mitten", "", nullptr); });
 }
 
+// Classes that lead back to themselves are the compiler's to refuse.
+TEST_F(SceneModels, OddClassesEndInAMessage) {
+  const std::string body = "<worldbody><body><joint range='0 1'/><geom size='1'/></body></worldbody>";
+  for (const char* classes : {"<default><default class='a'><default class='a'/></default></default>",
+                              "<default><default><joint damping='1'/></default></default>",
+                              "<default><default class='main'><default class='main'/></default></default>"}) {
+    scene::Scene scene(scene::Source{});
+    scene.add_model(of(std::string("<compiler autolimits='true'/>") + classes + body));
+    expect_error(Status::kModel, "class", [&] { compile(scene); });
+  }
+}
+
 // A rope's elements are made by the compiler; their names and those who refer to them agree.
 TEST_F(SceneModels, CompositesHaveNamesOfTheirOwn) {
   const std::string rope =
