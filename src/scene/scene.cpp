@@ -28,7 +28,7 @@ constexpr const char* kPlaces = "mimo:place";     // custom number of a room: 7 
 constexpr const char* kInfants = "mimo:infants";  // custom text: names of those whom the scene is made for
 constexpr const char* kBodyClass = "mimo";        // default class of all that belongs to an infant
 constexpr const char* kRoomClass = "room";
-constexpr const char* kSceneClass = "scene";  // a user's main defaults, where something stands beside them
+constexpr const char* kSceneClass = "mimo:main";  // a user's main defaults, where something stands beside them
 
 template <std::size_t N>
 const char* entry(const char* const (&list)[N], std::size_t index) {

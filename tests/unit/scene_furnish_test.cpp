@@ -133,6 +133,31 @@ TEST_F(SceneFurnish, RangesAreThoseOfTheClassInItsUnit) {
   }
 }
 
+// Poses that documents store: of joints, and of the root of an infant; prefixes end with a slash.
+TEST_F(SceneFurnish, StoredPoses) {
+  const auto document = [](const std::string& custom) {
+    return "<mujoco><worldbody><body name='a'><joint name='j'/><geom size='.1'/></body><body name='c' pos='0 0 "
+           "3'><joint "
+           "name='ball' type='ball'/><geom size='.1'/></body><body name='x/mimo_location' pos='0 0 "
+           "1'><freejoint/><geom "
+           "size='.1'/></body><body name='y/mimo_location'><geom size='.1'/></body></worldbody><custom>" +
+           custom + "</custom></mujoco>";
+  };
+  const auto pose = [](const std::string& tuple, const std::string& joint) {
+    return "<tuple name='" + tuple + "'><element objtype='joint' objname='" + joint + "' prm='0.7'/></tuple>";
+  };
+  const auto start = [&](const std::string& custom) { return started(scene::Scene(from_text(document(custom)))); };
+  EXPECT_EQ(angle(start(pose("mimo:pose", "j")), "j"), 0.7);
+  EXPECT_EQ(angle(start(pose("cup/mimo:pose", "j")), "j"), 0.7);
+  EXPECT_EQ(angle(start(pose("notmimo:pose", "j")), "j"), 0);
+  expect_error(Status::kModel, "joint ball is no hinge", [&] { start(pose("mimo:pose", "ball")); });
+  engine::Physics placed = start("<numeric name='x/mimo:root' data='1 2 3 0 0 0 2'/>");
+  EXPECT_EQ(place(placed, "x/mimo_location"), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(turn(placed, "x/mimo_location"), (std::vector<double>{0, 0, 0, 1}));
+  expect_error(Status::kModel, "y/mimo_location has no free joint",
+               [&] { start("<numeric name='y/mimo:root' data='1 2 3 1 0 0 0'/>"); });
+}
+
 // ---- Locks
 
 TEST_F(SceneFurnish, LockedJointsStay) {

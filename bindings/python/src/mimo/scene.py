@@ -127,7 +127,7 @@ class Scene(Handle):
         self._remember("add_model", name, **options)
 
     def weld(self, body: str, other: Optional[str] = None, pose: Optional[Numbers] = None) -> None:
-        """Fastens a body to another one (None: the world), in a pose (x y z, w x y z) in its frame, or as they start."""
+        """Fastens a body to another (None: the world): in a pose (x y z, w x y z) in its frame, or as they start."""
         if pose is not None and len(pose) != 7:
             raise ValueError(f"pose is {pose!r}, expected a position and a quaternion: 7 numbers")
         numbers = None if pose is None else (ctypes.c_double * 7)(*pose)
