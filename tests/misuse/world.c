@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 64, MOST_BYTES = 1 << 20 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20 };
 
 static struct {
   unsigned char *bytes, *kept;
