@@ -153,7 +153,7 @@ TEST_F(SceneFurnish, StoredPoses) {
   expect_error(Status::kModel, "joint ball is no hinge", [&] { start(pose("mimo:pose", "ball")); });
   engine::Physics placed = start("<numeric name='x/mimo:root' data='1 2 3 0 0 0 2'/>");
   EXPECT_EQ(place(placed, "x/mimo_location"), (std::vector<double>{1, 2, 3}));
-  EXPECT_EQ(turn(placed, "x/mimo_location"), (std::vector<double>{0, 0, 0, 1}));
+  EXPECT_EQ(copy(placed.data().qpos + placed.model().nq - 4, 4), (std::vector<double>{0, 0, 0, 1})) << "normalised";
   expect_error(Status::kModel, "y/mimo_location has no free joint",
                [&] { start("<numeric name='y/mimo:root' data='1 2 3 1 0 0 0'/>"); });
 }
