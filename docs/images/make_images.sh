@@ -21,3 +21,14 @@ for renderer in ray osmesa; do
     --elevation -8 --width 960 --height 1200 --out "$work/body_$renderer.png"
 done
 montage "$work/body_ray.png" "$work/body_osmesa.png" -resize 40% -tile 2x1 -geometry +3+3 -depth 8 body.png
+
+# Both renderers side by side: OSMesa with one sample a pixel, rays with sixteen; the infant, and its shadow from near.
+pair() {
+  name=$1
+  shift
+  "$mimo" render --touch off --renderer osmesa "$@" --out "$work/osmesa.png"
+  "$mimo" render --touch off --renderer ray --samples 16 "$@" --out "$work/ray.png"
+  montage "$work/osmesa.png" "$work/ray.png" -tile 2x1 -geometry +1+0 -depth 8 "$name.png"
+}
+pair renderers --scene free --look-at 0 0 0.42 --distance 1.3 --azimuth 150 --elevation -12 --width 480 --height 480
+pair renderers-close --scene free --look-at 0.02 -0.06 0 --distance 0.4 --azimuth 150 --elevation -40 --width 480 --height 480

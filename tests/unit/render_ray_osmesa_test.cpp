@@ -106,6 +106,31 @@ INSTANTIATE_TEST_SUITE_P(RayOsmesa, Switches,
                                            Switch{"fog", &render::Quality::fog, true}),
                          [](const auto& given) { return given.param.name; });
 
+// Fog hides what mirrors show, what is seen through glass, and the haze at the horizon.
+TEST(RayOsmesa, FogBeforeMirrorsGlassAndHaze) {
+  const engine::ModelPtr model = engine::compile(
+      "<mujoco><statistic extent='1'/><visual><map znear='.01' fogstart='0' fogend='6'/><rgba fog='.9 .6 .3 1' "
+      "haze='.2 .3 1 1'/><headlight ambient='.4 .4 .4' diffuse='.3 .3 .3' specular='0 0 0'/><quality offsamples='0'/>"
+      "</visual><asset><texture type='skybox' builtin='gradient' width='64' height='384' rgb1='0 0 0' rgb2='0 0 0'/>"
+      "<material name='floor' reflectance='.9' specular='0' rgba='.1 .1 .1 1'/></asset><worldbody>"
+      "<geom type='plane' size='0 0 1' material='floor'/>"
+      "<geom type='box' size='.1 .6 .6' pos='-1.5 0 .8' rgba='.1 .8 .2 1'/>"
+      "<geom type='box' size='.01 .5 .5' pos='.3 -.6 .8' rgba='.2 .2 .9 .6'/></worldbody></mujoco>",
+      {}, {});
+  render::Quality quality;
+  quality.fog = true;
+  const auto reference = osmesa(model, quality);
+  if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
+  Studio studio(model, render::RayOptions(quality));
+  const render::View view = render::orbit_view({-1.5, 0, 0.3}, 3.5, 180, -12, 45);
+  Shot theirs(160, 160);
+  reference->draw(*model, studio.physics().data(), view, theirs.picture());
+  const Shot ours = studio.shoot(view, 160, 160);
+  int different = 0;
+  for (std::size_t i = 0; i < theirs.rgb.size(); ++i) different += std::abs(ours.rgb[i] - theirs.rgb[i]) > 6;
+  EXPECT_LT(different, 0.01 * static_cast<double>(theirs.rgb.size()));
+}
+
 class Feature : public ::testing::TestWithParam<const char*> {};
 
 // One feature at a time, as MuJoCo draws it.
