@@ -8,15 +8,6 @@
 namespace mimo::capi {
 namespace {
 
-void check_agent_name(const std::string& name) {
-  // Not isalnum, whose letters depend on the host's locale.
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-           c == '.';
-  });
-  require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
-}
-
 senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   check_bits(config.proprioception, MIMO_PROPRIOCEPTION_ALL, "proprioception");
   require(config.limit_threshold > 0 && config.limit_threshold <= 10,
@@ -74,7 +65,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   check_flag(config.vestibular, "vestibular");
   env::AgentOptions options;
   options.name = text(config.name);
-  check_agent_name(options.name);
+  check_plain_name(options.name);
   options.proprioception = proprioception(config);
   options.vestibular = config.vestibular != 0;
   options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
@@ -82,6 +73,8 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.touch = touch(config);
   options.face = text(config.face);
   options.actuation = actuation(config);
+  options.root = text(config.root);
+  options.vestibular_at = text(config.vestibular_at);
   return options;
 }
 
@@ -120,6 +113,15 @@ mimo_agent_config default_agent_config(const scene::Scene& scene) {
   return config;
 }
 
+void check_plain_name(const std::string& name) {
+  // Not isalnum, whose letters depend on the host's locale.
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  });
+  require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
+}
+
 scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
   check_finite(position, 3, "position");
   check_finite(orientation, 4, "orientation");
@@ -132,6 +134,12 @@ scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
   return result;
 }
 
+env::AgentOptions& agent_at(SceneObject& object, std::int32_t agent) {
+  const std::size_t count = object.agents.size();
+  require(agent >= 0 && static_cast<std::size_t>(agent) < count, "agent is {}, but there are {} agents", agent, count);
+  return object.agents[static_cast<std::size_t>(agent)];
+}
+
 std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   env::AgentOptions options = agent_options(config);
   for (const env::AgentOptions& other : object.agents) {
@@ -142,7 +150,13 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   if (config.acts != MIMO_ACT_NONE) check_bits(config.acts, MIMO_ACT_ALL, "acts");
   object.agents.reserve(object.agents.size() + 1);
   const std::string body = text(config.body);
-  if (body != "scene") {
+  require(options.root.empty() || body == "scene", "root is \"{}\" and body is \"{}\"; a root needs body \"scene\"",
+          options.root, body);
+  if (!options.root.empty()) {
+    require(config.acts == 0 || config.acts == MIMO_ACT_NONE,
+            "acts is {:#x}, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root", config.acts);
+    options.actuation.none = config.acts == MIMO_ACT_NONE;
+  } else if (body != "scene") {
     const bool placed = config.place_given != 0;
     const scene::Pose place = placed ? pose(config.position, config.orientation) : scene::Pose{};
     object.scene.add_body(body, options.prefix(), placed ? &place : nullptr, config.acts);
@@ -151,6 +165,26 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   }
   object.agents.push_back(std::move(options));  // in reserved room: fails no more, now that the scene has the body
   return object.agents.size() - 1;
+}
+
+std::size_t add_agents(SceneObject& object, const mimo_agent_config& config) {
+  std::vector<std::string> names = object.scene.infants();
+  const std::string given = text(config.name);
+  if (names.empty()) {
+    names.push_back(given);
+  } else {
+    require(given.empty(), "name is \"{}\", but the scene names its infants itself", given);
+  }
+  require(config.place_given == 0 || names.size() == 1, "place_given is {}, but each of {} infants has its own place",
+          config.place_given, names.size());
+  SceneObject changed = object;
+  for (const std::string& name : names) {
+    mimo_agent_config own = config;
+    own.name = name.c_str();
+    add_agent(changed, own);
+  }
+  object = std::move(changed);
+  return names.size();
 }
 
 }  // namespace mimo::capi

@@ -120,11 +120,31 @@ mimo_status mimo_scene_default_agent(const mimo_scene* scene, mimo_agent_config*
   return guard([&] { write_struct(config, size, default_agent_config(open(scene).scene), "config"); });
 }
 
+mimo_status mimo_scene_read_joint(mimo_scene* scene, int32_t agent, const char* joint) noexcept {
+  return guard([&] {
+    env::AgentOptions& options = agent_at(open(scene), agent);
+    const std::string name = text(joint);
+    require(!name.empty(), "joint is {}, expected a name", joint == nullptr ? "NULL" : "\"\"");
+    const bool there = std::find(options.joints.begin(), options.joints.end(), name) != options.joints.end();
+    require(!there, "joint \"{}\" is read already", name);
+    options.joints.push_back(name);
+  });
+}
+
 mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* config) noexcept {
   return guard([&] {
     SceneObject& object = open(scene);
     require(config != nullptr, "config is NULL, but an object needs at least a name");
     object.scene.add_object(object_from(read_struct(config, default_object_config(), "config")));
+  });
+}
+
+mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* config, size_t* count) noexcept {
+  return guard([&] {
+    SceneObject& object = open(scene);
+    const mimo_agent_config defaults = default_agent_config(object.scene);
+    const std::size_t added = add_agents(object, read_struct(config, defaults, "config"));
+    if (count != nullptr) *count = added;
   });
 }
 

@@ -56,6 +56,15 @@ int main(void) {
   FIELD(mimo_agent_config, touch_scale);
   FIELD(mimo_agent_config, touch_slip_threshold);
   FIELD(mimo_agent_config, face);
+  FIELD(mimo_agent_config, root);
+  FIELD(mimo_agent_config, vestibular_at);
+
+  BEGIN(mimo_limits);
+  FIELD(mimo_limits, struct_size);
+  FIELD(mimo_limits, delay);
+  FIELD(mimo_limits, gain);
+  FIELD(mimo_limits, noise);
+  FIELD(mimo_limits, blur);
 
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);
@@ -68,6 +77,15 @@ int main(void) {
   FIELD(mimo_object_config, rgba);
   FIELD(mimo_object_config, fixed);
   FIELD(mimo_object_config, reserved);
+
+  BEGIN(mimo_model_config);
+  FIELD(mimo_model_config, struct_size);
+  FIELD(mimo_model_config, fixed);
+  FIELD(mimo_model_config, name);
+  FIELD(mimo_model_config, file);
+  FIELD(mimo_model_config, xml);
+  FIELD(mimo_model_config, position);
+  FIELD(mimo_model_config, orientation);
 
   BEGIN(mimo_camera_config);
   FIELD(mimo_camera_config, struct_size);

@@ -45,7 +45,8 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
-from .scene import Scene, scenes, tasks
+from .scene import Scene, rooms, scenes, tasks
+from .senses import Senses
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -95,6 +96,7 @@ __all__ = [
     "Quantity",
     "RenderError",
     "Scene",
+    "Senses",
     "Selection",
     "Shape",
     "SimulationError",
@@ -110,6 +112,7 @@ __all__ = [
     "make",
     "make_vec",
     "mujoco_version",
+    "rooms",
     "scenes",
     "tasks",
     "version",

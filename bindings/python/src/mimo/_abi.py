@@ -72,6 +72,18 @@ class AgentConfig(Struct):
         ("touch_scale", c_double),
         ("touch_slip_threshold", c_double),
         ("face", c_char_p),
+        ("root", c_char_p),
+        ("vestibular_at", c_char_p),
+    ]
+
+
+class Limits(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("delay", c_uint32),
+        ("gain", c_double),
+        ("noise", c_double),
+        ("blur", c_double),
     ]
 
 
@@ -87,6 +99,18 @@ class ObjectConfig(Struct):
         ("rgba", c_double * 4),
         ("fixed", c_uint32),
         ("reserved", c_uint32),
+    ]
+
+
+class ModelConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("fixed", c_uint32),
+        ("name", c_char_p),
+        ("file", c_char_p),
+        ("xml", c_char_p),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
     ]
 
 
@@ -267,12 +291,23 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_builtin": (c_char_p, [c_size_t]),
     "mimo_scene_create": (_status, [_config(SceneConfig), _Out_handle]),
     "mimo_scene_destroy": (None, [_Handle]),
+    "mimo_scene_room": (c_char_p, [c_size_t]),
+    "mimo_scene_set_room": (_status, [_Handle, c_char_p]),
     "mimo_agent_config_init": (_status, [_config(AgentConfig), c_size_t]),
     "mimo_scene_default_agent": (_status, [_Handle, _config(AgentConfig), c_size_t]),
     "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_i32]),
+    "mimo_scene_add_agents": (_status, [_Handle, _config(AgentConfig), _Out_size]),
     "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
+    "mimo_scene_read_joint": (_status, [_Handle, c_int32, c_char_p]),
+    "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
+    "mimo_scene_limit_sense": (_status, [_Handle, c_int32, c_char_p, _config(Limits)]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
+    "mimo_model_config_init": (_status, [_config(ModelConfig), c_size_t]),
+    "mimo_scene_add_model": (_status, [_Handle, _config(ModelConfig)]),
+    "mimo_scene_weld": (_status, [_Handle, c_char_p, c_char_p, _Array]),
+    "mimo_scene_lock": (_status, [_Handle, c_char_p, c_double]),
+    "mimo_scene_set_pose": (_status, [_Handle, c_char_p, c_double]),
     "mimo_face_name": (c_char_p, [c_size_t]),
     "mimo_camera_config_init": (_status, [_config(CameraConfig), c_size_t]),
     "mimo_scene_add_camera": (_status, [_Handle, _config(CameraConfig)]),
@@ -381,4 +416,17 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_task_init": (_status, [_config(Task), c_size_t]),
     "mimo_scene_set_task": (_status, [_Handle, _config(Task)]),
     "mimo_env_random": (_status, [_Handle, _Array, c_size_t]),
+    "mimo_senses_attach": (
+        _status,
+        [_Handle, _config(EnvConfig), c_void_p, c_int32, c_size_t, c_size_t, _Out_handle],
+    ),
+    "mimo_senses_destroy": (None, [_Handle]),
+    "mimo_senses_observation_size": (_status, [_Handle, _Out_size, _Out_size]),
+    "mimo_senses_observation_field": (_status, [_Handle, c_size_t, _config(Field)]),
+    "mimo_senses_observation_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
+    "mimo_senses_touch_sensors": (
+        _status,
+        [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
+    ),
+    "mimo_senses_observe": (_status, [_Handle, c_void_p, c_void_p, c_size_t]),
 }

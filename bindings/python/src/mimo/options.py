@@ -6,6 +6,7 @@ Whatever is left out is the library's default, or the scene's own. docs/python.m
 from __future__ import annotations
 
 import ctypes
+import os
 from typing import Any, Mapping, Sequence, TypedDict, Union
 
 from ._library import utf8
@@ -47,6 +48,8 @@ class AgentOptions(TypedDict, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
+    root: str
+    vestibular_at: str
 
 
 class PhysicsOptions(TypedDict, total=False):
@@ -81,6 +84,16 @@ class ObjectOptions(TypedDict, total=False):
     orientation: Numbers
     mass: float
     rgba: Numbers
+    fixed: bool
+
+
+class ModelOptions(TypedDict, total=False):
+    """An object that an MJCF document describes."""
+
+    file: Union[str, "os.PathLike[str]"]
+    xml: str
+    position: Numbers
+    orientation: Numbers
     fixed: bool
 
 
