@@ -401,7 +401,23 @@ class Render(Case):
         self.assertNotEqual(a, b)
         self.assertNotEqual(b, d)
 
+    def test_how_pictures_are_made(self):
+        view = ("render", "--width", "64", "--height", "48", "--renderer", "ray")
+        quality = {"plain": (), "smooth": ("--samples", "16"), "threads": ("--render-threads", "3"), "all": ("--effects", "shadows,reflections,sky,haze"),
+                   "bare": ("--effects", "none"), "fog": ("--effects", "fog,shadows,reflections,sky,haze")}
+        for name, options in quality.items():
+            self.mimo(*view, *options, "--out", name + ".png")
+        pictures = {name: read_png(self.folder / (name + ".png"))[4] for name in quality}
+        self.assertEqual(pictures["plain"], pictures["threads"])
+        self.assertEqual(pictures["plain"], pictures["all"])
+        for name in ("smooth", "bare", "fog"):
+            self.assertNotEqual(pictures["plain"], pictures[name], name)
+        self.assertNotEqual(pictures["plain"][0][:3], bytes(3))
+        self.assertEqual(pictures["bare"][0][:3], bytes(3))  # no sky
+
     def test_errors(self):
+        for option, value in (("--samples", "3"), ("--effects", "shadows,glitter"), ("--effects", ","), ("--render-threads", "0")):
+            self.assertIn(option, self.mimo("render", option, value, "--out", "a.png", code=2))
         self.assertIn("eye_third", self.mimo("render", "--camera", "eye_third", "--out", "a.png", code=1))
         self.assertIn("no/a.png", self.mimo("render", "--out", "no/a.png", code=1))
         self.assertIn("crayon", self.mimo("render", "--renderer", "crayon", "--out", "a.png", code=1))
