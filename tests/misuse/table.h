@@ -7,10 +7,12 @@
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
-  /* handles; `room` is a scene without infant, or without anything; the others have one */
+  /* handles; `room` is a scene without infant, for calls ON_EMPTY without anything; the others have one, but for calls
+   * ON_CART a cart instead */
   mimo_scene *scene, *room;
   mimo_env* env;
   mimo_batch* batch;
+  mimo_senses* senses;
   /* structs, each in memory with room for a later version's tail */
   mimo_scene_config* scene_config;
   mimo_agent_config* agent_config;
@@ -27,20 +29,21 @@ typedef struct args {
   mimo_camera_config* camera_config;
   mimo_model_config* model_config;
   mimo_gaze* gaze;
+  mimo_limits* limits;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, agent, body_id, how;
-  size_t index, element, agent_index, world, steps;
+  int32_t kind, id, quantity, joint, agent, body_id, how, version;
+  size_t index, element, agent_index, world, steps, model_size, data_size;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face, *room_name, *joint_name, *other;
+  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *joint_name, *other;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
   const double *points, *to_write, *all_to_write, *pose;
-  const void *state, *states;
+  const void *state, *states, *model, *data;
   size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, value_count,
       values_count;
   /* arrays that are written */
@@ -64,6 +67,7 @@ typedef struct args {
   mimo_scene** made_scene;
   mimo_env** made_env;
   mimo_batch** made_batch;
+  mimo_senses** made_senses;
 } args;
 
 enum fault_kind {
@@ -105,7 +109,9 @@ enum {
   HEALS = 32,
   ANYTIME = 64,
   DESTROYS = 128,
-  ON_EMPTY = 256 /* a room that is none */
+  ON_SENSES = 256,
+  ON_CART = 512,
+  ON_EMPTY = 1024
 };
 
 typedef struct row {

@@ -46,6 +46,7 @@ from .errors import (
 )
 from .layout import Field, Layout, Observation
 from .scene import Scene, rooms, scenes, tasks
+from .senses import Senses
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -95,6 +96,7 @@ __all__ = [
     "Quantity",
     "RenderError",
     "Scene",
+    "Senses",
     "Selection",
     "Shape",
     "SimulationError",

@@ -48,6 +48,8 @@ class AgentOptions(TypedDict, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
+    root: str
+    vestibular_at: str
 
 
 class PhysicsOptions(TypedDict, total=False):
