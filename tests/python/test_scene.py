@@ -86,7 +86,7 @@ def test_a_model_can_be_an_agent():
     scene = mimo.Scene("free")
     scene.add_agent(name="anna", vision=False)
     scene.add_model("red", xml=CUP, position=[1, 0, 0.2])
-    scene.add_agent(name="red", body="scene", root="cup", vision=False, vestibular=False)
+    scene.add_agent(name="red", body="scene", root="red/cup", vision=False, vestibular=False)
     scene.set_touch(None, 0.02, agent=1)
     world = mimo.World(scene)
     assert [agent.name for agent in world.agents] == ["anna", "red"]
