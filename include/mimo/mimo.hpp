@@ -198,6 +198,18 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     check(mimo_scene_add_agent(get(), &config, &agent));
     return agent;
   }
+  void set_touch(double spacing, std::int32_t agent = 0) {
+    check(mimo_scene_set_touch(get(), agent, nullptr, spacing));
+  }
+  void set_touch(const std::string &body, double spacing, std::int32_t agent = 0) {
+    check(mimo_scene_set_touch(get(), agent, body.c_str(), spacing));
+  }
+  void read_joint(const std::string &joint, std::int32_t agent = 0) {
+    check(mimo_scene_read_joint(get(), agent, joint.c_str()));
+  }
+  void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
+    check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
+  }
   /// All infants that the scene names; returns how many.
   std::size_t add_agents(const mimo_agent_config *config = nullptr) {
     std::size_t count = 0;
@@ -216,18 +228,6 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
   void lock(const std::string &joint, double value) { check(mimo_scene_lock(get(), joint.c_str(), value)); }
   void set_pose(const std::string &joint, double value) { check(mimo_scene_set_pose(get(), joint.c_str(), value)); }
-  void set_touch(double spacing, std::int32_t agent = 0) {
-    check(mimo_scene_set_touch(get(), agent, nullptr, spacing));
-  }
-  void set_touch(const std::string &body, double spacing, std::int32_t agent = 0) {
-    check(mimo_scene_set_touch(get(), agent, body.c_str(), spacing));
-  }
-  void read_joint(const std::string &joint, std::int32_t agent = 0) {
-    check(mimo_scene_read_joint(get(), agent, joint.c_str()));
-  }
-  void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
-    check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
-  }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
 

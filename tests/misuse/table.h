@@ -7,8 +7,8 @@
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
-  /* handles; `room` is a scene without infant, for calls ON_EMPTY without anything; the others have one, but for calls
-   * ON_CART a cart instead */
+  /* handles; `room` is a scene without infant, or without anything; the others have one, but for calls ON_CART a cart
+   * instead */
   mimo_scene *scene, *room;
   mimo_env* env;
   mimo_batch* batch;
@@ -111,7 +111,7 @@ enum {
   DESTROYS = 128,
   ON_SENSES = 256,
   ON_CART = 512,
-  ON_EMPTY = 1024
+  ON_EMPTY = 1024 /* a room that is none */
 };
 
 typedef struct row {

@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 80, MOST_BYTES = 1 << 20 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20 };
 
 static struct {
   unsigned char *bytes, *kept;
@@ -294,8 +294,8 @@ static void fill_configs(void) {
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
-  CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
+  CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
   good.scene_config->name = "free";
   good.agent_config->place_given = 1;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
