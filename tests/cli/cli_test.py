@@ -189,7 +189,7 @@ class Info(Case):
 
     def test_several_infants(self):
         info = self.info("--scene", "playdate")
-        self.assertEqual((info["infants"], info["nu"], info["touch_sensors"]), (2, 50, 2 * 5685))
+        self.assertEqual((info["agents"], info["nu"], info["touch_sensors"]), (2, 50, 2 * 5685))
         self.assertAlmostEqual(info["mass_kg"], 10.90487, places=5)
         room = self.write("room.xml", '<mujoco><custom><text name="mimo:infants" data="a b c"/><numeric name="mimo:place" '
                           'data="0 0 1 1 0 0 0 1 0 1 1 0 0 0 2 0 1 1 0 0 0"/></custom></mujoco>')
