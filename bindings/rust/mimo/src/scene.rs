@@ -1,0 +1,127 @@
+//! Scenes: rooms, objects and infants.
+use crate::config::{defaults, pointer, AgentConfig, Object};
+use crate::error::{c_string, check, text, Result};
+use crate::sys;
+use std::ptr::{null_mut, NonNull};
+
+/// A description of what is to be simulated. Worlds that were made of it live on without it.
+pub struct Scene {
+    handle: NonNull<sys::mimo_scene>,
+}
+
+// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+unsafe impl Send for Scene {}
+unsafe impl Sync for Scene {}
+
+/// Where a scene comes from; at most one of them is given.
+#[derive(Default)]
+struct Source<'a> {
+    name: Option<&'a str>,
+    file: Option<&'a str>,
+    xml: Option<&'a str>,
+}
+
+impl Scene {
+    /// An empty world.
+    pub fn empty() -> Result<Scene> {
+        Scene::create(Source::default())
+    }
+
+    /// A built-in scene: "reach", "benchmark", ...; see [`builtin_scenes`].
+    pub fn builtin(name: &str) -> Result<Scene> {
+        Scene::create(Source { name: Some(name), ..Source::default() })
+    }
+
+    /// An MJCF file. Its includes may name built-in files as "mimo/mitten.xml".
+    pub fn file(path: &str) -> Result<Scene> {
+        Scene::create(Source { file: Some(path), ..Source::default() })
+    }
+
+    /// MJCF text; relative paths in it start from the working directory.
+    pub fn xml(text: &str) -> Result<Scene> {
+        Scene::create(Source { xml: Some(text), ..Source::default() })
+    }
+
+    fn create(source: Source) -> Result<Scene> {
+        let name = source.name.map(c_string).transpose()?;
+        let file = source.file.map(c_string).transpose()?;
+        let xml = source.xml.map(c_string).transpose()?;
+        let mut config = defaults(sys::mimo_scene_config_init)?;
+        config.name = pointer(&name);
+        config.file = pointer(&file);
+        config.xml = pointer(&xml);
+        let mut handle = null_mut();
+        check(unsafe { sys::mimo_scene_create(&config, &mut handle) })?;
+        Ok(Scene { handle: NonNull::new(handle).expect("a handle") })
+    }
+
+    pub(crate) fn handle(&self) -> *mut sys::mimo_scene {
+        self.handle.as_ptr()
+    }
+
+    /// What the scene gives its infant by itself.
+    pub fn default_agent(&self) -> Result<AgentConfig> {
+        let mut raw = defaults(sys::mimo_agent_config_init)?;
+        let size = std::mem::size_of_val(&raw);
+        check(unsafe { sys::mimo_scene_default_agent(self.handle(), &mut raw, size) })?;
+        AgentConfig::of(raw)
+    }
+
+    /// Adds an infant and gives its number, 0 for the first.
+    pub fn add_agent(&mut self, agent: &AgentConfig) -> Result<usize> {
+        let mut number = 0;
+        agent.with_raw(|raw| check(unsafe { sys::mimo_scene_add_agent(self.handle(), raw, &mut number) }))?;
+        Ok(number as usize)
+    }
+
+    /// Adds an object.
+    pub fn add_object(&mut self, object: &Object) -> Result<()> {
+        object.with_raw(|raw| check(unsafe { sys::mimo_scene_add_object(self.handle(), raw) }))
+    }
+
+    /// Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there.
+    pub fn set_touch(&mut self, agent: usize, body: &str, spacing: f64) -> Result<()> {
+        let body = c_string(body)?;
+        let agent = i32::try_from(agent).unwrap_or(i32::MAX);
+        check(unsafe { sys::mimo_scene_set_touch(self.handle(), agent, body.as_ptr(), spacing) })
+    }
+
+    /// Sets a parameter of a task, "reach/success_reward", for worlds made from now on.
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<()> {
+        let name = c_string(name)?;
+        check(unsafe { sys::mimo_scene_set_parameter(self.handle(), name.as_ptr(), value) })
+    }
+
+    /// The value that a parameter has in this scene.
+    pub fn parameter(&self, name: &str) -> Result<f64> {
+        let name = c_string(name)?;
+        let mut value = 0.0;
+        check(unsafe { sys::mimo_scene_get_parameter(self.handle(), name.as_ptr(), &mut value) })?;
+        Ok(value)
+    }
+
+    /// The scene as one MJCF document, as MuJoCo will compile it.
+    pub fn to_xml(&self) -> Result<String> {
+        let mut length = 0;
+        check(unsafe { sys::mimo_scene_xml(self.handle(), null_mut(), 0, &mut length) })?;
+        let mut bytes = vec![0u8; length + 1];
+        check(unsafe {
+            sys::mimo_scene_xml(self.handle(), bytes.as_mut_ptr() as *mut _, bytes.len(), null_mut())
+        })?;
+        Ok(text(bytes.as_ptr() as *const _))
+    }
+}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        unsafe { sys::mimo_scene_destroy(self.handle()) }
+    }
+}
+
+/// Names of the built-in scenes.
+pub fn builtin_scenes() -> Vec<String> {
+    (0..)
+        .map(|index| text(unsafe { sys::mimo_scene_builtin(index) }))
+        .take_while(|name| !name.is_empty())
+        .collect()
+}
