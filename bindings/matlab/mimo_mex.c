@@ -107,7 +107,7 @@ static void reset(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   need(nin == 2, "expected a world and a seed or []");
   w = world_of(in[0]);
   if (!mxIsEmpty(in[1])) {
-    const double value = mxGetScalar(in[1]);
+    const double value = mxIsDouble(in[1]) ? mxGetScalar(in[1]) : -1;
     need(value >= 0 && value <= 9007199254740992.0 && value == floor(value), "a seed is a whole number from 0 to 2^53");
     seed = (uint64_t)value;
   }
