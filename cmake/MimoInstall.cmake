@@ -12,6 +12,10 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
   install(FILES src/cli/mimo.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
 
+# Articles and examples, beside each other as in the repository: they refer to each other.
+install(DIRECTORY docs/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN *.md)
+install(DIRECTORY examples/c examples/cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+
 # find_package(mimo) and the target mimo::mimo
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mimo)
 install(EXPORT mimoTargets NAMESPACE mimo:: FILE mimoConfig.cmake DESTINATION ${package_dir})

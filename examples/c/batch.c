@@ -15,13 +15,13 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-static mimo_batch *make_batch(void) {
+static mimo_batch* make_batch(void) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
   mimo_env_config env_config;
   mimo_batch_config batch_config;
-  mimo_scene *scene;
-  mimo_batch *batch;
+  mimo_scene* scene;
+  mimo_batch* batch;
 
   check(mimo_scene_config_init(&scene_config, sizeof scene_config));
   scene_config.name = "reach";
@@ -41,13 +41,13 @@ static mimo_batch *make_batch(void) {
 }
 
 int main(void) {
-  mimo_batch *batch = make_batch();
-  mimo_env *first;
+  mimo_batch* batch = make_batch();
+  mimo_env* first;
   mimo_batch_results results;
   uint64_t seeds[WORLDS];
   double reward[WORLDS], sum = 0;
   uint8_t terminated[WORLDS], truncated[WORLDS], *blocks;
-  float *actions;
+  float* actions;
   size_t block_bytes, action_count, threads, i;
   int step, episodes = 0;
 

@@ -21,11 +21,11 @@ static void check(mimo_status status) {
 }
 
 /* One infant whose sensors give the normal force alone; the whole eyeballs are left out. */
-static mimo_env *make_world(void) {
+static mimo_env* make_world(void) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
-  mimo_scene *scene;
-  mimo_env *env;
+  mimo_scene* scene;
+  mimo_env* env;
   int32_t number;
 
   check(mimo_scene_config_init(&scene_config, sizeof scene_config));
@@ -42,7 +42,7 @@ static mimo_env *make_world(void) {
   return env;
 }
 
-static mimo_field find_field(const mimo_env *env, const char *name) {
+static mimo_field find_field(const mimo_env* env, const char* name) {
   mimo_field field;
   size_t count, i;
   check(mimo_env_observation_size(env, NULL, &count));
@@ -56,12 +56,12 @@ static mimo_field find_field(const mimo_env *env, const char *name) {
 }
 
 /* Adds the forces of this moment, times its length, to the parts that felt them. */
-static void add_up(const float *force, const int32_t *bodies, size_t sensors, double *impulse) {
+static void add_up(const float* force, const int32_t* bodies, size_t sensors, double* impulse) {
   size_t i;
   for (i = 0; i < sensors; ++i) impulse[bodies[i]] += (double)force[i] * 0.01;
 }
 
-static char shade(const mimo_env *env, const double *impulse, double most, const char *body) {
+static char shade(const mimo_env* env, const double* impulse, double most, const char* body) {
   static const char kShades[] = ".:-=+*#%@";
   int32_t id;
   check(mimo_env_find(env, MIMO_BODY, body, &id));
@@ -69,12 +69,28 @@ static char shade(const mimo_env *env, const double *impulse, double most, const
 }
 
 /* Seen from the front: MIMo's right is on the left. */
-static void print_map(const mimo_env *env, const double *impulse, double most) {
-  static const char *const kParts[] = {"head", "right_upper_arm", "right_lower_arm", "right_hand", "right_fingers",
-                                       "left_upper_arm", "left_lower_arm", "left_hand", "left_fingers", "upper_body",
-                                       "lower_body", "hip", "right_upper_leg", "right_lower_leg", "right_foot",
-                                       "right_toes", "left_upper_leg", "left_lower_leg", "left_foot", "left_toes"};
-  static const char *const kMap[] = {"          AAAA          ", "         AAAAAA         ", "          AAAA          ",
+static void print_map(const mimo_env* env, const double* impulse, double most) {
+  static const char* const kParts[] = {"head",
+                                       "right_upper_arm",
+                                       "right_lower_arm",
+                                       "right_hand",
+                                       "right_fingers",
+                                       "left_upper_arm",
+                                       "left_lower_arm",
+                                       "left_hand",
+                                       "left_fingers",
+                                       "upper_body",
+                                       "lower_body",
+                                       "hip",
+                                       "right_upper_leg",
+                                       "right_lower_leg",
+                                       "right_foot",
+                                       "right_toes",
+                                       "left_upper_leg",
+                                       "left_lower_leg",
+                                       "left_foot",
+                                       "left_toes"};
+  static const char* const kMap[] = {"          AAAA          ", "         AAAAAA         ", "          AAAA          ",
                                      "       BJJJJJJJJF       ", "      BB JJJJJJ FF      ", "     CC  JJJJJJ  GG     ",
                                      "    CC   KKKKKK   GG    ", "   DD    KKKKKK    HH   ", "  EE     LLLLLL     II  ",
                                      "         MMM QQQ        ", "         MMM QQQ        ", "         NN   RR        ",
@@ -89,10 +105,10 @@ static void print_map(const mimo_env *env, const double *impulse, double most) {
   }
 }
 
-static void print_bars(const mimo_env *env, const double *impulse, double most) {
+static void print_bars(const mimo_env* env, const double* impulse, double most) {
   int32_t body;
   for (body = 0; body < MAX_BODIES; ++body) {
-    const char *name;
+    const char* name;
     int bar;
     if (impulse[body] == 0) continue;
     check(mimo_env_name(env, MIMO_BODY, body, &name));
@@ -103,13 +119,13 @@ static void print_bars(const mimo_env *env, const double *impulse, double most) 
 }
 
 int main(void) {
-  mimo_env *env = make_world();
+  mimo_env* env = make_world();
   const uint64_t seed = 1;
   double impulse[MAX_BODIES] = {0}, most = 0;
   size_t block_bytes, sensors, actions, i;
-  unsigned char *block;
-  int32_t *bodies;
-  float *action;
+  unsigned char* block;
+  int32_t* bodies;
+  float* action;
   mimo_field force;
   int step;
 
@@ -127,7 +143,7 @@ int main(void) {
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < actions; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
     check(mimo_env_step(env, action, actions, block, block_bytes, NULL, NULL, NULL, 0));
-    add_up((const float *)(const void *)(block + force.offset), bodies, sensors, impulse);
+    add_up((const float*)(const void*)(block + force.offset), bodies, sensors, impulse);
   }
   for (i = 0; i < MAX_BODIES; ++i) most = fmax(most, impulse[i]);
 

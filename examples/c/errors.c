@@ -3,15 +3,15 @@
 #include <mimo/mimo.h>
 #include <stdio.h>
 
-static void explain(const char *what, mimo_status status) {
+static void explain(const char* what, mimo_status status) {
   printf("%s\n  %s: %s\n", what, mimo_status_name(status), status == MIMO_OK ? "done" : mimo_last_error());
 }
 
 int main(void) {
   mimo_scene_config config;
   mimo_agent_config agent;
-  mimo_scene *scene = NULL;
-  mimo_env *env = NULL;
+  mimo_scene* scene = NULL;
+  mimo_env* env = NULL;
   float action[44] = {0};
   double push[6] = {0};
   int32_t head;

@@ -13,11 +13,11 @@ static void check(mimo_status status) {
 }
 
 /* A scene with one infant. The eyes are off here: the example then also runs where there is no OSMesa. */
-static mimo_env *make_world(void) {
+static mimo_env* make_world(void) {
   mimo_scene_config scene_config;
   mimo_agent_config agent_config;
-  mimo_scene *scene;
-  mimo_env *env;
+  mimo_scene* scene;
+  mimo_env* env;
 
   check(mimo_scene_config_init(&scene_config, sizeof scene_config));
   scene_config.name = "benchmark";
@@ -33,11 +33,11 @@ static mimo_env *make_world(void) {
 }
 
 int main(void) {
-  mimo_env *env = make_world();
+  mimo_env* env = make_world();
   const uint64_t seed = 42;
   size_t block_bytes, field_count, action_count, i;
-  unsigned char *block;
-  float *action;
+  unsigned char* block;
+  float* action;
   double seconds;
   int step;
 
@@ -61,7 +61,7 @@ int main(void) {
     check(mimo_env_observation_field(env, i, &field));
     if (field.dtype == MIMO_F32) {
       printf("%-32s %4zu values, the first is %g %s\n", field.name, field.bytes / sizeof(float),
-             (double)*(const float *)(const void *)(block + field.offset), field.unit);
+             (double)*(const float*)(const void*)(block + field.offset), field.unit);
     }
   }
 

@@ -3,21 +3,21 @@
 #include <stdio.h>
 
 /* `user` is what the config says; here it counts. */
-static void on_message(void *user, int32_t level, const char *message) {
-  ++*(int *)user;
+static void on_message(void* user, int32_t level, const char* message) {
+  ++*(int*)user;
   printf("%s: %s\n", level == MIMO_LOG_WARNING ? "warning" : "info", message);
 }
 
 int main(void) {
   /* Room for one contact only: MuJoCo complains when both balls lie on the floor, and goes on. */
-  static const char *const kXml =
+  static const char* const kXml =
       "<mujoco><size nconmax='1' njmax='100'/><worldbody><geom type='plane' size='1 1 1'/>"
       "<body pos='-0.3 0 0.1'><freejoint/><geom size='0.1'/></body>"
       "<body pos='0.3 0 0.1'><freejoint/><geom size='0.1'/></body></worldbody></mujoco>";
   mimo_scene_config scene_config;
   mimo_env_config env_config;
-  mimo_scene *scene;
-  mimo_env *env;
+  mimo_scene* scene;
+  mimo_env* env;
   int messages = 0, step;
 
   mimo_scene_config_init(&scene_config, sizeof scene_config);

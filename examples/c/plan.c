@@ -17,19 +17,20 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-static double distance(mimo_env *env, const int32_t bodies[2]) {
+static double distance(mimo_env* env, const int32_t bodies[2]) {
   double at[6];
   check(mimo_env_get(env, MIMO_BODY_POSITION, bodies, 2, at, 6));
-  return sqrt((at[0] - at[3]) * (at[0] - at[3]) + (at[1] - at[4]) * (at[1] - at[4]) + (at[2] - at[5]) * (at[2] - at[5]));
+  return sqrt((at[0] - at[3]) * (at[0] - at[3]) + (at[1] - at[4]) * (at[1] - at[4]) +
+              (at[2] - at[5]) * (at[2] - at[5]));
 }
 
-static void act(mimo_env *env, const float *action, size_t count, int steps) {
+static void act(mimo_env* env, const float* action, size_t count, int steps) {
   while (steps-- > 0) check(mimo_env_step(env, action, count, NULL, 0, NULL, NULL, NULL, 0));
 }
 
 int main(void) {
-  mimo_env *env;
-  void *present;
+  mimo_env* env;
+  void* present;
   float *actions, *best;
   size_t count, bytes, i;
   int32_t hand_and_ball[2];
@@ -53,7 +54,7 @@ int main(void) {
     nearest = HUGE_VAL;
     best = actions;
     for (future = 0; future < FUTURES; ++future) {
-      float *action = actions + future * count;
+      float* action = actions + future * count;
       for (i = 0; i < count; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
       act(env, action, count, AHEAD);
       if (distance(env, hand_and_ball) < nearest) {

@@ -26,19 +26,20 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-static mimo_status lift_reset(void *user, mimo_env *env, size_t world, size_t agent, void *memory) {
-  episode *own = memory;
+static mimo_status lift_reset(void* user, mimo_env* env, size_t world, size_t agent, void* memory) {
+  episode* own = memory;
   double share;
-  mimo_status status = mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
+  mimo_status status =
+      mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
   (void)user, (void)world, (void)agent;
   own->height = 0.2 + 0.2 * share;
   return status;
 }
 
-static mimo_status lift_evaluate(void *user, const mimo_env *env, size_t world, size_t agent, void *memory,
-                                 double *reward, int32_t *outcome) {
-  const lift *task = user;
-  const episode *own = memory;
+static mimo_status lift_evaluate(void* user, const mimo_env* env, size_t world, size_t agent, void* memory,
+                                 double* reward, int32_t* outcome) {
+  const lift* task = user;
+  const episode* own = memory;
   double hand[3];
   mimo_status status = mimo_env_get(env, MIMO_BODY_POSITION, &task->hand, 1, hand, 3);
   (void)world, (void)agent;
@@ -48,14 +49,14 @@ static mimo_status lift_evaluate(void *user, const mimo_env *env, size_t world, 
   return MIMO_OK;
 }
 
-static mimo_batch *make_batch(lift *user) {
+static mimo_batch* make_batch(lift* user) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
   mimo_env_config env_config;
   mimo_batch_config batch_config;
   mimo_task task;
-  mimo_scene *scene;
-  mimo_batch *batch;
+  mimo_scene* scene;
+  mimo_batch* batch;
 
   check(mimo_scene_config_init(&scene_config, sizeof scene_config));
   scene_config.name = "benchmark";
@@ -84,12 +85,12 @@ static mimo_batch *make_batch(lift *user) {
 
 int main(void) {
   lift user;
-  mimo_batch *batch = make_batch(&user);
+  mimo_batch* batch = make_batch(&user);
   mimo_batch_results results;
-  mimo_env *first;
+  mimo_env* first;
   uint64_t seeds[WORLDS];
   uint8_t terminated[WORLDS], truncated[WORLDS];
-  float *actions;
+  float* actions;
   size_t count, i;
   int step, successes = 0, time_outs = 0;
 

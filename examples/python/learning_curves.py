@@ -1,6 +1,6 @@
 """Draws learning curves: for each task the mean over seeds of each algorithm, and the spread of one standard deviation.
 
-    python learning_curves.py runs --out curves.png [--value return|success|length]
+    python learning_curves.py runs --out curves.png [--value mean_return|success|length]
 
 Reads the folders that train.py writes, and prints the last values.
 """
@@ -49,7 +49,7 @@ def draw(curves, value):
             print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
         place.set(title=NAMES.get(task, task), xlabel="steps")
         place.legend(fontsize=8)
-    axes[0, 0].set_ylabel(f"{value} of an episode")
+    axes[0, 0].set_ylabel(f"{value.replace('_', ' ')} of an episode")
     return figure
 
 
@@ -57,7 +57,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("runs", type=Path)
     parser.add_argument("--out", type=Path, default=Path("curves.png"))
-    parser.add_argument("--value", default="return", choices=["return", "success", "length"])
+    parser.add_argument("--value", default="mean_return", choices=["mean_return", "success", "length"])
     options = parser.parse_args()
     found = read(options.runs, options.value)
     if not found:

@@ -3,7 +3,8 @@
     python overhead.py [--steps N] [--worlds N] [--scene NAME]
 
 A single world counts the time inside its own step (option timing); the rest of a step's time is Python's. For a batch
-the two calls into the library are timed from outside. The fastest tenth of chunks of 20 steps counts, so that what else the machine does matters
+the two calls into the library are timed from outside.
+The fastest tenth of chunks of 20 steps counts, so that what else the machine does matters
 little.
 """
 

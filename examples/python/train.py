@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import torch
 from stable_baselines3 import PPO, SAC
 from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.vec_env import VecMonitor
@@ -19,7 +20,7 @@ from stable_baselines3.common.vec_env import VecMonitor
 import mimo
 from mimo.sb3 import SB3VecEnv
 
-COLUMNS = ["steps", "return", "return_std", "success", "length", "wall_s"]
+COLUMNS = ["steps", "mean_return", "return_std", "success", "length", "wall_s"]
 EVALUATION_SEED = 1_000_000  # the episodes of an evaluation: the same each time, and none of the training's
 
 
@@ -28,14 +29,14 @@ def make_model(options, envs, folder):
     if options.algorithm == "ppo":
         # As many steps between two updates as by default, whose 2048 are those of a single environment.
         return PPO("MultiInputPolicy", envs, n_steps=max(1, options.rollout // options.worlds), **common)
-    # An update a step, as by default.
-    return SAC("MultiInputPolicy", envs, gradient_steps=-1, **common)
+    # An update a step, as by default. The default's memory of a million steps, as far as it can be filled.
+    return SAC("MultiInputPolicy", envs, gradient_steps=-1, buffer_size=min(1_000_000, options.steps), **common)
 
 
 def load_model(options, envs, folder):
     kind = PPO if options.algorithm == "ppo" else SAC
     model = kind.load(folder / "model.zip", envs, device="cpu")
-    if options.algorithm == "sac":
+    if options.algorithm == "sac" and (folder / "replay.pkl").exists():
         model.load_replay_buffer(folder / "replay.pkl")
     return model
 
@@ -100,9 +101,12 @@ class Evaluation(BaseCallback):
         self.logger.record("evaluation/success", row[2])
         self.save()
 
-    def save(self):
-        if self.options.algorithm == "sac":
+    def _on_training_end(self):
+        self.save()
+        if self.options.algorithm == "sac":  # gigabytes: only where training was meant to end
             self.model.save_replay_buffer(self.folder / "replay.pkl")
+
+    def save(self):
         unfinished = self.folder / "unfinished.zip"
         self.model.save(unfinished)
         unfinished.replace(self.folder / "model.zip")
@@ -116,6 +120,7 @@ def parse():
     parser.add_argument("--steps", type=int, default=100_000, help="of all worlds together, also those before a resume")
     parser.add_argument("--worlds", type=int, default=16)
     parser.add_argument("--threads", type=int, default=0, help="0: all cores")
+    parser.add_argument("--torch-threads", type=int, default=1, help="the networks are small: one is often fastest")
     parser.add_argument("--out", type=Path, default=Path("runs"))
     parser.add_argument("--evaluate-every", type=int, default=10_000, help="steps")
     parser.add_argument("--evaluation-episodes", type=int, default=16)
@@ -127,6 +132,7 @@ def parse():
 
 def main():
     options = parse()
+    torch.set_num_threads(options.torch_threads)
     folder = options.out / f"{options.task}-{options.algorithm}-{options.seed}"
     folder.mkdir(parents=True, exist_ok=True)
     envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, max_steps=options.max_steps))

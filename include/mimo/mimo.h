@@ -2,11 +2,11 @@
  * libmimo: MIMo, the multimodal infant model, as a C library.  MIT licence, see LICENSE.
  *
  * In the order of use:
- *   1. versions and status       6. named access: joints, bodies, contacts by name
+ *   1. versions and status       6. named access: joints, bodies, contacts by name; gaze
  *   2. logging                   7. pictures
  *   3. scenes, agents, tasks     8. timing
  *   4. environments              9. rewards and outcomes
- *   5. stepping, observations    10. what differs from world to world: locks, gravity
+ *   5. stepping, observations    10. what differs from world to world: faces, locks, gravity
  *                                11. state: save, load, clone
  *                                12. batches of worlds
  *                                13. tasks of your own
@@ -22,10 +22,12 @@
  *             take a handle without const need it for themselves; different handles are independent.
  *             Any thread may call.
  *   Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
- *             in bytes). One that is too short is refused and stays as it was. Strings passed in are UTF-8
- *             and copied; who owns a string passed out is said where it is declared.
+ *             in bytes). One that is too short is refused and stays as it was (MIMO_E_BUFFER_TOO_SMALL); a
+ *             length that no memory has, such as a negative number turned into size_t, is
+ *             MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
+ *             is said where it is declared.
  *   Structs   Versioned structs start with struct_size and are filled by their _init function, called as
- *             mimo_X_init(&x, sizeof x). They only ever grow at the end.
+ *             mimo_X_init(&x, sizeof x). They only ever grow at the end. Reserved fields are 0.
  *   Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
  *             of a free joint is linear in the world frame, then angular in the body's own frame.
  */
@@ -48,24 +50,24 @@ extern "C" {
 #define MIMO_VERSION_MAJOR 0 /**< Version of this header; mimo_version() gives the library's. */
 #define MIMO_VERSION_MINOR 1 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
-#define MIMO_ABI_VERSION 0 /**< Changes when old callers would break; equals the SONAME's number. */
+#define MIMO_ABI_VERSION 0   /**< Changes when old callers would break; equals the SONAME's number. */
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
 typedef int32_t mimo_status;
 
-#define MIMO_OK 0                   /**< The call did what it says. */
-#define MIMO_E_INVALID_ARGUMENT -1  /**< An argument is NULL, out of range or not finite. */
-#define MIMO_E_BAD_HANDLE -2        /**< Not a handle of that kind, or one already destroyed. */
-#define MIMO_E_BUFFER_TOO_SMALL -3  /**< A caller's buffer is shorter than needed; nothing was written. */
-#define MIMO_E_STRUCT_SIZE -4       /**< struct_size unknown, or an unknown tail of the struct is not zero. */
-#define MIMO_E_NOT_FOUND -5         /**< No body, joint, scene, file... of that name. */
-#define MIMO_E_MODEL -6             /**< A model does not compile; the message is MuJoCo's. */
-#define MIMO_E_SIMULATION -7        /**< The simulation failed or diverged; reset makes the world usable again. */
-#define MIMO_E_RENDER -8            /**< The renderer failed. */
-#define MIMO_E_UNSUPPORTED -9       /**< Not possible here, for example no OSMesa on this machine. */
-#define MIMO_E_OUT_OF_MEMORY -10    /**< An allocation failed. */
-#define MIMO_E_FORKED -11           /**< The handle was made in the parent process, before fork(). */
-#define MIMO_E_INTERNAL -12         /**< A defect in libmimo; please report the message. */
+#define MIMO_OK 0                  /**< The call did what it says. */
+#define MIMO_E_INVALID_ARGUMENT -1 /**< An argument is NULL, out of range or not finite. */
+#define MIMO_E_BAD_HANDLE -2       /**< Not a handle of that kind, or one already destroyed. */
+#define MIMO_E_BUFFER_TOO_SMALL -3 /**< A caller's buffer is shorter than needed; nothing was written. */
+#define MIMO_E_STRUCT_SIZE -4      /**< struct_size unknown, or an unknown tail of the struct is not zero. */
+#define MIMO_E_NOT_FOUND -5        /**< No body, joint, scene, file... of that name. */
+#define MIMO_E_MODEL -6            /**< A model does not compile; the message is MuJoCo's. */
+#define MIMO_E_SIMULATION -7       /**< The simulation failed or diverged; reset makes the world usable again. */
+#define MIMO_E_RENDER -8           /**< The renderer failed. */
+#define MIMO_E_UNSUPPORTED -9      /**< Not possible here, for example no OSMesa on this machine. */
+#define MIMO_E_OUT_OF_MEMORY -10   /**< An allocation failed. */
+#define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
+#define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;
@@ -129,7 +131,7 @@ MIMO_API mimo_status mimo_scene_config_init(mimo_scene_config *config, size_t si
 MIMO_API const char *mimo_scene_builtin(size_t index) MIMO_NOEXCEPT;
 
 /**
- * Makes a scene. Parses the MJCF but compiles nothing yet.
+ * Makes a scene. Parses the MJCF but compiles nothing yet. Elements may be nested 256 deep.
  * @param config NULL means defaults.
  * @param scene  receives the handle; destroy it with mimo_scene_destroy.
  */
@@ -181,30 +183,37 @@ MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
 #define MIMO_FRAME_WORLD 2 /**< The frame of the world. */
 #define MIMO_FRAME_SKIN 3  /**< The frame of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors. */
 
+/**
+ * Name of the index-th face of the built-in bodies, or NULL past the last: "neutral", "enjoyment", "sadness", "surprise",
+ * "disgust", "anger", "fear". Static string. Further ones are materials of your own MJCF named "mimo_face_<name>".
+ */
+MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
+
 /** One infant: where it is, what it senses, what of it acts. */
 typedef struct mimo_agent_config {
-  uint32_t struct_size;          /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
-  uint32_t place_given;          /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
-  const char *name;              /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
-  const char *body;              /**< "mitten"; or "scene": the body is already part of the scene's MJCF. */
-  double position[3];            /**< Of the root body mimo_location, metres, world frame. */
-  double orientation[4];         /**< Of the root body, w x y z; need not be normalised. */
-  uint32_t proprioception;       /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
-  uint32_t vestibular;           /**< 1: accelerometer and gyroscope in the head; 0: none. */
-  double limit_threshold;        /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
-  uint32_t vision;               /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
-  uint32_t vision_width;         /**< Pixels, 1 to 4096. Default 256. */
-  uint32_t vision_height;        /**< Pixels, 1 to 4096. Default 256. */
-  uint32_t actuation;            /**< A MIMO_ACTUATION_ constant. Default torque. */
-  double vision_fovy;            /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
-  uint32_t acts;                 /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
-  uint32_t normalize_actions;    /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
-  uint32_t touch;                /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
-  int32_t touch_response;        /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch. */
-  int32_t touch_frame;           /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
-  uint32_t touch_reserved;       /**< 0. */
-  double touch_scale;            /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
-  double touch_slip_threshold;   /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
+  uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
+  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
+  const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
+  const char *body;            /**< "mitten"; or "scene": the body is already part of the scene's MJCF. */
+  double position[3];          /**< Of the root body mimo_location, metres, world frame. */
+  double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
+  uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
+  uint32_t vestibular;         /**< 1: accelerometer and gyroscope in the head; 0: none. */
+  double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
+  uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
+  uint32_t vision_width;       /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t vision_height;      /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t actuation;          /**< A MIMO_ACTUATION_ constant. Default torque. */
+  double vision_fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
+  uint32_t acts;               /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
+  uint32_t normalize_actions;  /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
+  uint32_t touch;              /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
+  int32_t touch_response;      /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch. */
+  int32_t touch_frame;         /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
+  uint32_t touch_reserved;     /**< 0. */
+  double touch_scale;          /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
+  double touch_slip_threshold; /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
+  const char *face;            /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */
 } mimo_agent_config;
 
 /**
@@ -270,6 +279,35 @@ MIMO_API mimo_status mimo_object_config_init(mimo_object_config *config, size_t 
 /** Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use. */
 MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_config *config) MIMO_NOEXCEPT;
 
+/** A camera whose pictures are fields of the observation: "vision/NAME", "vision/NAME_depth", "vision/NAME_segmentation". */
+typedef struct mimo_camera_config {
+  uint32_t struct_size; /**< sizeof(mimo_camera_config), set by mimo_camera_config_init. */
+  uint32_t outputs;     /**< MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB. */
+  const char *name;     /**< A camera of the scene's MJCF or of an infant, "anna/eye_left"; with placed = 1 the name of a new one. */
+  uint32_t width;       /**< Pixels, 1 to 4096. Default 256. */
+  uint32_t height;      /**< Pixels, 1 to 4096. Default 256. */
+  double fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one. */
+  uint32_t placed;      /**< 1: make the camera, where the entries below say; 0: it is there already. */
+  uint32_t reserved;    /**< 0. */
+  const char *body;     /**< Body that carries it, by its name in the model; NULL: it stands still in the world. */
+  double position[3];   /**< Where it is, metres, in the frame of the body. */
+  double look_at[3];    /**< The point in the middle of its picture, metres, in the frame of the body, whose z axis points up in the picture. */
+} mimo_camera_config;
+
+/**
+ * Fills a config with defaults: an existing camera without a name; a new one would look from (1.5, 0, 0.8) at (0, 0, 0.4).
+ * @param size sizeof(mimo_camera_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_camera_config_init(mimo_camera_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Has a camera observed. Its fields come after those of all agents and belong to the scene.
+ * Errors: MIMO_E_NOT_FOUND for a body that the scene does not have, and from mimo_env_create for a camera that the
+ *         model does not have; MIMO_E_INVALID_ARGUMENT for a camera that is observed already, or a new one whose name
+ *         is in use.
+ */
+MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_config *config) MIMO_NOEXCEPT;
+
 /**
  * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it
  * names "mimo/..." are the built-in ones, installed as share/mimo/models.
@@ -322,18 +360,29 @@ typedef struct mimo_env mimo_env;
 #define MIMO_DISABLE_CONTACT 0x1u /**< No contacts. */
 #define MIMO_DISABLE_GRAVITY 0x2u /**< No gravity. */
 
+#define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
+#define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror what is before them. */
+#define MIMO_RENDER_SKY 0x04u         /**< The scene's sky; without it the background is black. */
+#define MIMO_RENDER_HAZE 0x08u        /**< Haze at the horizon of an endless floor. */
+#define MIMO_RENDER_FOG 0x10u         /**< Fog, as the scene's MJCF describes it. */
+#define MIMO_RENDER_DEFAULT 0x0fu     /**< Everything but fog. */
+
 /** How a world is simulated. */
 typedef struct mimo_env_config {
-  uint32_t struct_size;  /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
-  uint32_t frame_skip;   /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
-  int32_t jacobian;      /**< A MIMO_JACOBIAN_ constant. */
-  uint32_t disable;      /**< MIMO_DISABLE_ bits. */
-  const char *renderer;  /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
-  uint32_t max_steps;    /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
-  uint32_t timing;       /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
-  mimo_log_fn log;       /**< Messages during create, reset and step, or NULL. */
-  void *log_user;        /**< Passed to log. */
-  const char *task;      /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
+  uint32_t struct_size;    /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
+  uint32_t frame_skip;     /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
+  int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
+  uint32_t disable;        /**< MIMO_DISABLE_ bits. */
+  const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
+  uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
+  uint32_t timing;         /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
+  mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
+  void *log_user;          /**< Passed to log. */
+  const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
+  uint32_t render;         /**< MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT. */
+  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa. */
+  uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them. Pictures do not differ. Default 1; best so in batches, whose worlds are drawn side by side. */
+  uint32_t reserved;       /**< 0. */
 } mimo_env_config;
 
 /**
@@ -347,7 +396,9 @@ MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) 
  * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
  * @param scene  is not needed any more afterwards.
  * @param config NULL means defaults.
- * Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_UNSUPPORTED when eyes are on and no renderer works here.
+ * Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
+ *         and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another
+ *         version lies in the program's global scope.
  */
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;
@@ -459,8 +510,9 @@ MIMO_API mimo_status mimo_env_reset(mimo_env *env, const uint64_t *seed, void *b
  * @param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL.
  * @param agents       length of the last three arrays, 0 if all are NULL.
  * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action (nothing happens then);
- *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified and the
- *         world takes nothing but reset and destroy until it has been reset.
+ *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
+ *         world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,
+ *         sense, draw, write values, save or clone answers MIMO_E_SIMULATION.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, double *reward, uint8_t *terminated, uint8_t *truncated,
@@ -475,6 +527,8 @@ MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_b
 /**
  * Bare physics: count physics steps with the controls as they are, without actuation, senses or task.
  * What MuJoCo alone costs; also for hosts that bring senses and control of their own.
+ * @param count 0 to 1000000.
+ * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world.
  */
 MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
 
@@ -496,28 +550,28 @@ MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIM
 #define MIMO_ACTUATOR 6 /**< Motors. */
 #define MIMO_SENSOR 7   /**< MuJoCo's sensors. */
 
-#define MIMO_JOINT_POSITION 1      /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
-#define MIMO_JOINT_VELOCITY 2      /**< Joint: 1, 3 or 6. Writable. */
-#define MIMO_JOINT_FORCE 3         /**< Joint: 1, 3 or 6; generalised force applied by you until changed. Writable. */
-#define MIMO_JOINT_ACCELERATION 4  /**< Joint: 1, 3 or 6. */
-#define MIMO_JOINT_RANGE 5         /**< Joint: 2, low and high; -inf and inf when not limited. */
-#define MIMO_BODY_POSITION 6       /**< Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint. */
-#define MIMO_BODY_ORIENTATION 7    /**< Body: 4, w x y z. Writable for bodies with a free joint. */
-#define MIMO_BODY_VELOCITY 8       /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
-#define MIMO_BODY_FORCE 9          /**< Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable. */
-#define MIMO_BODY_MASS 10          /**< Body: 1, kg. */
+#define MIMO_JOINT_POSITION 1       /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
+#define MIMO_JOINT_VELOCITY 2       /**< Joint: 1, 3 or 6. Writable. */
+#define MIMO_JOINT_FORCE 3          /**< Joint: 1, 3 or 6; generalised force applied by you until changed. Writable. */
+#define MIMO_JOINT_ACCELERATION 4   /**< Joint: 1, 3 or 6. */
+#define MIMO_JOINT_RANGE 5          /**< Joint: 2, low and high; -inf and inf when not limited. */
+#define MIMO_BODY_POSITION 6        /**< Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint. */
+#define MIMO_BODY_ORIENTATION 7     /**< Body: 4, w x y z. Writable for bodies with a free joint. */
+#define MIMO_BODY_VELOCITY 8        /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
+#define MIMO_BODY_FORCE 9           /**< Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable. */
+#define MIMO_BODY_MASS 10           /**< Body: 1, kg. */
 #define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
-#define MIMO_GEOM_POSITION 12      /**< Geom: 3, world, m. */
-#define MIMO_GEOM_ORIENTATION 13   /**< Geom: 4, w x y z. */
-#define MIMO_GEOM_SIZE 14          /**< Geom: 3, by shape. */
-#define MIMO_SITE_POSITION 15      /**< Site: 3, world, m. */
-#define MIMO_SITE_ORIENTATION 16   /**< Site: 4, w x y z. */
-#define MIMO_CAMERA_POSITION 17    /**< Camera: 3, world, m. */
-#define MIMO_CAMERA_ORIENTATION 18 /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
-#define MIMO_ACTUATOR_CONTROL 19   /**< Actuator: 1, control input. Writable. */
-#define MIMO_ACTUATOR_FORCE 20     /**< Actuator: 1, N or Nm. */
-#define MIMO_SENSOR_VALUE 21       /**< Sensor: its dimension. */
-#define MIMO_ACTUATOR_GEAR 22      /**< Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable. */
+#define MIMO_GEOM_POSITION 12       /**< Geom: 3, world, m. */
+#define MIMO_GEOM_ORIENTATION 13    /**< Geom: 4, w x y z. */
+#define MIMO_GEOM_SIZE 14           /**< Geom: 3, by shape. */
+#define MIMO_SITE_POSITION 15       /**< Site: 3, world, m. */
+#define MIMO_SITE_ORIENTATION 16    /**< Site: 4, w x y z. */
+#define MIMO_CAMERA_POSITION 17     /**< Camera: 3, world, m. */
+#define MIMO_CAMERA_ORIENTATION 18  /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
+#define MIMO_ACTUATOR_CONTROL 19    /**< Actuator: 1, control input. Writable. */
+#define MIMO_ACTUATOR_FORCE 20      /**< Actuator: 1, N or Nm. */
+#define MIMO_SENSOR_VALUE 21        /**< Sensor: its dimension. */
+#define MIMO_ACTUATOR_GEAR 22       /**< Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable. */
 
 /** How many of a kind (MIMO_BODY ...) the world has. */
 MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
@@ -591,16 +645,66 @@ MIMO_API mimo_status mimo_env_touch_sensors(const mimo_env *env, size_t agent, i
                                             double *positions, double *frames, size_t capacity,
                                             size_t *count) MIMO_NOEXCEPT;
 
+/** Where an infant looks. */
+typedef struct mimo_gaze {
+  uint32_t struct_size;      /**< sizeof(mimo_gaze), set by the caller. */
+  uint32_t meets;            /**< 1: the lines of sight come closest to each other before both eyes; 0: they lead apart. */
+  double left_position[3];   /**< Of the left eye's camera, world, m. */
+  double left_direction[3];  /**< Its line of sight, unit vector, world. */
+  double right_position[3];  /**< Of the right eye's camera. */
+  double right_direction[3]; /**< Its line of sight. */
+  double vergence;           /**< Angle between the lines of sight, rad; negative where they lead apart. */
+  double point[3];           /**< Where they meet: half-way between them where they are closest, world, m; zero if they do not. */
+  double miss;               /**< How far they pass each other there, m. */
+} mimo_gaze;
+
+/** Reads where an agent looks, by the poses of its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first. */
+MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze *gaze) MIMO_NOEXCEPT;
+
+#define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
+#define MIMO_LOOK_HEAD 1 /**< The head turns first, so that the eyes have to turn little. */
+
+#define MIMO_LOOK_JOINTS 8 /**< As many joints as looking takes at most. */
+
+/**
+ * Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position
+ * control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0.
+ * @param point    three numbers, metres, world frame.
+ * @param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD.
+ * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD swivel
+ *                 and tilt of the head before them. May be NULL.
+ * @param angles   receives their angles, rad, cut to the joints' ranges; may be NULL.
+ * @param capacity how many joints the arrays have room for.
+ * @param count    receives how many there are; may be NULL.
+ * @param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;
+ *                 may be NULL.
+ * Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL.
+ */
+MIMO_API mimo_status mimo_env_look_angles(mimo_env *env, size_t agent, const double *point, int32_t how,
+                                          int32_t *joints, double *angles, size_t capacity, size_t *count,
+                                          double *errors) MIMO_NOEXCEPT;
+
+/**
+ * Makes an agent look at a point at once: its joints are set, as by mimo_env_set, not driven. Springs and motors
+ * go on moving them in the next step.
+ * @param errors as in mimo_env_look_angles.
+ */
+MIMO_API mimo_status mimo_env_look_at(mimo_env *env, size_t agent, const double *point, int32_t how,
+                                      double *errors) MIMO_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------------------------
  * 7. Pictures for people: any camera of the model, or a free one that looks at a point.
  * ------------------------------------------------------------------------------------------------- */
+
+#define MIMO_PICTURE_RGBA 0x1u      /**< Four bytes a pixel, the last one 255. */
+#define MIMO_PICTURE_BOTTOM_UP 0x2u /**< Row 0 is the bottom, as textures of OpenGL and Unity have it; also of depth and segmentation. */
 
 /** What to draw. */
 typedef struct mimo_picture_config {
   uint32_t struct_size; /**< sizeof(mimo_picture_config), set by mimo_picture_config_init. */
   uint32_t width;       /**< Pixels, 1 to 4096. Default 640. */
   uint32_t height;      /**< Pixels, 1 to 4096. Default 480. */
-  uint32_t reserved;    /**< 0. */
+  uint32_t format;      /**< MIMO_PICTURE_ bits. Default 0: RGB, row 0 is the top. */
   const char *camera;   /**< A camera of the model; NULL: the free camera below. */
   double look_at[3];    /**< Free camera: the point in the middle, world, m. */
   double distance;      /**< Free camera: from that point, m, > 0. */
@@ -617,7 +721,7 @@ MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_
 
 /**
  * Draws the current state.
- * @param rgb          height x width x 3 bytes, row 0 is the top; NULL with rgb_bytes 0: not wanted.
+ * @param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted.
  * @param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted.
  * @param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted.
  */
@@ -627,7 +731,8 @@ MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *c
 
 /**
  * Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it.
- * @param points count x 3, metres, world frame, C order.
+ * @param config NULL means defaults, as in mimo_env_render.
+ * @param points count x 3, metres, world frame, C order; finite.
  * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's
  *               axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
  */
@@ -681,6 +786,16 @@ MIMO_API mimo_status mimo_env_outcome(const mimo_env *env, size_t agent, uint8_t
  * ------------------------------------------------------------------------------------------------- */
 
 /**
+ * Gives an agent another face, in this world only. Pictures show it from the next one on.
+ * @param name see mimo_face_name.
+ * Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are.
+ */
+MIMO_API mimo_status mimo_env_set_face(mimo_env *env, size_t agent, const char *name) MIMO_NOEXCEPT;
+
+/** The face that an agent shows. @param name receives a string owned by the environment; "" for a body without faces. */
+MIMO_API mimo_status mimo_env_face(const mimo_env *env, size_t agent, const char **name) MIMO_NOEXCEPT;
+
+/**
  * Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle.
  * @param joint a hinge of an infant.
  * @param angle within the joint's range, rad.
@@ -710,7 +825,7 @@ MIMO_API mimo_status mimo_env_gravity(const mimo_env *env, double *xyz, size_t c
 MIMO_API mimo_status mimo_env_state_size(const mimo_env *env, size_t *bytes) MIMO_NOEXCEPT;
 
 /**
- * Saves physics, actuation, task, random numbers, elapsed steps, locks, gears and gravity.
+ * Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces and gravity.
  * The bytes may be kept in a file and are good for this version of the library on this kind of machine.
  * @param state receives mimo_env_state_size bytes; needs no alignment.
  * Errors: MIMO_E_SIMULATION for a world that has failed.
@@ -814,18 +929,18 @@ MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const uint64_t *seeds, 
  * terminated 0 and truncated 1; one with a NaN among its actions does not move, and only its status is written.
  */
 typedef struct mimo_batch_results {
-  uint32_t struct_size;    /**< sizeof(mimo_batch_results), set by the caller. */
-  uint32_t reserved;       /**< 0. */
-  double *reward;          /**< worlds x agents. */
-  uint8_t *terminated;     /**< worlds x agents. */
-  uint8_t *truncated;      /**< worlds x agents. */
-  size_t agents;           /**< Length of the three arrays above. */
-  mimo_status *status;     /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
-  uint8_t *was_reset;      /**< Per world: 1 when this step started a new episode: the block is its first. */
-  uint8_t *final_written;  /**< Per world: 1 when its final block was written. */
-  size_t worlds;           /**< Length of the three arrays above. */
-  void *final_blocks;      /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows stay as they are. */
-  size_t final_bytes;      /**< Length, as that of the blocks. */
+  uint32_t struct_size;   /**< sizeof(mimo_batch_results), set by the caller. */
+  uint32_t reserved;      /**< 0. */
+  double *reward;         /**< worlds x agents. */
+  uint8_t *terminated;    /**< worlds x agents. */
+  uint8_t *truncated;     /**< worlds x agents. */
+  size_t agents;          /**< Length of the three arrays above. */
+  mimo_status *status;    /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
+  uint8_t *was_reset;     /**< Per world: 1 when this step started a new episode: the block is its first. */
+  uint8_t *final_written; /**< Per world: 1 when its final block was written. */
+  size_t worlds;          /**< Length of the three arrays above. */
+  void *final_blocks;     /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows stay as they are. */
+  size_t final_bytes;     /**< Length, as that of the blocks. */
 } mimo_batch_results;
 
 /**
@@ -865,6 +980,10 @@ MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, int32_t quantity, c
 MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
                                     const uint8_t *mask, size_t worlds, const double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
+
+/** Gives an agent another face in many worlds, as mimo_env_set_face. */
+MIMO_API mimo_status mimo_batch_set_face(mimo_batch *batch, size_t agent, const char *name, const uint8_t *mask,
+                                         size_t worlds) MIMO_NOEXCEPT;
 
 /** Saves the states of many worlds. @param states worlds x mimo_env_state_size bytes. */
 MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *states,

@@ -63,19 +63,25 @@ inline mimo_picture_config picture_config() {
   return config;
 }
 
+inline mimo_camera_config camera_config() {
+  mimo_camera_config config;
+  check(mimo_camera_config_init(&config, sizeof config));
+  return config;
+}
+
 /// Contiguous elements that belong to somebody else.
 template <typename T>
 class View {
  public:
-  View(T* data, std::size_t size) : data_(data), size_(size) {}
-  T* data() const { return data_; }
+  View(T *data, std::size_t size) : data_(data), size_(size) {}
+  T *data() const { return data_; }
   std::size_t size() const { return size_; }
-  T* begin() const { return data_; }
-  T* end() const { return data_ + size_; }
-  T& operator[](std::size_t i) const { return data_[i]; }
+  T *begin() const { return data_; }
+  T *end() const { return data_ + size_; }
+  T &operator[](std::size_t i) const { return data_[i]; }
 
  private:
-  T* data_;
+  T *data_;
   std::size_t size_;
 };
 
@@ -103,28 +109,28 @@ struct Dtype<double> {
 class Block {
  public:
   explicit Block(std::size_t bytes) : room_(bytes + 63), bytes_(bytes) {}
-  Block(Block&&) = default;
-  Block& operator=(Block&&) = default;
-  Block(const Block& other) : Block(other.bytes_) { *this = other; }
-  Block& operator=(const Block& other) {
+  Block(Block &&) = default;
+  Block &operator=(Block &&) = default;
+  Block(const Block &other) : Block(other.bytes_) { *this = other; }
+  Block &operator=(const Block &other) {
     if (this == &other) return *this;
     room_.resize(other.bytes_ + 63);
     bytes_ = other.bytes_;
-    const std::uint8_t* from = other.data();
-    std::uint8_t* to = data();
+    const std::uint8_t *from = other.data();
+    std::uint8_t *to = data();
     for (std::size_t i = 0; i < bytes_; ++i) to[i] = from[i];
     return *this;
   }
 
-  std::uint8_t* data() { return room_.data() + padding(); }
-  const std::uint8_t* data() const { return room_.data() + padding(); }
+  std::uint8_t *data() { return room_.data() + padding(); }
+  const std::uint8_t *data() const { return room_.data() + padding(); }
   std::size_t bytes() const { return bytes_; }
 
   /// The elements of a field; throws std::invalid_argument when the field holds another type.
   template <typename T>
-  View<const T> view(const mimo_field& field) const {
+  View<const T> view(const mimo_field &field) const {
     if (field.dtype != Dtype<T>::value) throw std::invalid_argument(std::string(field.name) + " has another dtype");
-    return View<const T>(reinterpret_cast<const T*>(data() + field.offset), field.bytes / sizeof(T));
+    return View<const T>(reinterpret_cast<const T *>(data() + field.offset), field.bytes / sizeof(T));
   }
 
  private:
@@ -135,45 +141,46 @@ class Block {
 };
 
 /// Owns a handle; moves, does not copy.
-template <typename T, void (*Destroy)(T*)>
+template <typename T, void (*Destroy)(T *)>
 class Handle {
  public:
-  explicit Handle(T* handle = nullptr) noexcept : handle_(handle) {}
+  explicit Handle(T *handle = nullptr) noexcept : handle_(handle) {}
   ~Handle() { Destroy(handle_); }
-  Handle(Handle&& other) noexcept : handle_(other.release()) {}
-  Handle& operator=(Handle&& other) noexcept {
+  Handle(Handle &&other) noexcept : handle_(other.release()) {}
+  Handle &operator=(Handle &&other) noexcept {
     std::swap(handle_, other.handle_);
     return *this;
   }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
+  Handle(const Handle &) = delete;
+  Handle &operator=(const Handle &) = delete;
 
-  T* get() const noexcept { return handle_; }
-  T* release() noexcept {
-    T* handle = handle_;
+  T *get() const noexcept { return handle_; }
+  T *release() noexcept {
+    T *handle = handle_;
     handle_ = nullptr;
     return handle;
   }
 
  private:
-  T* handle_;
+  T *handle_;
 };
 
 namespace detail {
-inline void destroy_scene(mimo_scene* scene) { mimo_scene_destroy(scene); }
-inline void destroy_env(mimo_env* env) { mimo_env_destroy(env); }
+inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
+inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
 }  // namespace detail
 
 class Scene : public Handle<mimo_scene, detail::destroy_scene> {
  public:
-  explicit Scene(const mimo_scene_config& config) : Handle(create(config)) {}
+  explicit Scene(const mimo_scene_config &config) : Handle(create(config)) {}
 
-  std::int32_t add_agent(const mimo_agent_config& config = agent_config()) {
+  std::int32_t add_agent(const mimo_agent_config &config = agent_config()) {
     std::int32_t agent = 0;
     check(mimo_scene_add_agent(get(), &config, &agent));
     return agent;
   }
-  void add_object(const mimo_object_config& config) { check(mimo_scene_add_object(get(), &config)); }
+  void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
+  void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
 
   std::string xml() const {
     std::size_t length = 0;
@@ -185,8 +192,8 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
 
  private:
-  static mimo_scene* create(const mimo_scene_config& config) {
-    mimo_scene* scene = nullptr;
+  static mimo_scene *create(const mimo_scene_config &config) {
+    mimo_scene *scene = nullptr;
     check(mimo_scene_create(&config, &scene));
     return scene;
   }
@@ -201,8 +208,8 @@ struct Result {
 
 class Env : public Handle<mimo_env, detail::destroy_env> {
  public:
-  explicit Env(mimo_env* env) : Handle(env) {}
-  explicit Env(const Scene& scene, const mimo_env_config& config = env_config()) : Handle(create(scene, config)) {}
+  explicit Env(mimo_env *env) : Handle(env) {}
+  explicit Env(const Scene &scene, const mimo_env_config &config = env_config()) : Handle(create(scene, config)) {}
 
   std::size_t agent_count() const {
     std::size_t count = 0;
@@ -231,19 +238,19 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return all;
   }
   /// The field of that name; throws std::out_of_range when there is none.
-  mimo_field field(const std::string& name) const {
-    for (const mimo_field& candidate : fields()) {
+  mimo_field field(const std::string &name) const {
+    for (const mimo_field &candidate : fields()) {
       if (name == candidate.name) return candidate;
     }
     throw std::out_of_range("no field named " + name);
   }
 
-  void reset(std::uint64_t seed, Block& block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
-  void reset(Block& block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
-  void observe(Block& block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
+  void reset(std::uint64_t seed, Block &block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
+  void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
+  void observe(Block &block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
 
   /// One step of all agents; an empty vector of actions leaves the controls as they are.
-  std::vector<Result> step(const std::vector<float>& actions, Block& block) {
+  std::vector<Result> step(const std::vector<float> &actions, Block &block) {
     const std::size_t count = agent_count();
     std::vector<double> reward(count);
     std::vector<std::uint8_t> terminated(count), truncated(count);
@@ -262,33 +269,54 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return seconds;
   }
 
-  std::int32_t find(std::int32_t kind, const std::string& name) const {
+  std::int32_t find(std::int32_t kind, const std::string &name) const {
     std::int32_t id = 0;
     check(mimo_env_find(get(), kind, name.c_str(), &id));
     return id;
   }
-  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t>& ids) const {
+  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
     std::size_t count = 0;
     check(mimo_env_width(get(), quantity, ids.data(), ids.size(), &count));
     std::vector<double> values(count);
     check(mimo_env_get(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
     return values;
   }
-  void set_values(std::int32_t quantity, const std::vector<std::int32_t>& ids, const std::vector<double>& values) {
+  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
     check(mimo_env_set(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
   }
 
+  std::string face(std::size_t agent = 0) const {
+    const char *name = nullptr;
+    check(mimo_env_face(get(), agent, &name));
+    return name;
+  }
+  void set_face(const std::string &name, std::size_t agent = 0) {
+    check(mimo_env_set_face(get(), agent, name.c_str()));
+  }
+
+  mimo_gaze gaze(std::size_t agent = 0) const {
+    mimo_gaze gaze;
+    gaze.struct_size = sizeof gaze;
+    check(mimo_env_gaze(get(), agent, &gaze));
+    return gaze;
+  }
+  /// Turns the eyes, and the head with MIMO_LOOK_HEAD, to a point at once.
+  void look_at(double x, double y, double z, std::int32_t how = MIMO_LOOK_EYES, std::size_t agent = 0) {
+    const double point[3] = {x, y, z};
+    check(mimo_env_look_at(get(), agent, point, how, nullptr));
+  }
+
  private:
-  static mimo_env* create(const Scene& scene, const mimo_env_config& config) {
-    mimo_env* env = nullptr;
+  static mimo_env *create(const Scene &scene, const mimo_env_config &config) {
+    mimo_env *env = nullptr;
     check(mimo_env_create(scene.get(), &config, &env));
     return env;
   }
 };
 
 /// The usual case: a built-in scene, one infant with all senses.
-inline Env make(const std::string& scene_name) {
-  mimo_env* env = nullptr;
+inline Env make(const std::string &scene_name) {
+  mimo_env *env = nullptr;
   check(mimo_env_make(scene_name.c_str(), &env));
   return Env(env);
 }

@@ -1,6 +1,6 @@
-#include "base/format.h"  // before fail.h: it decides how fmt is compiled
-
 #include "base/fail.h"
+
+#include "base/format.h"
 
 namespace mimo {
 

@@ -12,11 +12,11 @@ class Span {
   constexpr Span() = default;
   constexpr Span(T* data, std::size_t size) : data_(data), size_(size) {}
   // From any container of the same (or less const) elements.
-  template <typename Container, typename = std::enable_if_t<std::is_convertible_v<
-                                    decltype(std::declval<Container&>().data()), T*>>>
+  template <typename Container,
+            typename = std::enable_if_t<std::is_convertible_v<decltype(std::declval<Container&>().data()), T*>>>
   constexpr Span(Container& container) : data_(container.data()), size_(container.size()) {}
-  template <typename Container, typename = std::enable_if_t<std::is_convertible_v<
-                                    decltype(std::declval<const Container&>().data()), T*>>>
+  template <typename Container,
+            typename = std::enable_if_t<std::is_convertible_v<decltype(std::declval<const Container&>().data()), T*>>>
   constexpr Span(const Container& container) : data_(container.data()), size_(container.size()) {}
 
   constexpr T* data() const { return data_; }

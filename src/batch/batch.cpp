@@ -1,7 +1,6 @@
 #include "batch/batch.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <new>
 
 #include "base/fail.h"
@@ -17,9 +16,8 @@ Batch::Batch(const engine::ModelPtr& model, const std::vector<env::AgentOptions>
       studio_(model, options_of(0), std::min(options.threads, options.worlds)),
       reports_(options.worlds),
       pool_(std::min(options.threads, options.worlds)) {
-  const bool sees =
-      std::any_of(agents.begin(), agents.end(), [](const env::AgentOptions& agent) { return agent.vision.any(); });
-  if (sees && options_of(0).renderer != "none") studio_.furnish();
+  const env::EnvOptions first = options_of(0);
+  if (env::sees(agents, first) && first.renderer != "none") studio_.furnish();
   mailboxes_.reserve(options.worlds);
   worlds_.reserve(options.worlds);
   std::vector<env::AgentOptions> shared;
@@ -40,7 +38,8 @@ Batch::~Batch() {
 }
 
 void Batch::require_idle() const {
-  require(!busy_.load(std::memory_order_relaxed), "the batch is at work: only mimo_batch_receive can follow mimo_batch_send");
+  require(!busy_.load(std::memory_order_relaxed),
+          "the batch is at work: only mimo_batch_receive can follow mimo_batch_send");
 }
 
 void Batch::require_access(std::size_t world) const {
@@ -60,20 +59,18 @@ void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uin
   perform(call);
 }
 
-void Batch::step(const float* actions, const Output& output) {
+Batch::Call Batch::step_call(const float* actions, const Output& output) {
   Call call;
   call.work = &Batch::step_world;
   call.actions = actions;
   call.output = output;
-  perform(call);
+  return call;
 }
 
+void Batch::step(const float* actions, const Output& output) { perform(step_call(actions, output)); }
+
 void Batch::send(const float* actions, const Output& output) {
-  Call call;
-  call.work = &Batch::step_world;
-  call.actions = actions;
-  call.output = output;
-  begin(call);
+  begin(step_call(actions, output));
   try {
     pool_.start(*this, size());
   } catch (...) {  // no thread to be had
@@ -122,6 +119,14 @@ void Batch::set(env::Quantity quantity, Span<const std::int32_t> ids, const std:
     env::check_settable(world(i).model(), quantity, ids, {values + i * call.width, call.width});
   }
   perform(call);
+}
+
+// A name that the first world does not know, none does: nothing has changed then.
+void Batch::set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask) {
+  require_idle();
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (mask == nullptr || mask[i] != 0) world(i).set_face(agent, name);
+  }
 }
 
 void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {

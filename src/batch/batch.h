@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/pool.h"
 #include "batch/mailbox.h"
 #include "batch/options.h"
-#include "batch/pool.h"
 #include "batch/studio.h"
 #include "env/access.h"
 #include "env/world.h"
@@ -23,8 +23,8 @@ struct Report {
   bool settled = false;  // it failed, and was or will be restarted as configured
 };
 
-// Masks have a byte for each world, 0 for those to be left alone; a null mask means all. Every operation goes through all
-// worlds whatever happens to one, then delivers their messages and throws the first failure that is not settled.
+// Masks have a byte for each world, 0 for those to be left alone; a null mask means all. Every operation goes through
+// all worlds whatever happens to one, then delivers their messages and throws the first failure that is not settled.
 class Batch : private Job {
  public:
   // Gives the options of world i; its log, seed and renderer are the batch's business.
@@ -60,6 +60,8 @@ class Batch : private Job {
   void get(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, double* values) const;
   void set(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, const double* values);
 
+  void set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask);
+
   // States are `stride` bytes apart; with a stride of 0 all worlds load the same one.
   void save(const std::uint8_t* mask, std::uint8_t* states);
   void load(const std::uint8_t* mask, const std::uint8_t* states, std::size_t stride);
@@ -83,6 +85,7 @@ class Batch : private Job {
     std::size_t stride = 0;
   };
 
+  static Call step_call(const float* actions, const Output& output);
   void begin(const Call& call);
   void perform(const Call& call);
   void finish();

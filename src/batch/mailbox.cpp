@@ -1,7 +1,6 @@
 #include "batch/mailbox.h"
 
 #include "base/format.h"
-
 #include "batch/place.h"
 
 namespace mimo::batch {

@@ -12,8 +12,7 @@ void Studio::furnish() {
 }
 
 // Outside of the pool a world is drawn by the calling thread, which is the last of the pool's threads.
-void Studio::draw(const mjModel& model, const mjData& data, const render::View& view,
-                  const render::Picture& picture) {
+void Studio::draw(const mjModel& model, const mjData& data, const render::View& view, const render::Picture& picture) {
   const std::size_t thread = place().batch == nullptr ? renderers_.size() - 1 : place().thread;
   renderer(thread).draw(model, data, view, picture);
 }

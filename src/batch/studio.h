@@ -1,5 +1,5 @@
-// The renderers of a batch: one for each thread instead of one for each world. They draw the same, and a thousand worlds
-// would otherwise hold a thousand copies of all textures.
+// The renderers of a batch: one for each thread instead of one for each world. They draw the same, and a thousand
+// worlds would otherwise hold a thousand copies of all textures.
 #pragma once
 
 #include <memory>

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "capi/check.h"
+#include "capi/vision.h"
 
 namespace mimo::capi {
 namespace {
-
-constexpr std::uint32_t kLargestPicture = 4096;
 
 void check_agent_name(const std::string& name) {
   // Not isalnum, whose letters depend on the host's locale.
@@ -31,26 +30,6 @@ senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   options.actuation = has(MIMO_PROPRIOCEPTION_ACTUATION);
   options.joint_torque = has(MIMO_PROPRIOCEPTION_JOINT_TORQUE);
   options.limit_threshold = config.limit_threshold;
-  return options;
-}
-
-senses::VisionOptions vision(const mimo_agent_config& config) {
-  check_bits(config.vision, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, "vision");
-  const auto has = [&](std::uint32_t bit) { return (config.vision & bit) != 0; };
-  senses::VisionOptions options;
-  options.rgb = has(MIMO_VISION_RGB);
-  options.depth = has(MIMO_VISION_DEPTH);
-  options.segmentation = has(MIMO_VISION_SEGMENTATION);
-  if (!options.any()) return options;
-  require(config.vision_width >= 1 && config.vision_width <= kLargestPicture, "vision_width is {}, expected 1 to {}",
-          config.vision_width, kLargestPicture);
-  require(config.vision_height >= 1 && config.vision_height <= kLargestPicture, "vision_height is {}, expected 1 to {}",
-          config.vision_height, kLargestPicture);
-  require(config.vision_fovy == 0 || (config.vision_fovy >= 1 && config.vision_fovy <= 170),
-          "vision_fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.vision_fovy);
-  options.width = static_cast<int>(config.vision_width);
-  options.height = static_cast<int>(config.vision_height);
-  options.fovy = config.vision_fovy;
   return options;
 }
 
@@ -98,8 +77,10 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   check_agent_name(options.name);
   options.proprioception = proprioception(config);
   options.vestibular = config.vestibular != 0;
-  options.vision = vision(config);
+  options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
+                          {"vision_height", config.vision_height}, {"vision_fovy", config.vision_fovy});
   options.touch = touch(config);
+  options.face = text(config.face);
   options.actuation = actuation(config);
   return options;
 }

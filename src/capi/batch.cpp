@@ -234,6 +234,17 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
   });
 }
 
+mimo_status mimo_batch_set_face(mimo_batch* batch, size_t agent, const char* name, const uint8_t* mask,
+                                size_t worlds) noexcept {
+  return guard([&] {
+    batch::Batch& inner = open(batch).batch;
+    check_per_world(inner, worlds, mask != nullptr);
+    check_agent(inner.world(0), agent);
+    require(name != nullptr, "name is NULL");
+    inner.set_face(agent, name, mask);
+  });
+}
+
 mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* states,
                                   size_t state_bytes) noexcept {
   return guard([&] {

@@ -15,10 +15,31 @@ mimo_env_config default_env_config() {
   config.struct_size = sizeof config;
   config.jacobian = MIMO_JACOBIAN_MODEL;
   config.renderer = "auto";
+  config.render = MIMO_RENDER_DEFAULT;
+  config.render_threads = 1;
   return config;
 }
 
 namespace {
+
+render::Quality quality(const mimo_env_config& config) {
+  check_bits(config.render, MIMO_RENDER_DEFAULT | MIMO_RENDER_FOG, "render");
+  const auto has = [&](std::uint32_t bit) { return (config.render & bit) != 0; };
+  const auto known = {0u, 1u, 4u, 16u, 64u};
+  require(std::find(known.begin(), known.end(), config.samples) != known.end(),
+          "samples is {}, expected 1, 4, 16 or 64, or 0 for the renderer's own", config.samples);
+  require(config.render_threads >= 1 && config.render_threads <= 64, "render_threads is {}, expected 1 to 64",
+          config.render_threads);
+  render::Quality quality;
+  quality.shadows = has(MIMO_RENDER_SHADOWS);
+  quality.reflections = has(MIMO_RENDER_REFLECTIONS);
+  quality.skybox = has(MIMO_RENDER_SKY);
+  quality.haze = has(MIMO_RENDER_HAZE);
+  quality.fog = has(MIMO_RENDER_FOG);
+  quality.samples = static_cast<int>(config.samples);
+  quality.threads = static_cast<int>(config.render_threads);
+  return quality;
+}
 
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
@@ -37,7 +58,9 @@ env::EnvOptions env_options(const mimo_env_config& config) {
           "renderer is \"{}\", expected auto, ray, osmesa or none", options.renderer);
   options.max_steps = config.max_steps;
   options.task = text(config.task);
+  options.quality = quality(config);
   check_flag(config.timing, "timing");
+  check_reserved(config.reserved, "reserved");
   options.timing = config.timing != 0;
   options.log = {config.log, config.log_user};
   return options;
@@ -53,6 +76,8 @@ RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config) 
   auto recipe = std::make_shared<Recipe>();
   recipe->options = env_options(config);
   recipe->options.parameters = object.parameters;
+  recipe->options.cameras = object.cameras;
+  recipe->options.shelf = render::make_shelf();
   recipe->agents = object.agents;
   recipe->task = object.task;
   const scene::Composition composition = object.scene.compose();

@@ -13,9 +13,9 @@ constexpr unsigned kMagic = 0x6d696d6fu;  // "mimo"
 struct Control {
   unsigned magic;
   HandleKind kind;
-  unsigned generation;          // of forks, when it was made
-  std::atomic<void*> object;    // null once retired
-  Control* next;                // all control blocks, so that leak checkers see them
+  unsigned generation;        // of forks, when it was made
+  std::atomic<void*> object;  // null once retired
+  Control* next;              // all control blocks, so that leak checkers see them
 };
 
 std::atomic<Control*> all_controls{nullptr};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/fail.h"
 #include "batch/batch.h"
 #include "capi/handle.h"
 #include "env/world.h"
@@ -19,6 +20,7 @@ struct SceneObject {
   LogSink log;
   tasks::Settings parameters;
   std::optional<mimo_task> task = {};  // the user's own
+  std::vector<env::CameraOptions> cameras = {};
 };
 
 // What worlds are made from: all that is left of a scene when it has been compiled.
@@ -50,6 +52,10 @@ struct EnvObject {
   const batch::Batch* batch = nullptr;
   std::size_t number = 0;
 };
+
+inline void check_agent(const env::World& world, std::size_t agent) {
+  require(agent < world.agents().size(), "agent is {}, but there are {} agents", agent, world.agents().size());
+}
 
 mimo_env* wrap_env(std::unique_ptr<EnvObject> object);
 

@@ -6,6 +6,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "render/pixels.h"
 
 namespace mimo::capi {
 namespace {
@@ -24,11 +25,11 @@ mimo_picture_config default_picture_config() {
 }
 
 void check_picture_config(const mimo_picture_config& config) {
-  check_reserved(config.reserved, "reserved");
   require(config.width >= 1 && config.width <= 4096, "width is {}, expected 1 to 4096", config.width);
   require(config.height >= 1 && config.height <= 4096, "height is {}, expected 1 to 4096", config.height);
   require(config.fovy == 0 || (config.fovy >= 1 && config.fovy <= 170),
           "fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.fovy);
+  check_bits(config.format, MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP, "format");
   if (config.camera != nullptr) return;
   check_finite(config.look_at, 3, "look_at");
   require(config.distance > 0 && std::isfinite(config.distance), "distance is {}, expected metres above 0",
@@ -48,6 +49,14 @@ render::View view(const env::World& world, const mimo_picture_config& config, in
   const double fovy = config.fovy > 0 ? config.fovy : static_cast<double>(world.model().vis.global.fovy);
   return render::orbit_view({config.look_at[0], config.look_at[1], config.look_at[2]}, config.distance, config.azimuth,
                             config.elevation, fovy);
+}
+
+// Turns a picture with so many numbers a pixel upside down; null pointers stay what they are.
+template <typename T>
+void flip(T* pixels, std::size_t numbers, const mimo_picture_config& config) {
+  if (pixels == nullptr) return;
+  render::flip_rows(reinterpret_cast<unsigned char*>(pixels), numbers * config.width * sizeof(T),
+                    static_cast<int>(config.height));
 }
 
 // Pixels right, pixels down and depth of a point of the world.
@@ -83,7 +92,8 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
     const std::size_t pixels = std::size_t{ours.width} * ours.height;
-    check_buffer(rgb, rgb_bytes, 3 * pixels, "rgb");
+    const bool with_alpha = (ours.format & MIMO_PICTURE_RGBA) != 0;
+    check_buffer(rgb, rgb_bytes, (with_alpha ? 4 : 3) * pixels, "rgb");
     check_buffer(depth, depth_count, pixels, "depth");
     check_buffer(segmentation, segmentation_count, pixels, "segmentation");
     const int camera = camera_of(world, ours);
@@ -95,6 +105,11 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     picture.depth = depth;
     picture.segmentation = segmentation;
     world.draw(view(world, ours, camera), picture);
+    if (with_alpha && rgb != nullptr) render::add_alpha(rgb, pixels);
+    if ((ours.format & MIMO_PICTURE_BOTTOM_UP) == 0) return;
+    flip(rgb, with_alpha ? 4 : 3, ours);
+    flip(depth, 1, ours);
+    flip(segmentation, 1, ours);
   });
 }
 

@@ -8,6 +8,8 @@
 #include "allocations.h"
 #include "bare_world.h"
 #include "commands.h"
+#include "full_world.h"
+#include "paper.h"
 #include "progress.h"
 #include "scaling.h"
 #include "text.h"
@@ -24,69 +26,18 @@ struct BenchOptions {
   std::size_t steps = 1000;
   int worlds = 1, threads = 1;
   bool json = false;
+  bool paper = false, brief = false;
+  std::string csv;
 };
-
-// The world as users run it.
-class FullWorld {
- public:
-  explicit FullWorld(const BenchOptions& options)
-      : env_(open_world(options.world, timed_config())), block_(env_.make_block()), times_(options.steps) {
-    env_.reset(options.world.seed, block_);
-  }
-
-  // The first step of a world makes what later ones reuse; it is not measured.
-  void warm_up(const Actions& actions) {
-    for (const auto& action : actions) env_.step(action, block_);
-    check(mimo_env_timing_reset(env_.get()));
-  }
-
-  void run(const Actions& actions) {
-    for (const auto& action : actions) {
-      Allocations::start();
-      const auto start = Clock::now();
-      env_.step(action, block_);
-      times_.add(seconds_since(start));
-      Allocations::stop();
-      std::size_t contacts = 0;
-      check(mimo_env_contacts(env_.get(), nullptr, nullptr, 0, &contacts));
-      contacts_ += contacts;
-    }
-  }
-
-  const Env& env() const { return env_; }
-  const Samples& times() const { return times_; }
-  std::size_t contacts() const { return contacts_; }
-
- private:
-  static mimo_env_config timed_config() {
-    auto config = make_env_config();
-    config.timing = 1;
-    return config;
-  }
-
-  Env env_;
-  Block block_;
-  Samples times_;
-  std::size_t contacts_ = 0;
-};
-
-// The world in which the original was measured.
-WorldOptions reference_world(const WorldOptions& options) {
-  WorldOptions world;
-  world.scene = "benchmark";
-  world.body = "mitten";
-  world.seed = options.seed;
-  return world;
-}
 
 // The three worlds side by side. They take turns every few steps, so that a busy machine slows all alike.
 class Bench {
  public:
   explicit Bench(const BenchOptions& options)
       : options_(options),
-        full_(options),
+        full_(options.world, options.steps),
         raw_(options.world, MIMO_JACOBIAN_MODEL, options.steps),
-        reference_(reference_world(options.world), MIMO_JACOBIAN_DENSE, options.steps),
+        reference_(reference_world(options.world.seed), MIMO_JACOBIAN_DENSE, options.steps),
         actions_(full_.env(), options.world.seed),
         reference_actions_(reference_.env(), options.world.seed) {}
 
@@ -221,6 +172,13 @@ void add_bench(CLI::App& program) {
       ->capture_default_str();
   add_seed_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
+  CLI::Option* paper =
+      command->add_flag("--paper", options->paper,
+                        "The paper's Fig. 3: seven sizes of eyes and densities of touch, 60 episodes of a minute each");
+  command->add_flag("--short", options->brief, "With --paper: one episode each")->needs(paper);
+  command->add_option("--csv", options->csv, "With --paper: its table goes to this file as well")
+      ->type_name("FILE")
+      ->needs(paper);
   command->footer(
       "raw_physics_us is one bare physics step of a twin of the world that follows the same trajectory; reference_us "
       "is\n"
@@ -231,8 +189,10 @@ void add_bench(CLI::App& program) {
       "Examples:\n"
       "  mimo bench\n"
       "  mimo bench --vision off --steps 5000 --json\n"
-      "  mimo bench --scene reach --worlds 64 --threads 2");
+      "  mimo bench --scene reach --worlds 64 --threads 2\n"
+      "  mimo bench --paper --short --csv paper.csv");
   command->callback([options] {
+    if (options->paper) return run_paper({options->world.renderer, options->brief, options->csv});
     const Json result = options->worlds > 1 || options->threads > 1 ? run_many(*options) : run_one(*options);
     if (options->json) {
       std::cout << result.dump(2) << '\n';

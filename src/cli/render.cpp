@@ -97,6 +97,7 @@ void add_render(CLI::App& program) {
   add_size_option(*command, "--height", options->height);
   add_renderer_option(*command, options->world);
   add_touch_option(*command, options->world);
+  add_face_option(*command, options->world);
   add_seed_option(*command, options->world);
   command->add_option("--out", options->out, "The picture, a PNG file")->type_name("FILE.png")->required();
   command
@@ -114,7 +115,7 @@ void add_render(CLI::App& program) {
       "  mimo render --out scene.png\n"
       "  mimo render --camera eye_left --width 512 --height 512 --out left.png --depth left.npy\n"
       "  mimo render --scene my_room.xml --body mitten --touch 0.5 --out felt.png\n"
-      "  mimo render --look-at 0 0 0.6 --distance 0.6 --azimuth 180 --elevation 0 --out face.png");
+      "  mimo render --look-at 0 0 0.77 --distance 0.5 --azimuth 180 --elevation 0 --face enjoyment --out face.png");
   command->callback([options] { render(*options); });
 }
 

@@ -158,6 +158,7 @@ void add_run(CLI::App& program) {
       ->capture_default_str();
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
+  add_face_option(*command, options->world);
   add_seed_option(*command, options->world);
   command->add_option("--out", options->out, "Folder for the pictures; made if it is not there")
       ->type_name("DIR")

@@ -80,6 +80,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses) {
   } else {
     agent.touch_scale = std::stod(options.touch);
   }
+  if (!options.face.empty()) agent.face = options.face.c_str();
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = 0;
   return agent;
 }
@@ -120,6 +121,12 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
   command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray or osmesa")
       ->type_name("NAME")
       ->capture_default_str();
+}
+
+void add_face_option(CLI::App& command, WorldOptions& options) {
+  std::string names;
+  for (std::size_t i = 0; const char* name = mimo_face_name(i); ++i) names += (i ? ", " : "") + std::string(name);
+  command.add_option("--face", options.face, "The infant's face: " + names)->type_name("NAME");
 }
 
 void add_seed_option(CLI::App& command, WorldOptions& options) {

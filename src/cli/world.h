@@ -15,6 +15,7 @@ struct WorldOptions {
   std::string renderer = "auto";
   std::string vision;       // "off", pixels, or "" for 256 where a renderer works
   std::string touch = "1";  // "off", or the scale
+  std::string face;         // "" means the model's own
   std::uint64_t seed = 0;
 };
 
@@ -23,6 +24,7 @@ void add_scene_options(CLI::App& command, WorldOptions& options);
 void add_vision_options(CLI::App& command, WorldOptions& options);  // with add_renderer_option
 void add_touch_option(CLI::App& command, WorldOptions& options);
 void add_renderer_option(CLI::App& command, WorldOptions& options);
+void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
 
 // The infant's body: "mitten", or "scene" where it is part of the scene's file, or "" where there is none.

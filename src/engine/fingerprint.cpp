@@ -47,7 +47,7 @@ std::uint64_t fingerprint(const mjModel& model) {
 #undef X
   add_options(hash, model.opt);
   MJMODEL_POINTERS_PREAMBLE((&model))
-#define X(type, name, rows, columns)                 \
+#define X(type, name, rows, columns)                  \
   if constexpr (std::string_view(#name) != "tex_rgb") \
     add(hash, model.name, static_cast<std::size_t>(model.rows) * static_cast<std::size_t>(columns));
   MJMODEL_POINTERS

@@ -1,6 +1,9 @@
 #include "engine/overrides.h"
 
 #include <cstddef>
+#include <cstdint>
+
+#include "base/fail.h"
 
 namespace mimo::engine {
 namespace {
@@ -41,12 +44,20 @@ double& Overrides::gear(mjModel& model, int actuator) {
   return model.actuator_gear[6 * actuator];
 }
 
+void Overrides::own_materials(mjModel& model) { own(material_, model.geom_matid, model.ngeom); }
+
+void Overrides::paint(mjModel& model, int geom, int material) {
+  own_materials(model);
+  model.geom_matid[geom] = material;
+}
+
 void Overrides::save(const mjModel& model, ByteWriter& to) {
   for (int i = 0; i < model.neq; ++i) {
     to.put(model.eq_active[i]);
     to.put(model.eq_data[i * mjNEQDATA]);
   }
   for (int i = 0; i < model.nu; ++i) to.put(model.actuator_gear[6 * i]);
+  for (int i = 0; i < model.ngeom; ++i) to.put(std::int32_t{model.geom_matid[i]});
   to.put(Span<const double>(model.opt.gravity, 3));
 }
 
@@ -56,6 +67,11 @@ void Overrides::check(const mjModel& model, ByteReader& from) {
     from.take_finite("a lock");
   }
   for (int i = 0; i < model.nu; ++i) from.take_finite("a gear");
+  for (int i = 0; i < model.ngeom; ++i) {
+    const auto material = from.take<std::int32_t>();
+    require(material >= -1 && material < model.nmat, "the state holds {} for a material, expected -1 to {}", material,
+            model.nmat - 1);
+  }
   for (int i = 0; i < 3; ++i) from.take_finite("gravity");
 }
 
@@ -72,6 +88,10 @@ void Overrides::load(mjModel& model, ByteReader& from) {
   for (int i = 0; i < model.nu; ++i) {
     const auto value = from.take<double>();
     if (value != model.actuator_gear[6 * i]) gear(model, i) = value;
+  }
+  for (int i = 0; i < model.ngeom; ++i) {
+    const auto value = from.take<std::int32_t>();
+    if (value != model.geom_matid[i]) paint(model, i, value);
   }
   from.take(Span<double>(model.opt.gravity, 3));
 }

@@ -49,22 +49,23 @@ class Physics {
 
   // Recomputes poses only (bodies, geoms, sites, cameras, lights).
   void update_poses();
-  // The same, but as of the start of the last physics step, to which everything else that a step computed belongs. For a
-  // task that has turned joints since (`turned` holds their addresses in qpos): these are where they are now.
+  // The same, but as of the start of the last physics step, to which everything else that a step computed belongs. For
+  // a task that has turned joints since (`turned` holds their addresses in qpos): these are where they are now.
   void update_poses_at_last_start(Span<const int> turned);
 
   // Differences from the shared model, for this world only. They outlive resets.
   void hold(int lock, double angle) { overrides_.hold(model_, lock, angle); }
   void release(int lock) { overrides_.release(model_, lock); }
   double& gear(int actuator) { return overrides_.gear(model_, actuator); }
+  void paint(int geom, int material) { overrides_.paint(model_, geom, material); }
   double* gravity() { return model_.opt.gravity; }
 
   bool failed() const { return failed_; }
   // Throws Status::kSimulation when the world has failed and has not been reset.
   void require_usable() const;
 
-  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start, and
-  // how this world differs from the shared model.
+  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start,
+  // and how this world differs from the shared model.
   void save(ByteWriter& to) const;
   // Throws Status::kInvalidArgument, with nothing changed, for numbers that are not finite. Afterwards poses and body
   // velocities are those of the new state; contacts, sensors and accelerations are empty until the next step or
@@ -94,7 +95,7 @@ class Physics {
   std::vector<double> start_;
   std::array<int, mjNWARNING> warned_{};
   std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
-  double step_time_ = 0;                       // when the step in progress started; MuJoCo sets a diverged world's time back
+  double step_time_ = 0;  // when the step in progress started; MuJoCo sets a diverged world's time back
   bool failed_ = false;
 };
 

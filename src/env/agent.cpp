@@ -23,6 +23,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   Agent agent;
   agent.name = options.name;
   agent.body = body::find_body(model, options.prefix());
+  agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
@@ -41,7 +42,8 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
     if (renderer == nullptr) {
       fail(Status::kInvalidArgument, "renderer \"none\": the eyes are on; switch vision off or choose a renderer");
     }
-    agent.senses.push_back(std::make_unique<senses::Vision>(model, agent.body, options.vision, *renderer));
+    agent.senses.push_back(
+        std::make_unique<senses::Vision>(model, senses::eyes(agent.body), options.vision, *renderer));
   }
   if (auto sense = agent.task->make_sense(model)) agent.senses.push_back(std::move(sense));
   for (const auto& sense : agent.senses) {

@@ -6,16 +6,18 @@
 
 #include "actuation/actuation.h"
 #include "body/body.h"
+#include "body/faces.h"
 #include "env/options.h"
 #include "senses/sense.h"
-#include "tasks/task.h"
 #include "senses/touch/touch.h"
+#include "tasks/task.h"
 
 namespace mimo::env {
 
 struct Agent {
   std::string name;
   body::Body body;
+  body::Faces faces;
   std::unique_ptr<actuation::Actuation> actuation;
   std::unique_ptr<tasks::Task> task;
   std::vector<std::unique_ptr<senses::Sense>> senses;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "actuation/actuation.h"
 #include "base/log.h"
@@ -24,11 +25,18 @@ struct AgentOptions {
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
+  std::string face;  // that it shows at first; "": the model's own
   // That of the same agent in another world of the same model, to be shared instead of made anew.
   std::shared_ptr<const senses::touch::Skin> skin = nullptr;
 
   // Prefix of its model names and fields.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
+};
+
+// A camera of the model as fields of the observation.
+struct CameraOptions {
+  std::string camera;
+  senses::VisionOptions vision;
 };
 
 // Makes the task of one agent, by its number.
@@ -39,15 +47,22 @@ struct EnvOptions {
   int frame_skip = 0;  // 0: the scene's own
   engine::PhysicsOptions physics;
   std::string renderer = "auto";
+  render::Quality quality;
+  // What renderers of one model have in common, for all worlds that are given the same; null: each has its own.
+  std::shared_ptr<render::Shelf> shelf;
+  std::vector<CameraOptions> cameras;
   std::uint32_t max_steps = 0;  // 0: the task's own
   std::string task;             // "": the scene's own
   tasks::Settings parameters;
-  TaskMaker custom_task;        // stands in for the scene's own, where given
+  TaskMaker custom_task;  // stands in for the scene's own, where given
   bool timing = false;
   LogSink log;
   std::uint64_t seed = 0;                       // of the random stream, until a reset gives another
   render::Renderer* shared_renderer = nullptr;  // draws for this world, which then has none of its own; outlives it
 };
+
+// Whether anything in such a world observes pictures.
+bool sees(const std::vector<AgentOptions>& agents, const EnvOptions& options);
 
 // Makes what the options ask for. Throws Status::kUnsupported where it does not work here.
 std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options);

@@ -11,10 +11,6 @@ namespace {
 constexpr int kFrameSkip = 2;  // where neither config nor scene say
 constexpr const char* kCustomTask = "custom";
 
-bool sees(const std::vector<AgentOptions>& agents) {
-  return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
-}
-
 // True as long as this lives.
 class Flag {
  public:
@@ -36,20 +32,43 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       random_(options.seed) {
   adopt_scene_choices();
   const TaskMaker make_task = task_maker();
-  render::Renderer* eyes = sees(agents) && options_.renderer != "none" ? &renderer() : nullptr;
-  for (const AgentOptions& agent_options : agents) {
-    Agent agent = make_agent(physics_, agent_options, make_task, agents_.size(), eyes);
-    agent.action_offset = action_size_;
-    action_size_ += agent.actuation->size();
-    for (const auto& sense : agent.senses) {
-      for (senses::Field& field : sense->fields()) layout_.add(field);
-    }
-    body::read_stored_pose(physics_.model(), agent.body, physics_.start());
-    agents_.push_back(std::move(agent));
-  }
+  render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
+  for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
+  for (const CameraOptions& camera : options_.cameras) add_camera(camera, eyes);
   start();
   measure_state();
   report_warnings();
+}
+
+void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes) {
+  Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes);
+  agent.action_offset = action_size_;
+  action_size_ += agent.actuation->size();
+  for (const auto& sense : agent.senses) lay_out(*sense);
+  body::read_stored_pose(physics_.model(), agent.body, physics_.start());
+  agents_.push_back(std::move(agent));
+  if (!options.face.empty()) set_face(agents_.size() - 1, options.face);
+}
+
+void World::add_camera(const CameraOptions& options, render::Renderer* renderer) {
+  if (renderer == nullptr) {
+    fail(Status::kInvalidArgument, "renderer \"none\": camera \"{}\" is to be observed; choose a renderer",
+         options.camera);
+  }
+  const senses::Lens lens{"vision/" + options.camera,
+                          engine::find_or_fail(model(), engine::Kind::kCamera, options.camera)};
+  cameras_.push_back(
+      std::make_unique<senses::Vision>(model(), std::vector<senses::Lens>{lens}, options.vision, *renderer));
+  lay_out(*cameras_.back());
+}
+
+void World::lay_out(senses::Sense& sense) {
+  for (senses::Field& field : sense.fields()) {
+    for (std::size_t i = 0; i < layout_.size(); ++i) {
+      require(layout_[i].name != field.name, "there are two fields \"{}\"", field.name);
+    }
+    layout_.add(field);
+  }
 }
 
 void World::require_outside_task() const {
@@ -87,8 +106,14 @@ render::Renderer& World::renderer() {
   return *own_renderer_;
 }
 
+bool sees(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
+  return !options.cameras.empty() ||
+         std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
+}
+
 std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options) {
-  return render::make_renderer(options.renderer == "none" ? "auto" : options.renderer, model, options.log);
+  const std::string& name = options.renderer == "none" ? "auto" : options.renderer;
+  return render::make_renderer(name, model, options.quality, options.shelf, options.log);
 }
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
@@ -152,12 +177,15 @@ void World::observe(std::uint8_t* block) {
 // Only steps are timed: looking in between would blur what a step costs.
 void World::sense(std::uint8_t* block, bool timed) {
   for (const Agent& agent : agents_) {
-    for (const auto& sense : agent.senses) {
-      const Stopwatch watch(timed, timing_.senses[static_cast<std::size_t>(sense->part())]);
-      sense->write(model(), data(), block);
-    }
+    for (const auto& sense : agent.senses) write(*sense, block, timed);
   }
+  for (const auto& camera : cameras_) write(*camera, block, timed);
   layout_.clear_gaps(block);
+}
+
+void World::write(senses::Sense& sense, std::uint8_t* block, bool timed) {
+  const Stopwatch watch(timed, timing_.senses[static_cast<std::size_t>(sense.part())]);
+  sense.write(model(), data(), block);
 }
 
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
@@ -184,6 +212,17 @@ bool World::out_of_time(const Agent& agent) const {
 bool World::over() const {
   return std::any_of(agents_.begin(), agents_.end(),
                      [this](const Agent& agent) { return agent.task->over() || out_of_time(agent); });
+}
+
+void World::set_face(std::size_t agent, const std::string& name) {
+  const body::Faces& faces = agents_[agent].faces;
+  physics_.paint(faces.geom, faces.find(name).material);
+}
+
+const std::string& World::face(std::size_t agent) const {
+  static const std::string none;
+  const body::Face* face = agents_[agent].faces.shown(model());
+  return face == nullptr ? none : face->name;
 }
 
 void World::draw(const render::View& view, const render::Picture& picture) {

@@ -65,12 +65,20 @@ class World {
   // Throws, with nothing changed, for anything but a state of the same model, agents and task.
   void load(Span<const std::uint8_t> state);
 
+  // Faces of the agents, in this world only; they outlive resets. The name is "" for a face that has none.
+  void set_face(std::size_t agent, const std::string& name);
+  const std::string& face(std::size_t agent) const;
+
   // Draws the poses as they are with the world's renderer, which is made when first needed.
   void draw(const render::View& view, const render::Picture& picture);
 
  private:
   render::Renderer& renderer();
   void adopt_scene_choices();
+  void add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes);
+  void add_camera(const CameraOptions& options, render::Renderer* renderer);
+  void lay_out(senses::Sense& sense);
+  void write(senses::Sense& sense, std::uint8_t* block, bool timed);
   TaskMaker task_maker() const;
   void start();
   void sense(std::uint8_t* block, bool timed);
@@ -88,6 +96,7 @@ class World {
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
+  std::vector<std::unique_ptr<senses::Sense>> cameras_;  // that belong to no agent
   Layout layout_;
   Random random_;
   std::size_t action_size_ = 0;

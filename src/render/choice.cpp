@@ -1,18 +1,39 @@
 // Which renderer a world gets.
+#include <mutex>
+
 #include "base/fail.h"
 #include "render/ray/ray_renderer.h"
 #include "render/renderer.h"
 
 namespace mimo::render {
 
-std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::ModelPtr& model, const LogSink& log) {
-  if (name == "osmesa") return make_osmesa_renderer(model, log);
+class Shelf {
+ public:
+  std::shared_ptr<const ray::Textures> textures(const engine::ModelPtr& model) {
+    const std::lock_guard lock(mutex_);
+    if (textures_ == nullptr) textures_ = make_ray_textures(model);
+    return textures_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::shared_ptr<const ray::Textures> textures_;
+};
+
+std::shared_ptr<Shelf> make_shelf() { return std::make_shared<Shelf>(); }
+
+std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::ModelPtr& model, const Quality& quality,
+                                        const std::shared_ptr<Shelf>& shelf, const LogSink& log) {
+  if (name == "osmesa") return make_osmesa_renderer(model, quality, log);
   try {
-    return make_ray_renderer(model, RayOptions(), log);
+    require_ray_model(*model);
+    RayOptions options{quality};
+    if (shelf != nullptr) options.textures = shelf->textures(model);
+    return make_ray_renderer(model, options);
   } catch (const Error& error) {
     if (name != "auto" || error.status() != Status::kUnsupported) throw;
     log(LogLevel::kInfo, "drawing with OSMesa: " + error.message());
-    return make_osmesa_renderer(model, log);
+    return make_osmesa_renderer(model, quality, log);
   }
 }
 

@@ -31,7 +31,9 @@ void run(const char* what, const LogSink& log, Call&& call) {
 // All calls want the context current.
 class Canvas {
  public:
-  Canvas(const mjModel& model, const OsmesaLibrary& library, const OsmesaContext& context, const LogSink& log);
+  // `samples` a pixel; 0: what the model says. OpenGL may give fewer.
+  Canvas(const mjModel& model, int samples, const OsmesaLibrary& library, const OsmesaContext& context,
+         const LogSink& log);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -49,7 +51,8 @@ class Canvas {
   mjrContext buffers_;
 };
 
-Canvas::Canvas(const mjModel& model, const OsmesaLibrary& library, const OsmesaContext& context, const LogSink& log)
+Canvas::Canvas(const mjModel& model, int samples, const OsmesaLibrary& library, const OsmesaContext& context,
+               const LogSink& log)
     : gl_(context.gl()), log_(log) {
   mjr_defaultContext(&buffers_);
   // MuJoCo 2.2.2 checks for 1000 textures but has room for 100.
@@ -58,6 +61,7 @@ Canvas::Canvas(const mjModel& model, const OsmesaLibrary& library, const OsmesaC
          std::size(buffers_.texture));
   }
   mjModel sized = model;  // the struct only
+  if (samples > 0) sized.vis.quality.offsamples = samples == 1 ? 0 : samples;
   sized.vis.global.offwidth = sized.vis.global.offheight = 1;
   MujocoBinding binding(library);
   run("MuJoCo cannot draw with OSMesa (has this process drawn with MuJoCo and another OpenGL before?)", log_,
@@ -106,8 +110,8 @@ void Canvas::draw(mjvScene* scene, int width, int height, unsigned char* rgb, fl
 
 class OsmesaRenderer final : public Renderer {
  public:
-  OsmesaRenderer(engine::ModelPtr model, const LogSink& log, const OsmesaLibrary& library)
-      : model_(std::move(model)), log_(log), library_(library), scene_(*model_) {}
+  OsmesaRenderer(engine::ModelPtr model, const Quality& quality, const LogSink& log, const OsmesaLibrary& library)
+      : model_(std::move(model)), samples_(quality.samples), log_(log), library_(library), scene_(*model_, quality) {}
   ~OsmesaRenderer() override { forget(); }
 
   void draw(const mjModel& model, const mjData& data, const View& view, const Picture& picture) override;
@@ -119,6 +123,7 @@ class OsmesaRenderer final : public Renderer {
   void forget() noexcept;
 
   engine::ModelPtr model_;
+  int samples_;
   LogSink log_;
   const OsmesaLibrary library_;
   VisualScene scene_;
@@ -148,7 +153,7 @@ void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const View& 
 
 void OsmesaRenderer::draw_current(const Picture& picture) {
   const Current current(*context_);
-  if (!canvas_) canvas_ = std::make_unique<Canvas>(*model_, library_, *context_, log_);
+  if (!canvas_) canvas_ = std::make_unique<Canvas>(*model_, samples_, library_, *context_, log_);
   canvas_->make_room(picture.width, picture.height);
   if (picture.rgb != nullptr) paint(picture);
   if (picture.depth != nullptr || picture.segmentation != nullptr) measure(picture);
@@ -197,13 +202,13 @@ void OsmesaRenderer::forget() noexcept {
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const LogSink& log,
+std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log,
                                                const std::vector<std::string>& libraries) {
-  return std::make_unique<OsmesaRenderer>(std::move(model), log, load_osmesa(libraries));
+  return std::make_unique<OsmesaRenderer>(std::move(model), quality, log, load_osmesa(libraries));
 }
 
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const LogSink& log) {
-  return make_osmesa_renderer(std::move(model), log, kOsmesaNames);
+std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log) {
+  return make_osmesa_renderer(std::move(model), quality, log, kOsmesaNames);
 }
 
 }  // namespace mimo::render

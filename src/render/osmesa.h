@@ -9,7 +9,7 @@
 
 namespace mimo::render {
 
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const LogSink& log,
+std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log,
                                                const std::vector<std::string>& libraries);
 
 }  // namespace mimo::render

@@ -11,6 +11,16 @@ void flip_rows(unsigned char* pixels, std::size_t row_bytes, int rows) {
   }
 }
 
+void add_alpha(unsigned char* pixels, std::size_t count) {
+  for (std::size_t i = count; i-- > 0;) {  // from the end: no pixel is overwritten before it was moved
+    const unsigned char red = pixels[3 * i], green = pixels[3 * i + 1], blue = pixels[3 * i + 2];
+    pixels[4 * i] = red;
+    pixels[4 * i + 1] = green;
+    pixels[4 * i + 2] = blue;
+    pixels[4 * i + 3] = 255;
+  }
+}
+
 void depth_to_metres(float* depth, std::size_t count, double near, double far) {
   for (std::size_t i = 0; i < count; ++i) {
     depth[i] = static_cast<float>(near * far / (far - static_cast<double>(depth[i]) * (far - near)));

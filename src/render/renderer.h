@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "base/log.h"
 #include "engine/model.h"
@@ -28,6 +29,17 @@ struct Picture {
   std::int32_t* segmentation = nullptr;  // height x width, geom id; -1 where nothing is
 };
 
+// How good pictures are, against what they cost. MuJoCo's switches of these names, and as it sets them.
+struct Quality {
+  bool shadows = true;
+  bool reflections = true;
+  bool skybox = true;
+  bool haze = true;  // the strip of haze that MuJoCo draws at the horizon of an endless plane
+  bool fog = false;
+  int samples = 0;  // a pixel, for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa
+  int threads = 1;  // that draw one picture, the caller's among them; OSMesa has its own. Pictures do not differ.
+};
+
 class Renderer {
  public:
   virtual ~Renderer() = default;
@@ -37,10 +49,16 @@ class Renderer {
 };
 
 // MuJoCo's own pictures through OSMesa, which is loaded at run time. Throws Status::kUnsupported where it is absent.
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const LogSink& log);
+std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log);
 
-// By name: "ray", "osmesa", or "auto": rays where the model allows it, else OSMesa, which is said in the log.
-std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::ModelPtr& model, const LogSink& log);
+// Where renderers of one model find what they can share: textures with their mipmaps, made by the first that asks.
+class Shelf;
+std::shared_ptr<Shelf> make_shelf();
+
+// By name: "ray", "osmesa", or "auto": rays where the model allows it, else OSMesa, which is said in the log. The shelf
+// belongs to this very model; null: the renderer keeps everything to itself.
+std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::ModelPtr& model, const Quality& quality,
+                                        const std::shared_ptr<Shelf>& shelf, const LogSink& log);
 
 // The view of a camera of the model, at its current pose; fovy 0 means the camera's own.
 View camera_view(const mjModel& model, const mjData& data, int camera, double fovy = 0);

@@ -37,7 +37,7 @@ mjvGLCamera gl_camera(const mjModel& model, const View& view) {
 
 }  // namespace
 
-VisualScene::VisualScene(const mjModel& model) {
+VisualScene::VisualScene(const mjModel& model, const Quality& quality) {
   mjv_defaultOption(&option_);
   mjv_defaultScene(&scene_);
   const engine::Complaint complaint = engine::guarded([&] { mjv_makeScene(&model, &scene_, most_shown(model)); });
@@ -45,6 +45,11 @@ VisualScene::VisualScene(const mjModel& model) {
     mjv_freeScene(&scene_);
     fail(Status::kOutOfMemory, "no memory for the renderer's scene: {}", complaint.error.data());
   }
+  scene_.flags[mjRND_SHADOW] = quality.shadows;
+  scene_.flags[mjRND_REFLECTION] = quality.reflections;
+  scene_.flags[mjRND_SKYBOX] = quality.skybox;
+  scene_.flags[mjRND_HAZE] = quality.haze;
+  scene_.flags[mjRND_FOG] = quality.fog;
   geoms_.reserve(static_cast<std::size_t>(scene_.maxgeom));
 }
 

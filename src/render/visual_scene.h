@@ -13,7 +13,7 @@ namespace mimo::render {
 class VisualScene {
  public:
   // Large enough for everything that a model of these sizes shows. Throws Status::kOutOfMemory.
-  explicit VisualScene(const mjModel& model);
+  VisualScene(const mjModel& model, const Quality& quality);
   ~VisualScene();
   VisualScene(const VisualScene&) = delete;
   VisualScene& operator=(const VisualScene&) = delete;

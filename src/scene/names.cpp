@@ -7,9 +7,10 @@ namespace {
 
 // Attributes that name a model element in these sections, or refer to one.
 constexpr const char* kSections[] = {"worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"};
-constexpr const char* kReferences[] = {"name",  "body",  "body1", "body2",  "joint",  "joint1", "joint2", "jointinparent",
-                                       "geom",  "geom1", "geom2", "site",   "sidesite", "cranksite", "slidersite",
-                                       "tendon", "target", "objname", "camera", "refsite", "refname"};
+constexpr const char* kReferences[] = {"name",     "body",          "body1",      "body2",  "joint",  "joint1",
+                                       "joint2",   "jointinparent", "geom",       "geom1",  "geom2",  "site",
+                                       "sidesite", "cranksite",     "slidersite", "tendon", "target", "objname",
+                                       "camera",   "refsite",       "refname"};
 
 }  // namespace
 

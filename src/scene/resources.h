@@ -6,8 +6,8 @@
 namespace mimo::scene {
 
 struct Resource {
-  const char *path;           // Relative to models/: "mitten.xml", "textures/face.png".
-  const unsigned char *data;  // The file's bytes; one zero byte follows that is not part of size.
+  const char* path;           // Relative to models/: "mitten.xml", "textures/face.png".
+  const unsigned char* data;  // The file's bytes; one zero byte follows that is not part of size.
   std::size_t size;
 };
 

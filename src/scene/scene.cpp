@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/fail.h"
@@ -75,6 +76,22 @@ pugi::xml_node section(pugi::xml_node root, const char* name) {
   return found.empty() ? append(root, name) : found;
 }
 
+// The directions that are right and up in a camera's picture. Where it looks along z, y is up.
+std::array<double, 6> picture_axes(const Camera& camera) {
+  using Vector = std::array<double, 3>;
+  const auto cross = [](const Vector& a, const Vector& b) {
+    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const auto length = [](const Vector& v) { return std::hypot(v[0], v[1], v[2]); };
+  Vector forward{};
+  for (std::size_t i = 0; i < 3; ++i) forward[i] = camera.look_at[i] - camera.position[i];
+  require(length(forward) > 1e-9, "camera \"{}\" looks at the point where it is", camera.name);
+  Vector right = cross(forward, {0, 0, 1});
+  if (length(right) < 1e-6 * length(forward)) right = cross(forward, {0, 1, 0});
+  const Vector up = cross(right, forward);
+  return {right[0], right[1], right[2], up[0], up[1], up[2]};
+}
+
 // MuJoCo sizes its buffers for the worst case, 19 MB a world. In ten hours of random movement an infant needed up to
 // 37 contacts, 175 constraints (210 with every joint locked) and 23,000 numbers of stack. A buffer that is full after
 // all shows as a warning, never as a crash.
@@ -99,6 +116,39 @@ void size_buffers(pugi::xml_node root, int infants, int objects) {
   set(size, "nconmax", sum(&Buffers::contacts));
   set(size, "njmax", sum(&Buffers::constraints));
   set(size, "nstack", sum(&Buffers::stack));
+}
+
+// An attribute of the document's elements of that name in sections of that name; 0 where none has it. The last one
+// counts, as MuJoCo reads them.
+double setting(pugi::xml_node root, const char* section, const char* element, const char* attribute) {
+  double value = 0;
+  const auto read = [&](pugi::xml_node node) {
+    const std::vector<double> given = numbers(node.attribute(attribute));
+    if (given.size() == 1) value = given[0];
+  };
+  for (const pugi::xml_node part : root.children(section)) {
+    if (element == nullptr) {
+      read(part);
+    } else {
+      for (const pugi::xml_node node : part.children(element)) read(node);
+    }
+  }
+  return value;
+}
+
+// Nothing nearer than znear * extent is drawn. MuJoCo's own choice, a hundredth of the size of all that there is, would
+// hide an infant's hands from its eyes. Where the author has set both, it is so; else they become 5 mm and, for want of
+// any other, 100 m.
+void keep_hands_in_sight(pugi::xml_node root) {
+  constexpr double kNear = 0.005, kExtent = 2;
+  const double extent = setting(root, "statistic", nullptr, "extent"), near = setting(root, "visual", "map", "znear");
+  if (extent > 0 && near > 0) return;
+  const double own_extent = extent > 0 ? extent : near > 0 ? kNear / near : kExtent;
+  if (extent == 0) set(section(root, "statistic"), "extent", Span<const double>(&own_extent, 1));
+  if (near > 0) return;
+  const double own_near = kNear / own_extent;
+  const pugi::xml_node visual = section(root, "visual");
+  set(section(visual, "map"), "znear", Span<const double>(&own_near, 1));
 }
 
 // Calls visit(node, attribute) for every reference to a built-in file.
@@ -188,9 +238,26 @@ void Scene::add_object(const Object& object) {
   ++objects_;
 }
 
+void Scene::add_camera(const Camera& camera) {
+  require(!has_name("camera", camera.name), "camera name \"{}\": the scene already has a camera of that name",
+          camera.name);
+  const pugi::xml_node carrier =
+      camera.body.empty() ? section(document_.document_element(), "worldbody") : find_named("body", camera.body);
+  if (carrier.empty()) fail(Status::kNotFound, "camera \"{}\": no body named \"{}\"", camera.name, camera.body);
+  const std::array<double, 6> axes = picture_axes(camera);  // before anything is changed
+  const pugi::xml_node node = append(carrier, "camera");
+  set(node, "name", camera.name);
+  set(node, "mode", "fixed");
+  set(node, "pos", Span<const double>(camera.position));
+  set(node, "xyaxes", Span<const double>(axes));
+  set(node, "fovy", Span<const double>(&camera.fovy, 1));
+}
+
 pugi::xml_document Scene::finished() const {
   pugi::xml_document document = copy(document_);
   size_buffers(document.document_element(), bodies_, objects_);
+  const bool infants = bodies_ > 0 || has_name("body", kRootBody);
+  if (infants) keep_hands_in_sight(document.document_element());
   return document;
 }
 
@@ -227,13 +294,13 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   return names;
 }
 
-bool Scene::has_name(const char* element, const std::string& name) const {
-  bool found = false;
-  walk(document_.document_element(), [&](pugi::xml_node node) {
-    found = found || (std::string(node.name()) == element && name == node.attribute("name").value());
+pugi::xml_node Scene::find_named(const char* element, const std::string& name) const {
+  return document_.find_node([&](pugi::xml_node node) {
+    return std::string(node.name()) == element && name == node.attribute("name").value();
   });
-  return found;
 }
+
+bool Scene::has_name(const char* element, const std::string& name) const { return !find_named(element, name).empty(); }
 
 // The room's next free place for an infant; the origin in a room that names none.
 Pose Scene::next_place() const {

@@ -37,6 +37,14 @@ struct Object {
   bool fixed = false;
 };
 
+struct Camera {
+  std::string name;
+  std::string body;  // "": the world
+  std::array<double, 3> position{};
+  std::array<double, 3> look_at{};  // both in the body's frame, whose z axis is up in the picture
+  double fovy = 45;                 // degrees
+};
+
 // A document ready to compile, with the built-in files that it refers to.
 struct Composition {
   std::string xml;
@@ -55,6 +63,7 @@ class Scene {
   // The senses that the scene gives its infants, "proprioception vestibular"; "" if it does not say.
   std::string senses() const;
   void add_object(const Object& object);
+  void add_camera(const Camera& camera);
 
   // Bodies below and including the infant's root, by their names without the prefix.
   std::vector<std::string> body_names(const std::string& prefix) const;
@@ -65,6 +74,7 @@ class Scene {
 
  private:
   pugi::xml_document finished() const;
+  pugi::xml_node find_named(const char* element, const std::string& name) const;
   bool has_name(const char* element, const std::string& name) const;
   Pose next_place() const;
 

@@ -9,10 +9,10 @@ namespace mimo::senses {
 struct ProprioceptionOptions {
   bool position = true;
   bool velocity = true;
-  bool torque = true;        // three axes at each joint sensor
+  bool torque = true;  // three axes at each joint sensor
   bool limit = true;
   bool actuation = true;
-  bool joint_torque = false;  // about each joint's own axis
+  bool joint_torque = false;       // about each joint's own axis
   double limit_threshold = 0.035;  // rad
   bool position_control = false;   // actuation means target angles then
 };

@@ -18,8 +18,6 @@ std::size_t Field::count() const {
   return product;
 }
 
-const char* Field::label(std::size_t i) const {
-  return i < labels.size() ? labels[i].c_str() : "";
-}
+const char* Field::label(std::size_t i) const { return i < labels.size() ? labels[i].c_str() : ""; }
 
 }  // namespace mimo::senses

@@ -6,23 +6,28 @@
 
 namespace mimo::senses {
 
-Vision::Vision(const mjModel& model, const body::Body& body, const VisionOptions& options, render::Renderer& renderer)
-    : options_(options), renderer_(renderer) {
+std::vector<Lens> eyes(const body::Body& body) {
   if (body.eye_left < 0 || body.eye_right < 0) {
     fail(Status::kNotFound, "vision is on, but the model has no cameras {0}eye_left and {0}eye_right", body.prefix);
   }
-  eyes_.push_back(eye(model, "eye_left", body.eye_left));
-  eyes_.push_back(eye(model, "eye_right", body.eye_right));
+  return {{"vision/eye_left", body.eye_left}, {"vision/eye_right", body.eye_right}};
 }
 
-Vision::Eye Vision::eye(const mjModel& model, const char* name, int camera) {
-  const std::string path = std::string("vision/") + name;
+Vision::Vision(const mjModel& model, const std::vector<Lens>& lenses, const VisionOptions& options,
+               render::Renderer& renderer)
+    : options_(options), renderer_(renderer) {
+  for (const Lens& lens : lenses) views_.push_back(view(model, lens));
+}
+
+Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   const double far = model.vis.map.zfar * model.stat.extent;
-  Eye eye{camera, kNone, kNone, kNone};
-  if (options_.rgb) eye.rgb = add(path, Type::kU8, "", 0, 255);
-  if (options_.depth) eye.depth = add(path + "_depth", Type::kF32, "m", 0, far);
-  if (options_.segmentation) eye.segmentation = add(path + "_segmentation", Type::kI32, "", -1, model.ngeom - 1);
-  return eye;
+  View view{lens.camera, kNone, kNone, kNone};
+  if (options_.rgb) view.rgb = add(lens.path, Type::kU8, "", 0, 255);
+  if (options_.depth) view.depth = add(lens.path + "_depth", Type::kF32, "m", 0, far);
+  if (options_.segmentation) {
+    view.segmentation = add(lens.path + "_segmentation", Type::kI32, "", -1, model.ngeom - 1);
+  }
+  return view;
 }
 
 int Vision::add(const std::string& name, Type type, const char* unit, double low, double high) {
@@ -40,14 +45,14 @@ int Vision::add(const std::string& name, Type type, const char* unit, double low
 }
 
 void Vision::write(const mjModel& model, const mjData& data, std::uint8_t* block) {
-  for (const Eye& eye : eyes_) {
+  for (const View& view : views_) {
     render::Picture picture;
     picture.width = options_.width;
     picture.height = options_.height;
-    picture.rgb = pixels<std::uint8_t>(block, eye.rgb);
-    picture.depth = pixels<float>(block, eye.depth);
-    picture.segmentation = pixels<std::int32_t>(block, eye.segmentation);
-    renderer_.draw(model, data, render::camera_view(model, data, eye.camera, options_.fovy), picture);
+    picture.rgb = pixels<std::uint8_t>(block, view.rgb);
+    picture.depth = pixels<float>(block, view.depth);
+    picture.segmentation = pixels<std::int32_t>(block, view.segmentation);
+    renderer_.draw(model, data, render::camera_view(model, data, view.camera, options_.fovy), picture);
   }
 }
 

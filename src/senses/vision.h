@@ -1,5 +1,8 @@
-// What the eyes see: pictures of the two eye cameras.
+// Pictures as observations: what the eyes see, and other cameras of the model.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "body/body.h"
 #include "render/renderer.h"
@@ -18,23 +21,33 @@ struct VisionOptions {
   bool any() const { return rgb || depth || segmentation; }
 };
 
+// A camera of the model, and what its fields are called.
+struct Lens {
+  std::string path;  // "vision/eye_left"
+  int camera;
+};
+
+// The infant's eyes. Throws Status::kNotFound where the model lacks them.
+std::vector<Lens> eyes(const body::Body& body);
+
 class Vision : public Sense {
  public:
   // The renderer outlives the sense.
-  Vision(const mjModel& model, const body::Body& body, const VisionOptions& options, render::Renderer& renderer);
+  Vision(const mjModel& model, const std::vector<Lens>& lenses, const VisionOptions& options,
+         render::Renderer& renderer);
   Part part() const override { return Part::kVision; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
  private:
   static constexpr int kNone = -1;
   // One camera and the fields that its picture goes to.
-  struct Eye {
+  struct View {
     int camera;
     int rgb, depth, segmentation;
   };
 
   int add(const std::string& name, Type type, const char* unit, double low, double high);
-  Eye eye(const mjModel& model, const char* name, int camera);
+  View view(const mjModel& model, const Lens& lens);
   template <typename T>
   T* pixels(std::uint8_t* block, int field) const {
     return field == kNone ? nullptr : at<T>(block, static_cast<std::size_t>(field));
@@ -42,7 +55,7 @@ class Vision : public Sense {
 
   VisionOptions options_;
   render::Renderer& renderer_;
-  std::vector<Eye> eyes_;
+  std::vector<View> views_;
 };
 
 }  // namespace mimo::senses

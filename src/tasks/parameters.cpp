@@ -1,9 +1,9 @@
-#include "base/format.h"
 #include "tasks/parameters.h"
 
 #include <vector>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "tasks/task.h"
 
 namespace mimo::tasks {

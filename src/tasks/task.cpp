@@ -1,7 +1,7 @@
-#include "base/format.h"
 #include "tasks/task.h"
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "tasks/reach.h"
 #include "tasks/selfbody.h"
 #include "tasks/standup.h"

@@ -47,8 +47,8 @@ class Task {
   // For the start of an episode, before reset.
   void clear();
 
-  // What it remembers of the episode beside the physics: always the same number of bytes. Who overrides these calls them
-  // first. A load that throws may leave the task half loaded; the world then loads what was there before.
+  // What it remembers of the episode beside the physics: always the same number of bytes. Who overrides these calls
+  // them first. A load that throws may leave the task half loaded; the world then loads what was there before.
   virtual void save(ByteWriter& to) const;
   virtual void load(ByteReader& from);
 

@@ -55,6 +55,7 @@ int main(void) {
   FIELD(mimo_agent_config, touch_reserved);
   FIELD(mimo_agent_config, touch_scale);
   FIELD(mimo_agent_config, touch_slip_threshold);
+  FIELD(mimo_agent_config, face);
 
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);
@@ -67,6 +68,19 @@ int main(void) {
   FIELD(mimo_object_config, rgba);
   FIELD(mimo_object_config, fixed);
   FIELD(mimo_object_config, reserved);
+
+  BEGIN(mimo_camera_config);
+  FIELD(mimo_camera_config, struct_size);
+  FIELD(mimo_camera_config, outputs);
+  FIELD(mimo_camera_config, name);
+  FIELD(mimo_camera_config, width);
+  FIELD(mimo_camera_config, height);
+  FIELD(mimo_camera_config, fovy);
+  FIELD(mimo_camera_config, placed);
+  FIELD(mimo_camera_config, reserved);
+  FIELD(mimo_camera_config, body);
+  FIELD(mimo_camera_config, position);
+  FIELD(mimo_camera_config, look_at);
 
   BEGIN(mimo_parameter);
   FIELD(mimo_parameter, struct_size);
@@ -88,6 +102,10 @@ int main(void) {
   FIELD(mimo_env_config, log);
   FIELD(mimo_env_config, log_user);
   FIELD(mimo_env_config, task);
+  FIELD(mimo_env_config, render);
+  FIELD(mimo_env_config, samples);
+  FIELD(mimo_env_config, render_threads);
+  FIELD(mimo_env_config, reserved);
 
   BEGIN(mimo_agent_info);
   FIELD(mimo_agent_info, struct_size);
@@ -112,11 +130,22 @@ int main(void) {
   FIELD(mimo_field, low);
   FIELD(mimo_field, high);
 
+  BEGIN(mimo_gaze);
+  FIELD(mimo_gaze, struct_size);
+  FIELD(mimo_gaze, meets);
+  FIELD(mimo_gaze, left_position);
+  FIELD(mimo_gaze, left_direction);
+  FIELD(mimo_gaze, right_position);
+  FIELD(mimo_gaze, right_direction);
+  FIELD(mimo_gaze, vergence);
+  FIELD(mimo_gaze, point);
+  FIELD(mimo_gaze, miss);
+
   BEGIN(mimo_picture_config);
   FIELD(mimo_picture_config, struct_size);
   FIELD(mimo_picture_config, width);
   FIELD(mimo_picture_config, height);
-  FIELD(mimo_picture_config, reserved);
+  FIELD(mimo_picture_config, format);
   FIELD(mimo_picture_config, camera);
   FIELD(mimo_picture_config, look_at);
   FIELD(mimo_picture_config, distance);

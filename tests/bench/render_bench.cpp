@@ -49,12 +49,12 @@ int run(int states, const std::string& simd) {
   engine::Physics physics(model, options);
   render::RayOptions ray_options;
   ray_options.simd = simd;
-  const auto ray = render::make_ray_renderer(model, ray_options, {});
+  const auto ray = render::make_ray_renderer(model, ray_options);
   std::vector<Size> sizes;
   for (const int pixels : {64, 128, 256, 512}) sizes.push_back({pixels});
   for (Size& size : sizes) {
     try {
-      size.reference = render::make_osmesa_renderer(model, {});
+      size.reference = render::make_osmesa_renderer(model, {}, {});
     } catch (const Error& error) {
       fmt::print("without OSMesa: {}\n", error.message());
     }

@@ -17,7 +17,7 @@ typedef struct counts {
   unsigned long long steps, episodes, successes, failed_worlds;
 } counts;
 
-static void check(mimo_status status, const char *what) {
+static void check(mimo_status status, const char* what) {
   if (status == MIMO_OK) return;
   fprintf(stderr, "soak: %s: %s\n", what, mimo_last_error());
   exit(1);
@@ -25,23 +25,23 @@ static void check(mimo_status status, const char *what) {
 
 static long resident_kb(void) {
   long pages = 0, resident = 0;
-  FILE *file = fopen("/proc/self/statm", "r");
+  FILE* file = fopen("/proc/self/statm", "r");
   if (file == NULL) return 0;
   if (fscanf(file, "%ld %ld", &pages, &resident) != 2) resident = 0;
   fclose(file);
   return resident * (sysconf(_SC_PAGESIZE) / 1024);
 }
 
-static float random_action(unsigned *state) {
+static float random_action(unsigned* state) {
   *state = *state * 1664525u + 1013904223u;
   return (float)(*state >> 8) / 8388608.0f - 1.0f;
 }
 
-static mimo_batch *make_batch(const char *name, unsigned threads) {
+static mimo_batch* make_batch(const char* name, unsigned threads) {
   mimo_scene_config scene_config;
   mimo_batch_config batch_config;
-  mimo_scene *scene = NULL;
-  mimo_batch *batch = NULL;
+  mimo_scene* scene = NULL;
+  mimo_batch* batch = NULL;
   check(mimo_scene_config_init(&scene_config, sizeof scene_config), "config");
   scene_config.name = name;
   check(mimo_scene_create(&scene_config, &scene), "scene");
@@ -56,7 +56,7 @@ static mimo_batch *make_batch(const char *name, unsigned threads) {
   return batch;
 }
 
-static void count(counts *all, const double *reward, const uint8_t *ended, const mimo_status *status) {
+static void count(counts* all, const double* reward, const uint8_t* ended, const mimo_status* status) {
   for (int world = 0; world < kWorlds; ++world) {
     all->episodes += ended[world];
     all->successes += ended[world] != 0 && reward[world] > 0;
@@ -65,20 +65,20 @@ static void count(counts *all, const double *reward, const uint8_t *ended, const
   all->steps += kWorlds;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   if (argc < 3) {
     fprintf(stderr, "usage: soak SCENE STEPS [THREADS]\n");
     return 2;
   }
   const unsigned long long steps = strtoull(argv[2], NULL, 10);
-  mimo_batch *batch = make_batch(argv[1], argc > 3 ? (unsigned)atoi(argv[3]) : 0);
-  mimo_env *first = NULL;
+  mimo_batch* batch = make_batch(argv[1], argc > 3 ? (unsigned)atoi(argv[3]) : 0);
+  mimo_env* first = NULL;
   size_t bytes = 0, fields = 0, width = 0;
   check(mimo_batch_world(batch, 0, &first), "world");
   check(mimo_env_observation_size(first, &bytes, &fields), "size");
   check(mimo_env_action_size(first, &width), "actions");
-  void *blocks = malloc(kWorlds * bytes);
-  float *actions = malloc(kWorlds * width * sizeof *actions);
+  void* blocks = malloc(kWorlds * bytes);
+  float* actions = malloc(kWorlds * width * sizeof *actions);
   if (blocks == NULL || actions == NULL) return 1;
 
   double reward[kWorlds];

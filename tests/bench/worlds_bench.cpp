@@ -2,13 +2,13 @@
 // loading a state takes; and what a batch on one thread costs beyond stepping its worlds one after the other.
 //
 //   cmake --build build --target bench_worlds && build/bin/bench_worlds
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <vector>
-
-#include <unistd.h>
 
 #include "batch/batch.h"
 #include "support/scenes.h"
@@ -30,7 +30,8 @@ double resident_kb() {
 // Worlds that have moved for a second: memory that was never touched is not resident.
 struct Moved {
   Moved(const char* scene, std::size_t worlds)
-      : batch(room_with_infant(scene), {blind()}, [](std::size_t) { return without_renderer(); }, options(worlds)),
+      : batch(
+            room_with_infant(scene), {blind()}, [](std::size_t) { return without_renderer(); }, options(worlds)),
         blocks(worlds * batch.world(0).layout().bytes()),
         actions(worlds * batch.world(0).action_size(), 0.3F) {
     batch::Output output;
@@ -60,8 +61,9 @@ void bench_memory(const char* scene) {
   const env::World& world = few.batch.world(0);
   const double data = (static_cast<double>(sizeof(mjData)) + world.data().nbuffer + 8.0 * world.data().nstack) / 1024;
   const double block = static_cast<double>(world.layout().bytes()) / 1024;
-  std::printf("%s: a further world takes %.0f kB; its mjData has %.0f, its block %.0f: %.2f x mjData beyond the block\n",
-              scene, of_one, data, block, (of_one - block) / data);
+  std::printf(
+      "%s: a further world takes %.0f kB; its mjData has %.0f, its block %.0f: %.2f x mjData beyond the block\n", scene,
+      of_one, data, block, (of_one - block) / data);
 }
 
 void bench_state(const char* scene) {

@@ -53,7 +53,8 @@ static void check_making(void) {
   mimo_batch_destroy(batch);
   mimo_batch_destroy(batch);
   mimo_batch_destroy(NULL);
-  CHECK_FAILS(MIMO_E_BAD_HANDLE, "batch is a mimo_batch that has been destroyed", mimo_batch_size(batch, &worlds, NULL));
+  CHECK_FAILS(MIMO_E_BAD_HANDLE, "batch is a mimo_batch that has been destroyed",
+              mimo_batch_size(batch, &worlds, NULL));
   CHECK_FAILS(MIMO_E_BAD_HANDLE, "not a mimo_batch", mimo_batch_size((const mimo_batch*)scene, &worlds, NULL));
   mimo_scene_destroy(scene);
 }

@@ -54,7 +54,8 @@ static void check_making(void) {
   NO_ENV("renderer is \"paper\"", renderer, "paper", "auto");
   NO_ENV("timing is 2", timing, 2, 0);
   config.task = "fly";
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "no task named \"fly\"; there are: none, reach", mimo_env_create(scene, &config, &made));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no task named \"fly\"; there are: none, reach",
+              mimo_env_create(scene, &config, &made));
   CHECK(made == NULL);
   mimo_scene_destroy(scene);
 }

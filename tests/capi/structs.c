@@ -93,8 +93,20 @@ static mimo_status add_object(mimo_object_config* config) {
   return mimo_scene_add_object(scene, config);
 }
 
+/* To a scene of its own each time, as a camera can be observed only once. */
+static mimo_status add_camera(mimo_camera_config* config) {
+  mimo_scene* made = NULL;
+  mimo_status status;
+  CHECK_OK(mimo_scene_create(NULL, &made));
+  config->name = "anywhere";
+  status = mimo_scene_add_camera(made, config);
+  mimo_scene_destroy(made);
+  return status;
+}
+
 static mimo_status describe_agent(mimo_agent_info* info) { return mimo_env_agent(env, 0, info); }
 static mimo_status describe_field(mimo_field* field) { return mimo_env_observation_field(env, 0, field); }
+static mimo_status describe_gaze(mimo_gaze* gaze) { return mimo_env_gaze(env, 0, gaze); }
 static mimo_status describe_timing(mimo_timing* timing) { return mimo_env_timing(env, timing); }
 
 int main(void) {
@@ -105,13 +117,16 @@ int main(void) {
   CHECK_INIT(mimo_object_config, mimo_object_config_init);
   CHECK_INIT(mimo_env_config, mimo_env_config_init);
   CHECK_INIT(mimo_picture_config, mimo_picture_config_init);
+  CHECK_INIT(mimo_camera_config, mimo_camera_config_init);
   CHECK_READ(mimo_scene_config, mimo_scene_config_init, create_scene);
   CHECK_READ(mimo_agent_config, mimo_agent_config_init, add_agent);
   CHECK_READ(mimo_object_config, mimo_object_config_init, add_object);
   CHECK_READ(mimo_env_config, mimo_env_config_init, create_env);
+  CHECK_READ(mimo_camera_config, mimo_camera_config_init, add_camera);
   CHECK_DESCRIBED(mimo_agent_info, "info", describe_agent);
   CHECK_DESCRIBED(mimo_field, "field", describe_field);
   CHECK_DESCRIBED(mimo_timing, "timing", describe_timing);
+  CHECK_DESCRIBED(mimo_gaze, "gaze", describe_gaze);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   return failures();

@@ -39,7 +39,7 @@ static void check_parameters(void) {
   CHECK_OK(mimo_scene_get_parameter(scene, "reach/success_reward", &value));
   CHECK(value == 7);
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no parameter named \"reach/luck\"", mimo_scene_set_parameter(scene, "reach/luck", 1));
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "no parameter named \"\"", mimo_scene_set_parameter(scene, NULL, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_scene_set_parameter(scene, NULL, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "reach/original_rules is 3, expected 0 to 1",
               mimo_scene_set_parameter(scene, "reach/original_rules", 3));
   mimo_scene_destroy(scene);

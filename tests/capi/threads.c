@@ -3,7 +3,7 @@
 
 #include "support/capi.h"
 
-#define THREADS 4
+#define THREADS 16
 #define STEPS 30
 #define VALUES 68
 

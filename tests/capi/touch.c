@@ -2,14 +2,14 @@
 #include "support/capi.h"
 
 typedef struct {
-  mimo_env *env;
+  mimo_env* env;
   size_t sensors, channels, offset, block_bytes;
-  unsigned char *block;
+  unsigned char* block;
 } world;
 
-static mimo_scene *empty_scene(void) {
+static mimo_scene* empty_scene(void) {
   mimo_scene_config config;
-  mimo_scene *scene = NULL;
+  mimo_scene* scene = NULL;
   CHECK_OK(mimo_scene_config_init(&config, sizeof config));
   config.name = "benchmark";
   CHECK_OK(mimo_scene_create(&config, &scene));
@@ -23,13 +23,13 @@ static mimo_agent_config feeling_agent(void) {
   return config;
 }
 
-static mimo_scene *scene_with(const mimo_agent_config *config) {
-  mimo_scene *scene = empty_scene();
+static mimo_scene* scene_with(const mimo_agent_config* config) {
+  mimo_scene* scene = empty_scene();
   CHECK_OK(mimo_scene_add_agent(scene, config, NULL));
   return scene;
 }
 
-static world open_world(const mimo_scene *scene) {
+static world open_world(const mimo_scene* scene) {
   world w;
   size_t fields = 0;
   memset(&w, 0, sizeof w);
@@ -49,7 +49,7 @@ static world open_world(const mimo_scene *scene) {
   return w;
 }
 
-static void close_world(world *w) {
+static void close_world(world* w) {
   mimo_env_destroy(w->env);
   free(w->block);
 }
@@ -64,25 +64,25 @@ static void check_defaults(void) {
 
 static void check_description(void) {
   const mimo_agent_config config = feeling_agent();
-  mimo_scene *scene = scene_with(&config);
+  mimo_scene* scene = scene_with(&config);
   world w = open_world(scene);
   int32_t *bodies = malloc(w.sensors * sizeof *bodies), *geoms = malloc(w.sensors * sizeof *geoms);
-  double *positions = malloc(3 * w.sensors * sizeof *positions);
-  double *frames = malloc(MIMO_TOUCH_FRAME_VALUES * w.sensors * sizeof *frames);
+  double* positions = malloc(3 * w.sensors * sizeof *positions);
+  double* frames = malloc(MIMO_TOUCH_FRAME_VALUES * w.sensors * sizeof *frames);
   size_t i, count = 0;
   CHECK(w.sensors == 5685);
   CHECK(w.channels == 3);
   CHECK_OK(mimo_env_touch_sensors(w.env, 0, bodies, geoms, positions, frames, w.sensors, &count));
   CHECK(count == w.sensors);
   for (i = 0; i < count; ++i) {
-    const double *n = frames + MIMO_TOUCH_FRAME_VALUES * i;
+    const double* n = frames + MIMO_TOUCH_FRAME_VALUES * i;
     int32_t body = -1;
     CHECK_OK(mimo_env_body_of(w.env, MIMO_GEOM, geoms[i], &body));
     CHECK(body == bodies[i]);
     CHECK(i == 0 || bodies[i] >= bodies[i - 1]);
     CHECK_NEAR(1, n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1e-9);
     if (bodies[i] == find(w.env, MIMO_BODY, "head")) { /* a sphere */
-      const double *p = positions + 3 * i;
+      const double* p = positions + 3 * i;
       CHECK_NEAR(0.0735, (p[0] - 0.01) * n[0] + p[1] * n[1] + (p[2] - 0.0735) * n[2], 1e-9);
     }
   }
@@ -100,7 +100,7 @@ static void check_description(void) {
 
 static void check_spacing(void) {
   const mimo_agent_config config = feeling_agent();
-  mimo_scene *scene = scene_with(&config);
+  mimo_scene* scene = scene_with(&config);
   int32_t bodies[4000];
   size_t i;
   world w;
@@ -132,8 +132,8 @@ static void check_spacing(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_refused(const char *part, mimo_agent_config config) {
-  mimo_scene *scene = empty_scene();
+static void check_refused(const char* part, mimo_agent_config config) {
+  mimo_scene* scene = empty_scene();
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_scene_add_agent(scene, &config, NULL));
   mimo_scene_destroy(scene);
 }
@@ -162,7 +162,7 @@ static void check_bad_values(void) {
 
 static void check_projection(void) {
   const mimo_agent_config agent = feeling_agent();
-  mimo_scene *scene = scene_with(&agent);
+  mimo_scene* scene = scene_with(&agent);
   world w = open_world(scene);
   mimo_picture_config config;
   double points[6] = {0, 0, 1, 0, 0, 1}, pixels[6] = {0, 0, 0, 0, 0, 0};
@@ -201,11 +201,11 @@ static double log_uniform(double low, double high) { return low * pow(high / low
 
 /* Whatever the config: it is refused with a message, or the world runs and gives finite numbers. */
 static void check_fuzzed(void) {
-  static const char *const kBodies[] = {"head", "left_fingers", "hip", "right_foot", "left_eye", NULL, "tail", ""};
+  static const char* const kBodies[] = {"head", "left_fingers", "hip", "right_foot", "left_eye", NULL, "tail", ""};
   int round;
   for (round = 0; round < 40; ++round) {
     mimo_agent_config config = feeling_agent();
-    mimo_scene *scene = empty_scene();
+    mimo_scene* scene = empty_scene();
     int step, i;
     config.touch = (uint32_t)(uniform() * 18);
     config.touch_response = (int32_t)(uniform() * 5);

@@ -342,6 +342,14 @@ class Render(Case):
         self.assertGreater(min(seen), 0.5)
         self.assertLess(min(seen), 1.0)
 
+    def test_faces(self):
+        pictures = set()
+        for face in ("neutral", "enjoyment", "sadness", "surprise", "disgust", "anger", "fear"):
+            self.mimo("render", "--face", face, "--look-at", "0", "0", "0.77", "--distance", "0.4", "--azimuth", "180",
+                      "--elevation", "0", "--width", "64", "--height", "64", "--touch", "off", "--out", "a.png")
+            pictures.add((self.folder / "a.png").read_bytes())
+        self.assertEqual(len(pictures), 7)
+
     def test_depth_in_both_formats_agrees(self):
         for name in ("depth.png", "depth.npy"):
             self.mimo("render", "--width", "32", "--height", "24", "--elevation", "0", "--out", "a.png", "--depth", name,

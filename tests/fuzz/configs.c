@@ -15,18 +15,18 @@ static const char* take_text(input* in, char* room) {
 }
 
 static void add_agent(input* in, mimo_scene* scene) {
-  mimo_agent_config config;
   char name[NAME_BYTES], body[NAME_BYTES], part[NAME_BYTES];
   int32_t agent = -7;
-  CALL(mimo_scene_default_agent(scene, &config, sizeof config));
-  if (take_byte(in) % 2 != 0) take(in, &config, sizeof config);
-  config.name = take_text(in, name);
-  config.body = take_text(in, body);
+  ROOMY(mimo_agent_config, given);
+  CALL(mimo_scene_default_agent(scene, &given.config, sizeof given.config));
+  if (take_byte(in) % 2 != 0) take(in, &given.config, sizeof given.config);
+  given.config.name = take_text(in, name);
+  given.config.body = take_text(in, body);
   /* Large pictures and dense skins are legal, and slow. */
-  if (config.vision_width <= 4096) config.vision_width %= 9;
-  if (config.vision_height <= 4096) config.vision_height %= 9;
-  if (config.touch_scale > 2 && config.touch_scale <= 1000) config.touch_scale = 2;
-  if (CALL(mimo_scene_add_agent(scene, &config, &agent)) != MIMO_OK) {
+  if (given.config.vision_width <= 4096) given.config.vision_width %= 9;
+  if (given.config.vision_height <= 4096) given.config.vision_height %= 9;
+  if (given.config.touch_scale > 2 && given.config.touch_scale <= 1000) given.config.touch_scale = 2;
+  if (CALL(mimo_scene_add_agent(scene, &given.config, &agent)) != MIMO_OK) {
     PROMISE(agent == -7);
     return;
   }
@@ -38,12 +38,12 @@ static void add_agent(input* in, mimo_scene* scene) {
 }
 
 static void add_object(input* in, mimo_scene* scene) {
-  mimo_object_config config;
   char name[NAME_BYTES];
-  CALL(mimo_object_config_init(&config, sizeof config));
-  if (take_byte(in) % 2 != 0) take(in, &config, sizeof config);
-  config.name = take_text(in, name);
-  CALL(mimo_scene_add_object(scene, &config));
+  ROOMY(mimo_object_config, given);
+  CALL(mimo_object_config_init(&given.config, sizeof given.config));
+  if (take_byte(in) % 2 != 0) take(in, &given.config, sizeof given.config);
+  given.config.name = take_text(in, name);
+  CALL(mimo_scene_add_object(scene, &given.config));
 }
 
 static void use(mimo_env* env) {
@@ -59,16 +59,16 @@ static void use(mimo_env* env) {
 }
 
 static void make_env(input* in, const mimo_scene* scene) {
-  mimo_env_config config;
   mimo_env* env = NULL;
   char renderer[NAME_BYTES], task[NAME_BYTES];
-  CALL(mimo_env_config_init(&config, sizeof config));
-  if (take_byte(in) % 2 != 0) take(in, &config, sizeof config);
-  config.renderer = take_text(in, renderer);
-  config.task = take_text(in, task);
-  config.log = NULL;
-  if (config.frame_skip <= 1000) config.frame_skip %= 4;
-  if (CALL(mimo_env_create(scene, &config, &env)) == MIMO_OK) {
+  ROOMY(mimo_env_config, given);
+  CALL(mimo_env_config_init(&given.config, sizeof given.config));
+  if (take_byte(in) % 2 != 0) take(in, &given.config, sizeof given.config);
+  given.config.renderer = take_text(in, renderer);
+  given.config.task = take_text(in, task);
+  given.config.log = NULL;
+  if (given.config.frame_skip <= 1000) given.config.frame_skip %= 4;
+  if (CALL(mimo_env_create(scene, &given.config, &env)) == MIMO_OK) {
     use(env);
   } else {
     PROMISE(env == NULL);
@@ -77,13 +77,13 @@ static void make_env(input* in, const mimo_scene* scene) {
 }
 
 static void make_batch(input* in, const mimo_scene* scene) {
-  mimo_batch_config config;
   mimo_batch* batch = NULL;
-  CALL(mimo_batch_config_init(&config, sizeof config));
-  take(in, &config, sizeof config);
-  if (config.worlds <= 1048576) config.worlds %= 3;
-  if (config.threads <= 4096) config.threads %= 3;
-  if (CALL(mimo_batch_create(scene, NULL, &config, &batch)) == MIMO_OK) {
+  ROOMY(mimo_batch_config, given);
+  CALL(mimo_batch_config_init(&given.config, sizeof given.config));
+  take(in, &given.config, sizeof given.config);
+  if (given.config.worlds <= 1048576) given.config.worlds %= 3;
+  if (given.config.threads <= 4096) given.config.threads %= 3;
+  if (CALL(mimo_batch_create(scene, NULL, &given.config, &batch)) == MIMO_OK) {
     CALL(mimo_batch_reset(batch, NULL, NULL, 0, NULL, 0));
     CALL(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   } else {
@@ -94,16 +94,16 @@ static void make_batch(input* in, const mimo_scene* scene) {
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   input in = {data, size};
-  mimo_scene_config config;
   mimo_scene* scene = NULL;
   char name[NAME_BYTES];
   const uint8_t plan = take_byte(&in);
-  CALL(mimo_scene_config_init(&config, sizeof config));
-  if (plan & 1) take(&in, &config, sizeof config);
-  config.name = take_text(&in, name);
-  config.file = config.xml = config.model_dir = NULL;
-  config.log = NULL;
-  if (CALL(mimo_scene_create(&config, &scene)) != MIMO_OK) {
+  ROOMY(mimo_scene_config, given);
+  CALL(mimo_scene_config_init(&given.config, sizeof given.config));
+  if (plan & 1) take(&in, &given.config, sizeof given.config);
+  given.config.name = take_text(&in, name);
+  given.config.file = given.config.xml = given.config.model_dir = NULL;
+  given.config.log = NULL;
+  if (CALL(mimo_scene_create(&given.config, &scene)) != MIMO_OK) {
     PROMISE(scene == NULL);
     return 0;
   }

@@ -58,17 +58,17 @@ static void set(input* in) {
 }
 
 static void look(input* in) {
-  mimo_picture_config picture;
   uint8_t rgb[8 * 8 * 3];
   double point[3], pixel[3];
-  CALL(mimo_picture_config_init(&picture, sizeof picture));
-  take(in, &picture, sizeof picture);
-  picture.camera = NULL;
-  if (picture.width <= 4096) picture.width = picture.width % 8 + 1;
-  if (picture.height <= 4096) picture.height = picture.height % 8 + 1;
-  CALL(mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0));
+  ROOMY(mimo_picture_config, given);
+  CALL(mimo_picture_config_init(&given.config, sizeof given.config));
+  take(in, &given.config, sizeof given.config);
+  given.config.camera = NULL;
+  if (given.config.width <= 4096) given.config.width = given.config.width % 8 + 1;
+  if (given.config.height <= 4096) given.config.height = given.config.height % 8 + 1;
+  CALL(mimo_env_render(env, &given.config, rgb, sizeof rgb, NULL, 0, NULL, 0));
   take(in, point, sizeof point);
-  CALL(mimo_env_project(env, &picture, point, 1, pixel));
+  CALL(mimo_env_project(env, &given.config, point, 1, pixel));
 }
 
 static void change(input* in) {

@@ -43,6 +43,14 @@ static inline double take_double(input* in) {
   return number;
 }
 
+/* A struct in memory of as many bytes as its struct_size can say without being refused; the tail is zero. */
+#define ROOMY(type, name)      \
+  union {                      \
+    type config;               \
+    unsigned char bytes[4096]; \
+  } name;                      \
+  memset(&name, 0, sizeof name)
+
 /* A broken promise stops the fuzzer, which then keeps the input. */
 static inline void promise(int kept, const char* what, int line) {
   if (kept) return;

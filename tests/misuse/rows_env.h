@@ -73,7 +73,7 @@ ROW(mimo_env_touch_sensors, ON_ENV,
 #define PICTURE_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
 #define PICTURES                                                                                                      \
   CONFIG(picture_config, mimo_picture_config, "config"), PICTURE(width, 0), PICTURE(width, 4097), PICTURE(width, -1), \
-      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(reserved, 1), PICTURE_UNREAL(look_at[2]),                    \
+      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(format, 4), PICTURE_UNREAL(look_at[2]),                      \
       PICTURE_UNREAL(distance), PICTURE_REAL(distance, 0), PICTURE_REAL(distance, -1), PICTURE_UNREAL(azimuth),       \
       PICTURE_UNREAL(elevation), PICTURE_UNREAL(fovy), PICTURE_REAL(fovy, -1), PICTURE_REAL(fovy, 171),               \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
@@ -87,6 +87,22 @@ ROW(mimo_env_project, ON_ENV, mimo_env_project(a->env, a->picture_config, a->poi
     PICTURES, NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"),
     BAD_SIZE(point_count, -1, "count"), BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"),
     SIZE_IS(point_count, 0, MIMO_OK, NULL), DO(nan_point, E_ARG, "points[0]"))
+
+ROW(mimo_env_set_face, ON_ENV, mimo_env_set_face(a->env, a->agent_index, a->face), BAD_INDEX(agent_index, "agent"),
+    NO_NULL(face, "name"), DO(unknown_face, MIMO_E_NOT_FOUND, "boredom"))
+ROW(mimo_env_face, ON_ENV, mimo_env_face(a->env, a->agent_index, a->string), BAD_INDEX(agent_index, "agent"),
+    NO_NULL(string, "name"))
+
+#define LOOK                                                                                                           \
+  BAD_INDEX(agent_index, "agent"), NO_NULL(points, "point"), DO(nan_point, E_ARG, "point[0]"), BAD_I32(how, 2, "how"), \
+      BAD_IDS(how, "how"), NULL_OK(numbers)
+ROW(mimo_env_gaze, ON_ENV, mimo_env_gaze(a->env, a->agent_index, a->gaze), BAD_INDEX(agent_index, "agent"),
+    DESCRIPTION(gaze, mimo_gaze, "gaze"))
+ROW(mimo_env_look_angles, ON_ENV | SIMULATES,
+    mimo_env_look_angles(a->env, a->agent_index, a->points, a->how, a->look_joints, a->look_angles, a->look_capacity,
+                         a->count, a->numbers),
+    LOOK, NULL_OK(look_joints), NULL_OK(look_angles), NULL_OK(count), SHORT(look_capacity, "capacity"))
+ROW(mimo_env_look_at, ON_ENV | SIMULATES, mimo_env_look_at(a->env, a->agent_index, a->points, a->how, a->numbers), LOOK)
 
 ROW(mimo_env_timing, ON_ENV, mimo_env_timing(a->env, a->timing), DESCRIPTION(timing, mimo_timing, "timing"))
 ROW(mimo_env_timing_reset, ON_ENV, mimo_env_timing_reset(a->env), NONE)

@@ -7,6 +7,7 @@ ROW(mimo_status_name, 0, check_status_names(), NONE)
 ROW(mimo_last_error, 0, CHECKED(mimo_last_error() != NULL), NONE)
 ROW(mimo_scene_builtin, 0, check_list(mimo_scene_builtin), NONE)
 ROW(mimo_task_name, 0, check_list(mimo_task_name), NONE)
+ROW(mimo_face_name, 0, check_list(mimo_face_name), NONE)
 
 ROW(mimo_scene_config_init, 0, mimo_scene_config_init(a->scene_config, sizeof *a->scene_config + a->more_bytes),
     INIT(scene_config, mimo_scene_config, "config"))
@@ -20,6 +21,8 @@ ROW(mimo_batch_config_init, 0, mimo_batch_config_init(a->batch_config, sizeof *a
     INIT(batch_config, mimo_batch_config, "config"))
 ROW(mimo_picture_config_init, 0, mimo_picture_config_init(a->picture_config, sizeof *a->picture_config + a->more_bytes),
     INIT(picture_config, mimo_picture_config, "config"))
+ROW(mimo_camera_config_init, 0, mimo_camera_config_init(a->camera_config, sizeof *a->camera_config + a->more_bytes),
+    INIT(camera_config, mimo_camera_config, "config"))
 ROW(mimo_task_init, 0, mimo_task_init(a->task, sizeof *a->task + a->more_bytes), INIT(task, mimo_task, "task"))
 
 ROW(mimo_scene_create, 0, mimo_scene_create(a->scene_config, a->made_scene), NULL_OK(scene_config),
@@ -66,6 +69,17 @@ ROW(mimo_scene_add_object, ON_SCENE, mimo_scene_add_object(a->scene, a->object_c
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(object_config), FIELD(mimo_object_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(taken_object, E_ARG, "toy"))
+#define CAMERA(f, n) BAD_FIELD(camera_config, mimo_camera_config, f, n, #f)
+#define CAMERA_UNREAL(f) UNREAL(camera_config, mimo_camera_config, f, #f)
+ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_config),
+    NO_NULL(camera_config, "config"), CONFIG(camera_config, mimo_camera_config, "config"), CAMERA(outputs, 0),
+    CAMERA(outputs, 8), CAMERA(outputs, -1), CAMERA(width, 0), CAMERA(width, 4097), CAMERA(height, 0),
+    CAMERA(height, 4097), CAMERA(height, -1), CAMERA_UNREAL(fovy),
+    BAD_REAL(camera_config, mimo_camera_config, fovy, 171, "fovy"), CAMERA(placed, 2), CAMERA(reserved, 1),
+    CAMERA_UNREAL(position[1]), CAMERA_UNREAL(look_at[2]),
+    {FAULT_FIELD_NULL, "name is NULL", MEMBER(camera_config), FIELD(mimo_camera_config, name), 0, 0, NULL, E_ARG,
+     "name"},
+    DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
 ROW(mimo_scene_xml, ON_SCENE, mimo_scene_xml(a->scene, a->text, a->capacity, a->count), NULL_OK(count),
     NO_NULL(text, "text"), SHORT(capacity, "text"), DO(no_text, MIMO_OK, NULL))
 ROW(mimo_parameter_count, 0, mimo_parameter_count(a->count), NO_NULL(count, "count"))
@@ -85,7 +99,8 @@ ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_
 #define ENV(f, n) BAD_FIELD(env_config, mimo_env_config, f, n, #f)
 ROW(mimo_env_create, ON_SCENE, mimo_env_create(a->scene, a->env_config, a->made_env), NULL_OK(env_config),
     NO_NULL(made_env, "env"), CONFIG(env_config, mimo_env_config, "config"), ENV(frame_skip, 1001), ENV(frame_skip, -1),
-    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 4), ENV(disable, -1), ENV(timing, 2),
+    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 4), ENV(disable, -1), ENV(timing, 2), ENV(render, 32),
+    ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65), ENV(render_threads, -1), ENV(reserved, 1),
     DO(unknown_renderer, E_ARG, "crayons"), DO(unknown_task, MIMO_E_NOT_FOUND, "homework"),
     DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"), DO(no_renderer, E_ARG, "renderer"))
 ROW(mimo_env_make, 0, mimo_env_make(a->scene_name, a->made_env), NO_NULL(scene_name, "scene_name"),

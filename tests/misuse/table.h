@@ -24,13 +24,15 @@ typedef struct args {
   mimo_agent_info* info;
   mimo_field* field;
   mimo_timing* timing;
+  mimo_camera_config* camera_config;
+  mimo_gaze* gaze;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, agent, body_id;
+  int32_t kind, id, quantity, joint, agent, body_id, how;
   size_t index, element, agent_index, world, steps;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name;
+  const char *name, *scene_name, *part, *parameter_name, *face;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
@@ -43,12 +45,12 @@ typedef struct args {
   /* arrays that are written */
   void *block, *blocks, *state_out, *states_out;
   char* text;
-  double *reward, *values, *all_values, *numbers, *pixels, *contact_values, *positions, *frames;
+  double *reward, *values, *all_values, *numbers, *pixels, *contact_values, *positions, *frames, *look_angles;
   uint8_t *terminated, *truncated, *rgb;
   float *low, *high, *depth;
-  int32_t *segmentation, *contact_ids, *bodies, *geoms;
+  int32_t *segmentation, *contact_ids, *bodies, *geoms, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
-  size_t contact_capacity, touch_capacity, number_count, term_count, gravity_count;
+  size_t contact_capacity, touch_capacity, look_capacity, number_count, term_count, gravity_count;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;

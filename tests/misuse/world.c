@@ -155,6 +155,9 @@ static void make_arrays(void) {
   good.positions = region(3 * sensors * sizeof(double));
   good.frames = region(MIMO_TOUCH_FRAME_VALUES * sensors * sizeof(double));
   good.bodies = region(sensors * sizeof(int32_t));
+  good.look_capacity = MIMO_LOOK_JOINTS;
+  good.look_joints = region(MIMO_LOOK_JOINTS * sizeof(int32_t));
+  good.look_angles = region(MIMO_LOOK_JOINTS * sizeof(double));
   good.geoms = region(sensors * sizeof(int32_t));
   good.terminated = region(AGENTS);
   good.truncated = region(AGENTS);
@@ -193,6 +196,8 @@ static void make_structs(void) {
   good.info = region(sizeof *good.info + TAIL);
   good.field = region(sizeof *good.field + TAIL);
   good.timing = region(sizeof *good.timing + TAIL);
+  good.camera_config = region(sizeof *good.camera_config + TAIL);
+  good.gaze = region(sizeof *good.gaze + TAIL);
 }
 
 void make_everything(void) {
@@ -230,6 +235,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_batch_config_init(good.batch_config, sizeof *good.batch_config));
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
+  CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
   good.scene_config->name = "free";
   good.agent_config->place_given = 1;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
@@ -243,6 +249,9 @@ static void fill_configs(void) {
   good.info->struct_size = sizeof *good.info;
   good.field->struct_size = sizeof *good.field;
   good.timing->struct_size = sizeof *good.timing;
+  good.gaze->struct_size = sizeof *good.gaze;
+  good.camera_config->name = "watcher";
+  good.camera_config->placed = 1;
 }
 
 static void fill_results(void) {
@@ -302,6 +311,8 @@ args good_args(int uses) {
   good.name = "toy";
   good.scene_name = "free";
   good.part = "head";
+  good.face = "fear";
+  good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
   good.spacing = 0.05;
   a = good;

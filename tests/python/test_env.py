@@ -14,7 +14,8 @@ NAMES = ["mimo/Reach-v0", "mimo/Standup-v0", "mimo/SelfBody-v0", "mimo/Benchmark
 SMALL = {"vision_width": 16, "vision_height": 16, "touch_scale": 0.25}
 
 # What the checker warns of, and why it may: velocities, torques and forces have no bounds in nature, and torques of
-# motors are actions by choice; motors have ranges of their own, which normalize_actions maps to -1..1. Whatever else it says fails the test.
+# motors are actions by choice; motors have ranges of their own, which normalize_actions maps to -1..1.
+# Whatever else it says fails the test.
 EXPLAINED = (
     "we recommend using a symmetric and normalized space",
     "space minimum value is -infinity",

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 import mimo
-from mimo import _abi, _library
+from mimo import _abi
+from mimo._library import _load, library_path
 
 NATIVE = Path(mimo.__file__).parent / "_native"
 installed = pytest.mark.skipif(
@@ -68,18 +69,18 @@ def test_import_prints_nothing_and_makes_no_files(tmp_path):
 def test_another_abi_version_is_refused(monkeypatch):
     monkeypatch.setattr(_abi, "ABI_VERSION", 99)
     with pytest.raises(ImportError, match="ABI version 0, this package needs 99"):
-        _library._load(_library.library_path())
+        _load(library_path())
 
 
 def test_a_missing_function_is_named(monkeypatch):
     monkeypatch.setitem(_abi.FUNCTIONS, "mimo_env_fly", (None, []))
     with pytest.raises(ImportError, match="mimo_env_fly"):
-        _library._load(_library.library_path())
+        _load(library_path())
 
 
 def test_a_missing_library_is_named(tmp_path):
     with pytest.raises(ImportError, match=r"nothing\.so"):
-        _library._load(tmp_path / "nothing.so")
+        _load(tmp_path / "nothing.so")
 
 
 def test_version_and_scenes(root):

@@ -3,6 +3,7 @@
 import copy
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -15,11 +16,16 @@ from stable_baselines3.common.vec_env import SubprocVecEnv  # noqa: E402
 
 from mimo.sb3 import SB3VecEnv  # noqa: E402
 
+# Torques have three axes a sensor, touch three a place; policies flatten them themselves.
+EXPLAINED = "has an unconventional shape"
+
 
 @pytest.mark.parametrize("scene", ["reach", "standup", "selfbody"])
-@pytest.mark.filterwarnings("error")
 def test_checker(scene):
-    check_env(mimo.make(scene, normalize_actions=True))
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        check_env(mimo.make(scene, normalize_actions=True))
+    assert [str(w.message) for w in said if EXPLAINED not in str(w.message)] == []
 
 
 def test_a_step_that_ends_an_episode():

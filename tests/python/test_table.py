@@ -23,6 +23,8 @@ STRUCTS = {
     "mimo_scene_config": _abi.SceneConfig,
     "mimo_agent_config": _abi.AgentConfig,
     "mimo_object_config": _abi.ObjectConfig,
+    "mimo_camera_config": _abi.CameraConfig,
+    "mimo_gaze": _abi.Gaze,
     "mimo_parameter": _abi.Parameter,
     "mimo_env_config": _abi.EnvConfig,
     "mimo_agent_info": _abi.AgentInfo,

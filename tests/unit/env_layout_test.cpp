@@ -38,7 +38,7 @@ TEST(EnvLayout, FieldsOfTheMittenBody) {
       {"proprioception/torque", {kTorqueSites, 3}}, {"proprioception/limit", {kJoints}},
       {"proprioception/control", {kMotors}},        {"proprioception/motor_torque", {kMotors}},
       {"proprioception/joint_torque", {kJoints}},   {"vestibular/acceleration", {3}},
-      {"vestibular/angular_velocity", {3}},          {"touch/force", {5685, 3}}};  // docs/differences.md
+      {"vestibular/angular_velocity", {3}},         {"touch/force", {5685, 3}}};  // docs/differences.md
   EXPECT_EQ(shapes(*benchmark_world(all_senses())), expected);
 }
 

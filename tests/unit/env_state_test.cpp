@@ -1,5 +1,3 @@
-#include "env/state.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <cstring>
 
 #include "base/hash.h"
+#include "env/state.h"
 #include "support/worlds.h"
 
 namespace mimo::test {

@@ -87,7 +87,7 @@ inline Image take(Renderer& renderer, const World& world, int width = 64, int he
 }
 
 inline std::unique_ptr<Renderer> renderer_for(const World& world) {
-  return make_osmesa_renderer(world.model, LogSink{});
+  return make_osmesa_renderer(world.model, Quality{}, LogSink{});
 }
 
 // The status that a call fails with.

@@ -46,15 +46,15 @@ bool draws_right() {
 
 // A host that draws with OSMesa itself.
 struct OsmesaHost {
-  OsmesaHost() : library(load_osmesa()), context(library.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)) {
-    library.MakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 3, 2);
-    clear_color = reinterpret_cast<decltype(&glClearColor)>(library.GetProcAddress("glClearColor"));
-    clear = reinterpret_cast<decltype(&glClear)>(library.GetProcAddress("glClear"));
-    finish = reinterpret_cast<decltype(&glFinish)>(library.GetProcAddress("glFinish"));
+  OsmesaHost() : osmesa(load_osmesa()), context(osmesa.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)) {
+    osmesa.MakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 3, 2);
+    clear_color = reinterpret_cast<decltype(&glClearColor)>(osmesa.GetProcAddress("glClearColor"));
+    clear = reinterpret_cast<decltype(&glClear)>(osmesa.GetProcAddress("glClear"));
+    finish = reinterpret_cast<decltype(&glFinish)>(osmesa.GetProcAddress("glFinish"));
   }
   ~OsmesaHost() {
-    library.MakeCurrent(nullptr, nullptr, 0, 0, 0);
-    library.DestroyContext(context);
+    osmesa.MakeCurrent(nullptr, nullptr, 0, 0, 0);
+    osmesa.DestroyContext(context);
   }
   void paint(float red) {
     clear_color(red, 0, 0, 1);
@@ -62,7 +62,7 @@ struct OsmesaHost {
     finish();
   }
 
-  OsmesaLibrary library;
+  OsmesaLibrary osmesa;
   OSMesaContext context;
   unsigned char pixels[3 * 2 * 4] = {};
   decltype(&glClearColor) clear_color;
@@ -84,14 +84,14 @@ TEST(Host, OsmesaContextStaysCurrent) {
   const World world;
   const auto renderer = renderer_for(world);
   EXPECT_TRUE(draws_right(*renderer, world));
-  EXPECT_EQ(host.library.GetCurrentContext(), host.context);
+  EXPECT_EQ(host.osmesa.GetCurrentContext(), host.context);
   host.paint(0.4F);  // into the same buffer, all of it
   EXPECT_EQ(host.pixels[0], 102);
   EXPECT_EQ(host.pixels[4 * 5], 102);
   GLint width = 0, height = 0, type = 0;
-  host.library.GetIntegerv(OSMESA_WIDTH, &width);
-  host.library.GetIntegerv(OSMESA_HEIGHT, &height);
-  host.library.GetIntegerv(OSMESA_TYPE, &type);
+  host.osmesa.GetIntegerv(OSMESA_WIDTH, &width);
+  host.osmesa.GetIntegerv(OSMESA_HEIGHT, &height);
+  host.osmesa.GetIntegerv(OSMESA_TYPE, &type);
   EXPECT_EQ(width, 3);
   EXPECT_EQ(height, 2);
   EXPECT_EQ(type, GL_UNSIGNED_BYTE);
@@ -107,13 +107,35 @@ TEST(Host, OsmesaContextStaysCurrentWhenDrawingFailsAndWhenARendererGoes) {
   Image image(8, 8);
   EXPECT_EQ(status_of([&] { renderer->draw(broken, world.physics.data(), world.view(), image.all()); }),
             Status::kRender);
-  EXPECT_EQ(host.library.GetCurrentContext(), host.context);
+  EXPECT_EQ(host.osmesa.GetCurrentContext(), host.context);
   renderer.reset();
-  EXPECT_EQ(host.library.GetCurrentContext(), host.context);
+  EXPECT_EQ(host.osmesa.GetCurrentContext(), host.context);
 }
 
+// What hosts with an OpenGL of their own have in common.
+struct GlHost {
+  template <typename Function>
+  Function find(const char* name) {
+    return reinterpret_cast<Function>(dlsym(library, name));
+  }
+  // OpenGL's functions, looked up by `gl`, answer for the host's context: a texture of its own is known.
+  template <typename Lookup>
+  bool knows_its_texture(Lookup&& gl) {
+    if (texture == 0) {
+      reinterpret_cast<void (*)(GLsizei, GLuint*)>(gl("glGenTextures"))(1, &texture);
+      reinterpret_cast<void (*)(GLenum, GLuint)>(gl("glBindTexture"))(GL_TEXTURE_2D, texture);
+    }
+    return texture != 0 && reinterpret_cast<GLboolean (*)(GLuint)>(gl("glIsTexture"))(texture);
+  }
+
+  void* library = nullptr;
+  void* display = nullptr;
+  void* context = nullptr;
+  GLuint texture = 0;
+};
+
 // A host that draws with EGL, without a window (Mesa's platform "surfaceless").
-struct EglHost {
+struct EglHost : GlHost {
   bool open(int flags) {
     library = dlopen("libEGL.so.1", RTLD_NOW | flags);
     if (library == nullptr) return false;
@@ -130,27 +152,10 @@ struct EglHost {
   bool make_current(void* which) {
     return find<unsigned (*)(void*, void*, void*, void*)>("eglMakeCurrent")(display, nullptr, nullptr, which) != 0;
   }
-  // OpenGL's functions answer for the host's context.
   bool works() {
-    const auto get_proc = find<void* (*)(const char*)>("eglGetProcAddress");
-    const auto is_texture = reinterpret_cast<GLboolean (*)(GLuint)>(get_proc("glIsTexture"));
-    const auto gen = reinterpret_cast<void (*)(GLsizei, GLuint*)>(get_proc("glGenTextures"));
-    const auto bind = reinterpret_cast<void (*)(GLenum, GLuint)>(get_proc("glBindTexture"));
-    if (texture == 0) {
-      gen(1, &texture);
-      bind(GL_TEXTURE_2D, texture);
-    }
-    return texture != 0 && is_texture(texture) && find<void* (*)()>("eglGetCurrentContext")() == context;
+    return knows_its_texture(find<void* (*)(const char*)>("eglGetProcAddress")) &&
+           find<void* (*)()>("eglGetCurrentContext")() == context;
   }
-  template <typename Function>
-  Function find(const char* name) {
-    return reinterpret_cast<Function>(dlsym(library, name));
-  }
-
-  void* library = nullptr;
-  void* display = nullptr;
-  void* context = nullptr;
-  GLuint texture = 0;
 };
 
 bool has_egl() {
@@ -203,7 +208,7 @@ TEST(Host, DrawsBesideEglThatCameLater) {
 }
 
 // A host that draws with GLX; it needs an X display, if only a virtual one (xvfb-run).
-struct GlxHost {
+struct GlxHost : GlHost {
   bool open(int flags) {
     x11 = dlopen("libX11.so.6", RTLD_NOW | RTLD_LOCAL);
     library = dlopen("libGL.so.1", RTLD_NOW | flags);
@@ -222,25 +227,13 @@ struct GlxHost {
                                                                                               context) != 0;
   }
   bool works() {
-    if (texture == 0) {
-      find<void (*)(GLsizei, GLuint*)>("glGenTextures")(1, &texture);
-      find<void (*)(GLenum, GLuint)>("glBindTexture")(GL_TEXTURE_2D, texture);
-    }
-    return texture != 0 && find<GLboolean (*)(GLuint)>("glIsTexture")(texture) &&
+    return knows_its_texture([this](const char* name) { return find<void*>(name); }) &&
            find<void* (*)()>("glXGetCurrentContext")() == context &&
            find<unsigned long (*)()>("glXGetCurrentDrawable")() == pbuffer;
   }
-  template <typename Function>
-  Function find(const char* name) {
-    return reinterpret_cast<Function>(dlsym(library, name));
-  }
 
   void* x11 = nullptr;
-  void* library = nullptr;
-  void* display = nullptr;
-  void* context = nullptr;
   unsigned long pbuffer = 0;
-  GLuint texture = 0;
 };
 
 bool draws_beside_a_glx_context(int flags) {

@@ -106,7 +106,7 @@ TEST(Osmesa, IdsAndDepthAreNotAveragedByMultisampling) {
   mjModel single = *world.model;
   single.vis.quality.offsamples = 0;
   const auto smooth = renderer_for(world);
-  const auto sharp = make_osmesa_renderer({&single, [](const mjModel*) {}}, LogSink{});
+  const auto sharp = make_osmesa_renderer({&single, [](const mjModel*) {}}, Quality{}, LogSink{});
   const Image with = take(*smooth, world, 200, 150), without = take(*sharp, world, 200, 150);
   EXPECT_NE(with.rgb, without.rgb);  // edges are smooth
   EXPECT_EQ(with.segmentation, without.segmentation);
@@ -301,7 +301,7 @@ TEST(Osmesa, DoesNotAllocateOnceItHasDrawn) {
 TEST(Osmesa, MissingLibraryNamesThePackage) {
   const World world;
   try {
-    make_osmesa_renderer(world.model, LogSink{}, {"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
+    make_osmesa_renderer(world.model, Quality{}, LogSink{}, {"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::kUnsupported);
@@ -312,12 +312,15 @@ TEST(Osmesa, MissingLibraryNamesThePackage) {
 
 TEST(Osmesa, AnotherLibraryOfThatNameIsRefused) {
   const World world;
-  EXPECT_EQ(status_of([&] { make_osmesa_renderer(world.model, LogSink{}, {"libm.so.6"}); }), Status::kUnsupported);
+  EXPECT_EQ(status_of([&] { make_osmesa_renderer(world.model, Quality{}, LogSink{}, {"libm.so.6"}); }),
+            Status::kUnsupported);
 }
 
 TEST(Osmesa, NextNameIsTried) {
   const World world;
-  take(*make_osmesa_renderer(world.model, LogSink{}, {"libNoSuchMesa.so", "libOSMesa.so.8", "libOSMesa.so.6"}), world);
+  take(*make_osmesa_renderer(world.model, Quality{}, LogSink{},
+                             {"libNoSuchMesa.so", "libOSMesa.so.8", "libOSMesa.so.6"}),
+       world);
 }
 
 TEST(Osmesa, RefusesWhatIsNoPicture) {

@@ -29,7 +29,8 @@ TEST(RayLight, Headlight) {
 }
 
 TEST(RayLight, Directional) {
-  const std::string light = "<light directional='true' dir='1 0 -1' pos='-3 0 3' diffuse='.9 .9 .9' ambient='.05 .05 .05' castshadow='{}'/>";
+  const std::string light =
+      "<light directional='true' dir='1 0 -1' pos='-3 0 3' diffuse='.9 .9 .9' ambient='.05 .05 .05' castshadow='{}'/>";
   const Rgb expected = scaled(0.05 + 0.9 * std::sqrt(0.5));
   EXPECT_TRUE(color_near(expected, floor_under(fmt::format(fmt::runtime(light), "false"))));
   EXPECT_TRUE(color_near(expected, floor_under(fmt::format(fmt::runtime(light), "true"))));
@@ -63,16 +64,18 @@ TEST(RayLight, AttenuatedPoint) {
 }
 
 TEST(RayLight, Emission) {
-  Studio studio(world("<geom type='plane' size='2 2 1' material='glow'/>", "<material name='glow' emission='.5' rgba='.8 .6 .4 1'/>"));
+  Studio studio(world("<geom type='plane' size='2 2 1' material='glow'/>",
+                      "<material name='glow' emission='.5' rgba='.8 .6 .4 1'/>"));
   EXPECT_TRUE(color_near(scaled(0.5), studio.shoot(from_above(1)).middle()));
 }
 
 TEST(RayLight, Specular) {
   // The eye straight above, the light 20 degrees off: the half vector is 10 degrees off the normal.
   for (const double shininess : {0.03, 0.1, 0.5, 0.7, 1.0}) {
-    Studio studio(world("<geom type='plane' size='2 2 1' material='shiny'/><light directional='true' dir='.363970 0 -1' "
-                        "diffuse='0 0 0' specular='.9 .9 .9'/>",
-                        fmt::format("<material name='shiny' specular='.7' shininess='{}' rgba='.8 .6 .4 1'/>", shininess)));
+    Studio studio(
+        world("<geom type='plane' size='2 2 1' material='shiny'/><light directional='true' dir='.363970 0 -1' "
+              "diffuse='0 0 0' specular='.9 .9 .9'/>",
+              fmt::format("<material name='shiny' specular='.7' shininess='{}' rgba='.8 .6 .4 1'/>", shininess)));
     const double glint = 0.9 * 0.7 * std::pow(std::cos(10 * kPi / 180), 128 * shininess);
     EXPECT_TRUE(color_near({glint, glint, glint}, studio.shoot(from_above(1)).middle(), 1.6)) << shininess;
   }
@@ -80,7 +83,9 @@ TEST(RayLight, Specular) {
 
 // What looks away from a light gets none of its diffuse and specular parts.
 TEST(RayLight, FacingAway) {
-  EXPECT_TRUE(color_near(scaled(0.1), floor_under("<light directional='true' castshadow='false' dir='0 0 1' diffuse='1 1 1' ambient='.1 .1 .1'/>")));
+  EXPECT_TRUE(color_near(
+      scaled(0.1),
+      floor_under("<light directional='true' castshadow='false' dir='0 0 1' diffuse='1 1 1' ambient='.1 .1 .1'/>")));
 }
 
 // Curved shapes: where the normal is known.
@@ -95,10 +100,12 @@ TEST(RayLight, Normals) {
   const double slope = std::sqrt(1 - offset * offset / (r * r));
   EXPECT_NEAR(at("<geom type='sphere' size='.15' material='mat' rgba='1 1 1 1'/>", 75), slope, 0.02);
   EXPECT_NEAR(at("<geom type='capsule' size='.15 .2' euler='90 0 0' material='mat' rgba='1 1 1 1'/>", 75), slope, 0.02);
-  EXPECT_NEAR(at("<geom type='cylinder' size='.15 .2' euler='90 0 0' material='mat' rgba='1 1 1 1'/>", 75), slope, 0.02);
+  EXPECT_NEAR(at("<geom type='cylinder' size='.15 .2' euler='90 0 0' material='mat' rgba='1 1 1 1'/>", 75), slope,
+              0.02);
   EXPECT_NEAR(at("<geom type='ellipsoid' size='.15 .15 .15' material='mat' rgba='1 1 1 1'/>", 75), slope, 0.02);
   EXPECT_NEAR(at("<geom type='cylinder' size='.15 .2' material='mat' rgba='1 1 1 1'/>", 75), 1, 0.01);
-  EXPECT_NEAR(at("<geom type='box' size='.2 .2 .2' euler='0 60 0' material='mat' rgba='1 1 1 1'/>", 55), std::sqrt(0.75), 0.01);
+  EXPECT_NEAR(at("<geom type='box' size='.2 .2 .2' euler='0 60 0' material='mat' rgba='1 1 1 1'/>", 55),
+              std::sqrt(0.75), 0.01);
   EXPECT_NEAR(at("<geom type='box' size='.2 .2 .2' euler='0 60 0' material='mat' rgba='1 1 1 1'/>", 95), 0.5, 0.01);
 }
 
@@ -125,11 +132,12 @@ TEST_P(EachLight, CastsShadows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(RayLight, EachLight,
-                         ::testing::Values("<light directional='true' dir='0 0 -1' pos='0 0 2' diffuse='1 1 1'/>",
-                                           "<light dir='0 0 -1' pos='0 0 2' cutoff='60' exponent='0' diffuse='1 1 1'/>",
-                                           "<light dir='1 0 0' pos='0 0 2' cutoff='180' diffuse='1 1 1'/>",
-                                           "<light dir='0 0 -1' pos='0 0 2' cutoff='89' exponent='0' diffuse='1 1 1'/>"));
+INSTANTIATE_TEST_SUITE_P(
+    RayLight, EachLight,
+    ::testing::Values("<light directional='true' dir='0 0 -1' pos='0 0 2' diffuse='1 1 1'/>",
+                      "<light dir='0 0 -1' pos='0 0 2' cutoff='60' exponent='0' diffuse='1 1 1'/>",
+                      "<light dir='1 0 0' pos='0 0 2' cutoff='180' diffuse='1 1 1'/>",
+                      "<light dir='0 0 -1' pos='0 0 2' cutoff='89' exponent='0' diffuse='1 1 1'/>"));
 
 // A wall that is a plane casts a shadow; the floor never shades what stands on it.
 TEST(RayLight, PlanesCastShadows) {
@@ -143,9 +151,11 @@ TEST(RayLight, PlanesCastShadows) {
 // MuJoCo blends transparent things twice; behind a plane, its alpha is 0.3 of what it was.
 TEST(RayLight, Transparency) {
   const std::string light = "<light directional='true' castshadow='false' dir='0 0 -1' diffuse='1 1 1'/>";
-  Studio studio(world(kFloor + light + "<geom type='box' size='.2 .2 .01' pos='0 0 .3' material='mat' rgba='0 0 1 .4'/>"));
+  Studio studio(
+      world(kFloor + light + "<geom type='box' size='.2 .2 .01' pos='0 0 .3' material='mat' rgba='0 0 1 .4'/>"));
   const double cover = 1 - 0.6 * 0.6;
-  EXPECT_TRUE(color_near({0.8 * (1 - cover), 0.6 * (1 - cover), 0.4 * (1 - cover) + cover}, studio.shoot(from_above(1)).middle(), 2));
+  EXPECT_TRUE(color_near({0.8 * (1 - cover), 0.6 * (1 - cover), 0.4 * (1 - cover) + cover},
+                         studio.shoot(from_above(1)).middle(), 2));
   EXPECT_EQ(studio.shoot(from_above(1)).middle_id(), 1);
 
   Studio below(world(std::string("<geom type='plane' size='1 1 1' rgba='.8 .6 .4 1' material='mat'/>") + light +
@@ -158,15 +168,20 @@ TEST(RayLight, Transparency) {
 TEST(RayLight, Mirrors) {
   const std::string light = "<light directional='true' castshadow='false' dir='0 0 1' diffuse='.9 .9 .9'/>";
   const std::string glass = "<material name='glass' reflectance='.5' specular='0' rgba='.2 .2 .2 1'/>";
-  for (const char* mirror : {"<geom type='plane' size='1 1 1' material='glass'/>", "<geom type='box' size='1 1 .1' pos='0 0 -.1' material='glass'/>"}) {
+  for (const char* mirror : {"<geom type='plane' size='1 1 1' material='glass'/>",
+                             "<geom type='box' size='1 1 .1' pos='0 0 -.1' material='glass'/>"}) {
     // The lower face of the slab is lit from below and shows in the mirror beside it.
-    Studio studio(world(mirror + light + "<geom type='box' size='.6 .1 .02' pos='0 .5 .4' rgba='1 .5 0 1' material='mat'/>", glass));
+    Studio studio(world(
+        mirror + light + "<geom type='box' size='.6 .1 .02' pos='0 .5 .4' rgba='1 .5 0 1' material='mat'/>", glass));
     const render::View view = render::orbit_view({0, 0, 0}, 1, 90, -39, 10);
     EXPECT_EQ(studio.shoot(view).middle_id(), 0) << mirror;
     EXPECT_TRUE(color_near({0.45, 0.225, 0}, studio.shoot(view).middle(), 2)) << mirror;
     render::RayOptions dull;
     dull.reflections = false;
-    Studio without(world(mirror + light + "<geom type='box' size='.6 .1 .02' pos='0 .5 .4' rgba='1 .5 0 1' material='mat'/>", glass), dull);
+    Studio without(
+        world(mirror + light + "<geom type='box' size='.6 .1 .02' pos='0 .5 .4' rgba='1 .5 0 1' material='mat'/>",
+              glass),
+        dull);
     EXPECT_TRUE(color_near({0, 0, 0}, without.shoot(view).middle())) << mirror;
   }
 }
@@ -186,10 +201,12 @@ TEST(RayLight, Fog) {
 
 // More rays a pixel smooth edges, and leave depth and ids alone.
 TEST(RayLight, Antialiasing) {
-  const std::string body = "<light directional='true' dir='0 0 -1' diffuse='1 1 1'/><geom type='box' size='.2 .2 .2' euler='0 0 30' rgba='1 1 1 1' material='mat'/>";
+  const std::string body =
+      "<light directional='true' dir='0 0 -1' diffuse='1 1 1'/><geom type='box' size='.2 .2 .2' euler='0 0 30' rgba='1 "
+      "1 1 1' material='mat'/>";
   Studio plain(world(body));
   const Shot sharp = plain.shoot(from_above(2), 50, 40);
-  for (const int samples : {2, 4, 8}) {
+  for (const int samples : {4, 16, 64}) {
     render::RayOptions options;
     options.samples = samples;
     Studio studio(world(body), options);

@@ -11,7 +11,7 @@ namespace {
 
 std::unique_ptr<render::Renderer> osmesa(const engine::ModelPtr& model) {
   try {
-    return render::make_osmesa_renderer(model, {});
+    return render::make_osmesa_renderer(model, {}, {});
   } catch (const Error& error) {
     if (error.status() != Status::kUnsupported) throw;
     return nullptr;
@@ -81,12 +81,12 @@ TEST(RayOsmesa, TheInfantsEyes) {
   const_cast<mjModel&>(*model).vis.quality.offsamples = 0;
   const auto reference = osmesa(model);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
-  const auto ray = render::make_ray_renderer(model, {}, {});
+  const auto ray = render::make_ray_renderer(model, {});
   engine::Physics physics(model, {});
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0, 1);
   Agreement agreement;
-  Shot ours(128, 128), theirs(128, 128);
+  Shot ours(256, 256), theirs(256, 256);  // the default size
   for (int k = 0; k < 50; ++k) {
     for (int step = 0; step < 30; ++step) {
       for (int i = 0; i < model->nu; ++i) {
@@ -123,6 +123,55 @@ TEST(RayOsmesa, TheInfantFromOutside) {
   agreement.expect(0.99, 0.97, 0.95);
 }
 
+struct Switch {
+  const char* name;
+  bool render::Quality::*on;
+  bool value;
+};
+
+class Switches : public ::testing::TestWithParam<Switch> {};
+
+// Each switch changes the picture, and in the same way in both renderers.
+TEST_P(Switches, LooksTheSame) {
+  const engine::ModelPtr model = engine::compile(
+      "<mujoco><statistic extent='2'/><visual><map znear='0.005' fogstart='0.5' fogend='3'/><rgba fog='.9 .6 .3 1' "
+      "haze='1 .8 .8 1'/>"
+      "<quality offsamples='0'/></visual><asset>"
+      "<texture type='skybox' builtin='gradient' width='64' height='384' rgb1='.3 .5 .7' rgb2='.9 .8 .7'/>"
+      "<material name='floor' reflectance='.4' rgba='.4 .5 .4 1'/></asset><worldbody>"
+      "<light pos='1 0 3' dir='-.3 0 -1' diffuse='.8 .8 .8'/><geom type='plane' size='0 0 1' material='floor'/>"
+      "<geom type='box' size='.2 .2 .3' pos='0 0 .4' rgba='.9 .3 .2 1'/></worldbody></mujoco>",
+      {}, {});
+  render::Quality quality;
+  quality.*GetParam().on = GetParam().value;
+  std::unique_ptr<render::Renderer> reference;
+  try {
+    reference = render::make_osmesa_renderer(model, quality, {});
+  } catch (const Error& error) {
+    if (error.status() != Status::kUnsupported) throw;
+    GTEST_SKIP() << "there is no OSMesa on this machine";
+  }
+  const auto plain = render::make_osmesa_renderer(model, {}, {});
+  Studio studio(model, render::RayOptions(quality));
+  const render::View view = render::orbit_view({0, 0, 0.3}, 2, 60, -15, 60);
+  Shot theirs(160, 160), before(160, 160);
+  reference->draw(*model, studio.physics().data(), view, theirs.picture());
+  plain->draw(*model, studio.physics().data(), view, before.picture());
+  Agreement agreement;
+  agreement.add(studio.shoot(view, 160, 160), theirs);
+  agreement.expect(0.99, 0.99, 0.95);
+  int changed = 0;
+  for (std::size_t i = 0; i < theirs.rgb.size(); ++i) changed += std::abs(theirs.rgb[i] - before.rgb[i]) > 4;
+  EXPECT_GT(changed, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(RayOsmesa, Switches,
+                         ::testing::Values(Switch{"shadows", &render::Quality::shadows, false},
+                                           Switch{"reflections", &render::Quality::reflections, false},
+                                           Switch{"skybox", &render::Quality::skybox, false},
+                                           Switch{"haze", &render::Quality::haze, false}),
+                         [](const auto& given) { return given.param.name; });
+
 class Feature : public ::testing::TestWithParam<const char*> {};
 
 // One feature at a time, as MuJoCo draws it.
@@ -130,7 +179,8 @@ TEST_P(Feature, LooksTheSame) {
   const engine::ModelPtr model = engine::compile(
       world(std::string("<light pos='0 0 3' dir='0 0 -1' castshadow='false' specular='0 0 0'/>") + GetParam(),
             "<texture name='check' type='2d' builtin='checker' width='64' height='64' rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
-            "<texture name='cube' type='cube' builtin='checker' mark='edge' markrgb='1 0 0' width='64' height='64' rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
+            "<texture name='cube' type='cube' builtin='checker' mark='edge' markrgb='1 0 0' width='64' height='64' "
+            "rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
             "<material name='flat' texture='check' texrepeat='3 2' specular='0'/>"
             "<material name='uniform' texture='check' texrepeat='3 2' texuniform='true' specular='0'/>"
             "<material name='cube' texture='cube' specular='0'/>"
@@ -157,21 +207,21 @@ TEST_P(Feature, LooksTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(
     RayOsmesa, Feature,
-    ::testing::Values("<geom type='plane' size='.5 .4 .1' material='flat'/>",
-                      "<geom type='plane' size='0 0 .1' material='uniform'/>",
-                      "<geom type='box' size='.3 .2 .1' material='flat'/>",
-                      "<geom type='box' size='.3 .2 .1' material='cube'/>",
-                      "<geom type='box' size='.3 .2 .1' material='cubeuniform'/>",
-                      "<geom type='sphere' size='.3' material='cube'/>",
-                      "<geom type='sphere' size='.3' material='uniform'/>",
-                      "<geom type='capsule' size='.15 .2' euler='30 60 0' material='cube'/>",
-                      "<geom type='capsule' size='.15 .2' euler='30 60 0' material='cubeuniform'/>",
-                      "<geom type='capsule' size='.15 .2' euler='30 60 0' material='flat'/>",
-                      "<geom type='cylinder' size='.2 .2' euler='30 60 0' material='cubeuniform'/>",
-                      "<geom type='ellipsoid' size='.1 .2 .3' euler='30 60 0' material='cube'/>",
-                      "<geom type='plane' size='1 1 .1' material='mirror'/><geom type='capsule' size='.1 .2' pos='0 0 .4' rgba='1 .5 0 1'/>",
-                      "<geom type='plane' size='1 1 .1' rgba='.9 .9 .9 1'/><geom type='box' size='.2 .2 .2' pos='0 0 .3' rgba='1 0 0 .3'/>"
-                      "<geom type='sphere' size='.2' pos='.3 0 .3' rgba='0 0 1 .6'/>"));
+    ::testing::Values(
+        "<geom type='plane' size='.5 .4 .1' material='flat'/>", "<geom type='plane' size='0 0 .1' material='uniform'/>",
+        "<geom type='box' size='.3 .2 .1' material='flat'/>", "<geom type='box' size='.3 .2 .1' material='cube'/>",
+        "<geom type='box' size='.3 .2 .1' material='cubeuniform'/>", "<geom type='sphere' size='.3' material='cube'/>",
+        "<geom type='sphere' size='.3' material='uniform'/>",
+        "<geom type='capsule' size='.15 .2' euler='30 60 0' material='cube'/>",
+        "<geom type='capsule' size='.15 .2' euler='30 60 0' material='cubeuniform'/>",
+        "<geom type='capsule' size='.15 .2' euler='30 60 0' material='flat'/>",
+        "<geom type='cylinder' size='.2 .2' euler='30 60 0' material='cubeuniform'/>",
+        "<geom type='ellipsoid' size='.1 .2 .3' euler='30 60 0' material='cube'/>",
+        "<geom type='plane' size='1 1 .1' material='mirror'/><geom type='capsule' size='.1 .2' pos='0 0 .4' rgba='1 .5 "
+        "0 1'/>",
+        "<geom type='plane' size='1 1 .1' rgba='.9 .9 .9 1'/><geom type='box' size='.2 .2 .2' pos='0 0 .3' rgba='1 0 0 "
+        ".3'/>"
+        "<geom type='sphere' size='.2' pos='.3 0 .3' rgba='0 0 1 .6'/>"));
 
 }  // namespace
 }  // namespace mimo::test

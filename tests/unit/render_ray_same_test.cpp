@@ -42,10 +42,12 @@ std::string everything() {
          "<material name='floor' texture='check' texrepeat='3 3' texuniform='true' reflectance='.3'/>"
          "<material name='cube' texture='cube' texuniform='true' shininess='.03'/>"
          "<material name='glow' emission='.3' specular='1' shininess='.7' rgba='.3 .5 .8 1'/></asset><worldbody>"
-         "<light pos='0 0 4' dir='.1 .1 -1' ambient='.1 .1 .1'/><light directional='true' pos='2 2 3' dir='-1 -.5 -1' diffuse='.3 .2 .1'/>"
+         "<light pos='0 0 4' dir='.1 .1 -1' ambient='.1 .1 .1'/><light directional='true' pos='2 2 3' dir='-1 -.5 -1' "
+         "diffuse='.3 .2 .1'/>"
          "<light pos='-1 1 .8' dir='0 0 -1' cutoff='180' attenuation='1 0 1' diffuse='.3 .3 .5'/>"
          "<geom type='plane' size='0 0 1' material='floor'/>"
-         "<geom type='sphere' size='.2' pos='0 0 .3' material='cube'/><geom type='capsule' size='.1 .2' pos='.5 0 .3' euler='40 20 0' material='cube'/>"
+         "<geom type='sphere' size='.2' pos='0 0 .3' material='cube'/><geom type='capsule' size='.1 .2' pos='.5 0 .3' "
+         "euler='40 20 0' material='cube'/>"
          "<geom type='ellipsoid' size='.1 .2 .3' pos='-.5 0 .3' euler='10 20 30' material='glow'/>"
          "<geom type='cylinder' size='.2 .1' pos='0 .5 .3' euler='60 20 30' material='cube'/>"
          "<geom type='box' size='.1 .2 .1' pos='0 -.5 .2' euler='10 20 30' material='glow'/>"
@@ -89,16 +91,7 @@ TEST(RaySame, ThreadsOfAFrame) {
   const engine::ModelPtr model = engine::compile(everything(), {}, {});
   Studio single(model, {});
   render::RayOptions options;
-  options.executor.run = [](void*, int count, void (*job)(void*, int), void* context) {
-    std::atomic<int> next{0};
-    std::vector<std::thread> threads;
-    for (int k = 0; k < 5; ++k) {
-      threads.emplace_back([&] {
-        for (int i = next++; i < count; i = next++) job(context, i);
-      });
-    }
-    for (std::thread& thread : threads) thread.join();
-  };
+  options.threads = 5;
   Studio many(model, options);
   const std::vector<Shot> expected = views(single);
   const std::vector<Shot> actual = views(many);
@@ -140,7 +133,7 @@ TEST(RaySame, NoAllocationAFrameAndLittleMemory) {
   Shot shot(256, 256);
   const render::View view = render::orbit_view({0, 0, 0.4}, 1.5, 150, -20, 45);
   const long bytes_before = allocated;
-  const auto renderer = render::make_ray_renderer(model, options, {});
+  const auto renderer = render::make_ray_renderer(model, options);
   renderer->draw(*model, studio.physics().data(), view, shot.picture());
   EXPECT_LT(allocated - bytes_before, 4 << 20);
   const long before = allocations;

@@ -76,15 +76,15 @@ TEST_P(EachKind, NotSeenFromInside) {
   for (const int id : shot.ids) ASSERT_EQ(id, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    RaySolids, EachKind,
-    ::testing::Values("<geom type='plane' size='.6 .4 .1' euler='20 -30 10'/>", "<geom type='plane' size='0 0 .1' euler='5 3 0'/>",
-                      "<geom type='sphere' size='.2' pos='.05 0 0'/>",
-                      "<geom type='capsule' size='.1 .25' euler='30 40 50'/>",
-                      "<geom type='ellipsoid' size='.1 .2 .3' euler='50 20 70'/>",
-                      "<geom type='cylinder' size='.15 .2' euler='-30 60 20'/>",
-                      "<geom type='cylinder' size='.3 .01' euler='80 10 0'/>",
-                      "<geom type='box' size='.1 .2 .3' euler='15 25 35'/>"));
+INSTANTIATE_TEST_SUITE_P(RaySolids, EachKind,
+                         ::testing::Values("<geom type='plane' size='.6 .4 .1' euler='20 -30 10'/>",
+                                           "<geom type='plane' size='0 0 .1' euler='5 3 0'/>",
+                                           "<geom type='sphere' size='.2' pos='.05 0 0'/>",
+                                           "<geom type='capsule' size='.1 .25' euler='30 40 50'/>",
+                                           "<geom type='ellipsoid' size='.1 .2 .3' euler='50 20 70'/>",
+                                           "<geom type='cylinder' size='.15 .2' euler='-30 60 20'/>",
+                                           "<geom type='cylinder' size='.3 .01' euler='80 10 0'/>",
+                                           "<geom type='box' size='.1 .2 .3' euler='15 25 35'/>"));
 
 // Everything at once, overlapping; also cameras that touch or nearly touch solids.
 TEST(RaySolids, Crowd) {
@@ -164,7 +164,8 @@ TEST(RaySolids, WhatIsShown) {
   EXPECT_EQ(id_of("<geom size='.1' group='3'/>"), -1);
   EXPECT_EQ(id_of("<geom size='.1' rgba='1 1 1 0'/>"), -1);
   EXPECT_EQ(id_of("<geom size='.1' rgba='1 1 1 .2'/>"), 0);
-  const char* site = "<light pos='0 0 2' diffuse='1 1 1'/><geom size='.05'/><site size='.1' group='{}' rgba='1 0 0 1'/>";
+  const char* site =
+      "<light pos='0 0 2' diffuse='1 1 1'/><geom size='.05'/><site size='.1' group='{}' rgba='1 0 0 1'/>";
   Studio shown(world(fmt::format(fmt::runtime(site), 2)));
   EXPECT_EQ(shown.shoot(from_above(1)).middle_id(), -1);
   EXPECT_GT(shown.shoot(from_above(1)).middle()[0], 100);
@@ -174,7 +175,8 @@ TEST(RaySolids, WhatIsShown) {
 TEST(RaySolids, MeshesAreRefused) {
   const std::string mesh =
       "<mesh name='tetra' vertex='0 0 0  1 0 0  0 1 0  0 0 1'/><hfield name='hills' nrow='2' ncol='2' size='1 1 1 1'/>";
-  for (const char* geom : {"<geom name='thing' type='mesh' mesh='tetra'/>", "<geom name='thing' type='hfield' hfield='hills'/>"}) {
+  for (const char* geom :
+       {"<geom name='thing' type='mesh' mesh='tetra'/>", "<geom name='thing' type='hfield' hfield='hills'/>"}) {
     try {
       Studio studio(world(geom, mesh));
       FAIL() << geom;

@@ -48,7 +48,7 @@ class Studio {
   explicit Studio(const std::string& xml, const render::RayOptions& options = {})
       : Studio(engine::compile(xml, {}, {}), options) {}
   Studio(engine::ModelPtr model, const render::RayOptions& options)
-      : model_(std::move(model)), physics_(model_, {}), renderer_(render::make_ray_renderer(model_, options, {})) {
+      : model_(std::move(model)), physics_(model_, {}), renderer_(render::make_ray_renderer(model_, options)) {
     physics_.forward();
   }
 

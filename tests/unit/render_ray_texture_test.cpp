@@ -33,7 +33,8 @@ std::string textured(const std::string& geom, const std::string& material) {
 
 // A floor of 2 x 2 m whose texture has its column in red and its row in green.
 Shot floor_with(const std::string& material, const render::View& view, int width, int height) {
-  const auto model = engine::compile(textured("<geom type='plane' size='1 1 1' material='painted'/>", material), {}, {});
+  const auto model =
+      engine::compile(textured("<geom type='plane' size='1 1 1' material='painted'/>", material), {}, {});
   fill(const_cast<mjModel&>(*model), 0, [](int, int x, int y) { return std::array<int, 3>{4 * x, 4 * y, 0}; });
   return Studio(model, {}).shoot(view, width, height);
 }
@@ -66,8 +67,9 @@ TEST(RayTextures, FlatRepeats) {
 
 // With texuniform, texrepeat counts per metre, whatever the size.
 TEST(RayTextures, FlatUniform) {
-  const auto model = engine::compile(
-      textured("<geom type='plane' size='1.5 3 1' material='painted'/>", "texture='flat' texuniform='true' texrepeat='2 2'"), {}, {});
+  const auto model = engine::compile(textured("<geom type='plane' size='1.5 3 1' material='painted'/>",
+                                              "texture='flat' texuniform='true' texrepeat='2 2'"),
+                                     {}, {});
   fill(const_cast<mjModel&>(*model), 0, [](int, int x, int y) { return std::array<int, 3>{4 * x, 4 * y, 0}; });
   const Shot shot = Studio(model, {}).shoot(from_above(10, 2 * std::atan(0.1) * 180 / kPi), 256, 256);
   for (const int i : {10, 40, 90}) {  // 128 pixels are a metre and a period
@@ -79,10 +81,12 @@ TEST(RayTextures, FlatUniform) {
 
 // Faces in MuJoCo's order, right left up down front back, are +x -x +y -y +z -z of the geom.
 TEST(RayTextures, CubeFaces) {
-  const std::array<std::array<int, 3>, 6> colors = {{{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}, {0, 250, 250}, {250, 0, 250}}};
+  const std::array<std::array<int, 3>, 6> colors = {
+      {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}, {0, 250, 250}, {250, 0, 250}}};
   for (const char* kind : {"type='box' size='.2 .3 .4'", "type='sphere' size='.2'", "type='ellipsoid' size='.1 .2 .3'",
                            "type='capsule' size='.2 .3'", "type='cylinder' size='.2 .3'"}) {
-    const auto model = engine::compile(textured(fmt::format("<geom {} material='painted'/>", kind), "texture='cube'"), {}, {});
+    const auto model =
+        engine::compile(textured(fmt::format("<geom {} material='painted'/>", kind), "texture='cube'"), {}, {});
     fill(const_cast<mjModel&>(*model), 1, [&](int face, int, int) { return colors[face]; });
     Studio studio(model, {});
     const double sides[6][2] = {{180, 0}, {0, 0}, {-90, 0}, {90, 0}, {90, -90}, {90, 90}};
@@ -95,8 +99,11 @@ TEST(RayTextures, CubeFaces) {
 
 // Orientation within a face, as OpenGL defines it: on +z, columns run along x and rows against y.
 TEST(RayTextures, CubeOrientation) {
-  const auto model = engine::compile(textured("<geom type='box' size='1 1 .1' material='painted'/>", "texture='cube' texuniform='true'"), {}, {});
-  fill(const_cast<mjModel&>(*model), 1, [](int face, int x, int y) { return std::array<int, 3>{4 * x, 4 * y, face * 40}; });
+  const auto model = engine::compile(
+      textured("<geom type='box' size='1 1 .1' material='painted'/>", "texture='cube' texuniform='true'"), {}, {});
+  fill(const_cast<mjModel&>(*model), 1, [](int face, int x, int y) {
+    return std::array<int, 3>{4 * x, 4 * y, face * 40};
+  });
   const auto close_up = [&](double x, double y) {
     return Studio(model, {}).shoot(render::orbit_view({x, y, 0.1}, 1, 90, -90, 1)).middle();
   };
@@ -112,7 +119,8 @@ TEST(RayTextures, CubeOrientation) {
 // What is much smaller than a pixel turns into its mean, without a pattern of its own.
 TEST(RayTextures, SmallBlurs) {
   for (const char* material : {"texture='flat' texrepeat='40 40'", "texture='cube'"}) {
-    const auto model = engine::compile(textured("<geom type='box' size='1 1 1' material='painted'/>", material), {}, {});
+    const auto model =
+        engine::compile(textured("<geom type='box' size='1 1 1' material='painted'/>", material), {}, {});
     for (const int texture : {0, 1}) {
       fill(const_cast<mjModel&>(*model), texture, [](int, int x, int y) {
         const int c = (x / 2 + y / 2) % 2 ? 250 : 0;
@@ -127,7 +135,8 @@ TEST(RayTextures, SmallBlurs) {
 }
 
 TEST(RayTextures, SharedByRenderers) {
-  const auto model = engine::compile(textured("<geom type='box' size='1 1 1' material='painted'/>", "texture='flat'"), {}, {});
+  const auto model =
+      engine::compile(textured("<geom type='box' size='1 1 1' material='painted'/>", "texture='flat'"), {}, {});
   render::RayOptions options;
   options.textures = render::make_ray_textures(model);
   Studio one(model, options), two(model, options), own(model, {});
@@ -138,8 +147,10 @@ TEST(RayTextures, SharedByRenderers) {
 
 // The sky's map is turned by 90 degrees about x: up is its +y face.
 TEST(RayTextures, Sky) {
-  const auto model = engine::compile(world("", "<texture type='skybox' builtin='flat' width='64' height='384'/>"), {}, {});
-  const std::array<std::array<int, 3>, 6> colors = {{{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}, {0, 250, 250}, {250, 0, 250}}};
+  const auto model =
+      engine::compile(world("", "<texture type='skybox' builtin='flat' width='64' height='384'/>"), {}, {});
+  const std::array<std::array<int, 3>, 6> colors = {
+      {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}, {0, 250, 250}, {250, 0, 250}}};
   fill(const_cast<mjModel&>(*model), 0, [&](int face, int, int) { return colors[face]; });
   Studio studio(model, {});
   const double towards[6][2] = {{0, 0}, {180, 0}, {0, 90}, {0, -90}, {-90, 0}, {90, 0}};

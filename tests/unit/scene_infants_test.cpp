@@ -150,5 +150,32 @@ TEST_F(SceneInfants, MainDefaultsDoNotReachIntoTheBody) {
                       *compile(scene::Scene(from_text("<mujoco>" + kHostileDefaults + include + "</mujoco>"))));
 }
 
+// Where nothing is drawn that is nearer, m.
+double near_plane(const std::string& document, bool add) {
+  scene::Scene scene(from_text(document));
+  if (add) scene.add_body("mitten", "", nullptr);
+  const engine::ModelPtr model = compile(scene);
+  return static_cast<double>(model->vis.map.znear) * model->stat.extent;
+}
+
+// A hand may come within a centimetre of an eye, however large the world is; unless its author says otherwise.
+TEST_F(SceneInfants, HandsBeforeTheEyesAreSeen) {
+  const std::string large = "<worldbody><geom type='box' size='20 20 1' pos='0 0 -9'/></worldbody>";
+  const std::string included = "<include file='mimo/mitten.xml'/>";
+  for (const std::string room : {"free", "benchmark", "reach", "standup", "selfbody"}) {
+    const engine::ModelPtr model = room_with_infant(room);
+    EXPECT_LE(static_cast<double>(model->vis.map.znear) * model->stat.extent, 0.01) << room;
+  }
+  for (const std::string settings :
+       {"", "<statistic extent='30'/>", "<visual><map znear='0.01'/></visual>", "<statistic center='0 0 1'/>",
+        "<visual><map zfar='20'/></visual><visual><quality shadowsize='64'/></visual>"}) {
+    EXPECT_NEAR(near_plane("<mujoco>" + settings + large + "</mujoco>", true), 0.005, 1e-6) << settings;
+    EXPECT_NEAR(near_plane("<mujoco>" + settings + large + included + "</mujoco>", false), 0.005, 1e-6) << settings;
+  }
+  const std::string both = "<statistic extent='3'/><visual><map znear='0.02'/></visual>";
+  EXPECT_NEAR(near_plane("<mujoco>" + both + large + "</mujoco>", true), 0.06, 1e-6);
+  EXPECT_GT(near_plane("<mujoco>" + large + "</mujoco>", false), 0.1);  // no infant, no business of ours
+}
+
 }  // namespace
 }  // namespace mimo::test

@@ -79,6 +79,7 @@ namespace Mimo
         public double touch_scale;
         /// <summary>Slip below counts as none, m/s.</summary>
         public double touch_slip_threshold;
+        internal IntPtr face;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -110,6 +111,7 @@ namespace Mimo
         internal IntPtr renderer;
         internal uint max_steps, timing;
         internal IntPtr log, log_user, task;
+        internal uint render, samples, render_threads, reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/fail.h"
+#include "base/pool.h"
 #include "render/ray/kernels.h"
 #include "render/ray/scene.h"
 #include "render/ray/textures.h"
@@ -22,20 +23,42 @@ const ray::Path& path_for(const std::vector<ray::Path>& paths, const std::string
   return *found;
 }
 
+int rays_along_an_edge(int samples) {
+  switch (samples) {
+    case 0:
+    case 1: return 1;
+    case 4: return 2;
+    case 16: return 4;
+    case 64: return 8;
+    default: fail(Status::kInvalidArgument, "samples is {}, expected 1, 4, 16 or 64", samples);
+  }
+}
+
+// A picture in pieces: its rows of tiles.
+class Rows final : public Job {
+ public:
+  Rows(const ray::Job& picture, ray::DrawTile draw) : picture_(picture), draw_(draw) {}
+  std::size_t count() const { return static_cast<std::size_t>(picture_.tiles() / picture_.tile_columns()); }
+  void run(std::size_t row, std::size_t) noexcept override {
+    const int columns = picture_.tile_columns();
+    for (int i = 0; i < columns; ++i) draw_(picture_, static_cast<int>(row) * columns + i);
+  }
+
+ private:
+  const ray::Job& picture_;
+  ray::DrawTile draw_;
+};
+
 class RayRenderer : public Renderer {
  public:
   RayRenderer(engine::ModelPtr model, const RayOptions& options)
       : model_(std::move(model)),
         textures_(options.textures ? options.textures : make_ray_textures(model_)),
-        executor_(options.executor),
-        samples_(options.samples),
+        samples_(rays_along_an_edge(options.samples)),
         draw_(path_for(ray::paths(), options.simd).draw),
         scene_(*model_) {
-    settings_.shadows = options.shadows;
-    settings_.reflections = options.reflections;
-    settings_.skybox = options.skybox;
-    settings_.haze = options.haze;
-    settings_.fog = options.fog;
+    settings_ = options;
+    if (options.threads > 1) pool_ = std::make_unique<Pool>(static_cast<std::size_t>(options.threads));
   }
 
   void draw(const mjModel& model, const mjData& data, const View& view, const Picture& picture) override {
@@ -77,33 +100,18 @@ class RayRenderer : public Renderer {
   }
 
   void run(const ray::Job& job) const {
-    if (executor_.run == nullptr) {
-      const int tiles = job.tiles();
-      for (int i = 0; i < tiles; ++i) draw_(job, i);
-      return;
-    }
-    // One piece of work is one row of tiles.
-    struct Work {
-      const ray::Job* job;
-      ray::DrawTile draw;
-    } work{&job, draw_};
-    executor_.run(
-        executor_.self, job.tiles() / job.tile_columns(),
-        [](void* context, int row) {
-          const Work& all = *static_cast<Work*>(context);
-          const int columns = all.job->tile_columns();
-          for (int i = 0; i < columns; ++i) all.draw(*all.job, row * columns + i);
-        },
-        &work);
+    Rows rows(job, draw_);
+    if (pool_ != nullptr) return pool_->run(rows, rows.count());
+    for (std::size_t row = 0; row < rows.count(); ++row) rows.run(row, 0);
   }
 
   engine::ModelPtr model_;
   std::shared_ptr<const ray::Textures> textures_;
-  RayExecutor executor_;
-  int samples_;
+  int samples_;  // rays along a pixel's edge
   ray::DrawTile draw_;
-  ray::Settings settings_;
+  Quality settings_;
   ray::Scene scene_;
+  std::unique_ptr<Pool> pool_;  // null: the calling thread does it all
 };
 
 }  // namespace
@@ -118,16 +126,15 @@ std::shared_ptr<const ray::Textures> make_ray_textures(const engine::ModelPtr& m
   return std::make_shared<const ray::Textures>(*model);
 }
 
-std::unique_ptr<Renderer> make_ray_renderer(engine::ModelPtr model, const RayOptions& options, const LogSink& log) {
-  static_cast<void>(log);
-  const int samples = options.samples;
-  require(samples == 1 || samples == 2 || samples == 4 || samples == 8, "samples is {}, expected 1, 2, 4 or 8", samples);
-  const int geom = ray::unsupported_geom(*model);
-  if (geom >= 0) {
-    const char* name = model->names + model->name_geomadr[geom];
-    fail(Status::kUnsupported, "geom {} (\"{}\") is a mesh or a height field, which the ray renderer cannot draw", geom,
-         name);
-  }
+void require_ray_model(const mjModel& model) {
+  const int geom = ray::unsupported_geom(model);
+  if (geom < 0) return;
+  fail(Status::kUnsupported, "geom {} (\"{}\") is a mesh or a height field, which the ray renderer cannot draw", geom,
+       model.names + model.name_geomadr[geom]);
+}
+
+std::unique_ptr<Renderer> make_ray_renderer(engine::ModelPtr model, const RayOptions& options) {
+  require_ray_model(*model);
   return std::make_unique<RayRenderer>(std::move(model), options);
 }
 

@@ -62,7 +62,7 @@ struct Light {
   bool directional = false;
   bool spot = false;  // has a cutoff
   bool attenuated = false;
-  bool bright = false;  // has a specular part
+  bool bright = false;       // has a specular part
   std::int32_t caster = -1;  // index of its shadows, -1 for none
   std::array<double, 3> position{};
   std::array<double, 3> direction{};
@@ -105,22 +105,14 @@ struct Eye {
   std::array<float, 3> o{}, a{}, bx{}, by{};
 };
 
-struct Settings {
-  bool shadows = true;
-  bool reflections = true;
-  bool skybox = true;
-  bool haze = true;
-  bool fog = false;
-};
-
 struct Scene {
   std::vector<Solid> solids;
   std::vector<int> seen;  // index of a solid's aspect for the camera, -2 if it has none
   int solid_count = 0;
   std::array<Light, kMaxLights> lights;
   int light_count = 0;
-  bool gray = false;  // all lights are without colour
-  float ambient = 0;  // of a model without lights
+  bool gray = false;              // all lights are without colour
+  float ambient = 0;              // of a model without lights
   std::vector<LocalLight> local;  // solid * kMaxLights + light
 
   Eye camera;
@@ -159,7 +151,7 @@ struct Scene {
 
   explicit Scene(const mjModel& model);
   void prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio,
-               const Textures& textures, const Settings& settings);
+               const Textures& textures, const Quality& settings);
 };
 
 // The geom that this renderer cannot draw, -1 if it can draw them all.

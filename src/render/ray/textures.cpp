@@ -42,9 +42,7 @@ class Level {
   }
 
   void fill_border(bool wrap) const {
-    const auto inside = [wrap](int i, int size) {
-      return wrap ? (i + size) % size : std::clamp(i, 0, size - 1);
-    };
+    const auto inside = [wrap](int i, int size) { return wrap ? (i + size) % size : std::clamp(i, 0, size - 1); };
     for (int y = -1; y <= height_; ++y) {
       for (int x = -1; x <= width_; ++x) {
         if (x < 0 || y < 0 || x == width_ || y == height_) at(x, y) = at(inside(x, width_), inside(y, height_));

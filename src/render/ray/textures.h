@@ -14,7 +14,7 @@ struct Texture {
 
   bool cube = false;
   bool sky = false;
-  std::int32_t width = 0;   // of level 0; cube textures have square faces
+  std::int32_t width = 0;  // of level 0; cube textures have square faces
   std::int32_t height = 0;
   std::int32_t levels = 0;
   // Where texel (0, 0) of each level is. Around each picture runs a border of one texel (what is beyond the edge: the

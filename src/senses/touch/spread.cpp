@@ -22,7 +22,10 @@ Spread::Spread(const Skin& skin, Response response) : skin_(skin), response_(res
 
 Span<const Share> Spread::at(int body, int geom, const Vec3& point) {
   const double spacing = skin_.spacing(body);
-  collect(skin_.nearest(geom, point), point, kReach * spacing);
+  const int anchor = skin_.nearest(geom, point);
+  shares_.clear();
+  if (anchor < 0) return shares_;  // so far away that distances are no numbers: the world is about to fail
+  collect(anchor, point, kReach * spacing);
   // Nobody within reach: nothing of the force may be lost.
   if (shares_.empty() || !weigh(spacing)) shares_.assign(1, {skin_.nearest_of_body(body, point), 1});
   return shares_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "base/format.h"  // before fail.h: it decides how fmt is compiled
+#include "base/format.h"
 #include "engine/custom.h"
 #include "senses/touch/spacing.h"
 

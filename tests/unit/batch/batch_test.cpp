@@ -20,7 +20,8 @@ using batch::Batch;
 class Rig {
  public:
   Rig(const engine::ModelPtr& model, const batch::Options& options, const env::EnvOptions& world_options = {})
-      : batch(model, {blind()}, [world_options](std::size_t) { return world_options; }, options),
+      : batch(
+            model, {blind()}, [world_options](std::size_t) { return world_options; }, options),
         block_bytes(batch.world(0).layout().bytes()),
         blocks(options.worlds * block_bytes),
         final_blocks(blocks.size()),
@@ -150,7 +151,8 @@ TEST(Batch, SendAndReceiveAreAStep) {
 TEST(Batch, CanBeDestroyedAtWork) {
   Bytes blocks;
   std::vector<float> actions;
-  Batch batch(floating_model(), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(6, 2));
+  Batch batch(
+      floating_model(), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(6, 2));
   blocks.resize(6 * batch.world(0).layout().bytes());
   actions.resize(6 * batch.world(0).action_size());
   batch.reset(nullptr, nullptr, nullptr);
@@ -312,7 +314,8 @@ TEST(Batch, AnAgentThatIsCutOffByAnothersEndIsTruncated) {
   world.custom_task = [](const mjModel&, const body::Body&, std::size_t agent) {
     return std::make_unique<Ending>(agent == 0);
   };
-  Batch two(compile(scene), agents, [&](std::size_t) { return world; }, sized(2, 2, Autoreset::kNextStep));
+  Batch two(
+      compile(scene), agents, [&](std::size_t) { return world; }, sized(2, 2, Autoreset::kNextStep));
   two.reset(nullptr, nullptr, nullptr);
   std::vector<std::uint8_t> terminated(4), truncated(4);
   batch::Output output;
@@ -403,7 +406,8 @@ TEST(Batch, SavesAndLoadsManyStates) {
 }
 
 TEST(Batch, UnseededWorldsDiffer) {
-  Batch all(room_with_infant("reach"), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(2, 1));
+  Batch all(
+      room_with_infant("reach"), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(2, 1));
   all.reset(nullptr, nullptr, nullptr);
   EXPECT_NE(saved(all.world(0)), saved(all.world(1)));
 }

@@ -71,6 +71,7 @@ class AgentConfig(Struct):
         ("touch_reserved", c_uint32),
         ("touch_scale", c_double),
         ("touch_slip_threshold", c_double),
+        ("face", c_char_p),
     ]
 
 
@@ -86,6 +87,22 @@ class ObjectConfig(Struct):
         ("rgba", c_double * 4),
         ("fixed", c_uint32),
         ("reserved", c_uint32),
+    ]
+
+
+class CameraConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("outputs", c_uint32),
+        ("name", c_char_p),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("fovy", c_double),
+        ("placed", c_uint32),
+        ("reserved", c_uint32),
+        ("body", c_char_p),
+        ("position", c_double * 3),
+        ("look_at", c_double * 3),
     ]
 
 
@@ -113,6 +130,10 @@ class EnvConfig(Struct):
         ("log", LogFunction),
         ("log_user", c_void_p),
         ("task", c_char_p),
+        ("render", c_uint32),
+        ("samples", c_uint32),
+        ("render_threads", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -145,12 +166,26 @@ class Field(Struct):
     ]
 
 
+class Gaze(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("meets", c_uint32),
+        ("left_position", c_double * 3),
+        ("left_direction", c_double * 3),
+        ("right_position", c_double * 3),
+        ("right_direction", c_double * 3),
+        ("vergence", c_double),
+        ("point", c_double * 3),
+        ("miss", c_double),
+    ]
+
+
 class PictureConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
         ("width", c_uint32),
         ("height", c_uint32),
-        ("reserved", c_uint32),
+        ("format", c_uint32),
         ("camera", c_char_p),
         ("look_at", c_double * 3),
         ("distance", c_double),
@@ -238,6 +273,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
+    "mimo_face_name": (c_char_p, [c_size_t]),
+    "mimo_camera_config_init": (_status, [_config(CameraConfig), c_size_t]),
+    "mimo_scene_add_camera": (_status, [_Handle, _config(CameraConfig)]),
     "mimo_scene_xml": (_status, [_Handle, c_char_p, c_size_t, _Out_size]),
     "mimo_task_name": (c_char_p, [c_size_t]),
     "mimo_parameter_count": (_status, [_Out_size]),
@@ -280,6 +318,12 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         _status,
         [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
     ),
+    "mimo_env_gaze": (_status, [_Handle, c_size_t, _config(Gaze)]),
+    "mimo_env_look_angles": (
+        _status,
+        [_Handle, c_size_t, _Array, c_int32, _Array, _Array, c_size_t, _Out_size, _Array],
+    ),
+    "mimo_env_look_at": (_status, [_Handle, c_size_t, _Array, c_int32, _Array]),
     "mimo_picture_config_init": (_status, [_config(PictureConfig), c_size_t]),
     "mimo_env_render": (
         _status,
@@ -297,6 +341,8 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_lock_state": (_status, [_Handle, c_int32, _Out_u8, _Out_f64]),
     "mimo_env_set_gravity": (_status, [_Handle, c_double, c_double, c_double]),
     "mimo_env_gravity": (_status, [_Handle, _Array, c_size_t]),
+    "mimo_env_set_face": (_status, [_Handle, c_size_t, c_char_p]),
+    "mimo_env_face": (_status, [_Handle, c_size_t, _Out_text]),
     "mimo_env_state_size": (_status, [_Handle, _Out_size]),
     "mimo_env_state_save": (_status, [_Handle, c_void_p, c_size_t]),
     "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t]),
@@ -329,6 +375,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         _status,
         [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
     ),
+    "mimo_batch_set_face": (_status, [_Handle, c_size_t, c_char_p, _Array, c_size_t]),
     "mimo_batch_state_save": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
     "mimo_batch_state_load": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
     "mimo_task_init": (_status, [_config(Task), c_size_t]),

@@ -79,7 +79,7 @@ class Access(Handle):
         return count.value
 
     def random(self, count: int, mask: Mask = None) -> Numbers:
-        """Numbers from 0 to 1 from the world's own stream: (count,); of a batch (worlds, count), 0 where mask is False."""
+        """Numbers from 0 to 1 from the world's own stream: (count,); of a batch (worlds, count), 0 where masked out."""
         raise NotImplementedError
 
     def _select(self, kind: Type[S], names: Tuple[str, ...]) -> S:

@@ -61,19 +61,18 @@ def touch_map(world: World, observation: Optional[Observation] = None, agent: in
     force = np.linalg.norm(shown[f"{name}/touch/force" if name else "touch/force"], axis=-1)
     places = _in_world(world, sensors.bodies, sensors.position)
     felt = force > 0
-    figure, axes = plt.subplots(1, 2, figsize=(8, 5), layout="constrained", sharey=True)
-    for axis, across, title in zip(axes, (1, 0), ("front", "side")):
+    figure, axes = plt.subplots(1, 2, figsize=(8, 5), layout="constrained")
+    for axis, across, title in zip(axes, (1, 0), ("from the front", "from the right")):
         axis.scatter(places[:, across], places[:, 2], s=1, color="0.8")
         points = axis.scatter(places[felt, across], places[felt, 2], s=8, c=force[felt], cmap="viridis")
-        axis.set(title=title, xlabel=f"{'xy'[across]} (m)", aspect="equal")
+        axis.set(title=title, xlabel=f"{'xy'[across]} (m)", aspect="equal", adjustable="datalim")
     axes[0].set_ylabel("z (m)")
-    axes[0].invert_xaxis()  # seen from the front: the infant's left is on the right
     figure.colorbar(points, ax=axes, label="force (N)")
     return figure
 
 
 def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
-    """Joint angles over time (times x joints, rad) between their limits, one small plot a joint."""
+    """Joint angles over time (times x joints, rad) between their limits, in grey; one small plot a joint."""
     time, angle = np.asarray(times, np.float64), np.asarray(angles, np.float64)
     names, limits = joints.names, joints.range.reshape(-1, 2)
     columns = min(4, len(names))
@@ -88,7 +87,7 @@ def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
     for place in list(axes.flat)[len(names) :]:
         place.set_axis_off()
     figure.supxlabel("time (s)")
-    figure.supylabel("angle (rad), limits in grey")
+    figure.supylabel("angle (rad)")
     return figure
 
 

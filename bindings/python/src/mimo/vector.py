@@ -144,7 +144,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
 
     def close_extras(self, **kwargs: Any) -> None:
         """Closes the batch."""
-        self.batch.close()
+        if hasattr(self, "batch"):  # Gymnasium calls this, too, for an object that could not be made
+            self.batch.close()
 
     # ---- Episodes ------------------------------------------------------------------------------------------------
 

@@ -132,6 +132,18 @@ pub const MIMO_JACOBIAN_SPARSE: u32 = 2;
 pub const MIMO_DISABLE_CONTACT: u32 = 1;
 #[doc = "No gravity."]
 pub const MIMO_DISABLE_GRAVITY: u32 = 2;
+#[doc = "Lights cast shadows."]
+pub const MIMO_RENDER_SHADOWS: u32 = 1;
+#[doc = "Floors and boxes may mirror what is before them."]
+pub const MIMO_RENDER_REFLECTIONS: u32 = 2;
+#[doc = "The scene's sky; without it the background is black."]
+pub const MIMO_RENDER_SKY: u32 = 4;
+#[doc = "Haze at the horizon of an endless floor."]
+pub const MIMO_RENDER_HAZE: u32 = 8;
+#[doc = "Fog, as the scene's MJCF describes it."]
+pub const MIMO_RENDER_FOG: u32 = 16;
+#[doc = "Everything but fog."]
+pub const MIMO_RENDER_DEFAULT: u32 = 15;
 #[doc = "uint8_t"]
 pub const MIMO_U8: u32 = 1;
 #[doc = "int32_t"]
@@ -208,6 +220,16 @@ pub const MIMO_CONTACT_IDS: u32 = 4;
 pub const MIMO_CONTACT_VALUES: u32 = 19;
 #[doc = "Per sensor: outward normal 3, first tangent 3, second tangent 3; body frame."]
 pub const MIMO_TOUCH_FRAME_VALUES: u32 = 9;
+#[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
+pub const MIMO_LOOK_EYES: u32 = 0;
+#[doc = "The head turns first, so that the eyes have to turn little."]
+pub const MIMO_LOOK_HEAD: u32 = 1;
+#[doc = "As many joints as looking takes at most."]
+pub const MIMO_LOOK_JOINTS: u32 = 8;
+#[doc = "Four bytes a pixel, the last one 255."]
+pub const MIMO_PICTURE_RGBA: u32 = 1;
+#[doc = "Row 0 is the bottom, as textures of OpenGL and Unity have it; also of depth and segmentation."]
+pub const MIMO_PICTURE_BOTTOM_UP: u32 = 2;
 #[doc = "Worlds go on when an episode has ended, until mimo_batch_reset."]
 pub const MIMO_AUTORESET_NONE: u32 = 0;
 #[doc = "The step after the end of an episode starts a new one, instead of acting: its reward is 0, both flags are 0, its block is that of the reset."]
@@ -289,7 +311,7 @@ extern "C" {
     pub fn mimo_scene_builtin(index: usize) -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "Makes a scene. Parses the MJCF but compiles nothing yet."]
+    #[doc = "Makes a scene. Parses the MJCF but compiles nothing yet. Elements may be nested 256 deep."]
     #[doc = "@param config NULL means defaults."]
     #[doc = "@param scene  receives the handle; destroy it with mimo_scene_destroy."]
     pub fn mimo_scene_create(config: *const mimo_scene_config, scene: *mut *mut mimo_scene) -> mimo_status;
@@ -297,6 +319,11 @@ extern "C" {
 extern "C" {
     #[doc = "Destroys a scene. NULL and destroyed handles are ignored. Environments made from it live on."]
     pub fn mimo_scene_destroy(scene: *mut mimo_scene);
+}
+extern "C" {
+    #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\", \"surprise\","]
+    #[doc = "\"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named \"mimo_face_<name>\"."]
+    pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
 }
 #[doc = "One infant: where it is, what it senses, what of it acts."]
 #[repr(C)]
@@ -346,6 +373,8 @@ pub struct mimo_agent_config {
     pub touch_scale: f64,
     #[doc = "Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005."]
     pub touch_slip_threshold: f64,
+    #[doc = "The face that it shows at first, see mimo_face_name; NULL: neutral."]
+    pub face: *const std::os::raw::c_char,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
@@ -420,6 +449,45 @@ extern "C" {
 extern "C" {
     #[doc = "Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use."]
     pub fn mimo_scene_add_object(scene: *mut mimo_scene, config: *const mimo_object_config) -> mimo_status;
+}
+#[doc = "A camera whose pictures are fields of the observation: \"vision/NAME\", \"vision/NAME_depth\", \"vision/NAME_segmentation\"."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_camera_config {
+    #[doc = "sizeof(mimo_camera_config), set by mimo_camera_config_init."]
+    pub struct_size: u32,
+    #[doc = "MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB."]
+    pub outputs: u32,
+    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name of a new one."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Pixels, 1 to 4096. Default 256."]
+    pub width: u32,
+    #[doc = "Pixels, 1 to 4096. Default 256."]
+    pub height: u32,
+    #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one."]
+    pub fovy: f64,
+    #[doc = "1: make the camera, where the entries below say; 0: it is there already."]
+    pub placed: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Body that carries it, by its name in the model; NULL: it stands still in the world."]
+    pub body: *const std::os::raw::c_char,
+    #[doc = "Where it is, metres, in the frame of the body."]
+    pub position: [f64; 3usize],
+    #[doc = "The point in the middle of its picture, metres, in the frame of the body, whose z axis points up in the picture."]
+    pub look_at: [f64; 3usize],
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: an existing camera without a name; a new one would look from (1.5, 0, 0.8) at (0, 0, 0.4)."]
+    #[doc = "@param size sizeof(mimo_camera_config) as the caller knows it."]
+    pub fn mimo_camera_config_init(config: *mut mimo_camera_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Has a camera observed. Its fields come after those of all agents and belong to the scene."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have, and from mimo_env_create for a camera that the"]
+    #[doc = "        model does not have; MIMO_E_INVALID_ARGUMENT for a camera that is observed already, or a new one whose name"]
+    #[doc = "        is in use."]
+    pub fn mimo_scene_add_camera(scene: *mut mimo_scene, config: *const mimo_camera_config) -> mimo_status;
 }
 extern "C" {
     #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
@@ -511,6 +579,14 @@ pub struct mimo_env_config {
     pub log_user: *mut std::os::raw::c_void,
     #[doc = "See mimo_task_name; NULL: the scene's own. Every agent has the task for itself."]
     pub task: *const std::os::raw::c_char,
+    #[doc = "MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT."]
+    pub render: u32,
+    #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa."]
+    pub samples: u32,
+    #[doc = "Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them. Pictures do not differ. Default 1; best so in batches, whose worlds are drawn side by side."]
+    pub render_threads: u32,
+    #[doc = "0."]
+    pub reserved: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults."]
@@ -522,7 +598,9 @@ extern "C" {
     #[doc = "Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched."]
     #[doc = "@param scene  is not needed any more afterwards."]
     #[doc = "@param config NULL means defaults."]
-    #[doc = "Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_UNSUPPORTED when eyes are on and no renderer works here."]
+    #[doc = "Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on"]
+    #[doc = "        and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another"]
+    #[doc = "        version lies in the program's global scope."]
     pub fn mimo_env_create(
         scene: *const mimo_scene,
         config: *const mimo_env_config,
@@ -674,8 +752,9 @@ extern "C" {
     #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
     #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action (nothing happens then);"]
-    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified and the"]
-    #[doc = "        world takes nothing but reset and destroy until it has been reset."]
+    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
+    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
+    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
@@ -700,6 +779,8 @@ extern "C" {
 extern "C" {
     #[doc = "Bare physics: count physics steps with the controls as they are, without actuation, senses or task."]
     #[doc = "What MuJoCo alone costs; also for hosts that bring senses and control of their own."]
+    #[doc = "@param count 0 to 1000000."]
+    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
     pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
 }
 extern "C" {
@@ -816,6 +897,70 @@ extern "C" {
         count: *mut usize,
     ) -> mimo_status;
 }
+#[doc = "Where an infant looks."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_gaze {
+    #[doc = "sizeof(mimo_gaze), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "1: the lines of sight come closest to each other before both eyes; 0: they lead apart."]
+    pub meets: u32,
+    #[doc = "Of the left eye's camera, world, m."]
+    pub left_position: [f64; 3usize],
+    #[doc = "Its line of sight, unit vector, world."]
+    pub left_direction: [f64; 3usize],
+    #[doc = "Of the right eye's camera."]
+    pub right_position: [f64; 3usize],
+    #[doc = "Its line of sight."]
+    pub right_direction: [f64; 3usize],
+    #[doc = "Angle between the lines of sight, rad; negative where they lead apart."]
+    pub vergence: f64,
+    #[doc = "Where they meet: half-way between them where they are closest, world, m; zero if they do not."]
+    pub point: [f64; 3usize],
+    #[doc = "How far they pass each other there, m."]
+    pub miss: f64,
+}
+extern "C" {
+    #[doc = "Reads where an agent looks, by the poses of its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first."]
+    pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position"]
+    #[doc = "control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0."]
+    #[doc = "@param point    three numbers, metres, world frame."]
+    #[doc = "@param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD."]
+    #[doc = "@param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD swivel"]
+    #[doc = "                and tilt of the head before them. May be NULL."]
+    #[doc = "@param angles   receives their angles, rad, cut to the joints' ranges; may be NULL."]
+    #[doc = "@param capacity how many joints the arrays have room for."]
+    #[doc = "@param count    receives how many there are; may be NULL."]
+    #[doc = "@param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;"]
+    #[doc = "                may be NULL."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL."]
+    pub fn mimo_env_look_angles(
+        env: *mut mimo_env,
+        agent: usize,
+        point: *const f64,
+        how: i32,
+        joints: *mut i32,
+        angles: *mut f64,
+        capacity: usize,
+        count: *mut usize,
+        errors: *mut f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Makes an agent look at a point at once: its joints are set, as by mimo_env_set, not driven. Springs and motors"]
+    #[doc = "go on moving them in the next step."]
+    #[doc = "@param errors as in mimo_env_look_angles."]
+    pub fn mimo_env_look_at(
+        env: *mut mimo_env,
+        agent: usize,
+        point: *const f64,
+        how: i32,
+        errors: *mut f64,
+    ) -> mimo_status;
+}
 #[doc = "What to draw."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -826,8 +971,8 @@ pub struct mimo_picture_config {
     pub width: u32,
     #[doc = "Pixels, 1 to 4096. Default 480."]
     pub height: u32,
-    #[doc = "0."]
-    pub reserved: u32,
+    #[doc = "MIMO_PICTURE_ bits. Default 0: RGB, row 0 is the top."]
+    pub format: u32,
     #[doc = "A camera of the model; NULL: the free camera below."]
     pub camera: *const std::os::raw::c_char,
     #[doc = "Free camera: the point in the middle, world, m."]
@@ -848,7 +993,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Draws the current state."]
-    #[doc = "@param rgb          height x width x 3 bytes, row 0 is the top; NULL with rgb_bytes 0: not wanted."]
+    #[doc = "@param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted."]
     #[doc = "@param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted."]
     #[doc = "@param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted."]
     pub fn mimo_env_render(
@@ -864,7 +1009,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it."]
-    #[doc = "@param points count x 3, metres, world frame, C order."]
+    #[doc = "@param config NULL means defaults, as in mimo_env_render."]
+    #[doc = "@param points count x 3, metres, world frame, C order; finite."]
     #[doc = "@param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's"]
     #[doc = "              axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing."]
     pub fn mimo_env_project(
@@ -938,6 +1084,24 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
+    #[doc = "Gives an agent another face, in this world only. Pictures show it from the next one on."]
+    #[doc = "@param name see mimo_face_name."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are."]
+    pub fn mimo_env_set_face(
+        env: *mut mimo_env,
+        agent: usize,
+        name: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" for a body without faces."]
+    pub fn mimo_env_face(
+        env: *const mimo_env,
+        agent: usize,
+        name: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
     #[doc = "Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle."]
     #[doc = "@param joint a hinge of an infant."]
     #[doc = "@param angle within the joint's range, rad."]
@@ -970,7 +1134,7 @@ extern "C" {
     pub fn mimo_env_state_size(env: *const mimo_env, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, locks, gears and gravity."]
+    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces and gravity."]
     #[doc = "The bytes may be kept in a file and are good for this version of the library on this kind of machine."]
     #[doc = "@param state receives mimo_env_state_size bytes; needs no alignment."]
     #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed."]
@@ -1177,6 +1341,16 @@ extern "C" {
         worlds: usize,
         values: *const f64,
         value_count: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Gives an agent another face in many worlds, as mimo_env_set_face."]
+    pub fn mimo_batch_set_face(
+        batch: *mut mimo_batch,
+        agent: usize,
+        name: *const std::os::raw::c_char,
+        mask: *const u8,
+        worlds: usize,
     ) -> mimo_status;
 }
 extern "C" {

@@ -1,11 +1,11 @@
-#include "batch/pool.h"
+#include "base/pool.h"
 
 #include <pthread.h>
 #include <signal.h>
 
 #include <algorithm>
 
-namespace mimo::batch {
+namespace mimo {
 namespace {
 
 // Signals sent to the process are the host's business: its handlers run on its own threads.
@@ -110,4 +110,4 @@ void Pool::stop() noexcept {
   }
 }
 
-}  // namespace mimo::batch
+}  // namespace mimo

@@ -1,4 +1,4 @@
-// The threads that step the worlds of a batch.
+// A few threads that share a job: worlds of a batch, or rows of a picture.
 //
 // A pool of our own, because none that Debian has fits: oneTBB and OpenMP are shared by the whole process and would
 // meet the host's (MATLAB and NumPy bring theirs), header-only ones allocate a std::function for every task. All that
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace mimo::batch {
+namespace mimo {
 
 // What is to be done for every item. It must not throw. `thread` is a number below Pool::threads(); no two calls with
 // the same number run at the same time.
@@ -67,4 +67,4 @@ class Pool {
   std::atomic<std::size_t> next_{0};  // the first item that nobody has taken
 };
 
-}  // namespace mimo::batch
+}  // namespace mimo

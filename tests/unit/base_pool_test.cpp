@@ -1,12 +1,12 @@
-#include "batch/pool.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <thread>
 
-namespace mimo::batch {
+#include "base/pool.h"
+
+namespace mimo {
 namespace {
 
 // Counts how often each item ran, and notices two calls as the same thread at one time.
@@ -73,4 +73,4 @@ TEST(Pool, OfOneThreadIsTheCaller) {
 }
 
 }  // namespace
-}  // namespace mimo::batch
+}  // namespace mimo

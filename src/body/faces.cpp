@@ -1,0 +1,50 @@
+#include "body/faces.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/fail.h"
+
+namespace mimo::body {
+namespace {
+
+constexpr std::string_view kPrefix = "mimo_face_";
+
+std::string_view material_name(const mjModel& model, int material) { return model.names + model.name_matadr[material]; }
+
+bool is_face(const mjModel& model, int material) {
+  return material >= 0 && material_name(model, material).substr(0, kPrefix.size()) == kPrefix;
+}
+
+}  // namespace
+
+const Face& Faces::find(const std::string& name) const {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Face& face) { return face.name == name; });
+  if (geom < 0) fail(Status::kNotFound, "face is \"{}\", but this infant has no face", name);
+  if (found != all.end()) return *found;
+  std::string names;
+  for (const Face& face : all) names += (names.empty() ? "" : ", ") + face.name;
+  fail(Status::kNotFound, "no face named \"{}\"; there are: {}", name, names);
+}
+
+const Face* Faces::shown(const mjModel& model) const {
+  if (geom < 0) return nullptr;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Face& face) { return face.material == model.geom_matid[geom]; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+Faces find_faces(const mjModel& model, const Body& body) {
+  Faces faces;
+  const int first = model.body_geomadr[body.head];
+  for (int geom = first; geom < first + model.body_geomnum[body.head] && faces.geom < 0; ++geom) {
+    if (is_face(model, model.geom_matid[geom])) faces.geom = geom;
+  }
+  for (int material = 0; material < model.nmat; ++material) {
+    if (!is_face(model, material)) continue;
+    faces.all.push_back({std::string(material_name(model, material).substr(kPrefix.size())), material});
+  }
+  return faces;
+}
+
+}  // namespace mimo::body

@@ -1,0 +1,70 @@
+// Cameras whose pictures are observed.
+#include <algorithm>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+#include "capi/vision.h"
+
+namespace mimo::capi {
+namespace {
+
+mimo_camera_config default_camera_config() {
+  mimo_camera_config config{};
+  config.struct_size = sizeof config;
+  config.outputs = MIMO_VISION_RGB;
+  config.width = config.height = 256;
+  config.position[0] = 1.5;
+  config.position[2] = 0.8;
+  config.look_at[2] = 0.4;
+  return config;
+}
+
+scene::Camera new_camera(const mimo_camera_config& config) {
+  check_finite(config.position, 3, "position");
+  check_finite(config.look_at, 3, "look_at");
+  scene::Camera camera;
+  camera.name = text(config.name);
+  camera.body = text(config.body);
+  std::copy_n(config.position, 3, camera.position.begin());
+  std::copy_n(config.look_at, 3, camera.look_at.begin());
+  if (config.fovy > 0) camera.fovy = config.fovy;
+  return camera;
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_camera_config_init(mimo_camera_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_camera_config(), "config"); });
+}
+
+mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* config) noexcept {
+  return guard([&] {
+    SceneObject& object = open(scene);
+    require(config != nullptr, "config is NULL, but a camera needs at least a name");
+    const mimo_camera_config ours = read_struct(config, default_camera_config(), "config");
+    env::CameraOptions camera;
+    camera.camera = text(ours.name);
+    require(!camera.camera.empty(), "name is empty, expected the name of a camera");
+    camera.vision =
+        vision({"outputs", ours.outputs}, {"width", ours.width}, {"height", ours.height}, {"fovy", ours.fovy});
+    require(camera.vision.any(), "outputs is 0, expected at least one of the MIMO_VISION_ bits");
+    check_flag(ours.placed, "placed");
+    check_reserved(ours.reserved, "reserved");
+    for (const env::CameraOptions& other : object.cameras) {
+      require(other.camera != camera.camera, "name: camera \"{}\" is observed already", camera.camera);
+    }
+    object.cameras.reserve(object.cameras.size() + 1);
+    if (ours.placed != 0) object.scene.add_camera(new_camera(ours));
+    object.cameras.push_back(camera);
+  });
+}
+
+}  // extern "C"

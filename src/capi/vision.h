@@ -1,0 +1,41 @@
+// What configs of eyes and of other cameras have in common.
+#pragma once
+
+#include <cstdint>
+
+#include "capi/check.h"
+#include "mimo/mimo.h"
+#include "senses/vision.h"
+
+namespace mimo::capi {
+
+constexpr std::uint32_t kLargestPicture = 4096;
+
+// An entry of a config, with the name that messages give it.
+template <typename T>
+struct Entry {
+  const char* name;
+  T value;
+};
+
+inline senses::VisionOptions vision(Entry<std::uint32_t> outputs, Entry<std::uint32_t> width,
+                                    Entry<std::uint32_t> height, Entry<double> fovy) {
+  check_bits(outputs.value, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, outputs.name);
+  senses::VisionOptions options;
+  options.rgb = (outputs.value & MIMO_VISION_RGB) != 0;
+  options.depth = (outputs.value & MIMO_VISION_DEPTH) != 0;
+  options.segmentation = (outputs.value & MIMO_VISION_SEGMENTATION) != 0;
+  if (!options.any()) return options;
+  for (const Entry<std::uint32_t>& size : {width, height}) {
+    require(size.value >= 1 && size.value <= kLargestPicture, "{} is {}, expected 1 to {}", size.name, size.value,
+            kLargestPicture);
+  }
+  require(fovy.value == 0 || (fovy.value >= 1 && fovy.value <= 170),
+          "{} is {}, expected 1 to 170 degrees, or 0 for the camera's own", fovy.name, fovy.value);
+  options.width = static_cast<int>(width.value);
+  options.height = static_cast<int>(height.value);
+  options.fovy = fovy.value;
+  return options;
+}
+
+}  // namespace mimo::capi

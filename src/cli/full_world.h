@@ -1,0 +1,32 @@
+// A world with all its senses as users run it, step by step under the clock.
+#pragma once
+
+#include "bare_world.h"
+#include "world.h"
+
+namespace cli {
+
+class FullWorld {
+ public:
+  FullWorld(const WorldOptions& options, std::size_t steps);
+
+  // The first step of a world makes what later ones reuse; it is not measured.
+  void warm_up(const Actions& actions);
+  void run(const Actions& actions);
+  void reset(std::uint64_t seed);
+
+  const Env& env() const { return env_; }
+  const Samples& times() const { return times_; }
+  std::size_t contacts() const { return contacts_; }
+
+ private:
+  Env env_;
+  Block block_;
+  Samples times_;
+  std::size_t contacts_ = 0;
+};
+
+// The world in which the original was measured; for a BareWorld with a dense Jacobian.
+WorldOptions reference_world(std::uint64_t seed);
+
+}  // namespace cli

@@ -1,0 +1,87 @@
+// What is behind everything, and between: sky, haze and fog.
+// Compiled once for each instruction set, see kernels.cpp.
+#if defined(MIMO_RENDER_RAY_BACKDROP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RENDER_RAY_BACKDROP_INL_H
+#undef MIMO_RENDER_RAY_BACKDROP_INL_H
+#else
+#define MIMO_RENDER_RAY_BACKDROP_INL_H
+#endif
+
+#include <cstdint>
+
+#include "render/ray/lanes-inl.h"
+#include "render/ray/lighting-inl.h"
+#include "render/ray/sampling-inl.h"
+#include "render/ray/scene.h"
+#include "render/ray/tile-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mimo::render::ray {
+namespace HWY_NAMESPACE {
+
+void PaintSky(const Scene& scene, const Tile& tile, const std::int32_t* id, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V3 bx = Set(scene.sky_bx);
+  const V3 by = Set(scene.sky_by);
+  // The sky's map is turned but not scaled: from pixel to pixel, its direction changes as the ray does.
+  const V stretch = Set(tile.dx * tile.dx);
+  for (int i = 0; i < kRays; i += lanes) {
+    const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
+    if (None(empty)) continue;
+    const V3 d = Set(scene.sky_a) + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
+    const V3 color = SampleCube(scene.texels, *scene.sky, d, stretch);
+    Store(Pick(empty, color.x, Load(canvas.r + i)), canvas.r + i);
+    Store(Pick(empty, color.y, Load(canvas.g + i)), canvas.g + i);
+    Store(Pick(empty, color.z, Load(canvas.b + i)), canvas.b + i);
+  }
+}
+
+// The haze is a cone that rises from the ground at distance (1 - r) of the sky's to the height of the eye at the sky;
+// its density grows linearly up to `turn` and falls again.
+void PaintHaze(const Scene& scene, const Tile& tile, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V3 a = Set(scene.haze_a);
+  const V3 bx = Set(scene.haze_bx);
+  const V3 by = Set(scene.haze_by);
+  const V one = Set(1.0F);
+  const V e = Set(scene.haze_elevation / scene.haze_radius);
+  const V turn = Set(scene.haze_turn);
+  for (int i = 0; i < kRays; i += lanes) {
+    const V t = Load(tile.t + i);
+    if (All(hn::Lt(t, Set(0.3F * scene.sky_limit)))) continue;
+    const V3 ray = a + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
+    const M down = hn::Lt(ray.z, Zero());
+    if (None(down)) continue;
+    const V level = hn::Sqrt(ray.x * ray.x + ray.y * ray.y);
+    const V drop = (Zero() - ray.z) / hn::Max(level, Set(1e-20F));
+    const V distance = e / hn::Max(e + drop, Set(1e-20F));
+    const V height = one - (one - distance) * Set(1 / scene.haze_radius);
+    V alpha = hn::Min(height / turn, (one - height) / (one - turn));
+    const M here = hn::And(hn::And(down, hn::Gt(alpha, Zero())), hn::Gt(t * level, distance * Set(scene.sky_limit)));
+    if (None(here)) continue;
+    alpha = hn::IfThenElseZero(here, hn::Min(alpha, one));
+    const V rest = one - alpha;
+    Store(Load(canvas.r + i) * rest + Set(scene.haze_rgb[0]) * alpha, canvas.r + i);
+    Store(Load(canvas.g + i) * rest + Set(scene.haze_rgb[1]) * alpha, canvas.g + i);
+    Store(Load(canvas.b + i) * rest + Set(scene.haze_rgb[2]) * alpha, canvas.b + i);
+  }
+}
+
+void PaintFog(const Scene& scene, const Tile& tile, const std::int32_t* id, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V one = Set(1.0F);
+  for (int i = 0; i < kRays; i += lanes) {
+    const M solid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), id + i), SetI(-1)));
+    const V part = (Load(tile.t + i) - Set(scene.fog_start)) * Set(scene.fog_scale);
+    const V f = hn::IfThenElseZero(solid, hn::Min(hn::Max(part, Zero()), one));
+    Store(Load(canvas.r + i) * (one - f) + Set(scene.fog_rgb[0]) * f, canvas.r + i);
+    Store(Load(canvas.g + i) * (one - f) + Set(scene.fog_rgb[1]) * f, canvas.g + i);
+    Store(Load(canvas.b + i) * (one - f) + Set(scene.fog_rgb[2]) * f, canvas.b + i);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mimo::render::ray
+HWY_AFTER_NAMESPACE();
+
+#endif
