@@ -3,11 +3,11 @@
 //!
 //! The library is found by `MIMO_LIB_DIR` (the folder of `libmimo.so`), else by pkg-config. The system has to find
 //! it again when the program runs: installed, or by `LD_LIBRARY_PATH`.
+// Compilers before the documentation lints of newer ones do not know their names; this has to come first.
+#![allow(unknown_lints)]
 #![allow(non_camel_case_types)]
 #![allow(clippy::doc_lazy_continuation, clippy::doc_overindented_list_items, clippy::too_many_arguments)]
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
-// Compilers before the documentation lints of newer ones do not know their names.
-#![allow(unknown_lints)]
 #![warn(missing_docs)]
 
 include!("bindings.rs");

@@ -1,11 +1,13 @@
 //! Many worlds.
 use crate::block::Block;
 use crate::config::{defaults, EnvConfig};
-use crate::error::{check, text, Error, Kind, Result};
+use crate::error::{c_string, check, text, Error, Kind, Result};
 use crate::log::Log;
 use crate::scene::Scene;
 use crate::sys;
+use crate::task::Shared;
 use crate::world::{memory, World};
+use std::os::raw::c_void;
 use std::ptr::{null, null_mut, NonNull};
 
 /// How many worlds, and what happens when one's episode ends.
@@ -90,8 +92,9 @@ impl BatchResults {
 pub struct Batch {
     handle: NonNull<sys::mimo_batch>,
     worlds: usize,
-    // Outlives the handle, which points to it.
+    // Both outlive the handle, which points to them.
     _log: Option<Log>,
+    _task: Option<Shared>,
 }
 
 // `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
@@ -107,7 +110,7 @@ impl Batch {
         })?;
         let handle = NonNull::new(handle).expect("a handle");
         let worlds = batch.raw.worlds as usize;
-        Ok(Batch { handle, worlds, _log: env.log.clone() })
+        Ok(Batch { handle, worlds, _log: env.log.clone(), _task: scene.task.clone() })
     }
 
     /// The library's handle, for functions of [`sys`] that have no method here.
@@ -155,6 +158,13 @@ impl Batch {
         check(unsafe { sys::mimo_batch_reset(self.handle(), seeds, null(), worlds, bytes, count) })
     }
 
+    /// Starts episodes in the worlds whose entry of the mask is true; the others, and their blocks, stay as they are.
+    pub fn reset_where(&mut self, mask: &[bool], blocks: Option<&mut Block>) -> Result<()> {
+        let (bytes, count) = memory(blocks);
+        let (mask, worlds) = chosen(Some(mask));
+        check(unsafe { sys::mimo_batch_reset(self.handle(), null(), mask, worlds, bytes, count) })
+    }
+
     /// Goes one step on in all worlds; `actions` is worlds x actions, or empty: controls stay as they are.
     /// The error is that of the first world that did not do what was asked; all others have made their step.
     pub fn step(
@@ -168,6 +178,75 @@ impl Batch {
         results.with_raw(|raw| {
             check(unsafe { sys::mimo_batch_step(self.handle(), values, actions.len(), bytes, count, raw) })
         })?
+    }
+
+    /// A step as [`step`](Self::step) does it, on the batch's threads, while this thread does something else.
+    pub fn step_while<R>(
+        &mut self,
+        actions: &[f32],
+        blocks: Option<&mut Block>,
+        results: &mut BatchResults,
+        work: impl FnOnce() -> R,
+    ) -> Result<R> {
+        /// Receives what was sent whatever happens: until then the arrays belong to the batch.
+        struct Sent<'a>(&'a Batch, bool);
+        impl Sent<'_> {
+            fn receive(mut self) -> Result<()> {
+                self.1 = true;
+                check(unsafe { sys::mimo_batch_receive(self.0.handle()) })
+            }
+        }
+        impl Drop for Sent<'_> {
+            fn drop(&mut self) {
+                if !self.1 {
+                    unsafe { sys::mimo_batch_receive(self.0.handle()) };
+                }
+            }
+        }
+        let (bytes, count) = memory(blocks);
+        let values = if actions.is_empty() { null() } else { actions.as_ptr() };
+        results.with_raw(|raw| {
+            check(unsafe { sys::mimo_batch_send(self.handle(), values, actions.len(), bytes, count, raw) })
+        })??;
+        let sent = Sent(self, false);
+        let done = work();
+        sent.receive()?;
+        Ok(done)
+    }
+
+    /// The observations of the current states, without changing trajectories.
+    pub fn observe(&mut self, blocks: &mut Block) -> Result<()> {
+        let (bytes, count) = memory(Some(blocks));
+        check(unsafe { sys::mimo_batch_observe(self.handle(), null(), 0, bytes, count) })
+    }
+
+    /// Gives an infant another face in the worlds whose entry of the mask is true; None: in all.
+    pub fn set_face(&mut self, agent: usize, name: &str, mask: Option<&[bool]>) -> Result<()> {
+        let name = c_string(name)?;
+        let (mask, worlds) = chosen(mask);
+        check(unsafe { sys::mimo_batch_set_face(self.handle(), agent, name.as_ptr(), mask, worlds) })
+    }
+
+    /// The states of all worlds, one after the other; all have the same size.
+    pub fn save(&mut self) -> Result<Vec<u8>> {
+        let mut bytes = 0;
+        check(unsafe { sys::mimo_env_state_size(self.world(0)?.handle(), &mut bytes) })?;
+        let mut states = vec![0; bytes * self.worlds];
+        check(unsafe {
+            let (to, bytes) = (states.as_mut_ptr() as *mut c_void, states.len());
+            sys::mimo_batch_state_save(self.handle(), null(), 0, to, bytes)
+        })?;
+        Ok(states)
+    }
+
+    /// Loads one state for each world, or a single one into all: futures of one present. Only into the worlds whose
+    /// entry of the mask is true; None: into all.
+    pub fn load(&mut self, states: &[u8], mask: Option<&[bool]>) -> Result<()> {
+        let (mask, worlds) = chosen(mask);
+        check(unsafe {
+            let from = states.as_ptr() as *const c_void;
+            sys::mimo_batch_state_load(self.handle(), mask, worlds, from, states.len())
+        })
     }
 
     /// What became of one world in the last call: its message, "" for none.
@@ -212,6 +291,11 @@ impl Batch {
             )
         })
     }
+}
+
+/// A mask as C has it, and its length. `bool` is a byte of 0 or 1.
+fn chosen(mask: Option<&[bool]>) -> (*const u8, usize) {
+    mask.map_or((null(), 0), |mask| (mask.as_ptr() as *const u8, mask.len()))
 }
 
 impl Drop for Batch {

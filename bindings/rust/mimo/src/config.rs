@@ -29,6 +29,7 @@ pub struct AgentConfig {
     raw: sys::mimo_agent_config,
     name: CString,
     body: CString,
+    face: Option<CString>,
 }
 
 // The pointers inside are set for the length of a call only.
@@ -44,12 +45,13 @@ impl AgentConfig {
     pub(crate) fn of(raw: sys::mimo_agent_config) -> Result<AgentConfig> {
         let name = c_string(&crate::error::text(raw.name))?;
         let body = c_string(&crate::error::text(raw.body))?;
-        Ok(AgentConfig { raw, name, body })
+        let face = if raw.face.is_null() { None } else { Some(c_string(&crate::error::text(raw.face))?) };
+        Ok(AgentConfig { raw, name, body, face })
     }
 
     pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_agent_config) -> R) -> R {
-        let raw = sys::mimo_agent_config { name: self.name.as_ptr(), body: self.body.as_ptr(), ..self.raw };
-        use_it(&raw)
+        let (name, body, face) = (self.name.as_ptr(), self.body.as_ptr(), pointer(&self.face));
+        use_it(&sys::mimo_agent_config { name, body, face, ..self.raw })
     }
 
     /// "" for a sole agent; else the prefix of its fields and model names, "anna/...".
@@ -61,6 +63,12 @@ impl AgentConfig {
     /// "mitten"; or "scene": the body is already part of the scene's MJCF.
     pub fn body(&mut self, body: &str) -> Result<&mut Self> {
         self.body = c_string(body)?;
+        Ok(self)
+    }
+
+    /// The face that it shows at first, see [`faces`](crate::faces).
+    pub fn face(&mut self, name: &str) -> Result<&mut Self> {
+        self.face = Some(c_string(name)?);
         Ok(self)
     }
 
@@ -117,7 +125,7 @@ impl AgentConfig {
         self
     }
 
-    /// Everything else. Strings in it do not count: use [`name`](Self::name) and [`body`](Self::body).
+    /// Everything else. Strings in it do not count: use [`name`](Self::name), [`body`](Self::body), [`face`](Self::face).
     pub fn raw_mut(&mut self) -> &mut sys::mimo_agent_config {
         &mut self.raw
     }
@@ -237,6 +245,24 @@ impl EnvConfig {
     /// Steps after which an episode is truncated; 0: the task's own.
     pub fn max_steps(&mut self, steps: u32) -> &mut Self {
         self.raw.max_steps = steps;
+        self
+    }
+
+    /// `MIMO_RENDER_` bits: what pictures show.
+    pub fn render(&mut self, bits: u32) -> &mut Self {
+        self.raw.render = bits;
+        self
+    }
+
+    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.
+    pub fn samples(&mut self, samples: u32) -> &mut Self {
+        self.raw.samples = samples;
+        self
+    }
+
+    /// Threads that draw one picture, 1 to 64; 1 is best in batches.
+    pub fn render_threads(&mut self, threads: u32) -> &mut Self {
+        self.raw.render_threads = threads;
         self
     }
 

@@ -34,23 +34,29 @@ pub enum Kind {
     Unknown,
 }
 
+const STATUSES: [(i32, Kind); 12] = [
+    (sys::MIMO_E_INVALID_ARGUMENT, Kind::InvalidArgument),
+    (sys::MIMO_E_BAD_HANDLE, Kind::BadHandle),
+    (sys::MIMO_E_BUFFER_TOO_SMALL, Kind::BufferTooSmall),
+    (sys::MIMO_E_STRUCT_SIZE, Kind::StructSize),
+    (sys::MIMO_E_NOT_FOUND, Kind::NotFound),
+    (sys::MIMO_E_MODEL, Kind::Model),
+    (sys::MIMO_E_SIMULATION, Kind::Simulation),
+    (sys::MIMO_E_RENDER, Kind::Render),
+    (sys::MIMO_E_UNSUPPORTED, Kind::Unsupported),
+    (sys::MIMO_E_OUT_OF_MEMORY, Kind::OutOfMemory),
+    (sys::MIMO_E_FORKED, Kind::Forked),
+    (sys::MIMO_E_INTERNAL, Kind::Internal),
+];
+
 impl Kind {
     fn of(status: sys::mimo_status) -> Kind {
-        match status {
-            sys::MIMO_E_INVALID_ARGUMENT => Kind::InvalidArgument,
-            sys::MIMO_E_BAD_HANDLE => Kind::BadHandle,
-            sys::MIMO_E_BUFFER_TOO_SMALL => Kind::BufferTooSmall,
-            sys::MIMO_E_STRUCT_SIZE => Kind::StructSize,
-            sys::MIMO_E_NOT_FOUND => Kind::NotFound,
-            sys::MIMO_E_MODEL => Kind::Model,
-            sys::MIMO_E_SIMULATION => Kind::Simulation,
-            sys::MIMO_E_RENDER => Kind::Render,
-            sys::MIMO_E_UNSUPPORTED => Kind::Unsupported,
-            sys::MIMO_E_OUT_OF_MEMORY => Kind::OutOfMemory,
-            sys::MIMO_E_FORKED => Kind::Forked,
-            sys::MIMO_E_INTERNAL => Kind::Internal,
-            _ => Kind::Unknown,
-        }
+        STATUSES.iter().find(|entry| entry.0 == status).map_or(Kind::Unknown, |entry| entry.1)
+    }
+
+    /// For the library, as the result of a callback.
+    pub(crate) fn status(self) -> sys::mimo_status {
+        STATUSES.iter().find(|entry| entry.1 == self).map_or(sys::MIMO_E_INTERNAL, |entry| entry.0)
     }
 }
 
@@ -62,7 +68,8 @@ pub struct Error {
 }
 
 impl Error {
-    pub(crate) fn new(kind: Kind, message: impl Into<String>) -> Error {
+    /// An error of one's own, for example of a [`Task`](crate::Task).
+    pub fn new(kind: Kind, message: impl Into<String>) -> Error {
         let message = message.into();
         Error { kind, message }
     }

@@ -29,8 +29,12 @@ mod block;
 mod config;
 mod error;
 mod field;
+mod gaze;
 mod log;
+mod overrides;
+mod picture;
 mod scene;
+mod task;
 mod world;
 
 pub use batch::{Batch, BatchConfig, BatchResults};
@@ -38,9 +42,13 @@ pub use block::{Block, Observation};
 pub use config::{AgentConfig, EnvConfig, Object};
 pub use error::{Error, Kind, Result};
 pub use field::{Field, Type};
+pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use log::Level;
+pub use overrides::faces;
+pub use picture::{Camera, Picture};
 pub use scene::{builtin_scenes, Scene};
-pub use world::{Contact, Env, Step, World};
+pub use task::{Judgement, Task, Whom};
+pub use world::{Contact, Env, Step, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {

@@ -1,12 +1,16 @@
 //! Scenes: rooms, objects and infants.
 use crate::config::{defaults, pointer, AgentConfig, Object};
 use crate::error::{c_string, check, text, Result};
+use crate::picture::Camera;
 use crate::sys;
-use std::ptr::{null_mut, NonNull};
+use crate::task::{self, Shared, Task};
+use std::ptr::{null, null_mut, NonNull};
 
 /// A description of what is to be simulated. Worlds that were made of it live on without it.
 pub struct Scene {
     handle: NonNull<sys::mimo_scene>,
+    // Worlds made of it take a share.
+    pub(crate) task: Option<Shared>,
 }
 
 // `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
@@ -52,7 +56,7 @@ impl Scene {
         config.xml = pointer(&xml);
         let mut handle = null_mut();
         check(unsafe { sys::mimo_scene_create(&config, &mut handle) })?;
-        Ok(Scene { handle: NonNull::new(handle).expect("a handle") })
+        Ok(Scene { handle: NonNull::new(handle).expect("a handle"), task: None })
     }
 
     pub(crate) fn handle(&self) -> *mut sys::mimo_scene {
@@ -77,6 +81,27 @@ impl Scene {
     /// Adds an object.
     pub fn add_object(&mut self, object: &Object) -> Result<()> {
         object.with_raw(|raw| check(unsafe { sys::mimo_scene_add_object(self.handle(), raw) }))
+    }
+
+    /// Has a camera observed; its fields come after those of all infants.
+    pub fn add_camera(&mut self, camera: &Camera) -> Result<()> {
+        camera.with_raw(|raw| check(unsafe { sys::mimo_scene_add_camera(self.handle(), raw) }))
+    }
+
+    /// Gives all worlds made from now on a task of one's own, in place of the scene's.
+    pub fn set_task(&mut self, task: impl Task + 'static) -> Result<()> {
+        let task = task::shared(task);
+        let raw = task::raw(&task)?;
+        check(unsafe { sys::mimo_scene_set_task(self.handle(), &raw) })?;
+        self.task = Some(task);
+        Ok(())
+    }
+
+    /// Takes it away again.
+    pub fn clear_task(&mut self) -> Result<()> {
+        check(unsafe { sys::mimo_scene_set_task(self.handle(), null()) })?;
+        self.task = None;
+        Ok(())
     }
 
     /// Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there.

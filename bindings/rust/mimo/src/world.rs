@@ -6,6 +6,7 @@ use crate::field::Field;
 use crate::log::Log;
 use crate::scene::Scene;
 use crate::sys;
+use crate::task::Shared;
 use std::ops::{Deref, DerefMut};
 use std::os::raw::c_void;
 use std::ptr::{null, null_mut, NonNull};
@@ -54,6 +55,19 @@ pub struct Contact {
     pub force: [f64; 3],
     /// Torque on body 2 in that frame, Nm.
     pub torque: [f64; 3],
+}
+
+/// A place on the skin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TouchSensor {
+    /// Id of the body that it sits on.
+    pub body: i32,
+    /// Id of the geom that it sits on.
+    pub geom: i32,
+    /// In the frame of the body, m.
+    pub position: [f64; 3],
+    /// Rows: outward normal, two tangents; in the frame of the body.
+    pub frame: [f64; 9],
 }
 
 /// Pointer and length of a block for the library; no block is NULL and 0.
@@ -282,6 +296,43 @@ impl World {
         Ok(ids.iter().zip(&values).map(|(ids, values)| contact(ids, values)).collect())
     }
 
+    /// Recomputes poses from the current joint positions. The trajectory stays as it was.
+    pub fn update(&mut self) -> Result<()> {
+        check(unsafe { sys::mimo_env_update(self.handle()) })
+    }
+
+    /// The body that a joint, geom, site or camera belongs to, or the parent of a body.
+    pub fn body_of(&self, kind: u32, id: i32) -> Result<i32> {
+        let mut body = 0;
+        check(unsafe { sys::mimo_env_body_of(self.handle(), kind as i32, id, &mut body) })?;
+        Ok(body)
+    }
+
+    /// Numbers from 0 to 1 from the world's own random stream, which is part of its state.
+    pub fn random(&mut self, values: &mut [f64]) -> Result<()> {
+        let values = if values.is_empty() { (null_mut(), 0) } else { (values.as_mut_ptr(), values.len()) };
+        check(unsafe { sys::mimo_env_random(self.handle(), values.0, values.1) })
+    }
+
+    /// Where an infant's skin feels, in the order of its touch fields; empty where touch is off.
+    pub fn touch_sensors(&self, agent: usize) -> Result<Vec<TouchSensor>> {
+        const FRAME: usize = sys::MIMO_TOUCH_FRAME_VALUES as usize;
+        let (env, mut n) = (self.handle(), 0);
+        let ask = |ids: [*mut i32; 2], values: [*mut f64; 2], room, n: &mut usize| {
+            check(unsafe {
+                sys::mimo_env_touch_sensors(env, agent, ids[0], ids[1], values[0], values[1], room, n)
+            })
+        };
+        ask([null_mut(); 2], [null_mut(); 2], 0, &mut n)?;
+        let (mut bodies, mut geoms) = (vec![0; n], vec![0; n]);
+        let (mut places, mut frames) = (vec![[0.0; 3]; n], vec![[0.0; FRAME]; n]);
+        let values = [places.as_mut_ptr() as *mut f64, frames.as_mut_ptr() as *mut f64];
+        ask([bodies.as_mut_ptr(), geoms.as_mut_ptr()], values, n, &mut n)?;
+        let sensor =
+            |i| TouchSensor { body: bodies[i], geom: geoms[i], position: places[i], frame: frames[i] };
+        Ok((0..n).map(sensor).collect())
+    }
+
     /// Everything that the world's future depends on, as bytes.
     pub fn save(&self) -> Result<Vec<u8>> {
         let mut bytes = 0;
@@ -319,11 +370,12 @@ fn contact(ids: &[i32; 4], values: &[f64; 19]) -> Contact {
 /// A world of its own.
 pub struct Env {
     handle: NonNull<sys::mimo_env>,
-    // Outlives the handle, which points to it.
+    // Both outlive the handle, which points to them.
     log: Option<Log>,
+    task: Option<Shared>,
 }
 
-// As World; the log is Send and Sync.
+// As World; log and task are Send and Sync.
 unsafe impl Send for Env {}
 unsafe impl Sync for Env {}
 
@@ -333,25 +385,25 @@ impl Env {
         let scene = c_string(scene)?;
         let mut handle = null_mut();
         check(unsafe { sys::mimo_env_make(scene.as_ptr(), &mut handle) })?;
-        Ok(Env::own(handle, None))
+        Ok(Env::own(handle, None, None))
     }
 
     /// Compiles a scene and makes a world of it, in its initial state.
     pub fn new(scene: &Scene, config: &EnvConfig) -> Result<Env> {
         let mut handle = null_mut();
         config.with_raw(|raw| check(unsafe { sys::mimo_env_create(scene.handle(), raw, &mut handle) }))?;
-        Ok(Env::own(handle, config.log.clone()))
+        Ok(Env::own(handle, config.log.clone(), scene.task.clone()))
     }
 
     /// Another world of the same scene and config, in the same state. The model is shared.
     pub fn try_clone(&self) -> Result<Env> {
         let mut handle = null_mut();
         check(unsafe { sys::mimo_env_clone(self.handle.as_ptr(), &mut handle) })?;
-        Ok(Env::own(handle, self.log.clone()))
+        Ok(Env::own(handle, self.log.clone(), self.task.clone()))
     }
 
-    fn own(handle: *mut sys::mimo_env, log: Option<Log>) -> Env {
-        Env { handle: NonNull::new(handle).expect("a handle"), log }
+    fn own(handle: *mut sys::mimo_env, log: Option<Log>, task: Option<Shared>) -> Env {
+        Env { handle: NonNull::new(handle).expect("a handle"), log, task }
     }
 }
 

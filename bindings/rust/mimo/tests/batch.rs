@@ -64,3 +64,41 @@ fn quantities_of_all_worlds_and_errors() {
     assert!(batch.world_error(1).unwrap().contains("not a number"));
     assert!(batch.world(2).is_err());
 }
+
+#[test]
+fn futures_of_one_present_and_masks() {
+    let mut batch = reach(3, 0);
+    let (mut first, mut second) = (batch.new_blocks().unwrap(), batch.new_blocks().unwrap());
+    let mut results = batch.new_results().unwrap();
+    let count = batch.world(0).unwrap().action_size().unwrap();
+    let actions = vec![0.3; 3 * count];
+    batch.reset(Some(&[5, 6, 7]), None).unwrap();
+    let states = batch.save().unwrap();
+    batch.step(&actions, Some(&mut first), &mut results).unwrap();
+    batch.load(&states, None).unwrap();
+    batch.step(&actions, Some(&mut second), &mut results).unwrap();
+    assert_eq!(first.as_bytes(), second.as_bytes());
+
+    // The present of world 1 in worlds 0 and 1; world 2 goes on by itself.
+    batch.load(&states, None).unwrap();
+    let one = states.len() / 3;
+    batch.load(&states[one..2 * one], Some(&[true, true, false])).unwrap();
+    batch.step(&actions, Some(&mut second), &mut results).unwrap();
+    assert_eq!(second.world(0).as_bytes(), first.world(1).as_bytes());
+    assert_eq!(second.world(2).as_bytes(), first.world(2).as_bytes());
+    assert!(batch.load(&states, Some(&[true])).is_err());
+
+    let before = second.clone();
+    batch.reset_where(&[false, true, false], Some(&mut second)).unwrap();
+    assert_eq!(batch.world(1).unwrap().time().unwrap(), 0.0);
+    assert!(batch.world(0).unwrap().time().unwrap() > 0.0);
+    assert_eq!(second.world(0).as_bytes(), before.world(0).as_bytes());
+    assert_ne!(second.world(1).as_bytes(), before.world(1).as_bytes());
+
+    batch.set_face(0, "anger", Some(&[false, true, false])).unwrap();
+    assert_eq!(batch.world(1).unwrap().face(0).unwrap(), "anger");
+    assert_eq!(batch.world(0).unwrap().face(0).unwrap(), "neutral");
+    let mut now = batch.new_blocks().unwrap();
+    batch.observe(&mut now).unwrap();
+    assert_eq!(now.world(1).as_bytes(), second.world(1).as_bytes());
+}

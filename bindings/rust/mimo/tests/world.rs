@@ -118,7 +118,7 @@ fn agent_config_reaches_the_world() {
     assert_eq!(scene.add_agent(&agent), Ok(0));
     scene.set_parameter("reach/success_reward", 5.0).unwrap();
     assert_eq!(scene.parameter("reach/success_reward"), Ok(5.0));
-    assert!(scene.to_xml().unwrap().starts_with("<"));
+    assert!(scene.to_xml().unwrap().starts_with('<'));
     let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
     assert_eq!(env.action_size(), Ok(4)); // shoulder (three) and elbow
     assert_eq!(env.new_block().unwrap().f32("anna/vision/eye_left_depth").unwrap().len(), 32 * 16);

@@ -1,0 +1,95 @@
+# Building and testing the bindings other than Python's: a part of ./dev, which has the functions used here.
+
+# ---- Rust -------------------------------------------------------------------------------------------------
+
+test_rust() {
+  need "${rust_packages[@]}"
+  build_program
+  echo "Tests of the Rust crates"
+  local -x MIMO_LIB_DIR=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust
+  local example
+  (
+    cd bindings/rust
+    ./generate --check
+    cargo fmt --check
+    cargo clippy -q --all-targets -- -D warnings
+    RUSTDOCFLAGS="-D warnings" cargo doc -q --no-deps
+    cargo test -q
+    for example in hello batch own_reward; do cargo run -q --example "$example"; done
+  )
+}
+
+# ---- C# ---------------------------------------------------------------------------------------------------
+
+# Undocumented public members are warnings of the library, hence errors.
+build_csharp() {
+  need "${csharp_packages[@]}"
+  local mcs=(mcs -nologo -langversion:7 -warnaserror) sources=(bindings/csharp/src/*.cs) example
+  mkdir -p build/csharp
+  "${mcs[@]}" -target:library -doc:build/csharp/Mimo.xml -out:build/csharp/Mimo.dll "${sources[@]}"
+  "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/Tests.cs
+  for example in examples/csharp/*.cs; do
+    "${mcs[@]}" -r:build/csharp/Mimo.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
+  done
+}
+
+test_csharp() {
+  build_program
+  build_csharp
+  echo "Tests of the C# classes"
+  local -x LD_LIBRARY_PATH=$PWD/build/lib
+  mono build/csharp/Tests.exe tests/abi/layout.json
+  mono build/csharp/Game.exe 1
+}
+
+# ---- MATLAB and Octave ------------------------------------------------------------------------------------
+
+build_mex() {
+  need "${octave_packages[@]}"
+  mkdir -p build/matlab
+  CFLAGS="-O2 -Wall -Wextra -Werror" mkoctfile --mex -Iinclude -Lbuild/lib -lmimo -o build/matlab/mimo_mex.mex \
+    bindings/matlab/mimo_mex.c
+  rm -f mimo_mex.o  # some versions leave it behind
+}
+
+octave_with_mimo() {
+  LD_LIBRARY_PATH=$PWD/build/lib octave-cli --no-init-file --norc --path "$PWD/bindings/matlab" \
+    --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
+}
+
+test_octave() {
+  build_program
+  build_mex
+  echo "Tests of the MEX gateway"
+  octave_with_mimo --eval tests
+  octave_with_mimo examples/matlab/episode.m
+}
+
+# ---- The same in every language ---------------------------------------------------------------------------
+
+same_in_octave() {
+  local scene sum
+  mkdir -p build/same
+  cc -O2 -o build/same/fnv1a tests/same/fnv1a.c
+  octave_with_mimo --eval "same('$PWD/build/same')" | while read -r scene sum; do
+    echo "$scene $(build/same/fnv1a "build/same/$scene") $sum"
+    rm "build/same/$scene"
+  done
+}
+
+# The scenario of tests/capi/same.c: the programs print a line a scene, with the hash of all blocks. Needs what
+# test_rust, test_csharp and test_octave have built.
+test_same() {
+  local -x LD_LIBRARY_PATH=$PWD/build/lib
+  local language
+  echo "The same bytes in C, Rust, C# and Octave"
+  mkdir -p build/same
+  build/bin/capi_same | tee build/same/c.txt
+  MIMO_LIB_DIR=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust \
+    cargo run -q --manifest-path bindings/rust/mimo/Cargo.toml --example same >build/same/rust.txt
+  mono build/csharp/Same.exe >build/same/csharp.txt
+  same_in_octave >build/same/octave.txt
+  for language in rust csharp octave; do
+    diff build/same/c.txt build/same/$language.txt || fail "$language gives other bytes than C"
+  done
+}

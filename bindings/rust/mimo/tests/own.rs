@@ -1,0 +1,130 @@
+//! Tasks of one's own, locks, gravity, random numbers.
+use mimo::sys::*;
+use mimo::{Batch, BatchConfig, Env, EnvConfig, Error, Judgement, Kind, Result, Scene, Task, Whom, World};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::Arc;
+
+/// Counts its steps in its memory, and ends the episode well at the third.
+struct Counter {
+    dropped: Arc<AtomicUsize>,
+}
+
+impl Drop for Counter {
+    fn drop(&mut self) {
+        self.dropped.fetch_add(1, Ordering::SeqCst);
+    }
+}
+
+impl Task for Counter {
+    fn memory(&self) -> usize {
+        2
+    }
+
+    fn reset(&self, world: &mut World, whom: Whom, memory: &mut [f64]) -> Result<()> {
+        assert_eq!(memory, [0.0, 0.0]);
+        world.random(&mut memory[1..])?;
+        let joint = world.find(MIMO_JOINT, "robot:left_elbow")?;
+        world.set(MIMO_JOINT_POSITION, &[joint], &[-0.5 - 0.1 * whom.world as f64])
+    }
+
+    fn evaluate(&self, world: &World, whom: Whom, memory: &mut [f64]) -> Result<Judgement> {
+        assert!(world.time()? > 0.0 && whom.agent == 0 && memory[1] > 0.0);
+        memory[0] += 1.0;
+        Ok(Judgement { reward: memory[0], success: if memory[0] == 3.0 { Some(true) } else { None } })
+    }
+}
+
+fn scene(task: impl Task + 'static) -> Scene {
+    let mut scene = Scene::builtin("free").unwrap();
+    let mut agent = scene.default_agent().unwrap();
+    agent.vision(0, 8, 8).touch(0, 1.0);
+    scene.add_agent(&agent).unwrap();
+    scene.set_task(task).unwrap();
+    scene
+}
+
+#[test]
+fn own_task_rewards_and_ends() {
+    let dropped = Arc::new(AtomicUsize::new(0));
+    let scene = scene(Counter { dropped: dropped.clone() });
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let mut config = BatchConfig::new(2).unwrap();
+    config.threads(2);
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
+    drop(scene);
+    env.reset(Some(1), None).unwrap();
+    env.step(&[], None).unwrap();
+    let mut twin = env.try_clone().unwrap();
+    drop(env);
+    assert_eq!(dropped.load(Ordering::SeqCst), 0);
+    let step = twin.step(&[], None).unwrap();
+    assert_eq!((step.reward, step.terminated), (2.0, false));
+    let step = twin.step(&[], None).unwrap();
+    assert_eq!((step.reward, step.terminated), (3.0, true));
+
+    batch.reset(Some(&[1, 2]), None).unwrap();
+    let joint = batch.world(0).unwrap().find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    let mut angles = [0.0; 2];
+    batch.get_into(MIMO_JOINT_POSITION, &[joint], &mut angles).unwrap();
+    assert_eq!(angles, [-0.5, -0.6]);
+    let mut results = batch.new_results().unwrap();
+    let meanwhile = batch.step_while(&[], None, &mut results, || 41 + 1).unwrap();
+    assert_eq!((meanwhile, results.reward.as_slice()), (42, &[1.0, 1.0][..]));
+    drop((twin, batch));
+    assert_eq!(dropped.load(Ordering::SeqCst), 1);
+}
+
+/// Fails or panics, as its number says.
+struct Broken(u32);
+
+impl Task for Broken {
+    fn evaluate(&self, _: &World, _: Whom, _: &mut [f64]) -> Result<Judgement> {
+        match self.0 {
+            0 => Err(Error::new(Kind::Unsupported, "not today")),
+            _ => panic!("dropped at the border"),
+        }
+    }
+}
+
+#[test]
+fn errors_and_panics_of_tasks_are_errors_of_the_step() {
+    for (number, kind) in [(0, Kind::Unsupported), (1, Kind::Internal)] {
+        let mut env = Env::new(&scene(Broken(number)), &EnvConfig::new().unwrap()).unwrap();
+        assert_eq!(env.step(&[], None).unwrap_err().kind(), kind);
+    }
+    let mut scene = scene(Broken(1));
+    scene.clear_task().unwrap();
+    Env::new(&scene, &EnvConfig::new().unwrap()).unwrap().step(&[], None).unwrap();
+}
+
+/// A panic between send and receive must not leave the library writing into arrays that are gone.
+#[test]
+fn panic_while_stepping_receives() {
+    let dropped = Arc::new(AtomicUsize::new(0));
+    let scene = scene(Counter { dropped });
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(2).unwrap()).unwrap();
+    batch.reset(Some(&[1, 2]), None).unwrap();
+    let mut results = batch.new_results().unwrap();
+    let panicked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        batch.step_while(&[], None, &mut results, || panic!("meanwhile")).unwrap()
+    }));
+    assert!(panicked.is_err());
+    assert_eq!(results.reward, [1.0, 1.0]);
+    batch.step(&[], None, &mut results).unwrap();
+}
+
+#[test]
+fn locks_and_gravity_are_of_one_world() {
+    let mut env = Env::make("benchmark").unwrap();
+    let elbow = env.find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    assert_eq!(env.locked(elbow).unwrap(), None);
+    env.lock(elbow, -0.5).unwrap();
+    env.set_gravity([0.0, 0.0, -1.6]).unwrap();
+    let twin = env.try_clone().unwrap();
+    assert_eq!(twin.locked(elbow).unwrap(), Some(-0.5));
+    assert_eq!(twin.gravity().unwrap(), [0.0, 0.0, -1.6]);
+    env.unlock(elbow).unwrap();
+    assert_eq!(env.locked(elbow).unwrap(), None);
+    assert_eq!(twin.locked(elbow).unwrap(), Some(-0.5));
+    assert!(env.lock(elbow, 99.0).unwrap_err().message().contains("angle"));
+}
