@@ -27,7 +27,7 @@ build_csharp() {
   local mcs=(mcs -nologo -langversion:7 -warnaserror) sources=(bindings/csharp/src/*.cs) example
   mkdir -p build/csharp
   "${mcs[@]}" -target:library -doc:build/csharp/Mimo.xml -out:build/csharp/Mimo.dll "${sources[@]}"
-  "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/Tests.cs
+  "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/*.cs
   for example in examples/csharp/*.cs; do
     "${mcs[@]}" -r:build/csharp/Mimo.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
   done

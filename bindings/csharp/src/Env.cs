@@ -1,37 +1,8 @@
 using System;
 using System.Collections.Generic;
-using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Kinds of named things; values are those of mimo.h.</summary>
-    public enum Kind
-    {
-        /// <summary>Rigid bodies; 0 is the world.</summary>
-        Body = 1,
-        /// <summary>Joints.</summary>
-        Joint = 2,
-        /// <summary>Shapes of bodies.</summary>
-        Geom = 3,
-        /// <summary>Motors.</summary>
-        Actuator = 6
-    }
-
-    /// <summary>Quantities to read and write; values are those of mimo.h. Any other of its numbers can be cast.</summary>
-    public enum Quantity
-    {
-        /// <summary>Joint: 1 (hinge, rad), 4 (ball) or 7 (free).</summary>
-        JointPosition = 1,
-        /// <summary>Joint: 1, 3 or 6.</summary>
-        JointVelocity = 2,
-        /// <summary>Body: 3, m.</summary>
-        BodyPosition = 6,
-        /// <summary>Body: 4, w x y z.</summary>
-        BodyOrientation = 7,
-        /// <summary>Body: 1, kg.</summary>
-        BodyMass = 10
-    }
-
     /// <summary>What a step gave, beside the observation.</summary>
     public struct Step
     {
@@ -43,23 +14,8 @@ namespace Mimo
         public bool Truncated;
     }
 
-    /// <summary>How a world is simulated; what is not set is the library's default.</summary>
-    public sealed class EnvOptions
-    {
-        /// <summary>"none", "reach", ...; null: the scene's own.</summary>
-        public string Task;
-        /// <summary>"ray", "osmesa", "none"; null: what works.</summary>
-        public string Renderer;
-        /// <summary>Physics steps of 5 ms per step; 0: the scene's own.</summary>
-        public uint FrameSkip;
-        /// <summary>Steps after which an episode is truncated; 0: the task's own.</summary>
-        public uint MaxSteps;
-        /// <summary>Receives level (1 warning, 2 info) and message, on the calling thread. Exceptions in it are dropped.</summary>
-        public Action<int, string> Log;
-    }
-
     /// <summary>A simulated world. One thread at a time, any thread. Its arrays are made once: a step allocates nothing.</summary>
-    public sealed class Env : IDisposable
+    public sealed partial class Env : IDisposable
     {
         private readonly EnvHandle handle;
         private readonly double[] reward;
@@ -76,13 +32,16 @@ namespace Mimo
         /// <summary>Number of actions of all agents together.</summary>
         public int ActionSize { get; }
 
+        /// <summary>Number of agents.</summary>
+        public int AgentCount => reward.Length;
+
         /// <summary>A built-in scene by name with its own infant and task.</summary>
         public Env(string scene) : this(Make(scene)) { }
 
         /// <summary>Compiles a scene and makes a world of it.</summary>
         public Env(Scene scene, EnvOptions options = null) : this(Create(scene, options ?? new EnvOptions())) { }
 
-        private Env(EnvHandle made)
+        internal Env(EnvHandle made)
         {
             handle = made;
             UIntPtr bytes, fields, actions, agents;
@@ -106,22 +65,15 @@ namespace Mimo
 
         private static EnvHandle Create(Scene scene, EnvOptions options)
         {
-            using (PinnedText task = new PinnedText(options.Task), renderer = new PinnedText(options.Renderer))
+            return options.Use((config, log) =>
             {
-                EnvConfigStruct config;
-                MimoException.Check(Native.mimo_env_config_init(out config, Structs.Size<EnvConfigStruct>()));
-                if (options.Task != null) config.task = task.Pointer;
-                if (options.Renderer != null) config.renderer = renderer.Pointer;
-                config.frame_skip = options.FrameSkip;
-                config.max_steps = options.MaxSteps;
-                var log = Logging.Attach(ref config, options.Log);
                 EnvHandle made;
                 var status = Native.mimo_env_create(scene.Handle, ref config, out made);
-                if (status == 0) made.Log = log;
-                else if (log.IsAllocated) log.Free();
+                made.Log = log;
+                if (status != 0) log?.Release();
                 MimoException.Check(status);
                 return made;
-            }
+            });
         }
 
         private IReadOnlyList<Field> ReadFields(int count)
@@ -146,17 +98,7 @@ namespace Mimo
         }
 
         /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
-        public void Read<T>(Field field, T[] into) where T : struct
-        {
-            if (Marshal.SizeOf(typeof(T)) != ElementSize(field.Type) || Buffer.ByteLength(into) < field.Bytes)
-                throw new ArgumentException(field.Name + " has " + field.Bytes + " bytes of type " + field.Type, nameof(into));
-            Buffer.BlockCopy(Block, field.Offset, into, 0, field.Bytes);
-        }
-
-        private static int ElementSize(FieldType type)
-        {
-            return type == FieldType.U8 ? 1 : type == FieldType.F64 ? 8 : 4;
-        }
+        public void Read<T>(Field field, T[] into) where T : struct { field.CopyTo(into, Block, 0); }
 
         /// <summary>Copies a colour picture into RGBA bytes as engines want them: width x height x 4, opaque. bottomUp: the
         /// first row is the lowest, as in textures of Unity and OpenGL; otherwise it is the top.</summary>
@@ -220,43 +162,7 @@ namespace Mimo
             }
         }
 
-        /// <summary>How many of a kind there are; their ids are 0 to one less.</summary>
-        public int Count(Kind kind)
-        {
-            UIntPtr count;
-            MimoException.Check(Native.mimo_env_count(handle, (int)kind, out count));
-            return (int)count;
-        }
-
-        /// <summary>Id of something by its name in the model.</summary>
-        public int Find(Kind kind, string name)
-        {
-            int id;
-            MimoException.Check(Native.mimo_env_find(handle, (int)kind, Text.Bytes(name), out id));
-            return id;
-        }
-
-        /// <summary>Name of something; "" where the model gives none.</summary>
-        public string Name(Kind kind, int id)
-        {
-            IntPtr name;
-            MimoException.Check(Native.mimo_env_name(handle, (int)kind, id, out name));
-            return Text.Of(name);
-        }
-
-        /// <summary>Reads a quantity of many at once; values is as long as all of them together need.</summary>
-        public void Get(Quantity quantity, int[] ids, double[] values)
-        {
-            MimoException.Check(Native.mimo_env_get(handle, (int)quantity, ids, (UIntPtr)ids.Length, values, (UIntPtr)values.Length));
-        }
-
-        /// <summary>Writes a quantity of many at once.</summary>
-        public void Set(Quantity quantity, int[] ids, double[] values)
-        {
-            MimoException.Check(Native.mimo_env_set(handle, (int)quantity, ids, (UIntPtr)ids.Length, values, (UIntPtr)values.Length));
-        }
-
-        /// <summary>Frees the world.</summary>
+        /// <summary>Frees the world; one of a batch stays with the batch.</summary>
         public void Dispose() { handle.Dispose(); }
     }
 }

@@ -1,3 +1,6 @@
+using System;
+using System.Runtime.InteropServices;
+
 namespace Mimo
 {
     /// <summary>Type of a field's elements; values are those of mimo.h.</summary>
@@ -34,11 +37,21 @@ namespace Mimo
         /// <summary>Length in bytes.</summary>
         public int Bytes { get; internal set; }
 
+        /// <summary>Copies its elements out of a world's block that starts at a place of an array.</summary>
+        internal void CopyTo<T>(T[] into, byte[] blocks, int start) where T : struct
+        {
+            if (Marshal.SizeOf(typeof(T)) != ElementSize || Buffer.ByteLength(into) < Bytes)
+                throw new ArgumentException(Name + " has " + Bytes + " bytes of type " + Type, nameof(into));
+            Buffer.BlockCopy(blocks, start + Offset, into, 0, Bytes);
+        }
+
+        private int ElementSize => Type == FieldType.U8 ? 1 : Type == FieldType.F64 ? 8 : 4;
+
         internal static Field Of(FieldStruct field)
         {
             var all = new[] { (int)field.shape.A, (int)field.shape.B, (int)field.shape.C, (int)field.shape.D };
             var shape = new int[field.ndim];
-            System.Array.Copy(all, shape, shape.Length);
+            Array.Copy(all, shape, shape.Length);
             return new Field
             {
                 Name = Text.Of(field.name), Unit = Text.Of(field.unit), Type = (FieldType)field.dtype,

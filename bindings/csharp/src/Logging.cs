@@ -1,5 +1,6 @@
 using System;
 using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace Mimo
 {
@@ -10,20 +11,37 @@ namespace Mimo
         internal MonoPInvokeCallbackAttribute(Type type) { }
     }
 
-    /// <summary>The way of a message from the library to a user's delegate.</summary>
-    internal static class Logging
+    /// <summary>The way of a message from the library to a user's delegate, which it keeps alive. Worlds and their clones
+    /// share it; the last one that is destroyed lets it go.</summary>
+    internal sealed class Logging
     {
         // In a static field, so that the collector never takes what the library may still call.
         private static readonly Native.LogFunction forward = Forward;
 
-        /// <summary>The handle keeps the user's delegate alive; to be freed after the world is destroyed.</summary>
-        internal static GCHandle Attach(ref EnvConfigStruct config, Action<int, string> log)
+        private readonly GCHandle kept;
+        private int shares = 1;
+
+        private Logging(Action<int, string> log) { kept = GCHandle.Alloc(log); }
+
+        /// <summary>Null when there is nothing to be told to.</summary>
+        internal static Logging Attach(ref EnvConfigStruct config, Action<int, string> log)
         {
-            if (log == null) return new GCHandle();
-            var kept = GCHandle.Alloc(log);
+            if (log == null) return null;
+            var logging = new Logging(log);
             config.log = Marshal.GetFunctionPointerForDelegate(forward);
-            config.log_user = GCHandle.ToIntPtr(kept);
-            return kept;
+            config.log_user = GCHandle.ToIntPtr(logging.kept);
+            return logging;
+        }
+
+        internal Logging Share()
+        {
+            Interlocked.Increment(ref shares);
+            return this;
+        }
+
+        internal void Release()
+        {
+            if (Interlocked.Decrement(ref shares) == 0) kept.Free();
         }
 
         [MonoPInvokeCallback(typeof(Native.LogFunction))]

@@ -36,6 +36,19 @@ namespace Mimo
         public static Quaternion Rotation(Quaternion q) { return new Quaternion(q.W, q.Y, -q.Z, -q.X); }
     }
 
+    /// <summary>
+    /// To a right-handed frame with y up, that of Godot and OpenGL: right = -y, up = z, backward = -x. Nothing is mirrored: the
+    /// axis of a rotation goes where any vector goes.
+    /// </summary>
+    public static class RightHanded
+    {
+        /// <summary>Converts a place.</summary>
+        public static Vector3 Position(Vector3 p) { return new Vector3(-p.Y, p.Z, -p.X); }
+
+        /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
+        public static Quaternion Rotation(Quaternion q) { return new Quaternion(q.W, -q.Y, q.Z, -q.X); }
+    }
+
     /// <summary>Reads the poses of many bodies at once, without allocating.</summary>
     public sealed class PoseReader
     {

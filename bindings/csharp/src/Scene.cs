@@ -42,31 +42,66 @@ namespace Mimo
         }
 
         /// <summary>Adds an infant and gives its number. Its name is null for a sole agent; else the prefix of its fields
-        /// and model names, "anna/...".</summary>
-        public int AddAgent(AgentConfig config, string name = null)
+        /// and model names, "anna/...". The face is one of Faces.Names; null: neutral.</summary>
+        public int AddAgent(AgentConfig config, string name = null, string face = null)
         {
-            using (var text = new PinnedText(name))
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(face))
             {
-                if (name != null) config.name = text.Pointer;
+                if (name != null) config.name = n.Pointer;
+                if (face != null) config.face = f.Pointer;
                 int agent;
                 MimoException.Check(Native.mimo_scene_add_agent(Handle, ref config, out agent));
                 return agent;
             }
         }
 
-        /// <summary>Adds a ball that moves freely: radius in metres, mass in kilograms.</summary>
-        public void AddBall(string name, double radius, double mass, Vector3 position)
+        /// <summary>Adds a rigid object.</summary>
+        public void AddObject(ObjectOptions options)
         {
-            using (var text = new PinnedText(name))
+            using (var name = new PinnedText(options.Name))
             {
                 ObjectConfigStruct config;
                 MimoException.Check(Native.mimo_object_config_init(out config, Structs.Size<ObjectConfigStruct>()));
-                config.name = text.Pointer;
-                config.size.X = radius;
-                config.mass = mass;
-                config.position = position;
+                config.name = name.Pointer;
+                config.shape = (int)options.Shape;
+                config.size = options.Size;
+                config.position = options.Position;
+                config.orientation = options.Orientation;
+                config.mass = options.Mass;
+                if (options.Color.HasValue) config.rgba = options.Color.Value;
+                config.@fixed = options.Fixed ? 1u : 0u;
                 MimoException.Check(Native.mimo_scene_add_object(Handle, ref config));
             }
+        }
+
+        /// <summary>Has a camera observed; its fields come after those of all infants.</summary>
+        public void AddCamera(CameraOptions options)
+        {
+            using (PinnedText name = new PinnedText(options.Name), body = new PinnedText(options.Body))
+            {
+                CameraConfigStruct config;
+                MimoException.Check(Native.mimo_camera_config_init(out config, Structs.Size<CameraConfigStruct>()));
+                config.name = name.Pointer;
+                config.body = body.Pointer;
+                config.outputs = (uint)options.Outputs;
+                config.width = options.Width;
+                config.height = options.Height;
+                config.fovy = options.FieldOfView;
+                config.placed = options.LookAt.HasValue ? 1u : 0u;
+                if (options.LookAt.HasValue)
+                {
+                    config.position = options.Position;
+                    config.look_at = options.LookAt.Value;
+                }
+                MimoException.Check(Native.mimo_scene_add_camera(Handle, ref config));
+            }
+        }
+
+        /// <summary>Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there; a body of
+        /// null: everywhere.</summary>
+        public void SetTouch(int agent, string body, double spacing)
+        {
+            MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Text.Bytes(body), spacing));
         }
 
         /// <summary>Sets a parameter of a task, "reach/success_reward", for worlds made from now on.</summary>
@@ -77,10 +112,5 @@ namespace Mimo
 
         /// <summary>Frees the scene.</summary>
         public void Dispose() { Handle.Dispose(); }
-    }
-
-    internal static class Structs
-    {
-        internal static UIntPtr Size<T>() { return (UIntPtr)Marshal.SizeOf(typeof(T)); }
     }
 }

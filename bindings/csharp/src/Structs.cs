@@ -3,84 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Three numbers: a place in metres, or what else is said where it is used.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public struct Vector3
-    {
-        /// <summary>Component.</summary>
-        public double X;
-        /// <summary>Component.</summary>
-        public double Y;
-        /// <summary>Component.</summary>
-        public double Z;
-
-        /// <summary>Makes one of its components.</summary>
-        public Vector3(double x, double y, double z) { X = x; Y = y; Z = z; }
-    }
-
-    /// <summary>A rotation. In memory in the library's order: w x y z.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public struct Quaternion
-    {
-        /// <summary>Component.</summary>
-        public double W;
-        /// <summary>Component.</summary>
-        public double X;
-        /// <summary>Component.</summary>
-        public double Y;
-        /// <summary>Component.</summary>
-        public double Z;
-
-        /// <summary>Makes one of its components, w first.</summary>
-        public Quaternion(double w, double x, double y, double z) { W = w; X = x; Y = y; Z = z; }
-    }
-
-    /// <summary>One infant: where it is, what it senses, what of it acts. mimo_agent_config of mimo.h, whose comments hold.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public struct AgentConfig
-    {
-        internal uint struct_size;
-        /// <summary>1: position and orientation count; 0: the scene's own place.</summary>
-        public uint place_given;
-        internal IntPtr name;
-        internal IntPtr body;
-        /// <summary>Of the root body, metres, world frame.</summary>
-        public Vector3 position;
-        /// <summary>Of the root body.</summary>
-        public Quaternion orientation;
-        /// <summary>MIMO_PROPRIOCEPTION_ bits; 0: none.</summary>
-        public uint proprioception;
-        /// <summary>1: accelerometer and gyroscope in the head; 0: none.</summary>
-        public uint vestibular;
-        /// <summary>Limit sensors work this near to a limit, radians.</summary>
-        public double limit_threshold;
-        /// <summary>1 colour, 2 depth, 4 segmentation, of both eyes; 0: no vision.</summary>
-        public uint vision;
-        /// <summary>Pixels, 1 to 4096.</summary>
-        public uint vision_width;
-        /// <summary>Pixels, 1 to 4096.</summary>
-        public uint vision_height;
-        /// <summary>0 torque, 1 position.</summary>
-        public uint actuation;
-        /// <summary>Vertical field of view, degrees; 0: the camera's own.</summary>
-        public double vision_fovy;
-        /// <summary>MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice.</summary>
-        public uint acts;
-        /// <summary>1: all actions go from -1 to 1.</summary>
-        public uint normalize_actions;
-        /// <summary>MIMO_TOUCH_ bits; 0: no touch.</summary>
-        public uint touch;
-        /// <summary>1 nearest, 2 linear, 3 gaussian.</summary>
-        public int touch_response;
-        /// <summary>1 body, 2 world, 3 skin.</summary>
-        public int touch_frame;
-        internal uint touch_reserved;
-        /// <summary>Divides the usual distances between touch sensors.</summary>
-        public double touch_scale;
-        /// <summary>Slip below counts as none, m/s.</summary>
-        public double touch_slip_threshold;
-        internal IntPtr face;
-    }
+    // The structs of mimo.h under their names there; a test compares them with tests/abi/layout.json.
 
     [StructLayout(LayoutKind.Sequential)]
     internal struct SceneConfigStruct
@@ -98,7 +21,7 @@ namespace Mimo
         internal Vector3 size, position;
         internal Quaternion orientation;
         internal double mass;
-        internal Quaternion rgba;
+        internal Rgba rgba;
         internal uint @fixed, reserved;
     }
 
@@ -115,7 +38,7 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal struct Shape
+    internal struct Sizes
     {
         internal UIntPtr A, B, C, D;
     }
@@ -127,9 +50,65 @@ namespace Mimo
         internal int dtype;
         internal IntPtr name, unit, frame;
         internal UIntPtr offset, bytes;
-        internal Shape shape;
+        internal Sizes shape;
         internal uint ndim;
         internal int time;
         internal double low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct CameraConfigStruct
+    {
+        internal uint struct_size, outputs;
+        internal IntPtr name;
+        internal uint width, height;
+        internal double fovy;
+        internal uint placed, reserved;
+        internal IntPtr body;
+        internal Vector3 position, look_at;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct GazeStruct
+    {
+        internal uint struct_size, meets;
+        internal Vector3 left_position, left_direction, right_position, right_direction;
+        internal double vergence;
+        internal Vector3 point;
+        internal double miss;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct PictureConfigStruct
+    {
+        internal uint struct_size, width, height, format;
+        internal IntPtr camera;
+        internal Vector3 look_at;
+        internal double distance, azimuth, elevation, fovy;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct BatchConfigStruct
+    {
+        internal uint struct_size, worlds, threads;
+        internal int autoreset;
+        internal uint restart_failed, reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct BatchResultsStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr reward, terminated, truncated;
+        internal UIntPtr agents;
+        internal IntPtr status, was_reset, final_written;
+        internal UIntPtr worlds;
+        internal IntPtr final_blocks;
+        internal UIntPtr final_bytes;
+    }
+
+    internal static class Structs
+    {
+        internal static UIntPtr Size<T>() { return (UIntPtr)Marshal.SizeOf(typeof(T)); }
     }
 }

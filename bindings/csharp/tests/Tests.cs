@@ -8,7 +8,7 @@ using System.Runtime.InteropServices;
 using System.Text.RegularExpressions;
 using Mimo;
 
-internal static class Tests
+internal static partial class Tests
 {
     private static string layoutFile;
 
@@ -36,7 +36,9 @@ internal static class Tests
         {
             { "mimo_scene_config", typeof(SceneConfigStruct) }, { "mimo_agent_config", typeof(AgentConfig) },
             { "mimo_object_config", typeof(ObjectConfigStruct) }, { "mimo_env_config", typeof(EnvConfigStruct) },
-            { "mimo_field", typeof(FieldStruct) }
+            { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
+            { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
+            { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) }
         };
         var text = File.ReadAllText(layoutFile);
         foreach (var type in types)
@@ -60,7 +62,9 @@ internal static class Tests
 
     private static void StructsAreBlittable()
     {
-        foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(), new SceneConfigStruct() })
+        foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
+            new SceneConfigStruct(), new CameraConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
+            new BatchResultsStruct() })
             GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
     }
 
@@ -92,7 +96,7 @@ internal static class Tests
     {
         using (var scene = Scene.Empty())
         {
-            scene.AddBall("ball", 0.04, 0.1, new Vector3(1, 2, 3));
+            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3(1, 2, 3) });
             using (var env = new Env(scene))
             {
                 env.Reset(1);
@@ -121,8 +125,21 @@ internal static class Tests
         Near(-1, turned.X, 1e-15, "to the left");
     }
 
+    private static void RightHandedFrame()
+    {
+        var right = RightHanded.Position(new Vector3(0, -1, 0));
+        var up = RightHanded.Position(new Vector3(0, 0, 1));
+        var ahead = RightHanded.Position(new Vector3(1, 0, 0));
+        Check(right.X == 1 && up.Y == 1 && ahead.Z == -1, "x right, y up, -z ahead");
+        var half = Math.Sqrt(0.5);
+        Near(-1, Rotate(RightHanded.Rotation(new Quaternion(half, 0, 0, half)), ahead).X, 1e-15, "to the left");
+        Commutes(RightHanded.Position, RightHanded.Rotation);
+    }
+
+    private static void ConversionCommutes() { Commutes(LeftHanded.Position, LeftHanded.Rotation); }
+
     /// <summary>Conversion and rotation may change places, for any rotation and point.</summary>
-    private static void ConversionCommutes()
+    private static void Commutes(Func<Vector3, Vector3> position, Func<Quaternion, Quaternion> rotation)
     {
         var random = new Random(1);
         for (var i = 0; i < 100; ++i)
@@ -132,8 +149,8 @@ internal static class Tests
             var norm = Math.Sqrt(q.W * q.W + q.X * q.X + q.Y * q.Y + q.Z * q.Z);
             q = new Quaternion(q.W / norm, q.X / norm, q.Y / norm, q.Z / norm);
             var p = new Vector3(any(), any(), any());
-            var one = LeftHanded.Position(Rotate(q, p));
-            var other = Rotate(LeftHanded.Rotation(q), LeftHanded.Position(p));
+            var one = position(Rotate(q, p));
+            var other = Rotate(rotation(q), position(p));
             Near(one.X, other.X, 1e-14, "x");
             Near(one.Y, other.Y, 1e-14, "y");
             Near(one.Z, other.Z, 1e-14, "z");
@@ -205,7 +222,10 @@ internal static class Tests
         var tests = new Action[]
         {
             StructsLieAsListed, StructsAreBlittable, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
-            BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay
+            BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, FacesShow,
+            LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
+            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
         };
         var failed = 0;
         foreach (var test in tests)
