@@ -46,15 +46,14 @@ test_csharp() {
 
 build_mex() {
   need "${octave_packages[@]}"
+  local root=$PWD
   mkdir -p build/matlab
-  CFLAGS="-O2 -Wall -Wextra -Werror" mkoctfile --mex -Iinclude -Lbuild/lib -lmimo -o build/matlab/mimo_mex.mex \
-    bindings/matlab/mimo_mex.c
-  rm -f mimo_mex.o  # some versions leave it behind
+  (cd build/matlab && CFLAGS="-O2 -Wall -Wextra -Werror" \
+    octave-cli --no-init-file --norc --path ../../bindings/matlab --eval "mimo_build('$root')")
 }
 
 octave_with_mimo() {
-  LD_LIBRARY_PATH=$PWD/build/lib octave-cli --no-init-file --norc --path "$PWD/bindings/matlab" \
-    --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
+  octave-cli --no-init-file --norc --path "$PWD/bindings/matlab" --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
 }
 
 test_octave() {
