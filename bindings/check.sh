@@ -49,11 +49,11 @@ build_mex() {
   local root=$PWD
   mkdir -p build/matlab
   (cd build/matlab && CFLAGS="-O2 -Wall -Wextra -Werror" \
-    octave-cli --no-init-file --norc --path ../../bindings/matlab --eval "mimo_build('$root')")
+    octave-cli --no-init-file --norc --no-history --path ../../bindings/matlab --eval "mimo_build('$root')")
 }
 
 octave_with_mimo() {
-  octave-cli --no-init-file --norc --path "$PWD/bindings/matlab" --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
+  octave-cli --no-init-file --norc --no-history --path "$PWD/bindings/matlab" --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
 }
 
 test_octave() {

@@ -10,6 +10,10 @@ pub const MIMO_VERSION_MINOR: u32 = 1;
 pub const MIMO_VERSION_PATCH: u32 = 0;
 #[doc = "Changes when old callers would break; equals the SONAME's number."]
 pub const MIMO_ABI_VERSION: u32 = 0;
+#[doc = "Version of this interface, 0.9: what is declared here. docs/abi.md says what may change."]
+pub const MIMO_API_MAJOR: u32 = 0;
+#[doc = "Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`."]
+pub const MIMO_API_MINOR: u32 = 9;
 #[doc = "The call did what it says."]
 pub const MIMO_OK: u32 = 0;
 #[doc = "An argument is NULL, out of range or not finite."]
