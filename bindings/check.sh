@@ -28,7 +28,7 @@ build_csharp() {
   mkdir -p build/csharp
   "${mcs[@]}" -target:library -doc:build/csharp/Mimo.xml -out:build/csharp/Mimo.dll "${sources[@]}"
   "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/*.cs
-  for example in examples/csharp/*.cs; do
+  for example in examples/csharp/*.cs tests/same/*.cs; do
     "${mcs[@]}" -r:build/csharp/Mimo.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
   done
 }
@@ -66,29 +66,47 @@ test_octave() {
 
 # ---- The same in every language ---------------------------------------------------------------------------
 
-same_in_octave() {
-  local scene sum
-  mkdir -p build/same
-  cc -O2 -o build/same/fnv1a tests/same/fnv1a.c
-  octave_with_mimo --eval "same('$PWD/build/same')" | while read -r scene sum; do
-    echo "$scene $(build/same/fnv1a "build/same/$scene") $sum"
-    rm "build/same/$scene"
+# hashed LANGUAGE COMMAND...: runs a program that writes the blocks of each scene to a file of its name in a folder, and
+# prints scenes and sums of rewards; puts the files' hashes in between.
+hashed() {
+  local folder=$PWD/build/same/$1 scene sum
+  mkdir -p "$folder"
+  shift
+  "$@" "$folder" | while read -r scene sum; do
+    echo "$scene $(build/bin/same_fnv1a "$folder/$scene") $sum"
+    rm "$folder/$scene"
   done
 }
 
-# The scenario of tests/capi/same.c: the programs print a line a scene, with the hash of all blocks. Needs what
-# test_rust, test_csharp and test_octave have built.
+same_in_octave() { octave_with_mimo --path "$PWD/tests/same" --eval "same('$1')"; }
+
+same_in_python() {
+  MIMO_LIBRARY=$PWD/build/lib/libmimo.so PYTHONPATH=bindings/python/src build/python-venv/bin/python tests/same/same.py "$1"
+}
+
+same_in_rust() {
+  MIMO_LIB_DIR=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust \
+    cargo run -q --manifest-path bindings/rust/mimo/Cargo.toml --example same
+}
+
+# The scenario of tests/capi/same.c: a line a scene, with the hash of all blocks.
 test_same() {
+  need "${rust_packages[@]}"
+  build release mimo capi_same same_cpp same_fnv1a
+  [[ -x build/python-venv/bin/python ]] || python_venv
+  build_csharp
+  build_mex
   local -x LD_LIBRARY_PATH=$PWD/build/lib
   local language
-  echo "The same bytes in C, Rust, C# and Octave"
+  echo "The same bytes in C, C++, Python, Rust, C# and Octave"
   mkdir -p build/same
   build/bin/capi_same | tee build/same/c.txt
-  MIMO_LIB_DIR=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust \
-    cargo run -q --manifest-path bindings/rust/mimo/Cargo.toml --example same >build/same/rust.txt
+  build/bin/same_cpp >build/same/cpp.txt
+  hashed python same_in_python >build/same/python.txt
+  same_in_rust >build/same/rust.txt
   mono build/csharp/Same.exe >build/same/csharp.txt
-  same_in_octave >build/same/octave.txt
-  for language in rust csharp octave; do
-    diff build/same/c.txt build/same/$language.txt || fail "$language gives other bytes than C"
+  hashed octave same_in_octave >build/same/octave.txt
+  for language in cpp python rust csharp octave; do
+    diff build/same/c.txt "build/same/$language.txt" || fail "$language gives other bytes than C"
   done
 }

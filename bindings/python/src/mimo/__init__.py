@@ -22,8 +22,10 @@ from .constants import (
     Frame,
     Jacobian,
     Kind,
+    Look,
     Proprioception,
     Quantity,
+    Render,
     Shape,
     Time,
     Touch,
@@ -45,7 +47,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
-from .scene import Scene, scenes, tasks
+from .scene import Scene, faces, scenes, tasks
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -87,12 +89,14 @@ __all__ = [
     "Judgement",
     "Kind",
     "Layout",
+    "Look",
     "ModelError",
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
     "Proprioception",
     "Quantity",
+    "Render",
     "RenderError",
     "Scene",
     "Selection",
@@ -106,6 +110,7 @@ __all__ = [
     "VectorEnv",
     "Vision",
     "World",
+    "faces",
     "library_path",
     "make",
     "make_vec",

@@ -12,7 +12,7 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .options import AGENT_OPTIONS, WORLD_OPTIONS, AgentOptions, ObjectOptions, Options, fill
+from .options import AGENT_OPTIONS, WORLD_OPTIONS, AgentOptions, CameraOptions, ObjectOptions, Options, fill
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 
@@ -20,6 +20,11 @@ _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 def scenes() -> List[str]:
     """Names of the built-in scenes."""
     return _names(LIB.mimo_scene_builtin)
+
+
+def faces() -> List[str]:
+    """Names of the faces of the built-in bodies."""
+    return _names(LIB.mimo_face_name)
 
 
 def tasks() -> List[str]:
@@ -94,6 +99,19 @@ class Scene(Handle):
         fill(config, {**options, "name": name}, {})
         check(LIB.mimo_scene_add_object(self._handle, config))
         self._remember("add_object", name, **options)
+
+    def add_camera(self, name: str, **options: Unpack[CameraOptions]) -> None:
+        """Has a camera observed, as "vision/NAME", "vision/NAME_depth" and "vision/NAME_segmentation".
+
+        Without `look_at` it is one of the scene or of an infant ("anna/eye_left"). With it, it is a new one at
+        `position` that looks at that point and stands still in the world, or is carried by `body`.
+        """
+        config = _abi.CameraConfig()
+        check(LIB.mimo_camera_config_init(config, ctypes.sizeof(config)))
+        fill(config, {**options, "name": name}, {})
+        config.placed = "look_at" in options
+        check(LIB.mimo_scene_add_camera(self._handle, config))
+        self._remember("add_camera", name, **options)
 
     @property
     def parameters(self) -> "Parameters":
