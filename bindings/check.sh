@@ -1,5 +1,11 @@
 # Building and testing the bindings other than Python's: a part of ./dev, which has the functions used here.
 
+# follow BINDING: what its README says, step by step.
+follow() {
+  tests/readme/follow "bindings/$1/README.md" . >/dev/null
+  echo "README of bindings/$1 followed"
+}
+
 # ---- Rust -------------------------------------------------------------------------------------------------
 
 test_rust() {
@@ -17,6 +23,7 @@ test_rust() {
     cargo test -q
     for example in hello batch own_reward; do cargo run -q --example "$example"; done
   )
+  follow rust
 }
 
 # ---- C# ---------------------------------------------------------------------------------------------------
@@ -40,6 +47,7 @@ test_csharp() {
   local -x LD_LIBRARY_PATH=$PWD/build/lib
   mono build/csharp/Tests.exe tests/abi/layout.json
   mono build/csharp/Game.exe 1
+  follow csharp
 }
 
 # ---- MATLAB and Octave ------------------------------------------------------------------------------------
@@ -62,6 +70,7 @@ test_octave() {
   echo "Tests of the MEX gateway"
   octave_with_mimo --eval tests
   octave_with_mimo examples/matlab/episode.m
+  follow matlab
 }
 
 # ---- The same in every language ---------------------------------------------------------------------------

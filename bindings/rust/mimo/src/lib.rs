@@ -1,13 +1,13 @@
 //! MIMo, the multimodal infant model: the body of an 18-month-old infant, its senses and its tasks.
 //!
-//! ```no_run
+//! ```
 //! # fn main() -> mimo::Result<()> {
 //! let mut env = mimo::Env::make("reach")?;
 //! let mut block = env.new_block()?;
 //! let action = vec![0.0; env.action_size()?];
 //! env.reset(Some(7), Some(&mut block))?;
 //! let step = env.step(&action, Some(&mut block))?;
-//! println!("{} {:?}", step.reward, block.f32("vestibular/acceleration")?);
+//! println!("{} {:?}", step.reward, block.f32("proprioception/position")?);
 //! # Ok(()) }
 //! ```
 //!
