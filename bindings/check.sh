@@ -13,7 +13,7 @@ test_rust() {
   build_program
   echo "Tests of the Rust crates"
   local -x MIMO_LIB_DIR=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust
-  local example
+  local example rooms=$PWD/build/rooms  # with the rooms of the release build ccache knows all that the crate builds
   (
     cd bindings/rust
     ./generate --check
@@ -21,6 +21,7 @@ test_rust() {
     cargo clippy -q --all-targets -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc -q --no-deps
     cargo test -q
+    MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON -DMIMO_ROOMS=$rooms" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
     for example in hello batch own_reward; do cargo run -q --example "$example"; done
   )
   follow rust

@@ -34,7 +34,8 @@ fn ask_pkg_config() -> Option<PathBuf> {
     Some(text.trim().trim_start_matches("-L").into())
 }
 
-/// Builds the library, and nothing else. Cargo's own programs find it; for others it has to be installed.
+/// Builds the library, and nothing else; MIMO_CMAKE_ARGS has further arguments for CMake, such as -Dmujoco_ROOT=FOLDER.
+/// Programs that cargo runs find it; for others it has to be installed.
 fn build() -> PathBuf {
     let sources = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../..")
@@ -44,11 +45,15 @@ fn build() -> PathBuf {
     for part in ["CMakeLists.txt", "cmake", "include", "models", "src"] {
         println!("cargo:rerun-if-changed={}", sources.join(part).display());
     }
-    run(Command::new("cmake").arg("-S").arg(&sources).arg("-B").arg(&out).args([
-        "-DCMAKE_BUILD_TYPE=Release",
-        "-DMIMO_TESTS=OFF",
-        "-DMIMO_PROGRAM=OFF",
-    ]));
+    let further = env::var("MIMO_CMAKE_ARGS").unwrap_or_default();
+    println!("cargo:rerun-if-env-changed=MIMO_CMAKE_ARGS");
+    run(Command::new("cmake")
+        .arg("-S")
+        .arg(&sources)
+        .arg("-B")
+        .arg(&out)
+        .args(["-DCMAKE_BUILD_TYPE=Release", "-DMIMO_TESTS=OFF", "-DMIMO_PROGRAM=OFF"])
+        .args(further.split_whitespace()));
     let jobs = env::var("NUM_JOBS").unwrap_or_else(|_| "1".into());
     run(Command::new("cmake").arg("--build").arg(&out).args(["--target", "mimo", "--parallel", &jobs]));
     out.join("lib")
