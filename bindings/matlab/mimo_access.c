@@ -9,7 +9,8 @@ typedef struct quantity {
   int32_t kind, number;
 } quantity;
 
-#define QUANTITY(kind, what, name) {name, MIMO_##kind, MIMO_##kind##_##what}
+#define QUANTITY(kind, what, name) \
+  { name, MIMO_##kind, MIMO_##kind##_##what }
 static const quantity quantities[] = {
     QUANTITY(JOINT, POSITION, "joint_position"),
     QUANTITY(JOINT, VELOCITY, "joint_velocity"),
@@ -66,7 +67,8 @@ static selection select_by_name(const mxArray* in[]) {
   chosen.quantity = quantity->number;
   chosen.count = many ? mxGetNumberOfElements(in[2]) : 1;
   chosen.ids = mxCalloc(chosen.count + 1, sizeof *chosen.ids);
-  for (i = 0; i < chosen.count; ++i) chosen.ids[i] = find(chosen.all, quantity->kind, many ? mxGetCell(in[2], i) : in[2]);
+  for (i = 0; i < chosen.count; ++i)
+    chosen.ids[i] = find(chosen.all, quantity->kind, many ? mxGetCell(in[2], i) : in[2]);
   mimo_check(mimo_env_width(chosen.all->first, chosen.quantity, chosen.ids, chosen.count, &chosen.width));
   return chosen;
 }
@@ -91,13 +93,15 @@ static void set(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   size_t world, given;
   (void)nout;
   (void)out;
-  mimo_need(nin == 4 && mxIsDouble(in[3]) && !mxIsComplex(in[3]), "expected a world, a quantity, names and real values");
+  mimo_need(nin == 4 && mxIsDouble(in[3]) && !mxIsComplex(in[3]),
+            "expected a world, a quantity, names and real values");
   chosen = select_by_name(in);
   given = mxGetNumberOfElements(in[3]);
   values = mxGetPr(in[3]);
   if (chosen.all->count > 1 && given == chosen.width) {
     values = mxCalloc(chosen.all->count * given + 1, sizeof *values);
-    for (world = 0; world < chosen.all->count; ++world) memcpy(values + world * given, mxGetPr(in[3]), given * sizeof *values);
+    for (world = 0; world < chosen.all->count; ++world)
+      memcpy(values + world * given, mxGetPr(in[3]), given * sizeof *values);
     given *= chosen.all->count;
   }
   mimo_check(mimo_batch_set(chosen.all->batch, chosen.quantity, chosen.ids, chosen.count, NULL, 0, values, given));
@@ -156,7 +160,8 @@ static void load(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   (void)out;
   mimo_need(nin == 2 && mxIsUint8(in[1]), "expected a world and bytes that mimo_save gave");
-  mimo_check(mimo_batch_state_load(mimo_worlds_of(in[0])->batch, NULL, 0, mxGetData(in[1]), mxGetNumberOfElements(in[1])));
+  mimo_check(
+      mimo_batch_state_load(mimo_worlds_of(in[0])->batch, NULL, 0, mxGetData(in[1]), mxGetNumberOfElements(in[1])));
 }
 
 /* name = face(number), or face(number, name): of the first agent, in all worlds */
@@ -260,7 +265,8 @@ static void gravity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 /* Checked before there is memory for so many pixels. */
 static uint32_t read_size(const mxArray* number, const char* what) {
   const double pixels = mimo_number(number, what);
-  mimo_need(pixels >= 1 && pixels <= 4096 && pixels == floor(pixels), "a picture has 1 to 4096 pixels in height and width");
+  mimo_need(pixels >= 1 && pixels <= 4096 && pixels == floor(pixels),
+            "a picture has 1 to 4096 pixels in height and width");
   return (uint32_t)pixels;
 }
 
@@ -294,8 +300,8 @@ static void picture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 static const struct {
   const char* name;
   mimo_command run;
-} commands[] = {{"get", get},   {"set", set},     {"names", names},     {"time", seconds}, {"save", save},
-                {"load", load}, {"face", face},   {"gaze", gaze},       {"look_at", look_at}, {"lock", lock},
+} commands[] = {{"get", get},       {"set", set},         {"names", names},    {"time", seconds},    {"save", save},
+                {"load", load},     {"face", face},       {"gaze", gaze},      {"look_at", look_at}, {"lock", lock},
                 {"locked", locked}, {"gravity", gravity}, {"picture", picture}};
 
 mimo_command mimo_access_command(const char* name) {

@@ -127,7 +127,8 @@ static uint64_t* read_seeds(const worlds* all, const mxArray* given) {
   seeds = mxCalloc(all->count, sizeof *seeds);
   for (i = 0; i < all->count; ++i) {
     const double value = count == 1 ? mxGetPr(given)[0] + (double)i : mxGetPr(given)[i];
-    mimo_need(value >= 0 && value <= 9007199254740992.0 && value == floor(value), "a seed is a whole number from 0 to 2^53");
+    mimo_need(value >= 0 && value <= 9007199254740992.0 && value == floor(value),
+              "a seed is a whole number from 0 to 2^53");
     seeds[i] = (uint64_t)value;
   }
   return seeds;
@@ -138,7 +139,8 @@ static uint8_t* read_mask(const worlds* all, const mxArray* given) {
   uint8_t* mask;
   size_t i;
   if (mxIsEmpty(given)) return NULL;
-  mimo_need(mxIsLogical(given) && mxGetNumberOfElements(given) == all->count, "a mask has a logical value for each world");
+  mimo_need(mxIsLogical(given) && mxGetNumberOfElements(given) == all->count,
+            "a mask has a logical value for each world");
   mask = mxCalloc(all->count, 1);
   for (i = 0; i < all->count; ++i) mask[i] = mxGetLogicals(given)[i];
   return mask;
@@ -240,7 +242,10 @@ static mxArray* new_array(const worlds* all, const mimo_field* field, int single
   for (d = 0; d < field->ndim; ++d) shape[d] = field->shape[d];
   if (all->count > 1) shape[dimensions++] = all->count;
   return mxCreateNumericArray(dimensions < 2 ? 2 : dimensions, shape,
-                              field->dtype == MIMO_U8 ? mxUINT8_CLASS : single ? mxSINGLE_CLASS : mxDOUBLE_CLASS, mxREAL);
+                              field->dtype == MIMO_U8 ? mxUINT8_CLASS
+                              : single                ? mxSINGLE_CLASS
+                                                      : mxDOUBLE_CLASS,
+                              mxREAL);
 }
 
 static mxArray* array_of(const worlds* all, const mimo_field* field, int single) {
@@ -252,9 +257,12 @@ static mxArray* array_of(const worlds* all, const mimo_field* field, int single)
     for (i = 0; i < count; ++i) {
       const double value = element(data, field->dtype, i);
       const size_t place = world * count + column_major(field, i);
-      if (field->dtype == MIMO_U8) ((uint8_t*)mxGetData(array))[place] = (uint8_t)value;
-      else if (single) ((float*)mxGetData(array))[place] = (float)value;
-      else mxGetPr(array)[place] = value;
+      if (field->dtype == MIMO_U8)
+        ((uint8_t*)mxGetData(array))[place] = (uint8_t)value;
+      else if (single)
+        ((float*)mxGetData(array))[place] = (float)value;
+      else
+        mxGetPr(array)[place] = value;
     }
   }
   return array;
@@ -280,7 +288,8 @@ static void observation(int nout, mxArray* out[], int nin, const mxArray* in[]) 
   mimo_need(nin == 2 && mxIsChar(in[1]), "expected a world and 'double' or 'single'");
   all = mimo_worlds_of(in[0]);
   mxGetString(in[1], precision, sizeof precision);
-  mimo_need(strcmp(precision, "double") == 0 || strcmp(precision, "single") == 0, "the precision is 'double' or 'single'");
+  mimo_need(strcmp(precision, "double") == 0 || strcmp(precision, "single") == 0,
+            "the precision is 'double' or 'single'");
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   for (i = 0; i < all->fields; ++i) {
     char name[128];

@@ -13,7 +13,8 @@ typedef struct option {
   size_t offset;
 } option;
 
-#define OPTION(type, member, kind) {#member, kind, offsetof(type, member)}
+#define OPTION(type, member, kind) \
+  { #member, kind, offsetof(type, member) }
 
 static const option agent_options[] = {
     OPTION(mimo_agent_config, body, kText),
@@ -39,25 +40,30 @@ static const option agent_options[] = {
 };
 
 static const option env_options[] = {
-    OPTION(mimo_env_config, frame_skip, kUnsigned), OPTION(mimo_env_config, jacobian, kSigned),
-    OPTION(mimo_env_config, disable, kUnsigned),    OPTION(mimo_env_config, renderer, kText),
-    OPTION(mimo_env_config, max_steps, kUnsigned),  OPTION(mimo_env_config, task, kText),
-    OPTION(mimo_env_config, render, kUnsigned),     OPTION(mimo_env_config, samples, kUnsigned),
-    OPTION(mimo_env_config, render_threads, kUnsigned),
-    {NULL, kText, 0},
+    OPTION(mimo_env_config, frame_skip, kUnsigned),     OPTION(mimo_env_config, jacobian, kSigned),
+    OPTION(mimo_env_config, disable, kUnsigned),        OPTION(mimo_env_config, renderer, kText),
+    OPTION(mimo_env_config, max_steps, kUnsigned),      OPTION(mimo_env_config, task, kText),
+    OPTION(mimo_env_config, render, kUnsigned),         OPTION(mimo_env_config, samples, kUnsigned),
+    OPTION(mimo_env_config, render_threads, kUnsigned), {NULL, kText, 0},
 };
 
 static const option batch_options[] = {
-    OPTION(mimo_batch_config, worlds, kUnsigned),   OPTION(mimo_batch_config, threads, kUnsigned),
-    OPTION(mimo_batch_config, autoreset, kSigned),  OPTION(mimo_batch_config, restart_failed, kUnsigned),
+    OPTION(mimo_batch_config, worlds, kUnsigned),
+    OPTION(mimo_batch_config, threads, kUnsigned),
+    OPTION(mimo_batch_config, autoreset, kSigned),
+    OPTION(mimo_batch_config, restart_failed, kUnsigned),
     {NULL, kText, 0},
 };
 
 static const option object_options[] = {
-    OPTION(mimo_object_config, shape, kSigned),  OPTION(mimo_object_config, name, kText),
-    OPTION(mimo_object_config, size, kThree),    OPTION(mimo_object_config, position, kThree),
-    OPTION(mimo_object_config, orientation, kFour), OPTION(mimo_object_config, mass, kNumber),
-    OPTION(mimo_object_config, rgba, kFour),     OPTION(mimo_object_config, fixed, kUnsigned),
+    OPTION(mimo_object_config, shape, kSigned),
+    OPTION(mimo_object_config, name, kText),
+    OPTION(mimo_object_config, size, kThree),
+    OPTION(mimo_object_config, position, kThree),
+    OPTION(mimo_object_config, orientation, kFour),
+    OPTION(mimo_object_config, mass, kNumber),
+    OPTION(mimo_object_config, rgba, kFour),
+    OPTION(mimo_object_config, fixed, kUnsigned),
     {NULL, kText, 0},
 };
 
@@ -66,8 +72,7 @@ static const option camera_options[] = {
     OPTION(mimo_camera_config, width, kUnsigned),   OPTION(mimo_camera_config, height, kUnsigned),
     OPTION(mimo_camera_config, fovy, kNumber),      OPTION(mimo_camera_config, placed, kUnsigned),
     OPTION(mimo_camera_config, body, kText),        OPTION(mimo_camera_config, position, kThree),
-    OPTION(mimo_camera_config, look_at, kThree),
-    {NULL, kText, 0},
+    OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
 };
 
 static const option* find_option(const option* options, const char* name) {
@@ -188,8 +193,10 @@ static mimo_scene* open_scene(const char* name) {
   mimo_scene_config config;
   mimo_scene* scene = NULL;
   mimo_check(mimo_scene_config_init(&config, sizeof config));
-  if (is_file) config.file = name;
-  else config.name = name;
+  if (is_file)
+    config.file = name;
+  else
+    config.name = name;
   mimo_check(mimo_scene_create(&config, &scene));
   mimo_making(scene);
   return scene;

@@ -1,6 +1,6 @@
-/* A host that draws with an OpenGL of its own, whose context is current on the thread that calls: a second OSMesa, or GLX.
- * The infant's eyes see what they see in a process without any, by either renderer, and afterwards the host's context
- * is current again and works. loading_gl_host osmesa|glx libmimo.so */
+/* A host that draws with an OpenGL of its own, whose context is current on the thread that calls: a second OSMesa, or
+ * GLX. The infant's eyes see what they see in a process without any, by either renderer, and afterwards the host's
+ * context is current again and works. loading_gl_host osmesa|glx libmimo.so */
 #define _POSIX_C_SOURCE 200809L
 #include <sys/wait.h>
 #include <unistd.h>
@@ -120,8 +120,9 @@ static int glx_paints(float red) {
 
 static int open_glx(host* own) {
   static const int drawable[] = {0x8010, 4, 0}, size[] = {0x8041, 8, 0x8040, 8, 0}; /* a pbuffer of 8 x 8 */
-  void *x11 = dlopen("libX11.so.6", RTLD_NOW | RTLD_LOCAL), *gl = dlopen("libGL.so.1", RTLD_NOW | RTLD_GLOBAL), *display;
-  void *(*open_display)(const char*), **(*choose)(void*, int, const int*, int*);
+  void *x11 = dlopen("libX11.so.6", RTLD_NOW | RTLD_LOCAL), *gl = dlopen("libGL.so.1", RTLD_NOW | RTLD_GLOBAL),
+       *display;
+  void* (*open_display)(const char*), **(*choose)(void*, int, const int*, int*);
   void* (*create)(void*, void*, int, void*, int);
   unsigned long (*create_pbuffer)(void*, void*, const int*), pbuffer;
   int (*make_current)(void*, unsigned long, unsigned long, void*), count = 0;

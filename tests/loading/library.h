@@ -6,21 +6,21 @@
 
 #include "support/capi.h"
 
-#define EACH_FUNCTION(DO)     \
-  DO(agent_config_init)       \
-  DO(env_agent)               \
-  DO(env_config_init)         \
-  DO(env_create)              \
-  DO(env_destroy)             \
-  DO(env_make)                \
-  DO(env_observation_size)    \
-  DO(env_reset)               \
-  DO(env_step)                \
-  DO(env_time)                \
-  DO(last_error)              \
-  DO(scene_add_agent)         \
-  DO(scene_config_init)       \
-  DO(scene_create)            \
+#define EACH_FUNCTION(DO)  \
+  DO(agent_config_init)    \
+  DO(env_agent)            \
+  DO(env_config_init)      \
+  DO(env_create)           \
+  DO(env_destroy)          \
+  DO(env_make)             \
+  DO(env_observation_size) \
+  DO(env_reset)            \
+  DO(env_step)             \
+  DO(env_time)             \
+  DO(last_error)           \
+  DO(scene_add_agent)      \
+  DO(scene_config_init)    \
+  DO(scene_create)         \
   DO(scene_destroy)
 
 typedef struct library {
