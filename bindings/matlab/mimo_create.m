@@ -9,7 +9,8 @@ function world = mimo_create(scene, varargin)
 %     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_width, vision_height, vision_fovy, touch (1
 %                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception,
 %                  vestibular, limit_threshold, actuation (1: by angles), acts, normalize_actions, body, face, position,
-%                  orientation (w x y z)
+%                  orientation (w x y z); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
+%     no infant    root (with body "scene": a body of the MJCF file, with all below it), vestibular_at
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
 %     the room     objects and cameras: struct arrays with the members of mimo_object_config and mimo_camera_config;

@@ -19,6 +19,8 @@ typedef struct option {
 static const option agent_options[] = {
     OPTION(mimo_agent_config, body, kText),
     OPTION(mimo_agent_config, face, kText),
+    OPTION(mimo_agent_config, root, kText),
+    OPTION(mimo_agent_config, vestibular_at, kText),
     OPTION(mimo_agent_config, position, kThree),
     OPTION(mimo_agent_config, orientation, kFour),
     OPTION(mimo_agent_config, proprioception, kUnsigned),
@@ -75,6 +77,14 @@ static const option camera_options[] = {
     OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
 };
 
+static const option limit_options[] = {
+    OPTION(mimo_limits, delay, kUnsigned),
+    OPTION(mimo_limits, gain, kNumber),
+    OPTION(mimo_limits, noise, kNumber),
+    OPTION(mimo_limits, blur, kNumber),
+    {NULL, kText, 0},
+};
+
 static const option* find_option(const option* options, const char* name) {
   for (; options->name != NULL; ++options)
     if (strcmp(options->name, name) == 0) return options;
@@ -118,7 +128,8 @@ static void set_members(void* config, const option* options, const mxArray* thin
     const char* name = mxGetFieldNameByNumber(things, i);
     const option* found = find_option(options, name);
     const mxArray* value = mxGetFieldByNumber(things, index, i);
-    if (found == NULL) refuse(name, "a member of mimo_object_config or mimo_camera_config");
+    if (strcmp(name, "path") == 0 && options == limit_options) continue;
+    if (found == NULL) refuse(name, "a member of mimo.h's struct");
     if (value != NULL && !mxIsEmpty(value)) set_option(config, found, value);
   }
 }
@@ -147,6 +158,19 @@ static void add_cameras(mimo_scene* scene, const mxArray* things) {
   }
 }
 
+/* struct('path', 'touch', 'noise', 0.1), one or an array of them */
+static void limit_senses(mimo_scene* scene, const mxArray* things) {
+  mimo_limits limits;
+  size_t i;
+  if (!mxIsStruct(things) || mxGetFieldNumber(things, "path") < 0)
+    refuse("limits", "a struct array with the member path");
+  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
+    mimo_check(mimo_limits_init(&limits, sizeof limits));
+    set_members(&limits, limit_options, things, i);
+    mimo_check(mimo_scene_limit_sense(scene, 0, mimo_text(mxGetField(things, i, "path"), "path"), &limits));
+  }
+}
+
 /* {'reach/success_reward', 5; ...} */
 static void set_parameters(mimo_scene* scene, const mxArray* pairs) {
   const size_t count = mxGetM(pairs);
@@ -162,7 +186,7 @@ typedef struct request {
   mimo_agent_config agent;
   mimo_env_config env;
   mimo_batch_config batch;
-  const mxArray *objects, *cameras, *parameters;
+  const mxArray *objects, *cameras, *limits, *parameters;
 } request;
 
 static void read_option(request* all, const char* name, const mxArray* value) {
@@ -178,6 +202,8 @@ static void read_option(request* all, const char* name, const mxArray* value) {
     all->objects = value;
   } else if (strcmp(name, "cameras") == 0) {
     all->cameras = value;
+  } else if (strcmp(name, "limits") == 0) {
+    all->limits = value;
   } else if (strcmp(name, "parameters") == 0) {
     all->parameters = value;
   } else {
@@ -216,6 +242,7 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
   for (i = 1; i < nin; i += 2) read_option(&all, mimo_text(in[i], "option"), in[i + 1]);
   if (all.parameters != NULL) set_parameters(scene, all.parameters);
   mimo_check(mimo_scene_add_agent(scene, &all.agent, NULL));
+  if (all.limits != NULL) limit_senses(scene, all.limits);
   if (all.objects != NULL) add_objects(scene, all.objects);
   if (all.cameras != NULL) add_cameras(scene, all.cameras);
   mimo_check(mimo_batch_create(scene, &all.env, &all.batch, &batch));

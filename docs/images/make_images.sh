@@ -21,3 +21,7 @@ for renderer in ray osmesa; do
     --elevation -8 --width 960 --height 1200 --out "$work/body_$renderer.png"
 done
 montage "$work/body_ray.png" "$work/body_osmesa.png" -resize 40% -tile 2x1 -geometry +3+3 -depth 8 body.png
+
+# A model that is no infant, after it has fallen, and what it feels where it feels most.
+"$mimo" run --scene ../../tests/models/humanoid.xml --seconds 2 --seed 1 --out "$work/own" >/dev/null
+montage "$work/own/outside.png" "$work/own/touch.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 own-model.png

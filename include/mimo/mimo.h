@@ -10,12 +10,13 @@
  *                                11. state: save, load, clone
  *                                12. batches of worlds
  *                                13. tasks of your own
+ *                                14. senses on your own simulation
  *
  * Rules that hold everywhere (docs/ has an article on each):
  *   Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
  *             mimo_last_error() then holds one line that names the argument, its value and what was
  *             expected. When an argument is refused, nothing is written anywhere.
- *   Handles   mimo_scene, mimo_env, mimo_batch are opaque. Destroy accepts NULL; a destroyed handle is refused by
+ *   Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque. Destroy accepts NULL; a destroyed handle is refused by
  *             every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before
  *             fork() answers MIMO_E_FORKED in the child.
  *   Threads   Functions that take a const handle may run at the same time on one handle; functions that
@@ -191,7 +192,16 @@ MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
  */
 MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
 
-/** One infant: where it is, what it senses, what of it acts. */
+/**
+ * One agent: where it is, what it senses, what of it acts. Mostly an infant; with `root` any part of a model that
+ * knows nothing of infants. Such an agent
+ *   - reads the positions of its hinges and slides, its motors, and the torque sensors on it;
+ *   - acts with its actuators, within their ctrlrange (no bounds where they have none);
+ *   - has skin where mimo_scene_set_touch says so, and nowhere else;
+ *   - sees with all cameras that it carries, "vision/NAME";
+ *   - has a vestibular organ where vestibular_at says;
+ *   - has no face, no gaze, and its only task is "none" or one of your own.
+ */
 typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
   uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
@@ -216,6 +226,8 @@ typedef struct mimo_agent_config {
   double touch_scale;          /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
   double touch_slip_threshold; /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
   const char *face;            /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */
+  const char *root;            /**< With body "scene": the body of the model that the agent consists of, with all below it; "world": everything. NULL: an infant. */
+  const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels, in its frame; NULL: the infant's head. */
 } mimo_agent_config;
 
 /**
@@ -247,10 +259,50 @@ MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_co
  * @param body    name of a body without its agent's name, "left_hand"; NULL: every body, and what was set before for
  *                single ones no longer counts.
  * @param spacing metres, at most 10, as it is (touch_scale does not change it); 0: no skin there.
- * Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has.
+ * Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the
+ *         scene does not know (an agent with a root), it comes when an environment is made or senses are attached.
  */
 MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, int32_t agent, const char *body,
                                           double spacing) MIMO_NOEXCEPT;
+
+/**
+ * Has an agent's proprioception read this joint; the first call takes away all others. Position, velocity, limits and
+ * torque about the joint's axis then have one element for each call, in that order.
+ * @param joint a hinge or slide of the agent, by its name in the model, "anna/robot:left_elbow".
+ * Errors: MIMO_E_INVALID_ARGUMENT for a joint that is read already. A joint that the agent does not have is
+ *         MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has.
+ */
+MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, int32_t agent, const char *joint) MIMO_NOEXCEPT;
+
+/** How much less an agent senses than there is to be sensed. What is not limited costs nothing. */
+typedef struct mimo_limits {
+  uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
+  uint32_t delay;       /**< Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0. */
+  double gain;          /**< Factor of all values, >= 0. Default 1. */
+  double noise;         /**< Standard deviation of the Gaussian noise that is added, >= 0, in the field's unit (colours: levels of 255). Default 0. */
+  double blur;          /**< Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000. */
+} mimo_limits;
+
+/**
+ * Fills limits with those of a perfect sense.
+ * @param size sizeof(mimo_limits) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_limits_init(mimo_limits *limits, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then
+ * comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field. The noise follows from
+ * the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of
+ * the world's state, and no episode senses anything of the one before.
+ * @param path   a field without its agent's name, "vision/eye_left", or all fields below a path, "touch". Where several
+ *               calls concern a field, the last one counts. Gain and noise of "vision" do not concern depth and
+ *               segmentation, unless these are named.
+ * @param limits NULL: a perfect sense.
+ * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there
+ *         are. Attached senses cannot be limited.
+ */
+MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, int32_t agent, const char *path,
+                                            const mimo_limits *limits) MIMO_NOEXCEPT;
 
 #define MIMO_SHAPE_SPHERE 1    /**< size: radius. */
 #define MIMO_SHAPE_CAPSULE 2   /**< size: radius, half length of the cylindrical part (along z). */
@@ -1053,6 +1105,63 @@ MIMO_API mimo_status mimo_scene_set_task(mimo_scene *scene, const mimo_task *tas
 
 /** Numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream. */
 MIMO_API mimo_status mimo_env_random(mimo_env *env, double *values, size_t count) MIMO_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------------
+ * 14. Senses on your own simulation: a program that uses MuJoCo by itself gives them its mjModel and mjData.
+ *     They only look; stepping, control and memory stay the host's. An environment is nothing but a world with such
+ *     senses: of the same model in the same state they give the same bytes.
+ * ------------------------------------------------------------------------------------------------- */
+
+/** Senses that are attached to a host's model. Needs itself alone; the model and data may be read by others meanwhile. */
+typedef struct mimo_senses mimo_senses;
+
+/**
+ * Attaches senses to a model.
+ * @param scene       describes the agents (mimo_scene_add_agent with body "scene", and a root where it is no infant), their
+ *                    skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards.
+ * @param config      renderer, render, samples, render_threads and log count; NULL means defaults.
+ * @param model       the host's mjModel. It outlives the senses and keeps its sizes.
+ * @param mujoco_version mj_version() of the host; has to be that of mimo_mujoco_version, 222 for "2.2.2".
+ * @param model_size  sizeof(mjModel) as the host's compiler knows it; 0 where the host cannot know, as in Python.
+ * @param data_size   sizeof(mjData), likewise.
+ * @param senses      receives the handle; destroy it with mimo_senses_destroy.
+ * Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version; MIMO_E_INVALID_ARGUMENT for what is no mjModel;
+ *         MIMO_E_NOT_FOUND for what the model lacks, with a list of what it has.
+ */
+MIMO_API mimo_status mimo_senses_attach(const mimo_scene *scene, const mimo_env_config *config, const void *model,
+                                        int32_t mujoco_version, size_t model_size, size_t data_size,
+                                        mimo_senses **senses) MIMO_NOEXCEPT;
+
+/** Detaches senses. NULL and destroyed handles are ignored. */
+MIMO_API void mimo_senses_destroy(mimo_senses *senses) MIMO_NOEXCEPT;
+
+/** Size of an observation block, as mimo_env_observation_size. */
+MIMO_API mimo_status mimo_senses_observation_size(const mimo_senses *senses, size_t *bytes,
+                                                  size_t *fields) MIMO_NOEXCEPT;
+
+/** Describes the index-th field, as mimo_env_observation_field. Its strings are owned by the senses. */
+MIMO_API mimo_status mimo_senses_observation_field(const mimo_senses *senses, size_t index,
+                                                   mimo_field *field) MIMO_NOEXCEPT;
+
+/** What one element of a field is, as mimo_env_observation_label. The string is owned by the senses. */
+MIMO_API mimo_status mimo_senses_observation_label(const mimo_senses *senses, size_t index, size_t element,
+                                                   const char **label) MIMO_NOEXCEPT;
+
+/** The touch sensors of an agent, as mimo_env_touch_sensors. */
+MIMO_API mimo_status mimo_senses_touch_sensors(const mimo_senses *senses, size_t agent, int32_t *bodies, int32_t *geoms,
+                                               double *positions, double *frames, size_t capacity,
+                                               size_t *count) MIMO_NOEXCEPT;
+
+/**
+ * Senses what the data hold: after mj_step the fields belong to the times that mimo_field says, after mj_forward all of
+ * them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for models
+ * with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are those of
+ * the last stage.
+ * @param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped.
+ * @param block receives the observation, every byte of it.
+ */
+MIMO_API mimo_status mimo_senses_observe(mimo_senses *senses, const void *data, void *block,
+                                         size_t block_bytes) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -69,6 +69,12 @@ inline mimo_camera_config camera_config() {
   return config;
 }
 
+inline mimo_limits limits() {
+  mimo_limits limits;
+  check(mimo_limits_init(&limits, sizeof limits));
+  return limits;
+}
+
 /// Contiguous elements that belong to somebody else.
 template <typename T>
 class View {
@@ -169,6 +175,13 @@ namespace detail {
 inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
 inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
 inline void destroy_batch(mimo_batch *batch) { mimo_batch_destroy(batch); }
+inline void destroy_senses(mimo_senses *senses) { mimo_senses_destroy(senses); }
+inline mimo_field field_named(const std::vector<mimo_field> &fields, const std::string &name) {
+  for (const mimo_field &candidate : fields) {
+    if (name == candidate.name) return candidate;
+  }
+  throw std::out_of_range("no field named " + name);
+}
 }  // namespace detail
 
 class Scene : public Handle<mimo_scene, detail::destroy_scene> {
@@ -179,6 +192,18 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     std::int32_t agent = 0;
     check(mimo_scene_add_agent(get(), &config, &agent));
     return agent;
+  }
+  void set_touch(double spacing, std::int32_t agent = 0) {
+    check(mimo_scene_set_touch(get(), agent, nullptr, spacing));
+  }
+  void set_touch(const std::string &body, double spacing, std::int32_t agent = 0) {
+    check(mimo_scene_set_touch(get(), agent, body.c_str(), spacing));
+  }
+  void read_joint(const std::string &joint, std::int32_t agent = 0) {
+    check(mimo_scene_read_joint(get(), agent, joint.c_str()));
+  }
+  void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
+    check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
   }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
@@ -239,12 +264,7 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return all;
   }
   /// The field of that name; throws std::out_of_range when there is none.
-  mimo_field field(const std::string &name) const {
-    for (const mimo_field &candidate : fields()) {
-      if (name == candidate.name) return candidate;
-    }
-    throw std::out_of_range("no field named " + name);
-  }
+  mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
 
   void reset(std::uint64_t seed, Block &block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
   void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
@@ -333,6 +353,45 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     mimo_env *env = nullptr;
     check(mimo_env_create(scene.get(), &config, &env));
     return env;
+  }
+};
+
+/// Senses on the program's own MuJoCo model, which outlives them:
+///   mimo::Senses senses(scene, model, mj_version(), sizeof(mjModel), sizeof(mjData));
+///   mj_step(model, data);
+///   senses.observe(data, block);
+class Senses : public Handle<mimo_senses, detail::destroy_senses> {
+ public:
+  Senses(const Scene &scene, const void *model, int mujoco_version, std::size_t model_size, std::size_t data_size,
+         const mimo_env_config &config = env_config())
+      : Handle(attach(scene, model, mujoco_version, model_size, data_size, config)) {}
+
+  Block make_block() const {
+    std::size_t bytes = 0;
+    check(mimo_senses_observation_size(get(), &bytes, nullptr));
+    return Block(bytes);
+  }
+  std::vector<mimo_field> fields() const {
+    std::size_t count = 0;
+    check(mimo_senses_observation_size(get(), nullptr, &count));
+    std::vector<mimo_field> all(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      all[i].struct_size = sizeof(mimo_field);
+      check(mimo_senses_observation_field(get(), i, &all[i]));
+    }
+    return all;
+  }
+  /// The field of that name; throws std::out_of_range when there is none.
+  mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
+
+  void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }
+
+ private:
+  static mimo_senses *attach(const Scene &scene, const void *model, int mujoco_version, std::size_t model_size,
+                             std::size_t data_size, const mimo_env_config &config) {
+    mimo_senses *senses = nullptr;
+    check(mimo_senses_attach(scene.get(), &config, model, mujoco_version, model_size, data_size, &senses));
+    return senses;
   }
 };
 

@@ -22,7 +22,9 @@ void Actuation::apply(Span<const float> actions, engine::Physics& physics) const
   }
 }
 
-std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& body, const Options& options) {
+std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& agent, const Options& options) {
+  body::Body body = agent;
+  if (options.none) body.actuators.clear();
   if (options.mode == Mode::kPosition) return std::make_unique<Position>(model, body, options.normalize);
   return std::make_unique<Torque>(model, body, options.normalize);
 }

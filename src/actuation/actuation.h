@@ -17,6 +17,7 @@ enum class Mode : int { kTorque = 0, kPosition = 1 };
 struct Options {
   Mode mode = Mode::kTorque;
   bool normalize = false;  // actions from -1 to 1 are mapped to the bounds, linearly
+  bool none = false;       // the agent leaves its actuators to others
 };
 
 class Actuation {

@@ -1,6 +1,7 @@
 #include "actuation/position.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/fail.h"
 
@@ -14,6 +15,10 @@ Position::Position(const mjModel& model, const body::Body& body, bool normalize)
     const char* name = engine::name(model, Kind::kActuator, motor.id);
     if (motor.lock < 0) {
       fail(Status::kUnsupported, "position control: joint {} of {} has no equality that could hold it",
+           engine::name(model, Kind::kJoint, motor.joint.id), name);
+    }
+    if (!std::isfinite(motor.joint.low)) {
+      fail(Status::kUnsupported, "position control: joint {} of {} has no range",
            engine::name(model, Kind::kJoint, motor.joint.id), name);
     }
     add(name, motor.joint.low, motor.joint.high);

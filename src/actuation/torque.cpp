@@ -1,12 +1,37 @@
 #include "actuation/torque.h"
 
+#include <cmath>
+#include <limits>
+
+#include "base/fail.h"
+
 namespace mimo::actuation {
+
+namespace {
+
+struct Bounds {
+  double low, high;
+};
+
+// An infant's motors are weaker to one side, which their force ranges say. What the controls of anything else mean is
+// its author's business: they go as far as he allows.
+Bounds bounds_of(const mjModel& model, const body::Body& body, int actuator) {
+  const double* range = (body.infant ? model.actuator_forcerange : model.actuator_ctrlrange) + 2 * actuator;
+  if (body.infant || model.actuator_ctrllimited[actuator] != 0) return {range[0], range[1]};
+  const double endless = std::numeric_limits<double>::infinity();
+  return {-endless, endless};
+}
+
+}  // namespace
 
 Torque::Torque(const mjModel& model, const body::Body& body, bool normalize)
     : Actuation(normalize), actuators_(body.actuators) {
   for (const int id : actuators_) {
-    const double* range = model.actuator_forcerange + 2 * id;
-    add(engine::name(model, engine::Kind::kActuator, id), range[0], range[1]);
+    const Bounds bounds = bounds_of(model, body, id);
+    const char* name = engine::name(model, engine::Kind::kActuator, id);
+    require(!normalize || std::isfinite(bounds.high), "normalize_actions is 1, but actuator \"{}\" has no ctrlrange",
+            name);
+    add(name, bounds.low, bounds.high);
   }
 }
 

@@ -26,14 +26,12 @@ std::vector<int> ids_with_prefix(const mjModel& model, Kind kind, const std::str
   return ids;
 }
 
-Joint joint(const mjModel& model, int id) {
+Joint hinge(const mjModel& model, int id) {
   if (model.jnt_type[id] != mjJNT_HINGE) {
     fail(Status::kModel, "joint {} is not a hinge", engine::name(model, Kind::kJoint, id));
   }
-  return {id, model.jnt_qposadr[id], model.jnt_dofadr[id], model.jnt_range[2 * id], model.jnt_range[2 * id + 1]};
+  return joint(model, id);
 }
-
-Sensor sensor(const mjModel& model, int id) { return {id, model.sensor_adr[id], model.sensor_dim[id]}; }
 
 std::optional<Sensor> find_sensor(const mjModel& model, const std::string& name) {
   const int id = engine::find(model, Kind::kSensor, name.c_str());
@@ -56,6 +54,19 @@ double half_height(const mjModel& model, const mjData& data, int geom) {
 }
 
 }  // namespace
+
+Joint joint(const mjModel& model, int id) {
+  Joint joint{id, model.jnt_qposadr[id], model.jnt_dofadr[id]};
+  const bool limited = model.jnt_limited[id] != 0;
+  const double endless = std::numeric_limits<double>::infinity();
+  joint.low = limited ? model.jnt_range[2 * id] : -endless;
+  joint.high = limited ? model.jnt_range[2 * id + 1] : endless;
+  return joint;
+}
+
+Sensor sensor(const mjModel& model, int id) { return {id, model.sensor_adr[id], model.sensor_dim[id]}; }
+
+bool Body::has(int body) const { return std::binary_search(bodies.begin(), bodies.end(), body); }
 
 std::vector<int> subtree(const mjModel& model, int root) {
   std::vector<int> bodies;
@@ -81,7 +92,7 @@ Body find_body(const mjModel& model, const std::string& prefix) {
   body.root = engine::find_or_fail(model, Kind::kBody, prefix + "mimo_location");
   body.head = engine::find_or_fail(model, Kind::kBody, prefix + "head");
   body.bodies = subtree(model, body.root);
-  for (const int id : ids_with_prefix(model, Kind::kJoint, prefix + "robot:")) body.joints.push_back(joint(model, id));
+  for (const int id : ids_with_prefix(model, Kind::kJoint, prefix + "robot:")) body.joints.push_back(hinge(model, id));
   body.actuators = ids_with_prefix(model, Kind::kActuator, prefix + "act:");
   for (const int id : ids_with_prefix(model, Kind::kSensor, prefix + "proprio:")) {
     body.torques.push_back(sensor(model, id));
@@ -100,6 +111,10 @@ std::vector<Motor> motors(const mjModel& model, const Body& body) {
       fail(Status::kUnsupported, "{} does not turn a joint", engine::name(model, Kind::kActuator, id));
     }
     const int turned = model.actuator_trnid[2 * id];
+    if (model.jnt_type[turned] != mjJNT_HINGE && model.jnt_type[turned] != mjJNT_SLIDE) {
+      fail(Status::kUnsupported, "{} turns joint {}, which has more than one axis",
+           engine::name(model, Kind::kActuator, id), engine::name(model, Kind::kJoint, turned));
+    }
     motors.push_back({id, joint(model, turned), engine::find_lock(model, turned)});
   }
   return motors;
@@ -113,7 +128,7 @@ void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos)
     Eigen::Map<Eigen::Vector4d>(&qpos[address + 3]).normalize();
   }
   for (const engine::TupleEntry& entry : engine::custom_tuple(model, body.prefix + "mimo:pose", Kind::kJoint)) {
-    qpos[static_cast<std::size_t>(joint(model, entry.id).qpos)] = entry.value;
+    qpos[static_cast<std::size_t>(hinge(model, entry.id).qpos)] = entry.value;
   }
 }
 

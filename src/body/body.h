@@ -1,4 +1,4 @@
-// What belongs to one infant in a compiled model, looked up by name once.
+// What belongs to one agent in a compiled model, mostly an infant; looked up by name once.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct Joint {
   int id = 0;
   int qpos = 0;              // address in qpos
   int dof = 0;               // address in qvel
-  double low = 0, high = 0;  // range, rad
+  double low = 0, high = 0;  // range, rad (m for a slide); infinite where it is not limited
 };
 
 // A motor, the joint that it turns, and the lock that can hold that joint (an equality; -1 if there is none).
@@ -31,17 +31,25 @@ struct Sensor {
 };
 
 struct Body {
-  std::string prefix;  // of all its names, "" or "anna/"
-  int root = 0;        // body mimo_location
-  int head = 0;
+  bool infant = true;           // else a part of the model that the library knows nothing more about
+  std::string prefix;           // of all its names, "" or "anna/"
+  int root = 0;                 // body mimo_location
+  int head = -1;                // -1: none that we know of
   std::vector<int> bodies;      // the whole subtree, in model order
-  std::vector<Joint> joints;    // robot:*, in model order
+  std::vector<Joint> joints;    // robot:*, in model order; hinges, and slides of what is no infant
   std::vector<int> actuators;   // act:*, in model order
   std::vector<Sensor> torques;  // proprio:*, three axes each
   std::optional<Sensor> accelerometer;
   std::optional<Sensor> gyroscope;
   int eye_left = -1, eye_right = -1;  // cameras
+
+  // Whether a body of the model is part of it.
+  bool has(int body) const;
 };
+
+// A hinge or a slide.
+Joint joint(const mjModel& model, int id);
+Sensor sensor(const mjModel& model, int id);
 
 // A body and all bodies below it, in model order.
 std::vector<int> subtree(const mjModel& model, int root);
@@ -51,6 +59,10 @@ int free_joint_address(const mjModel& model, int body);
 
 // Throws Status::kNotFound when the model has no such infant.
 Body find_body(const mjModel& model, const std::string& prefix);
+
+// Any body of a model with all below it: every hinge and slide, actuator and torque sensor of it. The world stands for
+// all that is in it, but is not part of that itself. Throws Status::kNotFound.
+Body find_part(const mjModel& model, const std::string& root);
 
 // Its motors in the order of `actuators`.
 std::vector<Motor> motors(const mjModel& model, const Body& body);

@@ -67,10 +67,16 @@ Sightline sightline(const mjData& data, int camera) {
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
+// The head of a body that has one whose joints we know.
+int head_of(const Body& body) {
+  if (!body.infant) fail(Status::kUnsupported, "the agent is no infant: looking at points is not known for it");
+  return body.head;
+}
+
 }  // namespace
 
 Eyes::Eyes(const mjModel& model, const Body& body)
-    : head_(body.head),
+    : head_(head_of(body)),
       swivel_(joint_of(model, body, "head_swivel")),
       nod_(joint_of(model, body, "head_tilt")),
       left_(eye(model, body, "left", body.eye_left)),

@@ -20,7 +20,7 @@ bool is_face(const mjModel& model, int material) {
 
 const Face& Faces::find(const std::string& name) const {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Face& face) { return face.name == name; });
-  if (geom < 0) fail(Status::kNotFound, "face is \"{}\", but this infant has no face", name);
+  if (geom < 0) fail(Status::kNotFound, "face is \"{}\", but this agent has no face", name);
   if (found != all.end()) return *found;
   std::string names;
   for (const Face& face : all) names += (names.empty() ? "" : ", ") + face.name;
@@ -36,6 +36,7 @@ const Face* Faces::shown(const mjModel& model) const {
 
 Faces find_faces(const mjModel& model, const Body& body) {
   Faces faces;
+  if (body.head < 0) return faces;
   const int first = model.body_geomadr[body.head];
   for (int geom = first; geom < first + model.body_geomnum[body.head] && faces.geom < 0; ++geom) {
     if (is_face(model, model.geom_matid[geom])) faces.geom = geom;

@@ -82,6 +82,8 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.touch = touch(config);
   options.face = text(config.face);
   options.actuation = actuation(config);
+  options.root = text(config.root);
+  options.vestibular_at = text(config.vestibular_at);
   return options;
 }
 
@@ -132,6 +134,12 @@ scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
   return result;
 }
 
+env::AgentOptions& agent_at(SceneObject& object, std::int32_t agent) {
+  const std::size_t count = object.agents.size();
+  require(agent >= 0 && static_cast<std::size_t>(agent) < count, "agent is {}, but there are {} agents", agent, count);
+  return object.agents[static_cast<std::size_t>(agent)];
+}
+
 std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   env::AgentOptions options = agent_options(config);
   for (const env::AgentOptions& other : object.agents) {
@@ -142,7 +150,13 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   if (config.acts != MIMO_ACT_NONE) check_bits(config.acts, MIMO_ACT_ALL, "acts");
   object.agents.reserve(object.agents.size() + 1);
   const std::string body = text(config.body);
-  if (body != "scene") {
+  require(options.root.empty() || body == "scene", "root is \"{}\" and body is \"{}\"; a root needs body \"scene\"",
+          options.root, body);
+  if (!options.root.empty()) {
+    require(config.acts == 0 || config.acts == MIMO_ACT_NONE,
+            "acts is {:#x}, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root", config.acts);
+    options.actuation.none = config.acts == MIMO_ACT_NONE;
+  } else if (body != "scene") {
     const bool placed = config.place_given != 0;
     const scene::Pose place = placed ? pose(config.position, config.orientation) : scene::Pose{};
     object.scene.add_body(body, options.prefix(), placed ? &place : nullptr, config.acts);

@@ -12,6 +12,9 @@ mimo_agent_config default_agent_config(const scene::Scene& scene);
 // Checks everything before it changes anything; gives the agent's number.
 std::size_t add_agent(SceneObject& object, const mimo_agent_config& config);
 
+// Throws for a number that is none of an agent.
+env::AgentOptions& agent_at(SceneObject& object, std::int32_t agent);
+
 // Checked numbers of a config: position, and orientation as a quaternion that is not zero.
 scene::Pose pose(const double (&position)[3], const double (&orientation)[4]);
 

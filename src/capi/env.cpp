@@ -72,12 +72,17 @@ mimo_env* make_env(const SceneObject& object, const mimo_env_config& config) {
 
 }  // namespace
 
+env::EnvOptions make_options(const SceneObject& object, const mimo_env_config& config) {
+  env::EnvOptions options = env_options(config);
+  options.parameters = object.parameters;
+  options.cameras = object.cameras;
+  options.shelf = render::make_shelf();
+  return options;
+}
+
 RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config) {
   auto recipe = std::make_shared<Recipe>();
-  recipe->options = env_options(config);
-  recipe->options.parameters = object.parameters;
-  recipe->options.cameras = object.cameras;
-  recipe->options.shelf = render::make_shelf();
+  recipe->options = make_options(object, config);
   recipe->agents = object.agents;
   recipe->task = object.task;
   const scene::Composition composition = object.scene.compose();

@@ -33,6 +33,7 @@ const char* word(HandleKind kind) {
     case HandleKind::kScene: return "mimo_scene";
     case HandleKind::kEnv: return "mimo_env";
     case HandleKind::kBatch: return "mimo_batch";
+    case HandleKind::kSenses: return "mimo_senses";
   }
   return "handle";
 }

@@ -8,7 +8,7 @@
 
 namespace mimo::capi {
 
-enum class HandleKind : unsigned { kScene = 1, kEnv = 2, kBatch = 3 };
+enum class HandleKind : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4 };
 
 // Makes a handle that owns the object.
 void* make_handle(HandleKind kind, void* object);

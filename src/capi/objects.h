@@ -8,6 +8,7 @@
 #include "base/fail.h"
 #include "batch/batch.h"
 #include "capi/handle.h"
+#include "env/attached.h"
 #include "env/world.h"
 #include "mimo/mimo.h"
 #include "scene/scene.h"
@@ -70,17 +71,23 @@ struct BatchObject {
   batch::Batch batch;
 };
 
+struct SensesObject {
+  env::Attached attached;
+};
+
 // Whether a handle may be used by this thread now.
 inline void require_access(const SceneObject&) {}
 inline void require_access(const EnvObject& env) {
   if (env.batch != nullptr) env.batch->require_access(env.number);
 }
 inline void require_access(const BatchObject&) {}  // the batch itself knows which calls it takes
+inline void require_access(const SensesObject&) {}
 
 // Views belong to their batch; a task must not pull away the world that it is at work in.
 inline bool is_destructible(const SceneObject&) { return true; }
 inline bool is_destructible(const EnvObject& env) { return env.batch == nullptr && !env.world.in_task(); }
 inline bool is_destructible(const BatchObject& object) { return !object.batch.works_on_this_thread(); }
+inline bool is_destructible(const SensesObject&) { return true; }
 
 template <>
 struct HandleTraits<mimo_scene> {
@@ -94,6 +101,13 @@ struct HandleTraits<mimo_batch> {
   using Type = BatchObject;
   static constexpr HandleKind kKind = HandleKind::kBatch;
   static constexpr const char* kName = "batch";
+};
+
+template <>
+struct HandleTraits<mimo_senses> {
+  using Type = SensesObject;
+  static constexpr HandleKind kKind = HandleKind::kSenses;
+  static constexpr const char* kName = "senses";
 };
 
 template <>

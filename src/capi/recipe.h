@@ -6,6 +6,8 @@
 namespace mimo::capi {
 
 mimo_env_config default_env_config();
+// The options of everything that is made from a scene.
+env::EnvOptions make_options(const SceneObject& object, const mimo_env_config& config);
 RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config);
 
 }  // namespace mimo::capi

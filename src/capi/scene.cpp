@@ -120,6 +120,17 @@ mimo_status mimo_scene_default_agent(const mimo_scene* scene, mimo_agent_config*
   return guard([&] { write_struct(config, size, default_agent_config(open(scene).scene), "config"); });
 }
 
+mimo_status mimo_scene_read_joint(mimo_scene* scene, int32_t agent, const char* joint) noexcept {
+  return guard([&] {
+    env::AgentOptions& options = agent_at(open(scene), agent);
+    const std::string name = text(joint);
+    require(!name.empty(), "joint is {}, expected a name", joint == nullptr ? "NULL" : "\"\"");
+    const bool there = std::find(options.joints.begin(), options.joints.end(), name) != options.joints.end();
+    require(!there, "joint \"{}\" is read already", name);
+    options.joints.push_back(name);
+  });
+}
+
 mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* config) noexcept {
   return guard([&] {
     SceneObject& object = open(scene);

@@ -2,23 +2,12 @@
 #include <algorithm>
 
 #include "capi/check.h"
+#include "capi/fields.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
-#include "capi/structs.h"
 
 namespace mimo::capi {
 namespace {
-
-const senses::Field& field_at(const env::World& world, std::size_t index) {
-  require(index < world.layout().size(), "index is {}, but there are {} fields", index, world.layout().size());
-  return world.layout()[index];
-}
-
-std::uint8_t* block_bytes_of(const env::World& world, void* block, std::size_t bytes) {
-  auto* start = static_cast<std::uint8_t*>(block);
-  check_buffer(start, bytes, world.layout().bytes(), "block");
-  return start;
-}
 
 void check_actions(const env::World& world, Span<const float> actions) {
   require(actions.empty() || actions.size() == world.action_size(), "action_count is {}, expected {} or 0",
@@ -41,22 +30,6 @@ void check_agents(const env::World& world, std::size_t agents, bool any) {
   }
 }
 
-mimo_field describe(const senses::Field& field) {
-  mimo_field ours{};
-  ours.dtype = static_cast<int32_t>(field.type);
-  ours.name = field.name.c_str();
-  ours.unit = field.unit.c_str();
-  ours.frame = field.frame.c_str();
-  ours.offset = field.offset;
-  ours.bytes = field.bytes();
-  std::copy(field.shape.begin(), field.shape.end(), std::begin(ours.shape));
-  ours.ndim = static_cast<uint32_t>(field.shape.size());
-  ours.time = static_cast<int32_t>(field.time);
-  ours.low = field.low;
-  ours.high = field.high;
-  return ours;
-}
-
 }  // namespace
 }  // namespace mimo::capi
 
@@ -66,23 +39,15 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_observation_size(const mimo_env* env, size_t* bytes, size_t* fields) noexcept {
-  return guard([&] {
-    const env::Layout& layout = open(env).world.layout();
-    if (bytes != nullptr) *bytes = layout.bytes();
-    if (fields != nullptr) *fields = layout.size();
-  });
+  return guard([&] { describe_size(open(env).world.layout(), bytes, fields); });
 }
 
 mimo_status mimo_env_observation_field(const mimo_env* env, size_t index, mimo_field* field) noexcept {
-  return guard([&] { write_described(field, describe(field_at(open(env).world, index)), "field"); });
+  return guard([&] { describe_field(open(env).world.layout(), index, field); });
 }
 
 mimo_status mimo_env_observation_label(const mimo_env* env, size_t index, size_t element, const char** label) noexcept {
-  return guard([&] {
-    const senses::Field& field = field_at(open(env).world, index);
-    require(element < field.count(), "element is {}, but {} has {} elements", element, field.name, field.count());
-    out(label, "label") = field.label(element);
-  });
+  return guard([&] { out(label, "label") = label_of(open(env).world.layout(), index, element); });
 }
 
 mimo_status mimo_env_action_size(const mimo_env* env, size_t* count) noexcept {
@@ -114,7 +79,7 @@ mimo_status mimo_env_action_name(const mimo_env* env, size_t index, const char**
 mimo_status mimo_env_reset(mimo_env* env, const uint64_t* seed, void* block, size_t block_bytes) noexcept {
   return guard([&] {
     env::World& world = open(env).world;
-    world.reset(seed, block_bytes_of(world, block, block_bytes));
+    world.reset(seed, block_of(world.layout(), block, block_bytes));
   });
 }
 
@@ -125,7 +90,7 @@ mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_coun
     const Span<const float> actions = array(action, action_count, "action");
     check_actions(world, actions);
     check_agents(world, agents, reward != nullptr || terminated != nullptr || truncated != nullptr);
-    std::uint8_t* start = block_bytes_of(world, block, block_bytes);
+    std::uint8_t* start = block_of(world.layout(), block, block_bytes);
     const std::size_t count = world.agents().size();
     world.step(actions, start, {per_agent(reward, count), per_agent(terminated, count), per_agent(truncated, count)});
   });
@@ -135,7 +100,7 @@ mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noe
   return guard([&] {
     env::World& world = open(env).world;
     require(block != nullptr, "block is NULL");
-    world.observe(block_bytes_of(world, block, block_bytes));
+    world.observe(block_of(world.layout(), block, block_bytes));
   });
 }
 

@@ -75,6 +75,7 @@ class Scene {
  public:
   explicit Scene(const mimo_scene_config& config);
   void add_agent(const mimo_agent_config& config) { check(mimo_scene_add_agent(get(), &config, nullptr)); }
+  void set_touch(double spacing) { check(mimo_scene_set_touch(get(), 0, nullptr, spacing)); }
   mimo_scene* get() const { return handle_.get(); }
 
  private:

@@ -1,5 +1,7 @@
 #include "random_actions.h"
 
+#include <cmath>
+
 namespace cli {
 
 RandomActions::RandomActions(const Env& env, std::uint64_t seed) : generator_(seed) {
@@ -8,6 +10,10 @@ RandomActions::RandomActions(const Env& env, std::uint64_t seed) : generator_(se
   low_.resize(count);
   high_.resize(count);
   if (count != 0) check(mimo_env_action_bounds(env.get(), low_.data(), high_.data(), count));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(low_[i])) low_[i] = -1;  // an actuator without ctrlrange
+    if (!std::isfinite(high_[i])) high_[i] = 1;
+  }
 }
 
 std::vector<float> RandomActions::draw() {

@@ -1,5 +1,6 @@
 // mimo run: random movements, all senses, pictures, and a table of what each sense gave.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -42,6 +43,7 @@ class Run {
   void save_pictures(const std::string& prefix, const std::string& when);
   void save_touch(const std::string& prefix, const std::string& when);
   void save_eyes(const std::string& prefix, const std::string& when);
+  void save_cameras(const std::string& prefix, const std::string& when);
 
   static mimo_env_config config() {
     auto config = make_env_config();
@@ -104,6 +106,18 @@ void Run::save_eyes(const std::string& prefix, const std::string& when) {
   save(prefix + "anaglyph", anaglyph(left_picture, right_picture), "both, for red-cyan glasses");
 }
 
+// What cameras see that are no eyes: an agent that is no infant sees with all that it has.
+void Run::save_cameras(const std::string& prefix, const std::string& when) {
+  const std::string path = "vision/";
+  for (const FieldStatistics& statistics : statistics_) {
+    const Field& field = statistics.field();
+    if (field.dtype != MIMO_U8 || field.name.rfind(path, 0) != 0 || field.name.rfind(path + "eye_", 0) == 0) continue;
+    std::string name = field.name.substr(path.size());
+    std::replace(name.begin(), name.end(), '/', '_');
+    save(prefix + "camera_" + name, picture_in(field, block_), "camera " + name + " " + when);
+  }
+}
+
 void Run::save_touch(const std::string& prefix, const std::string& when) {
   TouchPicture touch(env_);
   if (!touch.possible()) return;
@@ -114,6 +128,7 @@ void Run::save_touch(const std::string& prefix, const std::string& when) {
 
 void Run::save_pictures(const std::string& prefix, const std::string& when) {
   save_eyes(prefix, when);
+  save_cameras(prefix, when);
   try {
     save(prefix + "outside", take_picture(env_, overview(env_)), "seen from outside " + when);
     save_touch(prefix, when);

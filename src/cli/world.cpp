@@ -33,10 +33,20 @@ Scene load_scene(const WorldOptions& options) {
 }
 
 // Only the compiled model knows: the body may come from an include.
-bool file_holds_infant(const WorldOptions& options) {
+Env bare_file(const WorldOptions& options) {
   auto config = defaults(mimo_env_config_init);
   config.renderer = "none";
-  return Env(load_scene(options), config).has(MIMO_BODY, "mimo_location");
+  return Env(load_scene(options), config);
+}
+
+bool file_holds_infant(const WorldOptions& options) { return bare_file(options).has(MIMO_BODY, "mimo_location"); }
+
+// Everything in a file that knows nothing of infants is one agent, with the senses that there is something for.
+void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
+  const Env world = bare_file(options);
+  agent.root = "world";
+  agent.vestibular = 0;
+  if (world.count(MIMO_CAMERA) == 0) agent.vision = 0;
 }
 
 std::uint32_t pixels(const WorldOptions& options) {
@@ -144,12 +154,14 @@ std::string body_of_scene(const WorldOptions& options) {
 }
 
 Scene make_scene(const WorldOptions& options, Senses senses) {
+  constexpr double kSpacing = 0.05;  // of touch sensors on what is no infant, m
   Scene scene = load_scene(options);
   const std::string body = body_of_scene(options);
-  if (body.empty()) return scene;
   mimo_agent_config agent = agent_config(options, senses);
-  agent.body = body.c_str();
+  if (body.empty()) make_agent_of_all(options, agent);
+  agent.body = body.empty() ? "scene" : body.c_str();
   scene.add_agent(agent);
+  if (body.empty() && agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
   return scene;
 }
 

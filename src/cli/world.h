@@ -27,12 +27,13 @@ void add_renderer_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
 
-// The infant's body: "mitten", or "scene" where it is part of the scene's file, or "" where there is none.
+// The infant's body: "mitten", or "scene" where it is part of the scene's file, or "" where there is none: then
+// everything in the file is one agent.
 std::string body_of_scene(const WorldOptions& options);
 
 enum class Senses { kAll, kAllButVision, kNone };
 
-// The scene with its infant, if it has one.
+// The scene with its agent.
 Scene make_scene(const WorldOptions& options, Senses senses);
 
 // An env_config with defaults and the log on stderr.

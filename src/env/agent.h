@@ -1,27 +1,22 @@
-// One infant in a world: its body, its actuation, its senses.
+// One agent in a world: what it senses, its actuation, its task.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "actuation/actuation.h"
-#include "body/body.h"
 #include "body/faces.h"
 #include "env/options.h"
-#include "senses/sense.h"
-#include "senses/touch/touch.h"
+#include "env/perception.h"
 #include "tasks/task.h"
 
 namespace mimo::env {
 
-struct Agent {
+struct Agent : Perception {
   std::string name;
-  body::Body body;
   body::Faces faces;
   std::unique_ptr<actuation::Actuation> actuation;
   std::unique_ptr<tasks::Task> task;
-  std::vector<std::unique_ptr<senses::Sense>> senses;
-  std::shared_ptr<const senses::touch::Skin> skin;  // null without touch
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;

@@ -9,6 +9,7 @@
 #include "actuation/actuation.h"
 #include "base/log.h"
 #include "engine/physics.h"
+#include "env/limits.h"
 #include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
@@ -20,16 +21,20 @@ namespace mimo::env {
 
 struct AgentOptions {
   std::string name;  // "" for a sole agent
+  std::string root;  // "": an infant; else the body of the model that the agent consists of, with all below it
   senses::ProprioceptionOptions proprioception;
+  std::vector<std::string> joints;  // that proprioception reads, by their names in the model; empty: all
   bool vestibular = true;
+  std::string vestibular_at;  // site or body that carries the organ; "": the infant's own sensors
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
-  std::string face;  // that it shows at first; "": the model's own
+  std::string face;                // that it shows at first; "": the model's own
+  std::vector<PathLimits> limits;  // of its senses
   // That of the same agent in another world of the same model, to be shared instead of made anew.
   std::shared_ptr<const senses::touch::Skin> skin = nullptr;
 
-  // Prefix of its model names and fields.
+  // Prefix of its fields, and of an infant's names in the model.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
 };
 

@@ -64,6 +64,8 @@ void World::save_parts(ByteWriter& to, Hash* layout) const {
   done("episode", nullptr);
   random_.save(to);
   done("random", nullptr);
+  limits_.save(to);
+  done("limits", nullptr);
   for (const Agent& agent : agents_) {
     agent.task->save(to);
     done("task", &agent);
@@ -79,6 +81,7 @@ void World::save_parts(ByteWriter& to, Hash* layout) const {
 void World::load_parts(ByteReader& from) {
   elapsed_ = from.take<std::uint64_t>();
   random_.load(from);
+  limits_.load(from);
   for (const Agent& agent : agents_) {
     agent.task->load(from);
     agent.actuation->load(from);

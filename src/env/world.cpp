@@ -34,8 +34,12 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   const TaskMaker make_task = task_maker();
   render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
-  for (const CameraOptions& camera : options_.cameras) add_camera(camera, eyes);
+  for (const CameraOptions& camera : options_.cameras) observer_.add_camera(physics_.model(), camera, eyes);
+  for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits);
+  limits_.make_room(layout());
   start();
+  limits_.start(random_);
+  sense(nullptr, Moment::kStart);
   measure_state();
   report_warnings();
 }
@@ -44,31 +48,10 @@ void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, r
   Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes);
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
-  for (const auto& sense : agent.senses) lay_out(*sense);
+  for (const auto& sense : agent.senses) observer_.add(*sense);
   body::read_stored_pose(physics_.model(), agent.body, physics_.start());
   agents_.push_back(std::move(agent));
   if (!options.face.empty()) set_face(agents_.size() - 1, options.face);
-}
-
-void World::add_camera(const CameraOptions& options, render::Renderer* renderer) {
-  if (renderer == nullptr) {
-    fail(Status::kInvalidArgument, "renderer \"none\": camera \"{}\" is to be observed; choose a renderer",
-         options.camera);
-  }
-  const senses::Lens lens{"vision/" + options.camera,
-                          engine::find_or_fail(model(), engine::Kind::kCamera, options.camera)};
-  cameras_.push_back(
-      std::make_unique<senses::Vision>(model(), std::vector<senses::Lens>{lens}, options.vision, *renderer));
-  lay_out(*cameras_.back());
-}
-
-void World::lay_out(senses::Sense& sense) {
-  for (senses::Field& field : sense.fields()) {
-    for (std::size_t i = 0; i < layout_.size(); ++i) {
-      require(layout_[i].name != field.name, "there are two fields \"{}\"", field.name);
-    }
-    layout_.add(field);
-  }
 }
 
 void World::require_outside_task() const {
@@ -136,7 +119,8 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   }
   physics_.data().time = 0;
   physics_.forward();
-  if (block != nullptr) sense(block, false);
+  limits_.start(random_);
+  sense(block, Moment::kStart);
   report_warnings();
 }
 
@@ -159,7 +143,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   ++elapsed_;
   ++timing_.steps;
   evaluate();
-  if (block != nullptr) sense(block, options_.timing);
+  sense(block, Moment::kStep);
   report(results);
   report_warnings();
 }
@@ -171,21 +155,20 @@ void World::step_physics(int count) {
 
 void World::observe(std::uint8_t* block) {
   physics_.forward();
-  sense(block, false);
+  sense(block, Moment::kBetween);
 }
 
 // Only steps are timed: looking in between would blur what a step costs.
-void World::sense(std::uint8_t* block, bool timed) {
-  for (const Agent& agent : agents_) {
-    for (const auto& sense : agent.senses) write(*sense, block, timed);
+void World::sense(std::uint8_t* block, Moment moment) {
+  std::uint8_t* to = block == nullptr && limits_.late() ? limits_.room() : block;
+  if (to == nullptr) return;
+  const bool timed = options_.timing && moment == Moment::kStep;
+  observer_.observe(model(), data(), to, timed ? &timing_ : nullptr);
+  switch (moment) {
+    case Moment::kStart: return limits_.begin(to);
+    case Moment::kStep: return limits_.step(to, elapsed_);
+    case Moment::kBetween: return limits_.look(to, elapsed_);
   }
-  for (const auto& camera : cameras_) write(*camera, block, timed);
-  layout_.clear_gaps(block);
-}
-
-void World::write(senses::Sense& sense, std::uint8_t* block, bool timed) {
-  const Stopwatch watch(timed, timing_.senses[static_cast<std::size_t>(sense.part())]);
-  sense.write(model(), data(), block);
 }
 
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.

@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "engine/physics.h"
 #include "env/agent.h"
-#include "env/layout.h"
+#include "env/observer.h"
 #include "env/options.h"
 #include "env/state.h"
 #include "env/timing.h"
@@ -32,7 +32,7 @@ class World {
   engine::Physics& physics() { return physics_; }
   const engine::Physics& physics() const { return physics_; }
   const std::vector<Agent>& agents() const { return agents_; }
-  const Layout& layout() const { return layout_; }
+  const Layout& layout() const { return observer_.layout(); }
   std::size_t action_size() const { return action_size_; }
   // Agent and index in its actuation of an action.
   std::pair<const Agent*, std::size_t> action(std::size_t index) const;
@@ -76,12 +76,11 @@ class World {
   render::Renderer& renderer();
   void adopt_scene_choices();
   void add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes);
-  void add_camera(const CameraOptions& options, render::Renderer* renderer);
-  void lay_out(senses::Sense& sense);
-  void write(senses::Sense& sense, std::uint8_t* block, bool timed);
   TaskMaker task_maker() const;
   void start();
-  void sense(std::uint8_t* block, bool timed);
+  enum class Moment { kStart, kStep, kBetween };
+  // Without a block only where senses are late, and what they give now is for later.
+  void sense(std::uint8_t* block, Moment moment);
   void evaluate();
   void report(const Results& results) const;
   void require_outside_task() const;
@@ -96,8 +95,8 @@ class World {
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
-  std::vector<std::unique_ptr<senses::Sense>> cameras_;  // that belong to no agent
-  Layout layout_;
+  Observer observer_;
+  Limits limits_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;

@@ -43,18 +43,33 @@ Field field(const char* name, std::vector<std::size_t> shape, const char* unit, 
   return field;
 }
 
+struct Units {
+  const char *position, *velocity, *force;
+};
+
+// Infants have hinges only; other agents may have slides.
+Units units_of(const mjModel& model, const std::vector<body::Joint>& joints) {
+  const auto slides = [&](const body::Joint& joint) { return model.jnt_type[joint.id] == mjJNT_SLIDE; };
+  if (std::none_of(joints.begin(), joints.end(), slides)) return {"rad", "rad/s", "Nm"};
+  if (std::all_of(joints.begin(), joints.end(), slides)) return {"m", "m/s", "N"};
+  return {"rad or m", "rad/s or m/s", "Nm or N"};
+}
+
 }  // namespace
 
 Proprioception::Proprioception(const mjModel& model, body::Body body, const ProprioceptionOptions& options)
     : body_(std::move(body)), threshold_(options.limit_threshold) {
   const std::size_t joints = body_.joints.size();
   const std::size_t motors = body_.actuators.size();
+  const Units units = units_of(model, body_.joints);
   using P = Proprioception;
   if (options.position) {
-    add(field("position", {joints}, "rad", "joint", Time::kEnd, names(model, body_.joints)), &P::write_position);
+    add(field("position", {joints}, units.position, "joint", Time::kEnd, names(model, body_.joints)),
+        &P::write_position);
   }
   if (options.velocity) {
-    add(field("velocity", {joints}, "rad/s", "joint", Time::kEnd, names(model, body_.joints)), &P::write_velocity);
+    add(field("velocity", {joints}, units.velocity, "joint", Time::kEnd, names(model, body_.joints)),
+        &P::write_velocity);
   }
   if (options.torque && !body_.torques.empty()) {
     add(field("torque", {body_.torques.size(), 3}, "Nm", "site", Time::kLastStart, axis_names(model, body_.torques)),
@@ -67,14 +82,20 @@ Proprioception::Proprioception(const mjModel& model, body::Body body, const Prop
   }
   if (options.actuation && options.position_control) {
     for (const body::Motor& motor : body::motors(model, body_)) locks_.push_back(motor.lock);
-    add(field("target", {motors}, "rad", "joint", Time::kEnd, names(model, body_.actuators)), &P::write_target);
+    add(field("target", {motors}, units.position, "joint", Time::kEnd, names(model, body_.actuators)),
+        &P::write_target);
   } else if (options.actuation && motors > 0) {
     add(field("control", {motors}, "", "actuator", Time::kEnd, names(model, body_.actuators)), &P::write_control);
-    add(field("motor_torque", {motors}, "Nm", "joint", Time::kEnd, names(model, body_.actuators)),
-        &P::write_motor_torque);
+    if (body_.infant) {
+      add(field("motor_torque", {motors}, "Nm", "joint", Time::kEnd, names(model, body_.actuators)),
+          &P::write_motor_torque);
+    } else {  // whose actuators may be servos or muscles
+      add(field("actuator_force", {motors}, "N or Nm", "actuator", Time::kLastStart, names(model, body_.actuators)),
+          &P::write_actuator_force);
+    }
   }
   if (options.joint_torque) {
-    add(field("joint_torque", {joints}, "Nm", "joint", Time::kLastStart, names(model, body_.joints)),
+    add(field("joint_torque", {joints}, units.force, "joint", Time::kLastStart, names(model, body_.joints)),
         &P::write_joint_torque);
   }
 }
@@ -120,6 +141,10 @@ void Proprioception::write_motor_torque(const mjModel& model, const mjData& data
   for (const int id : body_.actuators) {
     *out++ = static_cast<float>(model.actuator_gear[6 * id] * data.ctrl[id]);
   }
+}
+
+void Proprioception::write_actuator_force(const mjModel&, const mjData& data, float* out) const {
+  for (const int id : body_.actuators) *out++ = static_cast<float>(data.actuator_force[id]);
 }
 
 void Proprioception::write_target(const mjModel& model, const mjData&, float* out) const {

@@ -33,6 +33,7 @@ class Proprioception : public Sense {
   void write_limit(const mjModel& model, const mjData& data, float* out) const;
   void write_control(const mjModel& model, const mjData& data, float* out) const;
   void write_motor_torque(const mjModel& model, const mjData& data, float* out) const;
+  void write_actuator_force(const mjModel& model, const mjData& data, float* out) const;
   void write_target(const mjModel& model, const mjData& data, float* out) const;
   void write_joint_torque(const mjModel& model, const mjData& data, float* out) const;
 

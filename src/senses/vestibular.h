@@ -1,11 +1,16 @@
-// The sense of balance: accelerometer and gyroscope in the middle of the head, in the head's frame.
+// The sense of balance: linear acceleration and angular velocity.
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include "body/body.h"
+#include "engine/motion.h"
 #include "senses/sense.h"
 
 namespace mimo::senses {
 
+// An infant's: MuJoCo's accelerometer and gyroscope in the middle of the head, in the head's frame.
 class Vestibular : public Sense {
  public:
   explicit Vestibular(const body::Body& body);
@@ -15,5 +20,19 @@ class Vestibular : public Sense {
  private:
   std::vector<int> addresses_;  // in sensordata, one per field
 };
+
+// The same at any place of a model, which needs no sensors for it; in the frame of the site or body.
+class Organ : public Sense {
+ public:
+  explicit Organ(engine::Place place);
+  Part part() const override { return Part::kVestibular; }
+  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
+
+ private:
+  engine::Place place_;
+};
+
+// At a site or body of that name; "" for the infant's own. Throws Status::kNotFound with the sites that there are.
+std::unique_ptr<Sense> make_vestibular(const mjModel& model, const body::Body& body, const std::string& place);
 
 }  // namespace mimo::senses

@@ -1,12 +1,40 @@
 #include "senses/vision.h"
 
+#include <cmath>
 #include <limits>
 
 #include "base/fail.h"
+#include "base/format.h"
 
 namespace mimo::senses {
+namespace {
 
-std::vector<Lens> eyes(const body::Body& body) {
+using engine::Kind;
+
+std::vector<Lens> carried_cameras(const mjModel& model, const body::Body& body) {
+  std::vector<Lens> lenses;
+  std::vector<std::string> others;
+  for (int camera = 0; camera < model.ncam; ++camera) {
+    const std::string own = engine::name(model, Kind::kCamera, camera);
+    const std::string name = own.empty() ? "camera" + std::to_string(camera) : own;
+    if (body.root == 0 || body.has(model.cam_bodyid[camera])) {  // the world's own as well, where it is all
+      lenses.push_back({"vision/" + name, camera});
+    } else {
+      others.push_back(name);
+    }
+  }
+  if (lenses.empty()) {
+    fail(Status::kNotFound, "vision is on, but body \"{}\" carries no camera; cameras elsewhere: {}",
+         engine::name(model, Kind::kBody, body.root),
+         others.empty() ? "none" : fmt::to_string(fmt::join(others, ", ")));
+  }
+  return lenses;
+}
+
+}  // namespace
+
+std::vector<Lens> eyes(const mjModel& model, const body::Body& body) {
+  if (!body.infant) return carried_cameras(model, body);
   if (body.eye_left < 0 || body.eye_right < 0) {
     fail(Status::kNotFound, "vision is on, but the model has no cameras {0}eye_left and {0}eye_right", body.prefix);
   }
@@ -27,7 +55,16 @@ Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   if (options_.segmentation) {
     view.segmentation = add(lens.path + "_segmentation", Type::kI32, "", -1, model.ngeom - 1);
   }
+  const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];
+  for (Field& field : fields_) {
+    if (field.pixels_per_degree == 0) field.pixels_per_degree = pixels_per_degree(fovy);  // those just added
+  }
   return view;
+}
+
+double Vision::pixels_per_degree(double fovy) const {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  return options_.height / 2.0 / std::tan(fovy / 2 * kDegree) * kDegree;
 }
 
 int Vision::add(const std::string& name, Type type, const char* unit, double low, double high) {

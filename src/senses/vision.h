@@ -27,8 +27,8 @@ struct Lens {
   int camera;
 };
 
-// The infant's eyes. Throws Status::kNotFound where the model lacks them.
-std::vector<Lens> eyes(const body::Body& body);
+// The infant's eyes; all cameras that another agent carries. Throws Status::kNotFound where there are none.
+std::vector<Lens> eyes(const mjModel& model, const body::Body& body);
 
 class Vision : public Sense {
  public:
@@ -47,6 +47,8 @@ class Vision : public Sense {
   };
 
   int add(const std::string& name, Type type, const char* unit, double low, double high);
+  // In the middle of the picture of a camera with this field of view.
+  double pixels_per_degree(double fovy) const;
   View view(const mjModel& model, const Lens& lens);
   template <typename T>
   T* pixels(std::uint8_t* block, int field) const {

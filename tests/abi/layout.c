@@ -56,6 +56,15 @@ int main(void) {
   FIELD(mimo_agent_config, touch_scale);
   FIELD(mimo_agent_config, touch_slip_threshold);
   FIELD(mimo_agent_config, face);
+  FIELD(mimo_agent_config, root);
+  FIELD(mimo_agent_config, vestibular_at);
+
+  BEGIN(mimo_limits);
+  FIELD(mimo_limits, struct_size);
+  FIELD(mimo_limits, delay);
+  FIELD(mimo_limits, gain);
+  FIELD(mimo_limits, noise);
+  FIELD(mimo_limits, blur);
 
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);

@@ -3,3 +3,4 @@
 #include "misuse/rows_batch.h"
 #include "misuse/rows_env.h"
 #include "misuse/rows_scene.h"
+#include "misuse/rows_senses.h"

@@ -24,6 +24,12 @@ static mimo_status check_status_names(void) {
   return CHECKED(strcmp(mimo_status_name(INT32_MAX), "MIMO_E_UNKNOWN") == 0);
 }
 
+/* Memory that is long enough, but holds no struct of MuJoCo's. */
+static const void* not_a_model(void) {
+  static double junk[10000];
+  return junk;
+}
+
 static mimo_status check_list(const char* (*entry)(size_t)) {
   size_t count = 0;
   while (count < 100 && entry(count) != NULL) ++count;
@@ -65,6 +71,20 @@ static mimo_status check_destroy_batch(args* a) {
   mimo_batch_destroy((mimo_batch*)a->env);
   mimo_batch_destroy(no_handle());
   return CHECKED(strcmp(before, mimo_last_error()) == 0);
+}
+
+static mimo_status check_destroy_senses(args* a) {
+  char before[512];
+  size_t count = 0;
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  mimo_senses_destroy(NULL);
+  mimo_senses_destroy(retired_senses());
+  mimo_senses_destroy((mimo_senses*)a->scene);
+  mimo_senses_destroy((mimo_senses*)a->env);
+  mimo_senses_destroy((mimo_senses*)a->batch);
+  mimo_senses_destroy(no_handle());
+  return CHECKED(strcmp(before, mimo_last_error()) == 0 &&
+                 mimo_senses_observation_size(a->senses, &count, NULL) == MIMO_OK);
 }
 
 static int send_first = 1;
@@ -142,6 +162,12 @@ static void write_value(args* a, double value) {
 }
 static void nan_value(args* a) { write_value(a, NAN); }
 static void infinite_value(args* a) { write_value(a, INFINITY); }
+static void no_model(args* a) { a->model = not_a_model(); }
+static void no_data(args* a) { a->data = not_a_model(); }
+static void few_cart_sensors(args* a) {
+  CHECK_OK(mimo_senses_touch_sensors(a->senses, 0, NULL, NULL, NULL, NULL, 0, a->count));
+  a->touch_capacity = *a->count - 1;
+}
 static void few_sensors(args* a) { *a->count = a->touch_capacity--; }
 static void unknown_camera(args* a) { a->picture_config->camera = "nobody's"; }
 static void no_camera_body(args* a) { a->camera_config->body = "ghost"; }
@@ -154,6 +180,14 @@ static void no_state(args* a) { memset((void*)a->state, 0, a->state_bytes); }
 static void damaged_state(args* a) { ((unsigned char*)a->state)[a->state_bytes - 1] ^= 1; }
 static void foreign_state_given(args* a) { memcpy((void*)a->state, foreign_state(), 64); }
 #define foreign_state foreign_state_given
+
+static void same_joint(args* a) { CHECK_OK(mimo_scene_read_joint(a->scene, 0, a->name)); }
+static void root_and_body(args* a) { a->agent_config->root = "torso"; }
+static void root_and_groups(args* a) {
+  a->agent_config->root = "torso";
+  a->agent_config->body = "scene";
+  a->agent_config->acts = MIMO_ACT_HEAD;
+}
 
 /* ---- The table ---- */
 

@@ -25,6 +25,9 @@ ROW(mimo_camera_config_init, 0, mimo_camera_config_init(a->camera_config, sizeof
     INIT(camera_config, mimo_camera_config, "config"))
 ROW(mimo_task_init, 0, mimo_task_init(a->task, sizeof *a->task + a->more_bytes), INIT(task, mimo_task, "task"))
 
+ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more_bytes),
+    INIT(limits, mimo_limits, "limits"))
+
 ROW(mimo_scene_create, 0, mimo_scene_create(a->scene_config, a->made_scene), NULL_OK(scene_config),
     NO_NULL(made_scene, "scene"), CONFIG(scene_config, mimo_scene_config, "config"),
     BAD_FIELD(scene_config, mimo_scene_config, reserved, 1, "reserved"), DO(unknown_scene, MIMO_E_NOT_FOUND, "nowhere"),
@@ -53,10 +56,20 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
-    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
+    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
+    DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"))
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
     BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
+ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent, a->name), BAD_I32(agent, 1, "agent"),
+    BAD_IDS(agent, "agent"), NO_NULL(name, "joint"), DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))
+#define LIMITS_REAL(f, n) BAD_REAL(limits, mimo_limits, f, n, #f)
+ROW(mimo_scene_limit_sense, ON_SCENE, mimo_scene_limit_sense(a->scene, a->agent, a->path, a->limits),
+    BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NO_NULL(path, "path"), NULL_OK(limits),
+    CONFIG(limits, mimo_limits, "limits"), BAD_FIELD(limits, mimo_limits, delay, 1001, "delay"),
+    UNREAL(limits, mimo_limits, gain, "gain"), LIMITS_REAL(gain, -1), UNREAL(limits, mimo_limits, noise, "noise"),
+    LIMITS_REAL(noise, -0.5), UNREAL(limits, mimo_limits, blur, "blur"), LIMITS_REAL(blur, -1), LIMITS_REAL(blur, 0.01),
+    LIMITS_REAL(blur, 1001))
 
 #define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_REAL(f, n) BAD_REAL(object_config, mimo_object_config, f, n, #f)

@@ -7,10 +7,11 @@
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
-  /* handles; `room` is a scene without infant, the others have one */
+  /* handles; `room` is a scene without infant, the others have one, but for calls ON_CART a cart instead */
   mimo_scene *scene, *room;
   mimo_env* env;
   mimo_batch* batch;
+  mimo_senses* senses;
   /* structs, each in memory with room for a later version's tail */
   mimo_scene_config* scene_config;
   mimo_agent_config* agent_config;
@@ -26,20 +27,21 @@ typedef struct args {
   mimo_timing* timing;
   mimo_camera_config* camera_config;
   mimo_gaze* gaze;
+  mimo_limits* limits;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, agent, body_id, how;
-  size_t index, element, agent_index, world, steps;
+  int32_t kind, id, quantity, joint, agent, body_id, how, version;
+  size_t index, element, agent_index, world, steps, model_size, data_size;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face;
+  const char *name, *scene_name, *part, *parameter_name, *face, *path;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
   const double *points, *to_write, *all_to_write;
-  const void *state, *states;
+  const void *state, *states, *model, *data;
   size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, value_count,
       values_count;
   /* arrays that are written */
@@ -63,6 +65,7 @@ typedef struct args {
   mimo_scene** made_scene;
   mimo_env** made_env;
   mimo_batch** made_batch;
+  mimo_senses** made_senses;
 } args;
 
 enum fault_kind {
@@ -95,7 +98,18 @@ typedef struct fault {
 
 /* What a row's call works on; whether a world that has failed refuses it or is healed by it; whether it may come
  * between mimo_batch_send and mimo_batch_receive; whether it destroys. */
-enum { ON_SCENE = 1, ON_ROOM = 2, ON_ENV = 4, ON_BATCH = 8, SIMULATES = 16, HEALS = 32, ANYTIME = 64, DESTROYS = 128 };
+enum {
+  ON_SCENE = 1,
+  ON_ROOM = 2,
+  ON_ENV = 4,
+  ON_BATCH = 8,
+  SIMULATES = 16,
+  HEALS = 32,
+  ANYTIME = 64,
+  DESTROYS = 128,
+  ON_SENSES = 256,
+  ON_CART = 512
+};
 
 typedef struct row {
   const char* name;

@@ -1,5 +1,7 @@
 #include "misuse/world.h"
 
+#include <mujoco/mujoco.h>
+
 #include "support/capi.h"
 
 enum { TAIL = 64, MOST_REGIONS = 64, MOST_BYTES = 1 << 20 };
@@ -14,6 +16,9 @@ static args good;
 static mimo_scene *dead_scene, *spare_scene;
 static mimo_env* dead_env;
 static mimo_batch* dead_batch;
+static mimo_senses* dead_senses;
+static mjModel* host_model;
+static mjData* host_data;
 static unsigned char not_a_handle[256];
 static unsigned char foreign[MOST_BYTES], first_state[MOST_BYTES];
 
@@ -61,6 +66,48 @@ static mimo_batch* make_batch(const mimo_scene* scene, int32_t autoreset) {
   return batch;
 }
 
+/* The simulation of a host that senses are attached to. */
+static void make_host(void) {
+  static const char text[] =
+      "<mujoco><worldbody><geom type='plane' size='1 1 1'/><body name='cart' pos='0 0 0.1'><freejoint/>"
+      "<geom type='box' size='.2 .1 .1'/><body><joint name='mast'/><geom "
+      "size='.1'/></body></body></worldbody></mujoco>";
+  char error[500] = "";
+  mjVFS* files = malloc(sizeof *files);
+  if (files == NULL) exit(1);
+  mj_defaultVFS(files);
+  CHECK(mj_makeEmptyFileVFS(files, "host.xml", (int)sizeof text - 1) == 0);
+  memcpy(files->filedata[0], text, sizeof text - 1);
+  host_model = mj_loadXML("host.xml", files, error, (int)sizeof error);
+  mj_deleteVFS(files);
+  free(files);
+  if (host_model == NULL) exit(1);
+  host_data = mj_makeData(host_model);
+  mj_step(host_model, host_data);
+}
+
+/* A scene that describes senses on it. */
+static mimo_scene* make_cart(void) {
+  mimo_agent_config agent;
+  mimo_scene* scene = NULL;
+  CHECK_OK(mimo_scene_create(NULL, &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.body = "scene";
+  agent.root = agent.vestibular_at = "cart";
+  agent.vision = 0;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_scene_set_touch(scene, 0, NULL, 0.1));
+  return scene;
+}
+
+static mimo_senses* make_senses(void) {
+  mimo_scene* scene = make_cart();
+  mimo_senses* senses = NULL;
+  CHECK_OK(mimo_senses_attach(scene, NULL, host_model, mj_version(), 0, 0, &senses));
+  mimo_scene_destroy(scene);
+  return senses;
+}
+
 static void make_dead_handles(void) {
   dead_scene = make_scene("free", NULL);
   CHECK_OK(mimo_env_create(dead_scene, NULL, &dead_env));
@@ -68,6 +115,8 @@ static void make_dead_handles(void) {
   mimo_scene_destroy(dead_scene);
   mimo_env_destroy(dead_env);
   mimo_batch_destroy(dead_batch);
+  dead_senses = make_senses();
+  mimo_senses_destroy(dead_senses);
 }
 
 static void make_foreign_state(void) {
@@ -181,6 +230,7 @@ static void make_single_results(void) {
   good.made_scene = region(sizeof(mimo_scene*));
   good.made_env = region(sizeof(mimo_env*));
   good.made_batch = region(sizeof(mimo_batch*));
+  good.made_senses = region(sizeof(mimo_senses*));
 }
 
 static void make_structs(void) {
@@ -198,12 +248,15 @@ static void make_structs(void) {
   good.timing = region(sizeof *good.timing + TAIL);
   good.camera_config = region(sizeof *good.camera_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
+  good.limits = region(sizeof *good.limits + TAIL);
 }
 
 void make_everything(void) {
   memset(not_a_handle, 0x5a, sizeof not_a_handle);
+  make_host();
   make_dead_handles();
   make_foreign_state();
+  good.senses = make_senses();
   spare_scene = make_scene("selfbody", "mitten");
   CHECK_OK(mimo_env_create(spare_scene, NULL, &good.env));
   good.batch = make_batch(spare_scene, MIMO_AUTORESET_SAME_STEP);
@@ -221,6 +274,9 @@ void destroy_everything(void) {
   mimo_scene_destroy(spare_scene);
   mimo_env_destroy(good.env);
   mimo_batch_destroy(good.batch);
+  mimo_senses_destroy(good.senses);
+  mj_deleteData(host_data);
+  mj_deleteModel(host_model);
   for (i = 0; i < region_count; ++i) {
     free(regions[i].bytes);
     free(regions[i].kept);
@@ -236,6 +292,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
+  CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   good.scene_config->name = "free";
   good.agent_config->place_given = 1;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
@@ -304,6 +361,7 @@ args good_args(int uses) {
   *good.made_scene = NULL;
   *good.made_env = NULL;
   *good.made_batch = NULL;
+  *good.made_senses = NULL;
   good.kind = MIMO_BODY;
   good.quantity = MIMO_JOINT_POSITION;
   good.steps = 1;
@@ -312,12 +370,19 @@ args good_args(int uses) {
   good.scene_name = "free";
   good.part = "head";
   good.face = "fear";
+  good.path = "touch";
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
   good.spacing = 0.05;
+  good.model = host_model;
+  good.data = host_data;
+  good.version = mj_version();
+  good.model_size = sizeof *host_model;
+  good.data_size = sizeof *host_data;
   a = good;
   /* Calls change scenes for good. */
   if (uses & ON_SCENE) a.scene = make_scene("selfbody", "mitten");
+  if (uses & ON_CART) a.scene = make_cart();
   if (uses & ON_ROOM) a.room = make_scene("free", NULL);
   return a;
 }
@@ -336,10 +401,12 @@ int memory_changed(void) {
 }
 
 int destroy_made(args* a) {
-  int made = *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL;
+  int made =
+      *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL || *good.made_senses != NULL;
   mimo_scene_destroy(*good.made_scene);
   mimo_env_destroy(*good.made_env);
   mimo_batch_destroy(*good.made_batch);
+  mimo_senses_destroy(*good.made_senses);
   mimo_scene_destroy(a->room);
   if (a->scene != spare_scene) mimo_scene_destroy(a->scene);
   return made;
@@ -348,6 +415,7 @@ int destroy_made(args* a) {
 mimo_scene* retired_scene(void) { return dead_scene; }
 mimo_env* retired_env(void) { return dead_env; }
 mimo_batch* retired_batch(void) { return dead_batch; }
+mimo_senses* retired_senses(void) { return dead_senses; }
 void* no_handle(void) { return not_a_handle; }
 const void* foreign_state(void) { return foreign; }
 

@@ -25,6 +25,7 @@ int destroy_made(args* a);
 mimo_scene* retired_scene(void);
 mimo_env* retired_env(void);
 mimo_batch* retired_batch(void);
+mimo_senses* retired_senses(void);
 void* no_handle(void);
 
 /* Makes the environment and the batch fail by divergence; makes them good again. */

@@ -22,6 +22,7 @@ NUMBERS = {
 STRUCTS = {
     "mimo_scene_config": _abi.SceneConfig,
     "mimo_agent_config": _abi.AgentConfig,
+    "mimo_limits": _abi.Limits,
     "mimo_object_config": _abi.ObjectConfig,
     "mimo_camera_config": _abi.CameraConfig,
     "mimo_gaze": _abi.Gaze,

@@ -47,6 +47,6 @@ namespace Mimo
         public double touch_scale;
         /// <summary>Slip below counts as none, m/s.</summary>
         public double touch_slip_threshold;
-        internal IntPtr face;
+        internal IntPtr face, root, vestibular_at;
     }
 }

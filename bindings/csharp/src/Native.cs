@@ -33,6 +33,8 @@ namespace Mimo
         [DllImport(Library)] internal static extern int mimo_scene_add_object(SceneHandle scene, ref ObjectConfigStruct config);
         [DllImport(Library)] internal static extern int mimo_scene_add_camera(SceneHandle scene, ref CameraConfigStruct config);
         [DllImport(Library)] internal static extern int mimo_scene_set_touch(SceneHandle scene, int agent, byte[] body, double spacing);
+        [DllImport(Library)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
+        [DllImport(Library)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
         [DllImport(Library)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
 
         [DllImport(Library)] internal static extern int mimo_env_create(SceneHandle scene, ref EnvConfigStruct config, out EnvHandle env);

@@ -42,13 +42,20 @@ namespace Mimo
         }
 
         /// <summary>Adds an infant and gives its number. Its name is null for a sole agent; else the prefix of its fields
-        /// and model names, "anna/...". The face is one of Faces.Names; null: neutral.</summary>
-        public int AddAgent(AgentConfig config, string name = null, string face = null)
+        /// and model names, "anna/...". The face is one of Faces.Names; null: neutral. With a root the agent is no infant, but
+        /// that body of the scene's own MJCF with all below it, "world" for everything; its vestibular organ is at the site or
+        /// body vestibularAt.</summary>
+        public int AddAgent(AgentConfig config, string name = null, string face = null, string root = null,
+            string vestibularAt = null)
         {
-            using (PinnedText n = new PinnedText(name), f = new PinnedText(face))
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(face), body = new PinnedText("scene"),
+                r = new PinnedText(root), v = new PinnedText(vestibularAt))
             {
                 if (name != null) config.name = n.Pointer;
                 if (face != null) config.face = f.Pointer;
+                if (root != null) config.body = body.Pointer;
+                config.root = r.Pointer;
+                config.vestibular_at = v.Pointer;
                 int agent;
                 MimoException.Check(Native.mimo_scene_add_agent(Handle, ref config, out agent));
                 return agent;
@@ -95,6 +102,24 @@ namespace Mimo
                 }
                 MimoException.Check(Native.mimo_scene_add_camera(Handle, ref config));
             }
+        }
+
+        /// <summary>Has an agent's proprioception read this hinge or slide; the first call takes away all others.</summary>
+        public void ReadJoint(string joint, int agent = 0)
+        {
+            MimoException.Check(Native.mimo_scene_read_joint(Handle, agent, Text.Bytes(joint)));
+        }
+
+        /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
+        /// Gaussian noise of that standard deviation in the field's unit, a delay in steps; pictures keep half the contrast of
+        /// lines of blur cycles per degree.</summary>
+        public void LimitSense(string path, double gain = 1, double noise = 0, uint delay = 0, double blur = 0, int agent = 0)
+        {
+            var limits = new LimitsStruct
+            {
+                struct_size = (uint)Structs.Size<LimitsStruct>(), gain = gain, noise = noise, delay = delay, blur = blur
+            };
+            MimoException.Check(Native.mimo_scene_limit_sense(Handle, agent, Text.Bytes(path), ref limits));
         }
 
         /// <summary>Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there; a body of

@@ -69,6 +69,13 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct LimitsStruct
+    {
+        internal uint struct_size, delay;
+        internal double gain, noise, blur;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct GazeStruct
     {
         internal uint struct_size, meets;

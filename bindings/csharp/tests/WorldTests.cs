@@ -95,6 +95,40 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>An arm on a hinge, sensed at twice its speed and a step late.</summary>
+    private static void SensesAreLimited()
+    {
+        const string arm = "<mujoco><worldbody><body name='arm'><joint name='hinge' axis='0 1 0'/><geom type='capsule' " +
+            "fromto='0 0 0 .3 0 0' size='.02'/></body></worldbody></mujoco>";
+        Func<bool, float[]> speeds = limited =>
+        {
+            using (var scene = Scene.FromXml(arm))
+            {
+                var agent = scene.DefaultAgent();
+                agent.vision = agent.vestibular = agent.touch = 0;
+                scene.AddAgent(agent, root: "arm");
+                scene.ReadJoint("hinge");
+                if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 1);
+                using (var env = new Env(scene))
+                {
+                    var seen = new List<float>();
+                    var one = new float[1];
+                    env.Reset(1);
+                    for (var i = 0; i < 3; ++i)
+                    {
+                        env.Step(null);
+                        env.Read(env.FindField("proprioception/velocity"), one);
+                        seen.Add(one[0]);
+                    }
+                    return seen.ToArray();
+                }
+            }
+        };
+        float[] plain = speeds(false), late = speeds(true);
+        Check(plain[0] != plain[1] && plain[0] != 0, "the arm does not fall");
+        Near(2 * plain[1], late[2], 1e-6, "twice and late");
+    }
+
     private static void FacesShow()
     {
         Check(Faces.Names.Count == 7 && Faces.Names.Contains("fear"), "no emotion, and the six basic ones");

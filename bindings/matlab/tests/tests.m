@@ -1,7 +1,7 @@
 % Tests of the MEX gateway: run with bindings/matlab and the compiled gateway on the path.
 function tests()
   all_of_them = {@shapes_and_precision, @order_is_column_major, @errors_have_identifiers, @worlds_survive_clear, ...
-                 @numbers_are_those_of_c, @options_reach_the_world, @rooms_of_ones_own, @many_worlds, @states_continue, ...
+                 @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity};
   failed = 0;
   for i = 1:numel(all_of_them)
@@ -117,6 +117,24 @@ function options_reach_the_world()
   [~, ~, ~, truncated] = mimo_step(world, []);
   assert(truncated);
   mimo_close(world);
+end
+
+function senses_are_limited()
+  plain = mimo_create('reach');
+  limited = mimo_create('reach', 'limits', struct('path', 'proprioception/velocity', 'gain', 2, 'delay', 1));
+  first = mimo_reset(plain, 1);
+  mimo_reset(limited, 1);
+  for step = 1:3
+    before = first;
+    first = mimo_step(plain, []);
+    late = mimo_step(limited, []);
+  end
+  assert(max(abs(late.proprioception_velocity - 2 * before.proprioception_velocity)) < 1e-6);
+  assert(~isequal(before.proprioception_velocity, first.proprioception_velocity));
+  refused(@() mimo_create('reach', 'limits', struct('gain', 2)), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'limits', struct('path', 'smell')), 'mimo:NOT_FOUND');
+  mimo_close(plain);
+  mimo_close(limited);
 end
 
 function rooms_of_ones_own()

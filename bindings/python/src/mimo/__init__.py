@@ -48,6 +48,7 @@ from .errors import (
 )
 from .layout import Field, Layout, Observation
 from .scene import Scene, faces, scenes, tasks
+from .senses import Senses
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -99,6 +100,7 @@ __all__ = [
     "Render",
     "RenderError",
     "Scene",
+    "Senses",
     "Selection",
     "Shape",
     "SimulationError",

@@ -72,6 +72,18 @@ class AgentConfig(Struct):
         ("touch_scale", c_double),
         ("touch_slip_threshold", c_double),
         ("face", c_char_p),
+        ("root", c_char_p),
+        ("vestibular_at", c_char_p),
+    ]
+
+
+class Limits(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("delay", c_uint32),
+        ("gain", c_double),
+        ("noise", c_double),
+        ("blur", c_double),
     ]
 
 
@@ -271,6 +283,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_default_agent": (_status, [_Handle, _config(AgentConfig), c_size_t]),
     "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_i32]),
     "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
+    "mimo_scene_read_joint": (_status, [_Handle, c_int32, c_char_p]),
+    "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
+    "mimo_scene_limit_sense": (_status, [_Handle, c_int32, c_char_p, _config(Limits)]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
     "mimo_face_name": (c_char_p, [c_size_t]),
@@ -381,4 +396,17 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_task_init": (_status, [_config(Task), c_size_t]),
     "mimo_scene_set_task": (_status, [_Handle, _config(Task)]),
     "mimo_env_random": (_status, [_Handle, _Array, c_size_t]),
+    "mimo_senses_attach": (
+        _status,
+        [_Handle, _config(EnvConfig), c_void_p, c_int32, c_size_t, c_size_t, _Out_handle],
+    ),
+    "mimo_senses_destroy": (None, [_Handle]),
+    "mimo_senses_observation_size": (_status, [_Handle, _Out_size, _Out_size]),
+    "mimo_senses_observation_field": (_status, [_Handle, c_size_t, _config(Field)]),
+    "mimo_senses_observation_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
+    "mimo_senses_touch_sensors": (
+        _status,
+        [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
+    ),
+    "mimo_senses_observe": (_status, [_Handle, c_void_p, c_void_p, c_size_t]),
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Dict, List, Sequence, Tuple
+from typing import Any, Dict, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,13 +42,19 @@ class Field:
 
 
 class Layout:
-    """The fields of a world's observation block, by name, in the order of the block."""
+    """The fields of an observation block, by name, in the order of the block.
 
-    def __init__(self, env: int) -> None:
+    The handle is that of a world ("env"), or of attached senses ("senses").
+    """
+
+    def __init__(self, handle: int, noun: str = "env") -> None:
         size, count = ctypes.c_size_t(), ctypes.c_size_t()
-        check(LIB.mimo_env_observation_size(env, size, count))
+        self._describe = getattr(LIB, f"mimo_{noun}_observation_field")
+        self._label = getattr(LIB, f"mimo_{noun}_observation_label")
+        check(getattr(LIB, f"mimo_{noun}_observation_size")(handle, size, count))
         self.bytes: int = size.value
-        self.fields: Dict[str, Field] = {field.name: field for field in _fields(env, count.value)}
+        fields = [self._field(handle, index) for index in range(count.value)]
+        self.fields: Dict[str, Field] = {field.name: field for field in fields}
         names = list(self.fields)
         listed = self.fields.values()
         self._record = np.dtype(
@@ -73,6 +79,32 @@ class Layout:
         record = np.ndarray(block.shape[:-1], self._record, block)
         return {name: record[name] for name in self._names}
 
+    def _field(self, handle: int, index: int) -> Field:
+        field = _abi.Field()
+        check(self._describe(handle, index, field))
+        shape = tuple(field.shape[: field.ndim])
+        return Field(
+            name=text(field.name),
+            dtype=DTYPES[field.dtype],
+            shape=shape,
+            unit=text(field.unit),
+            frame=text(field.frame),
+            time=Time(field.time),
+            low=field.low,
+            high=field.high,
+            offset=field.offset,
+            labels=self._labels(handle, index, shape),
+        )
+
+    def _labels(self, handle: int, index: int, shape: Sequence[int]) -> Tuple[str, ...]:
+        label = ctypes.c_char_p()
+        labels = []
+        for element in range(int(np.prod(shape))):
+            if self._label(handle, index, element, label) != 0 or not label.value:
+                return ()
+            labels.append(text(label.value))
+        return tuple(labels)
+
 
 class Supply:
     """Fresh blocks, one for each observation that is handed out; cheap, because memory is taken for many at a time."""
@@ -92,35 +124,3 @@ class Supply:
         index = self._next
         self._next = index + 1
         return self._address + index * self._layout.bytes, {name: rows[index] for name, rows in self._fields}
-
-
-def _fields(env: int, count: int) -> List[Field]:
-    return [_field(env, index) for index in range(count)]
-
-
-def _field(env: int, index: int) -> Field:
-    field = _abi.Field()
-    check(LIB.mimo_env_observation_field(env, index, field))
-    shape = tuple(field.shape[: field.ndim])
-    return Field(
-        name=text(field.name),
-        dtype=DTYPES[field.dtype],
-        shape=shape,
-        unit=text(field.unit),
-        frame=text(field.frame),
-        time=Time(field.time),
-        low=field.low,
-        high=field.high,
-        offset=field.offset,
-        labels=_labels(env, index, shape),
-    )
-
-
-def _labels(env: int, index: int, shape: Sequence[int]) -> Tuple[str, ...]:
-    label = ctypes.c_char_p()
-    labels = []
-    for element in range(int(np.prod(shape))):
-        if LIB.mimo_env_observation_label(env, index, element, label) != 0 or not label.value:
-            return ()
-        labels.append(text(label.value))
-    return tuple(labels)

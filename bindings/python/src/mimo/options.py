@@ -49,6 +49,8 @@ class AgentOptions(TypedDict, total=False):
     touch_scale: float
     touch_slip_threshold: float
     face: str
+    root: str
+    vestibular_at: str
 
 
 class PhysicsOptions(TypedDict, total=False):

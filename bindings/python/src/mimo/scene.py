@@ -92,6 +92,23 @@ class Scene(Handle):
         check(LIB.mimo_scene_set_touch(self._handle, agent, utf8(body), spacing))
         self._remember("set_touch", body, spacing, agent)
 
+    def read_joint(self, joint: str, agent: int = 0) -> None:
+        """Has proprioception read this hinge or slide of an agent; the first call takes away all others."""
+        check(LIB.mimo_scene_read_joint(self._handle, agent, utf8(joint)))
+        self._remember("read_joint", joint, agent)
+
+    def limit_sense(
+        self, path: str, *, gain: float = 1, noise: float = 0, delay: int = 0, blur: float = 0, agent: int = 0
+    ) -> None:
+        """Limits a sense ("touch") or a field ("vision/eye_left") of an agent.
+
+        Values get a factor, Gaussian noise of a standard deviation in the field's unit, and a delay in steps. Pictures
+        keep half the contrast of lines of `blur` cycles per degree.
+        """
+        limits = _abi.Limits(gain=gain, noise=noise, delay=delay, blur=blur)
+        check(LIB.mimo_scene_limit_sense(self._handle, agent, utf8(path), limits))
+        self._remember("limit_sense", path, gain=gain, noise=noise, delay=delay, blur=blur, agent=agent)
+
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
         config = _abi.ObjectConfig()

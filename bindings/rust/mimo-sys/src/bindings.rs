@@ -329,7 +329,14 @@ extern "C" {
     #[doc = "\"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named \"mimo_face_<name>\"."]
     pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
 }
-#[doc = "One infant: where it is, what it senses, what of it acts."]
+#[doc = "One agent: where it is, what it senses, what of it acts. Mostly an infant; with `root` any part of a model that"]
+#[doc = "knows nothing of infants. Such an agent"]
+#[doc = "  - reads the positions of its hinges and slides, its motors, and the torque sensors on it;"]
+#[doc = "  - acts with its actuators, within their ctrlrange (no bounds where they have none);"]
+#[doc = "  - has skin where mimo_scene_set_touch says so, and nowhere else;"]
+#[doc = "  - sees with all cameras that it carries, \"vision/NAME\";"]
+#[doc = "  - has a vestibular organ where vestibular_at says;"]
+#[doc = "  - has no face, no gaze, and its only task is \"none\" or one of your own."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_agent_config {
@@ -379,6 +386,10 @@ pub struct mimo_agent_config {
     pub touch_slip_threshold: f64,
     #[doc = "The face that it shows at first, see mimo_face_name; NULL: neutral."]
     pub face: *const std::os::raw::c_char,
+    #[doc = "With body \"scene\": the body of the model that the agent consists of, with all below it; \"world\": everything. NULL: an infant."]
+    pub root: *const std::os::raw::c_char,
+    #[doc = "Site or body whose motion the vestibular sense feels, in its frame; NULL: the infant's head."]
+    pub vestibular_at: *const std::os::raw::c_char,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
@@ -412,12 +423,63 @@ extern "C" {
     #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
     #[doc = "               single ones no longer counts."]
     #[doc = "@param spacing metres, at most 10, as it is (touch_scale does not change it); 0: no skin there."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
+    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
     pub fn mimo_scene_set_touch(
         scene: *mut mimo_scene,
         agent: i32,
         body: *const std::os::raw::c_char,
         spacing: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Has an agent's proprioception read this joint; the first call takes away all others. Position, velocity, limits and"]
+    #[doc = "torque about the joint's axis then have one element for each call, in that order."]
+    #[doc = "@param joint a hinge or slide of the agent, by its name in the model, \"anna/robot:left_elbow\"."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a joint that is read already. A joint that the agent does not have is"]
+    #[doc = "        MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has."]
+    pub fn mimo_scene_read_joint(
+        scene: *mut mimo_scene,
+        agent: i32,
+        joint: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+#[doc = "How much less an agent senses than there is to be sensed. What is not limited costs nothing."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_limits {
+    #[doc = "sizeof(mimo_limits), set by mimo_limits_init."]
+    pub struct_size: u32,
+    #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0."]
+    pub delay: u32,
+    #[doc = "Factor of all values, >= 0. Default 1."]
+    pub gain: f64,
+    #[doc = "Standard deviation of the Gaussian noise that is added, >= 0, in the field's unit (colours: levels of 255). Default 0."]
+    pub noise: f64,
+    #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000."]
+    pub blur: f64,
+}
+extern "C" {
+    #[doc = "Fills limits with those of a perfect sense."]
+    #[doc = "@param size sizeof(mimo_limits) as the caller knows it."]
+    pub fn mimo_limits_init(limits: *mut mimo_limits, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then"]
+    #[doc = "comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field. The noise follows from"]
+    #[doc = "the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of"]
+    #[doc = "the world's state, and no episode senses anything of the one before."]
+    #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
+    #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
+    #[doc = "              segmentation, unless these are named."]
+    #[doc = "@param limits NULL: a perfect sense."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there"]
+    #[doc = "        are. Attached senses cannot be limited."]
+    pub fn mimo_scene_limit_sense(
+        scene: *mut mimo_scene,
+        agent: i32,
+        path: *const std::os::raw::c_char,
+        limits: *const mimo_limits,
     ) -> mimo_status;
 }
 #[doc = "A rigid object of one primitive shape."]
@@ -1440,4 +1502,88 @@ extern "C" {
 extern "C" {
     #[doc = "Numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream."]
     pub fn mimo_env_random(env: *mut mimo_env, values: *mut f64, count: usize) -> mimo_status;
+}
+#[doc = "Senses that are attached to a host's model. Needs itself alone; the model and data may be read by others meanwhile."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_senses {
+    _unused: [u8; 0],
+}
+extern "C" {
+    #[doc = "Attaches senses to a model."]
+    #[doc = "@param scene       describes the agents (mimo_scene_add_agent with body \"scene\", and a root where it is no infant), their"]
+    #[doc = "                   skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards."]
+    #[doc = "@param config      renderer, render, samples, render_threads and log count; NULL means defaults."]
+    #[doc = "@param model       the host's mjModel. It outlives the senses and keeps its sizes."]
+    #[doc = "@param mujoco_version mj_version() of the host; has to be that of mimo_mujoco_version, 222 for \"2.2.2\"."]
+    #[doc = "@param model_size  sizeof(mjModel) as the host's compiler knows it; 0 where the host cannot know, as in Python."]
+    #[doc = "@param data_size   sizeof(mjData), likewise."]
+    #[doc = "@param senses      receives the handle; destroy it with mimo_senses_destroy."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version; MIMO_E_INVALID_ARGUMENT for what is no mjModel;"]
+    #[doc = "        MIMO_E_NOT_FOUND for what the model lacks, with a list of what it has."]
+    pub fn mimo_senses_attach(
+        scene: *const mimo_scene,
+        config: *const mimo_env_config,
+        model: *const std::os::raw::c_void,
+        mujoco_version: i32,
+        model_size: usize,
+        data_size: usize,
+        senses: *mut *mut mimo_senses,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Detaches senses. NULL and destroyed handles are ignored."]
+    pub fn mimo_senses_destroy(senses: *mut mimo_senses);
+}
+extern "C" {
+    #[doc = "Size of an observation block, as mimo_env_observation_size."]
+    pub fn mimo_senses_observation_size(
+        senses: *const mimo_senses,
+        bytes: *mut usize,
+        fields: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Describes the index-th field, as mimo_env_observation_field. Its strings are owned by the senses."]
+    pub fn mimo_senses_observation_field(
+        senses: *const mimo_senses,
+        index: usize,
+        field: *mut mimo_field,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "What one element of a field is, as mimo_env_observation_label. The string is owned by the senses."]
+    pub fn mimo_senses_observation_label(
+        senses: *const mimo_senses,
+        index: usize,
+        element: usize,
+        label: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The touch sensors of an agent, as mimo_env_touch_sensors."]
+    pub fn mimo_senses_touch_sensors(
+        senses: *const mimo_senses,
+        agent: usize,
+        bodies: *mut i32,
+        geoms: *mut i32,
+        positions: *mut f64,
+        frames: *mut f64,
+        capacity: usize,
+        count: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Senses what the data hold: after mj_step the fields belong to the times that mimo_field says, after mj_forward all of"]
+    #[doc = "them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for models"]
+    #[doc = "with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are those of"]
+    #[doc = "the last stage."]
+    #[doc = "@param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped."]
+    #[doc = "@param block receives the observation, every byte of it."]
+    pub fn mimo_senses_observe(
+        senses: *mut mimo_senses,
+        data: *const std::os::raw::c_void,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+    ) -> mimo_status;
 }

@@ -22,6 +22,14 @@ pub(crate) fn pointer(text: &Option<CString>) -> *const c_char {
     text.as_ref().map_or(null(), |text| text.as_ptr())
 }
 
+/// A string of a config; None for NULL.
+fn given(text: *const c_char) -> Result<Option<CString>> {
+    if text.is_null() {
+        return Ok(None);
+    }
+    c_string(&crate::error::text(text)).map(Some)
+}
+
 /// One infant: where it is, what it senses, what of it acts. Made by [`Scene::default_agent`](crate::Scene) or
 /// [`AgentConfig::new`].
 #[derive(Clone)]
@@ -30,6 +38,8 @@ pub struct AgentConfig {
     name: CString,
     body: CString,
     face: Option<CString>,
+    root: Option<CString>,
+    vestibular_at: Option<CString>,
 }
 
 // The pointers inside are set for the length of a call only.
@@ -45,13 +55,14 @@ impl AgentConfig {
     pub(crate) fn of(raw: sys::mimo_agent_config) -> Result<AgentConfig> {
         let name = c_string(&crate::error::text(raw.name))?;
         let body = c_string(&crate::error::text(raw.body))?;
-        let face = if raw.face.is_null() { None } else { Some(c_string(&crate::error::text(raw.face))?) };
-        Ok(AgentConfig { raw, name, body, face })
+        let (face, root, vestibular_at) = (given(raw.face)?, given(raw.root)?, given(raw.vestibular_at)?);
+        Ok(AgentConfig { raw, name, body, face, root, vestibular_at })
     }
 
     pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_agent_config) -> R) -> R {
         let (name, body, face) = (self.name.as_ptr(), self.body.as_ptr(), pointer(&self.face));
-        use_it(&sys::mimo_agent_config { name, body, face, ..self.raw })
+        let (root, vestibular_at) = (pointer(&self.root), pointer(&self.vestibular_at));
+        use_it(&sys::mimo_agent_config { name, body, face, root, vestibular_at, ..self.raw })
     }
 
     /// "" for a sole agent; else the prefix of its fields and model names, "anna/...".
@@ -63,6 +74,19 @@ impl AgentConfig {
     /// "mitten"; or "scene": the body is already part of the scene's MJCF.
     pub fn body(&mut self, body: &str) -> Result<&mut Self> {
         self.body = c_string(body)?;
+        Ok(self)
+    }
+
+    /// With the body "scene": the body of the model that the agent consists of, with all below it; "world": everything.
+    /// Otherwise it is an infant.
+    pub fn root(&mut self, body: &str) -> Result<&mut Self> {
+        self.root = Some(c_string(body)?);
+        Ok(self)
+    }
+
+    /// The site or body whose motion the vestibular sense feels; otherwise the infant's head.
+    pub fn vestibular_at(&mut self, name: &str) -> Result<&mut Self> {
+        self.vestibular_at = Some(c_string(name)?);
         Ok(self)
     }
 
@@ -125,7 +149,7 @@ impl AgentConfig {
         self
     }
 
-    /// Everything else. Strings in it do not count: use [`name`](Self::name), [`body`](Self::body), [`face`](Self::face).
+    /// Everything else. Strings in it do not count: use [`name`](Self::name), [`body`](Self::body), ...
     pub fn raw_mut(&mut self) -> &mut sys::mimo_agent_config {
         &mut self.raw
     }

@@ -30,10 +30,12 @@ mod config;
 mod error;
 mod field;
 mod gaze;
+mod limits;
 mod log;
 mod overrides;
 mod picture;
 mod scene;
+mod senses;
 mod task;
 mod world;
 
@@ -43,10 +45,12 @@ pub use config::{AgentConfig, EnvConfig, Object};
 pub use error::{Error, Kind, Result};
 pub use field::{Field, Type};
 pub use gaze::{Gaze, Look, LookAngles, Sightline};
+pub use limits::Limits;
 pub use log::Level;
 pub use overrides::faces;
 pub use picture::{Camera, Picture};
 pub use scene::{builtin_scenes, Scene};
+pub use senses::Senses;
 pub use task::{Judgement, Task, Whom};
 pub use world::{Contact, Env, Step, TouchSensor, World};
 

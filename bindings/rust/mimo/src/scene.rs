@@ -1,6 +1,7 @@
 //! Scenes: rooms, objects and infants.
 use crate::config::{defaults, pointer, AgentConfig, Object};
 use crate::error::{c_string, check, text, Result};
+use crate::limits::Limits;
 use crate::picture::Camera;
 use crate::sys;
 use crate::task::{self, Shared, Task};
@@ -83,6 +84,18 @@ impl Scene {
         object.with_raw(|raw| check(unsafe { sys::mimo_scene_add_object(self.handle(), raw) }))
     }
 
+    /// Has an agent's proprioception read this hinge or slide; the first call takes away all others.
+    pub fn read_joint(&mut self, agent: usize, joint: &str) -> Result<()> {
+        let joint = c_string(joint)?;
+        check(unsafe { sys::mimo_scene_read_joint(self.handle(), number_of(agent), joint.as_ptr()) })
+    }
+
+    /// Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on.
+    pub fn limit_sense(&mut self, agent: usize, path: &str, limits: &Limits) -> Result<()> {
+        let (path, limits) = (c_string(path)?, limits.raw()?);
+        check(unsafe { sys::mimo_scene_limit_sense(self.handle(), number_of(agent), path.as_ptr(), &limits) })
+    }
+
     /// Has a camera observed; its fields come after those of all infants.
     pub fn add_camera(&mut self, camera: &Camera) -> Result<()> {
         camera.with_raw(|raw| check(unsafe { sys::mimo_scene_add_camera(self.handle(), raw) }))
@@ -107,8 +120,7 @@ impl Scene {
     /// Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there.
     pub fn set_touch(&mut self, agent: usize, body: &str, spacing: f64) -> Result<()> {
         let body = c_string(body)?;
-        let agent = i32::try_from(agent).unwrap_or(i32::MAX);
-        check(unsafe { sys::mimo_scene_set_touch(self.handle(), agent, body.as_ptr(), spacing) })
+        check(unsafe { sys::mimo_scene_set_touch(self.handle(), number_of(agent), body.as_ptr(), spacing) })
     }
 
     /// Sets a parameter of a task, "reach/success_reward", for worlds made from now on.
@@ -135,6 +147,11 @@ impl Scene {
         })?;
         Ok(text(bytes.as_ptr() as *const _))
     }
+}
+
+/// C's number of an agent; one that is too large for it is none there either.
+fn number_of(agent: usize) -> i32 {
+    i32::try_from(agent).unwrap_or(i32::MAX)
 }
 
 impl Drop for Scene {

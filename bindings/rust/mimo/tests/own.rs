@@ -74,6 +74,52 @@ fn own_task_rewards_and_ends() {
     assert_eq!(dropped.load(Ordering::SeqCst), 1);
 }
 
+/// A perfect sense times two, and half a second later.
+#[test]
+fn limited_senses() {
+    let build = |limits: Option<mimo::Limits>| {
+        let mut scene = Scene::builtin("reach").unwrap();
+        let agent = scene.default_agent().unwrap();
+        scene.add_agent(&agent).unwrap();
+        if let Some(limits) = limits {
+            scene.limit_sense(0, "proprioception/velocity", &limits).unwrap();
+        }
+        scene.read_joint(0, "robot:right_elbow").unwrap();
+        let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+        let mut block = env.new_block().unwrap();
+        env.reset(Some(1), Some(&mut block)).unwrap();
+        let speed = |block: &mimo::Block| block.f32("proprioception/velocity").unwrap().to_vec();
+        let mut seen = vec![speed(&block)];
+        for _ in 0..4 {
+            env.step(&[], Some(&mut block)).unwrap();
+            seen.push(speed(&block));
+        }
+        seen
+    };
+    let plain = build(None);
+    assert_eq!(plain[0].len(), 1);
+    let twice = build(Some(mimo::Limits { gain: 2.0, delay: 2, ..mimo::Limits::default() }));
+    assert_eq!(twice[4][0], 2.0 * plain[2][0]);
+    assert_ne!(plain[2], plain[4]);
+    let error =
+        Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::default()).unwrap_err();
+    assert_eq!(error.kind(), Kind::InvalidArgument);
+}
+
+/// No MuJoCo is linked here, so only refusals can be tested; tests/capi attaches senses to a model.
+#[test]
+fn senses_refuse_what_is_no_model() {
+    let mut scene = Scene::empty().unwrap();
+    let mut agent = mimo::AgentConfig::new().unwrap();
+    agent.body("scene").unwrap().root("world").unwrap().vestibular_at("head").unwrap().vision(0, 8, 8);
+    scene.add_agent(&agent).unwrap();
+    let config = EnvConfig::new().unwrap();
+    let attach =
+        |version| unsafe { mimo::Senses::attach(&scene, &config, std::ptr::null(), version, [0, 0]) };
+    assert_eq!(attach(222).err().unwrap().kind(), Kind::InvalidArgument);
+    assert_eq!(attach(999).err().unwrap().kind(), Kind::Unsupported);
+}
+
 /// Fails or panics, as its number says.
 struct Broken(u32);
 

@@ -47,6 +47,8 @@ static mimo_scene *make_scene(void) {
   mimo_scene_config room;
   mimo_object_config ball;
   mimo_camera_config wall;
+  mimo_limits limits;
+  mimo_senses *senses = NULL;
   mimo_scene *scene = NULL;
   int32_t number = -1;
   double value = 0;
@@ -72,6 +74,12 @@ static mimo_scene *make_scene(void) {
   OK(mimo_scene_add_agent(scene, &agent.config, &number));
   CHECK(number == 0);
   OK(mimo_scene_set_touch(scene, 0, "left_hand", 0.01));
+
+  OK(mimo_limits_init(&limits, sizeof limits));
+  CHECK(limits.gain == 1 && limits.delay == 0);
+  OK(mimo_scene_limit_sense(scene, 0, "touch", &limits));
+  CHECK(mimo_senses_attach(scene, NULL, NULL, 222, 0, 0, &senses) == MIMO_E_INVALID_ARGUMENT && senses == NULL);
+  mimo_senses_destroy(senses);
 
   OK(mimo_object_config_init(&ball, sizeof ball));
   ball.name = "toy";

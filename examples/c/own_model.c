@@ -1,0 +1,98 @@
+/* Senses on a model of your own: this program simulates an MJCF file with MuJoCo by itself; libmimo only looks.
+ * Prints what touches the model's parts, how its body accelerates, and where its joints are.
+ *
+ *   cc own_model.c $(pkg-config --cflags --libs mimo) -lmujoco && ./a.out robot.xml torso
+ */
+#include <mimo/mimo.h>
+#include <mujoco/mujoco.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void check(mimo_status status) {
+  if (status == MIMO_OK) return;
+  fprintf(stderr, "%s: %s\n", mimo_status_name(status), mimo_last_error());
+  exit(1);
+}
+
+/* What is to be sensed: everything from the body `root` on, with a sensor every 3 cm of its skin. */
+static mimo_scene* describe(const char* root) {
+  mimo_agent_config agent;
+  mimo_scene* scene;
+  int32_t number;
+  check(mimo_scene_create(NULL, &scene)); /* empty: the model is our own */
+  check(mimo_agent_config_init(&agent, sizeof agent));
+  agent.body = "scene";
+  agent.root = root;
+  agent.vestibular_at = root; /* a site in the head would be better */
+  agent.vision = 0;           /* MIMO_VISION_RGB would show what all cameras on it see */
+  check(mimo_scene_add_agent(scene, &agent, &number));
+  check(mimo_scene_set_touch(scene, number, NULL, 0.03));
+  return scene;
+}
+
+/* Where a field starts in the block. */
+static const float* find(const mimo_senses* senses, const void* block, const char* name, size_t* count) {
+  size_t fields, i;
+  check(mimo_senses_observation_size(senses, NULL, &fields));
+  for (i = 0; i < fields; ++i) {
+    mimo_field field;
+    field.struct_size = sizeof field;
+    check(mimo_senses_observation_field(senses, i, &field));
+    if (strcmp(field.name, name) != 0) continue;
+    *count = field.bytes / sizeof(float);
+    return (const float*)(const void*)((const char*)block + field.offset);
+  }
+  fprintf(stderr, "there is no %s here\n", name);
+  exit(1);
+}
+
+int main(int argc, char** argv) {
+  char error[500];
+  mjModel* model;
+  mjData* data;
+  mimo_scene* scene;
+  mimo_senses* senses;
+  void* block;
+  const float *force, *acceleration;
+  size_t bytes, forces, axes, i;
+  int step;
+
+  if (argc != 3) {
+    fprintf(stderr, "usage: %s FILE.xml BODY\n", argv[0]);
+    return 2;
+  }
+  model = mj_loadXML(argv[1], NULL, error, sizeof error);
+  if (model == NULL) {
+    fprintf(stderr, "%s\n", error);
+    return 1;
+  }
+  data = mj_makeData(model);
+
+  scene = describe(argv[2]);
+  check(mimo_senses_attach(scene, NULL, model, mj_version(), sizeof(mjModel), sizeof(mjData), &senses));
+  mimo_scene_destroy(scene);
+  check(mimo_senses_observation_size(senses, &bytes, NULL));
+  block = malloc(bytes);
+  if (block == NULL) return 1;
+  force = find(senses, block, "touch/force", &forces);
+  acceleration = find(senses, block, "vestibular/acceleration", &axes);
+
+  for (step = 0; step < 200; ++step) {
+    mj_step(model, data); /* the simulation is ours */
+    if (step % 20 != 19) continue;
+    check(mimo_senses_observe(senses, data, block, bytes)); /* and stays as it is */
+    {
+      size_t pressed = 0;
+      for (i = 0; i < forces; i += 3) pressed += force[i] != 0 || force[i + 1] != 0 || force[i + 2] != 0;
+      printf("%.2f s: %zu of %zu sensors are touched, acceleration %6.2f %6.2f %6.2f m/s^2\n", data->time, pressed,
+             forces / 3, (double)acceleration[0], (double)acceleration[1], (double)acceleration[2]);
+    }
+  }
+
+  free(block);
+  mimo_senses_destroy(senses);
+  mj_deleteData(data);
+  mj_deleteModel(model);
+  return 0;
+}

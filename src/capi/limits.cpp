@@ -1,0 +1,51 @@
+// Limits of an agent's senses.
+#include "capi/agents.h"
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+constexpr std::uint32_t kLatest = 1000;
+
+mimo_limits default_limits() {
+  mimo_limits limits{};
+  limits.struct_size = sizeof limits;
+  limits.gain = 1;
+  return limits;
+}
+
+senses::Limits limits_from(const mimo_limits& config) {
+  require(config.delay <= kLatest, "delay is {}, expected up to {} steps", config.delay, kLatest);
+  require(config.gain >= 0 && std::isfinite(config.gain), "gain is {}, expected a factor of 0 or above", config.gain);
+  require(config.noise >= 0 && std::isfinite(config.noise), "noise is {}, expected a deviation of 0 or above",
+          config.noise);
+  require(config.blur == 0 || (config.blur >= 0.05 && config.blur <= 1000),
+          "blur is {}, expected 0.05 to 1000 cycles per degree, or 0 for none", config.blur);
+  return {config.gain, config.noise, config.blur, static_cast<int>(config.delay)};
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_limits_init(mimo_limits* limits, size_t size) noexcept {
+  return guard([&] { write_struct(limits, size, default_limits(), "limits"); });
+}
+
+mimo_status mimo_scene_limit_sense(mimo_scene* scene, int32_t agent, const char* path,
+                                   const mimo_limits* limits) noexcept {
+  return guard([&] {
+    env::AgentOptions& options = agent_at(open(scene), agent);
+    const std::string where = text(path);
+    require(!where.empty(), "path is {}, expected that of a sense or field", path == nullptr ? "NULL" : "\"\"");
+    options.limits.push_back({where, limits_from(read_struct(limits, default_limits(), "limits"))});
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,91 @@
+#include "engine/host_model.h"
+
+#include <mujoco/mjxmacro.h>
+#include <mujoco/mujoco.h>
+
+#include <cstdint>
+
+#include "base/fail.h"
+#include "engine/physics.h"
+
+namespace mimo::engine {
+namespace {
+
+// MuJoCo puts all arrays of a struct into one buffer, in the order of its fields. Where that is not what one finds, the
+// bytes are no such struct, or one of other sizes.
+class BufferWalk {
+ public:
+  BufferWalk(const void* buffer, int bytes)
+      : next_(reinterpret_cast<std::uintptr_t>(buffer)), end_(next_ + static_cast<std::uintptr_t>(bytes)) {
+    sound_ = buffer != nullptr && bytes >= 0;
+  }
+
+  void visit(const void* array, std::size_t size, long long rows, long long columns) {
+    const auto start = reinterpret_cast<std::uintptr_t>(array);
+    sound_ = sound_ && rows >= 0 && columns >= 0 && start >= next_ && start <= next_ + kGap && start <= end_;
+    if (!sound_) return;
+    const auto bytes = static_cast<std::uintptr_t>(rows) * static_cast<std::uintptr_t>(columns) * size;
+    sound_ = bytes <= end_ - start;
+    next_ = start + bytes;
+  }
+
+  bool sound() const { return sound_ && end_ - next_ <= 2 * kGap; }
+
+ private:
+  static constexpr std::uintptr_t kGap = 64;  // at most, for alignment
+  std::uintptr_t next_, end_;
+  bool sound_;
+};
+
+bool is_sound(const mjModel& model) {
+#define X(n) \
+  if (model.n < 0) return false;
+  MJMODEL_INTS
+#undef X
+  const mjModel* m = &model;
+  BufferWalk walk(m->buffer, m->nbuffer);
+  MJMODEL_POINTERS_PREAMBLE(m)
+#define X(type, name, rows, columns) walk.visit(m->name, sizeof(type), m->rows, columns);
+  MJMODEL_POINTERS
+#undef X
+  return walk.sound() && model.nbody >= 1;
+}
+
+bool is_sound(const mjModel& model, const mjData& data) {
+  const mjModel* m = &model;
+  BufferWalk walk(data.buffer, data.nbuffer);
+  MJDATA_POINTERS_PREAMBLE(m)
+#define X(type, name, rows, columns) walk.visit(data.name, sizeof(type), m->rows, columns);
+  MJDATA_POINTERS
+#undef X
+  return walk.sound() && data.ncon >= 0 && data.ncon <= model.nconmax && data.nefc >= 0 && data.nefc <= model.njmax;
+}
+
+void check_size(const char* what, std::size_t theirs, std::size_t ours) {
+  if (theirs == 0 || theirs == ours) return;
+  fail(Status::kUnsupported, "{} has {} bytes in the host's MuJoCo, but {} in libmimo's", what, theirs, ours);
+}
+
+}  // namespace
+
+ModelPtr adopt(const HostModel& host) {
+  if (host.version != mjVERSION_HEADER) {
+    fail(Status::kUnsupported, "mujoco_version is {}, but libmimo runs on MuJoCo {} ({}), and models are not the same",
+         host.version, mujoco_version(), mjVERSION_HEADER);
+  }
+  check_size("model_size: mjModel", host.model_size, sizeof(mjModel));
+  check_size("data_size: mjData", host.data_size, sizeof(mjData));
+  require(host.model != nullptr, "model is NULL, expected an mjModel");
+  const auto* model = static_cast<const mjModel*>(host.model);
+  require(is_sound(*model), "model does not point to an mjModel of MuJoCo {}", mujoco_version());
+  return ModelPtr(model, [](const mjModel*) {});
+}
+
+const mjData& adopt_data(const mjModel& model, const void* data) {
+  require(data != nullptr, "data is NULL, expected an mjData");
+  const auto& theirs = *static_cast<const mjData*>(data);
+  require(is_sound(model, theirs), "data does not point to an mjData of the model that the senses are attached to");
+  return theirs;
+}
+
+}  // namespace mimo::engine

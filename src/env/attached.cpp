@@ -1,0 +1,25 @@
+#include "env/attached.h"
+
+#include "base/fail.h"
+
+namespace mimo::env {
+
+Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
+    : model_(std::move(model)) {
+  if (sees(agents, options) && options.renderer != "none") renderer_ = make_renderer(model_, options);
+  for (const AgentOptions& agent : agents) {
+    require(agent.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
+            agent.face);
+    if (!agent.limits.empty()) {
+      fail(Status::kUnsupported, "limits of \"{}\": attached senses have no past and no random numbers",
+           agent.limits.front().path);
+    }
+    agents_.push_back(perceive(*model_, agent, renderer_.get()));
+  }
+  for (const Perception& agent : agents_) {
+    for (const auto& sense : agent.senses) observer_.add(*sense);
+  }
+  for (const CameraOptions& camera : options.cameras) observer_.add_camera(*model_, camera, renderer_.get());
+}
+
+}  // namespace mimo::env

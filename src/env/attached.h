@@ -1,0 +1,31 @@
+// Senses of somebody else's simulation: they look at its data and change nothing.
+#pragma once
+
+#include <vector>
+
+#include "env/observer.h"
+#include "env/perception.h"
+#include "render/renderer.h"
+
+namespace mimo::env {
+
+class Attached {
+ public:
+  // The model outlives this object. Of the options only those of pictures and the log count.
+  Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
+
+  const mjModel& model() const { return *model_; }
+  const Layout& layout() const { return observer_.layout(); }
+  const std::vector<Perception>& agents() const { return agents_; }
+
+  // What is sensed of data of the model: as they are, so of the last step that its owner made.
+  void observe(const mjData& data, std::uint8_t* block) const { observer_.observe(*model_, data, block, nullptr); }
+
+ private:
+  engine::ModelPtr model_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::vector<Perception> agents_;
+  Observer observer_;
+};
+
+}  // namespace mimo::env

@@ -1,0 +1,113 @@
+#include "env/limits.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/fail.h"
+#include "base/hash.h"
+
+namespace mimo::env {
+namespace {
+
+bool leads_to(const std::string& path, const std::string& field) {
+  return field == path || field.compare(0, path.size() + 1, path + "/") == 0;
+}
+
+// Of depth and segmentation, whose numbers are no brightness, only the delay is meant unless they are named.
+senses::Limits meant_for(const senses::Field& field, const std::string& path, const senses::Limits& limits) {
+  const bool in_colour = field.type == senses::Type::kU8;
+  if (field.frame != "camera" || in_colour || field.name == path) return limits;
+  senses::Limits late;
+  late.delay = limits.delay;
+  return late;
+}
+
+std::string names(const Layout& layout, const std::string& prefix) {
+  std::string all;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    const std::string& name = layout[i].name;
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    all += (all.empty() ? "" : ", ") + name.substr(prefix.size());
+  }
+  return all;
+}
+
+}  // namespace
+
+void Limits::add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths) {
+  std::vector<senses::Limits> chosen(layout.size());
+  for (const PathLimits& entry : paths) {
+    const std::string path = prefix + entry.path;
+    bool found = false;
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+      if (!leads_to(path, layout[i].name)) continue;
+      chosen[i] = meant_for(layout[i], path, entry.limits);
+      found = true;
+    }
+    if (!found) {
+      fail(Status::kNotFound, "limits: no field \"{}\" and none below; there are: {}", entry.path,
+           names(layout, prefix));
+    }
+  }
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (chosen[i].any()) fields_.emplace_back(layout[i], chosen[i]);
+  }
+}
+
+void Limits::make_room(const Layout& layout) {
+  const bool late = std::any_of(fields_.begin(), fields_.end(),
+                                [](const senses::LimitedField& field) { return field.limits().delay > 0; });
+  if (late) room_.resize(layout.bytes());
+}
+
+void Limits::start(const Random& random) {
+  if (fields_.empty()) return;
+  std::array<std::uint8_t, 32> bytes{};
+  ByteWriter writer{Span<std::uint8_t>(bytes)};
+  random.save(writer);
+  Hash hash;
+  hash.add(Span<const std::uint8_t>(bytes));
+  seed_ = hash.value();
+}
+
+void Limits::weaken(std::uint8_t* block, std::uint64_t step) {
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    Hash hash;
+    hash.add(seed_);
+    hash.add(step);
+    hash.add(std::uint64_t{i});
+    fields_[i].weaken(block, hash.value());
+  }
+}
+
+void Limits::begin(std::uint8_t* block) {
+  weaken(block, 0);
+  for (senses::LimitedField& field : fields_) field.begin(block);
+}
+
+void Limits::step(std::uint8_t* block, std::uint64_t step) {
+  weaken(block, step);
+  for (senses::LimitedField& field : fields_) {
+    field.keep(block, step);
+    field.recall(block, step);
+  }
+}
+
+void Limits::look(std::uint8_t* block, std::uint64_t step) {
+  weaken(block, step);
+  for (const senses::LimitedField& field : fields_) field.recall(block, step);
+}
+
+void Limits::save(ByteWriter& to) const {
+  if (fields_.empty()) return;
+  to.put(seed_);
+  for (const senses::LimitedField& field : fields_) field.save(to);
+}
+
+void Limits::load(ByteReader& from) {
+  if (fields_.empty()) return;
+  seed_ = from.take<std::uint64_t>();
+  for (senses::LimitedField& field : fields_) field.load(from);
+}
+
+}  // namespace mimo::env

@@ -1,0 +1,170 @@
+/* The host simulates MIMo's own scene with its own MuJoCo: attached senses give exactly the bytes of an environment. */
+#include <mujoco/mujoco.h>
+
+#include "support/capi.h"
+
+enum { STEPS = 120, FRAME_SKIP = 2 };
+
+static float random_share(uint32_t* state) {
+  *state = *state * 1664525u + 1013904223u;
+  return (float)(*state >> 8) / 16777216.0f;
+}
+
+/* An infant that senses all that there is, with a second vestibular organ by another agent in its trunk. */
+static mimo_scene* make_scene(const char* name, uint32_t vision) {
+  mimo_scene_config room;
+  mimo_agent_config agent;
+  mimo_camera_config camera;
+  mimo_scene* scene = NULL;
+  CHECK_OK(mimo_scene_config_init(&room, sizeof room));
+  room.name = name;
+  room.model_dir = MIMO_MODELS; /* so that the document names its textures by their paths */
+  CHECK_OK(mimo_scene_create(&room, &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.name = "anna";
+  agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
+  agent.touch = MIMO_TOUCH_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
+  agent.vision = vision;
+  agent.vision_width = agent.vision_height = 32;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.name = "trunk";
+  agent.body = "scene";
+  agent.root = "anna/upper_body";
+  agent.vestibular_at = "anna/upper_body";
+  agent.acts = MIMO_ACT_NONE;
+  agent.touch = agent.vision = 0;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_camera_config_init(&camera, sizeof camera));
+  camera.name = "door";
+  camera.placed = 1;
+  camera.outputs = MIMO_VISION_DEPTH;
+  camera.width = camera.height = 16;
+  if (vision != 0) CHECK_OK(mimo_scene_add_camera(scene, &camera));
+  return scene;
+}
+
+static mjModel* load(const mimo_scene* scene) {
+  static char xml[1 << 20];
+  char error[500] = "";
+  mjModel* model;
+  mjVFS* files = malloc(sizeof *files);
+  size_t length = 0;
+  if (files == NULL) exit(1);
+  CHECK_OK(mimo_scene_xml(scene, xml, sizeof xml, &length));
+  mj_defaultVFS(files);
+  CHECK(mj_makeEmptyFileVFS(files, "scene.xml", (int)length) == 0);
+  memcpy(files->filedata[0], xml, length);
+  model = mj_loadXML("scene.xml", files, error, sizeof error);
+  mj_deleteVFS(files);
+  free(files);
+  if (model == NULL) {
+    fprintf(stderr, "%s\n", error);
+    exit(1);
+  }
+  return model;
+}
+
+static uint8_t* new_block(size_t bytes) {
+  uint8_t* block = malloc(bytes);
+  if (block == NULL) exit(1);
+  memset(block, 0xa5, bytes);
+  return block;
+}
+
+/* Which field differs, for people. */
+static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t* actual, int step) {
+  size_t bytes = 0, fields = 0, i;
+  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  if (memcmp(expected, actual, bytes) == 0) return;
+  for (i = 0; i < fields; ++i) {
+    mimo_field field;
+    field.struct_size = sizeof field;
+    CHECK_OK(mimo_env_observation_field(env, i, &field));
+    if (memcmp(expected + field.offset, actual + field.offset, field.bytes) == 0) continue;
+    fprintf(stderr, "step %d: %s\n", step, field.name);
+    check(0, "a field differs", __LINE__);
+  }
+}
+
+static void check_layouts(const mimo_env* env, const mimo_senses* senses) {
+  size_t bytes = 0, fields = 0, own_bytes = 0, own_fields = 0, i;
+  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  CHECK_OK(mimo_senses_observation_size(senses, &own_bytes, &own_fields));
+  CHECK(bytes == own_bytes && fields == own_fields && fields > 10);
+  for (i = 0; i < fields; ++i) {
+    mimo_field a, b;
+    const char *label_a = NULL, *label_b = NULL;
+    a.struct_size = b.struct_size = sizeof a;
+    CHECK_OK(mimo_env_observation_field(env, i, &a));
+    CHECK_OK(mimo_senses_observation_field(senses, i, &b));
+    CHECK_TEXT(a.name, b.name);
+    CHECK(a.offset == b.offset && a.bytes == b.bytes && a.dtype == b.dtype && a.time == b.time);
+    CHECK_OK(mimo_env_observation_label(env, i, 1, &label_a));
+    CHECK_OK(mimo_senses_observation_label(senses, i, 1, &label_b));
+    CHECK_TEXT(label_a, label_b);
+  }
+}
+
+static void run(const char* name, uint32_t vision) {
+  mimo_scene* scene = make_scene(name, vision);
+  mimo_env_config config;
+  mimo_env* env = NULL;
+  mimo_senses* senses = NULL;
+  mjModel* model = load(scene);
+  mjData* data = mj_makeData(model);
+  mjData* other = mj_makeData(model);
+  float low[64], high[64], action[64];
+  size_t bytes = 0, actions = 0, i;
+  uint32_t random = 7;
+  uint8_t *expected, *actual, *before;
+  int step, changed = 0, pressed = 0;
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.frame_skip = FRAME_SKIP;
+  CHECK_OK(mimo_env_create(scene, &config, &env));
+  CHECK_OK(mimo_senses_attach(scene, &config, model, mj_version(), sizeof(mjModel), sizeof(mjData), &senses));
+  if (env == NULL || senses == NULL) exit(failures());
+  mimo_scene_destroy(scene);
+  check_layouts(env, senses);
+  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  CHECK_OK(mimo_env_action_size(env, &actions));
+  CHECK_OK(mimo_env_action_bounds(env, low, high, 64));
+  expected = new_block(bytes);
+  actual = new_block(bytes);
+  before = new_block((size_t)data->nbuffer);
+  CHECK_OK(mimo_env_reset(env, NULL, expected, bytes));
+  for (step = 0; step < STEPS; ++step) {
+    for (i = 0; i < actions; ++i) action[i] = low[i] + random_share(&random) * (high[i] - low[i]);
+    CHECK_OK(mimo_env_step(env, action, actions, expected, bytes, NULL, NULL, NULL, 0));
+    CHECK((size_t)model->nu == actions);
+    for (i = 0; i < actions; ++i) data->ctrl[i] = (double)action[i];
+    for (i = 0; i < FRAME_SKIP; ++i) mj_step(model, data);
+    memcpy(before, data->buffer, (size_t)data->nbuffer);
+    CHECK_OK(mimo_senses_observe(senses, data, actual, bytes));
+    changed += memcmp(before, data->buffer, (size_t)data->nbuffer) != 0;
+    compare(env, expected, actual, step);
+    pressed += data->ncon > 0;
+    /* The same senses look at other data in between, and see that. */
+    if (step % 40 == 39) {
+      mj_forward(model, other);
+      CHECK_OK(mimo_senses_observe(senses, other, actual, bytes));
+      CHECK(memcmp(expected, actual, bytes) != 0);
+    }
+  }
+  CHECK(changed == 0);
+  CHECK(pressed > 0);
+  mimo_senses_destroy(senses);
+  mimo_env_destroy(env);
+  mj_deleteData(data);
+  mj_deleteData(other);
+  mj_deleteModel(model);
+  free(expected);
+  free(actual);
+  free(before);
+}
+
+int main(void) {
+  run("benchmark", MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+  run("free", 0);
+  return failures();
+}
