@@ -241,7 +241,7 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_config_init(&all.batch, sizeof all.batch));
   for (i = 1; i < nin; i += 2) read_option(&all, mimo_text(in[i], "option"), in[i + 1]);
   if (all.parameters != NULL) set_parameters(scene, all.parameters);
-  mimo_check(mimo_scene_add_agent(scene, &all.agent, NULL));
+  mimo_check(mimo_scene_add_agents(scene, &all.agent, NULL));
   if (all.limits != NULL) limit_senses(scene, all.limits);
   if (all.objects != NULL) add_objects(scene, all.objects);
   if (all.cameras != NULL) add_cameras(scene, all.cameras);

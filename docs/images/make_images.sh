@@ -25,3 +25,7 @@ montage "$work/body_ray.png" "$work/body_osmesa.png" -resize 40% -tile 2x1 -geom
 # A model that is no infant, after it has fallen, and what it feels where it feels most.
 "$mimo" run --scene ../../tests/models/humanoid.xml --seconds 2 --seed 1 --out "$work/own" >/dev/null
 montage "$work/own/outside.png" "$work/own/touch.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 own-model.png
+# Two infants, and both smile.
+"$mimo" render --scene playdate --touch off --face enjoyment --look-at 0 0 0.2 --distance 1.05 --azimuth 65 \
+  --elevation -14 --width 1600 --height 1040 --out "$work/playdate.png"
+montage "$work/playdate.png" -resize 50% -tile 1x1 -geometry +0+0 -depth 8 playdate.png

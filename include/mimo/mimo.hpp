@@ -63,6 +63,12 @@ inline mimo_picture_config picture_config() {
   return config;
 }
 
+inline mimo_model_config model_config() {
+  mimo_model_config config;
+  check(mimo_model_config_init(&config, sizeof config));
+  return config;
+}
+
 inline mimo_camera_config camera_config() {
   mimo_camera_config config;
   check(mimo_camera_config_init(&config, sizeof config));
@@ -205,6 +211,24 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
     check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
   }
+  /// All infants that the scene names; returns how many.
+  std::size_t add_agents(const mimo_agent_config *config = nullptr) {
+    std::size_t count = 0;
+    check(mimo_scene_add_agents(get(), config, &count));
+    return count;
+  }
+  void set_room(const std::string &name) { check(mimo_scene_set_room(get(), name.c_str())); }
+  void add_model(const mimo_model_config &config) { check(mimo_scene_add_model(get(), &config)); }
+  /// Fastens a body to another one, or to the world where other is "", as they start.
+  void weld(const std::string &body, const std::string &other = "") {
+    check(mimo_scene_weld(get(), body.c_str(), other.empty() ? nullptr : other.c_str(), nullptr));
+  }
+  /// The same in a pose in the other's frame: position, then quaternion.
+  void weld(const std::string &body, const std::string &other, const double (&pose)[7]) {
+    check(mimo_scene_weld(get(), body.c_str(), other.empty() ? nullptr : other.c_str(), pose));
+  }
+  void lock(const std::string &joint, double value) { check(mimo_scene_lock(get(), joint.c_str(), value)); }
+  void set_pose(const std::string &joint, double value) { check(mimo_scene_set_pose(get(), joint.c_str(), value)); }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
 
@@ -395,7 +419,7 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
   }
 };
 
-/// The usual case: a built-in scene, one infant with all senses.
+/// The usual case: a built-in scene with its own infants.
 inline Env make(const std::string &scene_name) {
   mimo_env *env = nullptr;
   check(mimo_env_make(scene_name.c_str(), &env));

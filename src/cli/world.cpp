@@ -39,11 +39,10 @@ Env bare_file(const WorldOptions& options) {
   return Env(load_scene(options), config);
 }
 
-bool file_holds_infant(const WorldOptions& options) { return bare_file(options).has(MIMO_BODY, "mimo_location"); }
-
 // Everything in a file that knows nothing of infants is one agent, with the senses that there is something for.
 void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
   const Env world = bare_file(options);
+  agent.body = "scene";
   agent.root = "world";
   agent.vestibular = 0;
   if (world.count(MIMO_CAMERA) == 0) agent.vision = 0;
@@ -148,7 +147,7 @@ void add_seed_option(CLI::App& command, WorldOptions& options) {
 
 std::string body_of_scene(const WorldOptions& options) {
   if (is_file(options.scene)) {
-    return file_holds_infant(options) ? "scene" : options.body;
+    return bare_file(options).infants().empty() ? options.body : "scene";
   }
   return options.body.empty() ? "mitten" : options.body;
 }
@@ -158,10 +157,14 @@ Scene make_scene(const WorldOptions& options, Senses senses) {
   Scene scene = load_scene(options);
   const std::string body = body_of_scene(options);
   mimo_agent_config agent = agent_config(options, senses);
-  if (body.empty()) make_agent_of_all(options, agent);
-  agent.body = body.empty() ? "scene" : body.c_str();
-  scene.add_agent(agent);
-  if (body.empty() && agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
+  if (body.empty()) {
+    make_agent_of_all(options, agent);
+    scene.add_agent(agent);
+    if (agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
+    return scene;
+  }
+  agent.body = body.c_str();
+  scene.add_agents(agent);
   return scene;
 }
 

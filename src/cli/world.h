@@ -33,7 +33,7 @@ std::string body_of_scene(const WorldOptions& options);
 
 enum class Senses { kAll, kAllButVision, kNone };
 
-// The scene with its agent.
+// The scene with its infants; with one agent where there are none.
 Scene make_scene(const WorldOptions& options, Senses senses);
 
 // An env_config with defaults and the log on stderr.

@@ -30,7 +30,8 @@ static void check_sources(void) {
   CHECK_TEXT("benchmark", mimo_scene_builtin(0));
   CHECK_TEXT("free", mimo_scene_builtin(1));
   CHECK_TEXT("selfbody", mimo_scene_builtin(4));
-  CHECK(mimo_scene_builtin(5) == NULL);
+  CHECK_TEXT("playdate", mimo_scene_builtin(5));
+  CHECK(mimo_scene_builtin(6) == NULL);
   CHECK(mimo_scene_builtin((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);

@@ -187,6 +187,14 @@ class Info(Case):
         self.assertRegex(text, r"nq +68\n")
         self.assertIn("proprioception/position", text)
 
+    def test_several_infants(self):
+        info = self.info("--scene", "playdate")
+        self.assertEqual((info["infants"], info["nu"], info["touch_sensors"]), (2, 50, 2 * 5685))
+        self.assertAlmostEqual(info["mass_kg"], 10.90487, places=5)
+        room = self.write("room.xml", '<mujoco><custom><text name="mimo:infants" data="a b c"/><numeric name="mimo:place" '
+                          'data="0 0 1 1 0 0 0 1 0 1 1 0 0 0 2 0 1 1 0 0 0"/></custom></mujoco>')
+        self.assertEqual(self.info("--scene", room, "--body", "mitten")["nu"], 3 * 44)
+
     def test_files(self):
         room = self.write("room.xml", '<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>')
         empty = self.info("--scene", room)
@@ -401,6 +409,17 @@ class Run(Case):
             self.assertEqual(read_png(self.folder / path)[:2], (32, 32) if re.search("left|right|anaglyph", path) else (640, 480))
         for word in ("vision/eye_left", "proprioception/position", "real time", "physics"):
             self.assertIn(word, text)
+
+    @needs_renderer
+    def test_each_infant_sees(self):
+        text = self.mimo("run", "--scene", "playdate", "--seconds", "0.1", "--vision", "32", "--touch", "0.3", "--out", "p")
+        eyes = ["p/%s%s_%s.png" % (when, infant, what) for when in ("", "start_") for infant in ("anna", "ben")
+                for what in ("anaglyph", "left", "right")]
+        others = ["p/%s%s.png" % (when, what) for when in ("", "start_") for what in ("outside", "touch")]
+        self.assertEqual(self.files(), sorted(eyes + others))
+        self.assertIn("ben/touch/force", text)
+        anna, ben = ((self.folder / "p" / ("start_%s_left.png" % infant)).read_bytes() for infant in ("anna", "ben"))
+        self.assertNotEqual(anna, ben)
 
     @needs_renderer
     def test_anaglyph_is_made_of_both_eyes(self):

@@ -24,6 +24,7 @@ STRUCTS = {
     "mimo_agent_config": _abi.AgentConfig,
     "mimo_limits": _abi.Limits,
     "mimo_object_config": _abi.ObjectConfig,
+    "mimo_model_config": _abi.ModelConfig,
     "mimo_camera_config": _abi.CameraConfig,
     "mimo_gaze": _abi.Gaze,
     "mimo_parameter": _abi.Parameter,

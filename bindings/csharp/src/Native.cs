@@ -33,6 +33,13 @@ namespace Mimo
         [DllImport(Library)] internal static extern int mimo_scene_add_object(SceneHandle scene, ref ObjectConfigStruct config);
         [DllImport(Library)] internal static extern int mimo_scene_add_camera(SceneHandle scene, ref CameraConfigStruct config);
         [DllImport(Library)] internal static extern int mimo_scene_set_touch(SceneHandle scene, int agent, byte[] body, double spacing);
+        [DllImport(Library)] internal static extern int mimo_model_config_init(out ModelConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_scene_add_agents(SceneHandle scene, ref AgentConfig config, out Size count);
+        [DllImport(Library)] internal static extern int mimo_scene_set_room(SceneHandle scene, byte[] name);
+        [DllImport(Library)] internal static extern int mimo_scene_add_model(SceneHandle scene, ref ModelConfigStruct config);
+        [DllImport(Library)] internal static extern int mimo_scene_weld(SceneHandle scene, byte[] body, byte[] other, double[] pose);
+        [DllImport(Library)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
+        [DllImport(Library)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(Library)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
         [DllImport(Library)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
         [DllImport(Library)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);

@@ -62,6 +62,54 @@ namespace Mimo
             }
         }
 
+        /// <summary>Adds all infants that the scene names, each at a place of its own; in a scene that names none a single
+        /// one. Gives how many they are.</summary>
+        public int AddAgents(AgentConfig config)
+        {
+            UIntPtr count;
+            MimoException.Check(Native.mimo_scene_add_agents(Handle, ref config, out count));
+            return (int)count;
+        }
+
+        /// <summary>Gives a scene that has none a room: "playroom".</summary>
+        public void SetRoom(string name) { MimoException.Check(Native.mimo_scene_set_room(Handle, Text.Bytes(name))); }
+
+        /// <summary>Adds an MJCF document with one body as an object: a file, or a text. All its names get its name and '/'
+        /// before them.</summary>
+        public void AddModel(string name, Vector3 position, string file = null, string xml = null, bool isFixed = false)
+        {
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
+            {
+                ModelConfigStruct config;
+                MimoException.Check(Native.mimo_model_config_init(out config, Structs.Size<ModelConfigStruct>()));
+                config.name = n.Pointer;
+                config.file = f.Pointer;
+                config.xml = x.Pointer;
+                config.position = position;
+                config.@fixed = isFixed ? 1u : 0u;
+                MimoException.Check(Native.mimo_scene_add_model(Handle, ref config));
+            }
+        }
+
+        /// <summary>Fastens a body softly to another one, null: to the world, as they are to each other where the scene
+        /// starts.</summary>
+        public void Weld(string body, string other = null)
+        {
+            MimoException.Check(Native.mimo_scene_weld(Handle, Text.Bytes(body), Text.Bytes(other), null));
+        }
+
+        /// <summary>Holds a hinge or slide softly, and starts it there, rad or m.</summary>
+        public void Lock(string joint, double value)
+        {
+            MimoException.Check(Native.mimo_scene_lock(Handle, Text.Bytes(joint), value));
+        }
+
+        /// <summary>Sets where a hinge or slide starts, rad or m.</summary>
+        public void SetPose(string joint, double value)
+        {
+            MimoException.Check(Native.mimo_scene_set_pose(Handle, Text.Bytes(joint), value));
+        }
+
         /// <summary>Adds a rigid object.</summary>
         public void AddObject(ObjectOptions options)
         {

@@ -69,6 +69,15 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct ModelConfigStruct
+    {
+        internal uint struct_size, @fixed;
+        internal IntPtr name, file, xml;
+        internal Vector3 position;
+        internal Quaternion orientation;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct LimitsStruct
     {
         internal uint struct_size, delay;

@@ -37,7 +37,7 @@ internal static partial class Tests
             { "mimo_scene_config", typeof(SceneConfigStruct) }, { "mimo_agent_config", typeof(AgentConfig) },
             { "mimo_object_config", typeof(ObjectConfigStruct) }, { "mimo_env_config", typeof(EnvConfigStruct) },
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
-            { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
+            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
             { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) }
         };
         var text = File.ReadAllText(layoutFile);
@@ -63,7 +63,7 @@ internal static partial class Tests
     private static void StructsAreBlittable()
     {
         foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
-            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
+            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
             new BatchResultsStruct() })
             GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
     }
@@ -223,7 +223,7 @@ internal static partial class Tests
         {
             StructsLieAsListed, StructsAreBlittable, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, FacesShow,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
         };

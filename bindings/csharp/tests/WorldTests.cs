@@ -129,6 +129,35 @@ internal static partial class Tests
         Near(2 * plain[1], late[2], 1e-6, "twice and late");
     }
 
+    /// <summary>A cup that is fastened to the world does not fall.</summary>
+    private static void ScenesAreBuilt()
+    {
+        const string cup = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
+        using (var scene = Scene.Empty())
+        {
+            scene.SetRoom("playroom");
+            var agent = scene.DefaultAgent();
+            agent.vision = agent.touch = 0;
+            Check(scene.AddAgents(agent) == 1, "one infant");
+            scene.AddModel("cup", new Vector3(1, 0.5, 0.5), xml: cup);
+            scene.Weld("cup");
+            scene.Lock("robot:left_elbow", -0.5);
+            scene.SetPose("robot:right_elbow", -0.7);
+            using (var env = new Env(scene))
+            {
+                env.Reset(1);
+                var angles = new double[2];
+                env.Get(Quantity.JointPosition, new[] { env.Find(Kind.Joint, "robot:left_elbow"), env.Find(Kind.Joint, "robot:right_elbow") }, angles);
+                Check(angles[0] == -0.5 && angles[1] == -0.7, "poses");
+                env.Find(Kind.Geom, "cup/side");
+                for (var i = 0; i < 50; ++i) env.Step(null);
+                var place = new double[3];
+                env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "cup") }, place);
+                Check(place[2] > 0.45, "it fell to " + place[2]);
+            }
+        }
+    }
+
     private static void FacesShow()
     {
         Check(Faces.Names.Count == 7 && Faces.Names.Contains("fear"), "no emotion, and the six basic ones");

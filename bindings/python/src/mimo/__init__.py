@@ -47,7 +47,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
-from .scene import Scene, faces, scenes, tasks
+from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
@@ -117,6 +117,7 @@ __all__ = [
     "make",
     "make_vec",
     "mujoco_version",
+    "rooms",
     "scenes",
     "tasks",
     "version",

@@ -6,6 +6,7 @@ Whatever is left out is the library's default, or the scene's own. docs/python.m
 from __future__ import annotations
 
 import ctypes
+import os
 from typing import Any, Mapping, Sequence, TypedDict, Union
 
 from ._library import utf8
@@ -101,6 +102,16 @@ class CameraOptions(TypedDict, total=False):
     body: str
     position: Numbers
     look_at: Numbers
+
+
+class ModelOptions(TypedDict, total=False):
+    """An object that an MJCF document describes."""
+
+    file: Union[str, "os.PathLike[str]"]
+    xml: str
+    position: Numbers
+    orientation: Numbers
+    fixed: bool
 
 
 class PictureOptions(TypedDict, total=False):

@@ -122,7 +122,7 @@ def seed_number(seed: int) -> ctypes.c_uint64:
 class World(Access):
     """One world with its infants, their senses and a task.
 
-    `World("reach", vision=False)` makes it of a built-in scene with one infant, `World(scene)` of a scene of your own.
+    `World("reach", vision=False)` makes it of a built-in scene with its infants, `World(scene)` of a scene of your own.
     Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
     """
 

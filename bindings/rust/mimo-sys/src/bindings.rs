@@ -325,6 +325,16 @@ extern "C" {
     pub fn mimo_scene_destroy(scene: *mut mimo_scene);
 }
 extern "C" {
+    #[doc = "Name of the index-th room (\"playroom\"), or NULL past the last. Static string."]
+    pub fn mimo_scene_room(index: usize) -> *const std::os::raw::c_char;
+}
+extern "C" {
+    #[doc = "Gives a scene that has none a room: floor, sky, light, and a place for an infant. What the scene says itself about"]
+    #[doc = "solver, statistics and pictures stays."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown room; MIMO_E_INVALID_ARGUMENT for a scene that has a room or a floor already."]
+    pub fn mimo_scene_set_room(scene: *mut mimo_scene, name: *const std::os::raw::c_char) -> mimo_status;
+}
+extern "C" {
     #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\", \"surprise\","]
     #[doc = "\"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named \"mimo_face_<name>\"."]
     pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
@@ -416,6 +426,19 @@ extern "C" {
         scene: *mut mimo_scene,
         config: *const mimo_agent_config,
         agent: *mut i32,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Adds all infants that the scene names (its MJCF's custom text \"mimo:infants\", \"anna ben\"), each at a place of its own;"]
+    #[doc = "in a scene that names none a single one."]
+    #[doc = "@param config what they have in common; a name only where the scene gives none, a place only where there is just one."]
+    #[doc = "              NULL: the scene's own, see mimo_scene_default_agent."]
+    #[doc = "@param count  receives how many were added; may be NULL."]
+    #[doc = "Errors: as mimo_scene_add_agent. All of them are added, or none."]
+    pub fn mimo_scene_add_agents(
+        scene: *mut mimo_scene,
+        config: *const mimo_agent_config,
+        count: *mut usize,
     ) -> mimo_status;
 }
 extern "C" {
@@ -516,6 +539,80 @@ extern "C" {
     #[doc = "Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use."]
     pub fn mimo_scene_add_object(scene: *mut mimo_scene, config: *const mimo_object_config) -> mimo_status;
 }
+#[doc = "An object that is described by an MJCF document of its own: a toy with parts, a piece of furniture, a robot."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_model_config {
+    #[doc = "sizeof(mimo_model_config), set by mimo_model_config_init."]
+    pub struct_size: u32,
+    #[doc = "1: it gets no free joint; 0: it moves freely, unless its body has joints of its own."]
+    pub fixed: u32,
+    #[doc = "Needed: letters, digits, '_', '-' and '.'. All names in the document get it and '/' before them."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Path of an MJCF file; what it includes and its meshes lie relative to its folder."]
+    pub file: *const std::os::raw::c_char,
+    #[doc = "Or MJCF text; relative paths start from the working directory."]
+    pub xml: *const std::os::raw::c_char,
+    #[doc = "Where its body is, metres, world frame; in place of what the document says."]
+    pub position: [f64; 3usize],
+    #[doc = "w x y z; need not be normalised."]
+    pub orientation: [f64; 4usize],
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: at the origin, free to move, without name and document."]
+    #[doc = "@param size sizeof(mimo_model_config) as the caller knows it."]
+    pub fn mimo_model_config_init(config: *mut mimo_model_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,"]
+    #[doc = "equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,"]
+    #[doc = "\"cup/handle\", so the same document may be added often; the free joint, and a body without a name, have the object's."]
+    #[doc = "Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits"]
+    #[doc = "are converted to the scene's settings."]
+    #[doc = "What else stands in its worldbody (floor, lights) does not come along, nor do its solver options, keyframes, sizes and"]
+    #[doc = "visual settings: there the scene's count. Nor do keyframes of the scene stay: they are positions of other joints."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just one"]
+    #[doc = "body; MIMO_E_UNSUPPORTED for compiler settings that only count for whole scenes (global coordinates, settotalmass,"]
+    #[doc = "...); MIMO_E_INVALID_ARGUMENT for a name in use, and for fixed = 1 where the body has a free joint."]
+    pub fn mimo_scene_add_model(scene: *mut mimo_scene, config: *const mimo_model_config) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Fastens a body to another one or to the world, softly, as the solver holds things."]
+    #[doc = "@param body  name of a body in the scene, \"anna/left_hand\"."]
+    #[doc = "@param other name of the one to which it is fastened; NULL: the world."]
+    #[doc = "@param pose  where the body is in the other's frame: position (m) and quaternion w x y z; NULL: as they are to each"]
+    #[doc = "             other where the scene starts, with all that is added and posed before an environment is made."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have; the message lists those that it has."]
+    pub fn mimo_scene_weld(
+        scene: *mut mimo_scene,
+        body: *const std::os::raw::c_char,
+        other: *const std::os::raw::c_char,
+        pose: *const f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the locks"]
+    #[doc = "of the joints that it moves."]
+    #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
+    #[doc = "@param value rad or m, within the joint's range."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has."]
+    pub fn mimo_scene_lock(
+        scene: *mut mimo_scene,
+        joint: *const std::os::raw::c_char,
+        value: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets where a hinge or slide starts; resets lead there, before a task changes it."]
+    #[doc = "@param joint name of a joint in the scene, of an infant, an object or a model of your own."]
+    #[doc = "@param value rad or m, within the joint's range."]
+    #[doc = "Errors: as mimo_scene_lock."]
+    pub fn mimo_scene_set_pose(
+        scene: *mut mimo_scene,
+        joint: *const std::os::raw::c_char,
+        value: f64,
+    ) -> mimo_status;
+}
 #[doc = "A camera whose pictures are fields of the observation: \"vision/NAME\", \"vision/NAME_depth\", \"vision/NAME_segmentation\"."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -558,6 +655,7 @@ extern "C" {
 extern "C" {
     #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
     #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
+    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) and the scene does not compile."]
     #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only."]
     #[doc = "@param length receives the length without the terminating zero; may be NULL."]
     pub fn mimo_scene_xml(
@@ -674,7 +772,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The usual case in one call: a built-in scene by name with its own infant (mimo_scene_default_agent) and task."]
+    #[doc = "The usual case in one call: a built-in scene by name with its own infants (mimo_scene_add_agents) and task."]
     pub fn mimo_env_make(scene_name: *const std::os::raw::c_char, env: *mut *mut mimo_env) -> mimo_status;
 }
 extern "C" {

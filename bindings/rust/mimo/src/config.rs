@@ -214,6 +214,58 @@ impl Object {
     }
 }
 
+/// An MJCF document with one body, as an object: a toy with parts, a piece of furniture, a robot.
+#[derive(Clone)]
+pub struct Model {
+    raw: sys::mimo_model_config,
+    name: CString,
+    file: Option<CString>,
+    xml: Option<CString>,
+}
+
+// The pointers inside are set for the length of a call only.
+unsafe impl Send for Model {}
+unsafe impl Sync for Model {}
+
+impl Model {
+    /// A file; all names in it get `name` and '/' before them.
+    pub fn file(name: &str, path: &str) -> Result<Model> {
+        Ok(Model { file: Some(c_string(path)?), ..Model::named(name)? })
+    }
+
+    /// A text; relative paths in it start from the working directory.
+    pub fn xml(name: &str, text: &str) -> Result<Model> {
+        Ok(Model { xml: Some(c_string(text)?), ..Model::named(name)? })
+    }
+
+    fn named(name: &str) -> Result<Model> {
+        Ok(Model {
+            raw: defaults(sys::mimo_model_config_init)?,
+            name: c_string(name)?,
+            file: None,
+            xml: None,
+        })
+    }
+
+    pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_model_config) -> R) -> R {
+        let (name, file, xml) = (self.name.as_ptr(), pointer(&self.file), pointer(&self.xml));
+        use_it(&sys::mimo_model_config { name, file, xml, ..self.raw })
+    }
+
+    /// Where its body is: metres, and w x y z; world frame.
+    pub fn place(&mut self, position: [f64; 3], orientation: [f64; 4]) -> &mut Self {
+        self.raw.position = position;
+        self.raw.orientation = orientation;
+        self
+    }
+
+    /// Whether it gets no free joint.
+    pub fn fixed(&mut self, fixed: bool) -> &mut Self {
+        self.raw.fixed = fixed.into();
+        self
+    }
+}
+
 /// How a world is simulated.
 #[derive(Clone)]
 pub struct EnvConfig {

@@ -41,15 +41,14 @@ mod world;
 
 pub use batch::{Batch, BatchConfig, BatchResults};
 pub use block::{Block, Observation};
-pub use config::{AgentConfig, EnvConfig, Object};
+pub use config::{AgentConfig, EnvConfig, Model, Object};
 pub use error::{Error, Kind, Result};
 pub use field::{Field, Type};
 pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use limits::Limits;
 pub use log::Level;
-pub use overrides::faces;
 pub use picture::{Camera, Picture};
-pub use scene::{builtin_scenes, Scene};
+pub use scene::{builtin_scenes, faces, rooms, Scene};
 pub use senses::Senses;
 pub use task::{Judgement, Task, Whom};
 pub use world::{Contact, Env, Step, TouchSensor, World};

@@ -4,14 +4,6 @@ use crate::sys;
 use crate::world::World;
 use std::ptr::null;
 
-/// Names of the faces of the built-in bodies.
-pub fn faces() -> Vec<String> {
-    (0..)
-        .map(|index| text(unsafe { sys::mimo_face_name(index) }))
-        .take_while(|name| !name.is_empty())
-        .collect()
-}
-
 impl World {
     /// The face that an infant shows; "" for a body without faces.
     pub fn face(&self, agent: usize) -> Result<String> {

@@ -1,5 +1,5 @@
 //! Scenes: rooms, objects and infants.
-use crate::config::{defaults, pointer, AgentConfig, Object};
+use crate::config::{defaults, pointer, AgentConfig, Model, Object};
 use crate::error::{c_string, check, text, Result};
 use crate::limits::Limits;
 use crate::picture::Camera;
@@ -77,6 +77,49 @@ impl Scene {
         let mut number = 0;
         agent.with_raw(|raw| check(unsafe { sys::mimo_scene_add_agent(self.handle(), raw, &mut number) }))?;
         Ok(number as usize)
+    }
+
+    /// Adds all infants that the scene names, each at a place of its own; in a scene that names none a single one.
+    /// `agent` is what they have in common; None: the scene's own. Gives how many they are.
+    pub fn add_agents(&mut self, agent: Option<&AgentConfig>) -> Result<usize> {
+        let mut count = 0;
+        let mut add = |raw| check(unsafe { sys::mimo_scene_add_agents(self.handle(), raw, &mut count) });
+        match agent {
+            Some(agent) => agent.with_raw(|raw| add(raw))?,
+            None => add(null())?,
+        }
+        Ok(count)
+    }
+
+    /// Gives a scene that has none a room, see [`rooms`].
+    pub fn set_room(&mut self, name: &str) -> Result<()> {
+        let name = c_string(name)?;
+        check(unsafe { sys::mimo_scene_set_room(self.handle(), name.as_ptr()) })
+    }
+
+    /// Adds an MJCF document with one body as an object.
+    pub fn add_model(&mut self, model: &Model) -> Result<()> {
+        model.with_raw(|raw| check(unsafe { sys::mimo_scene_add_model(self.handle(), raw) }))
+    }
+
+    /// Fastens a body softly to another one, or to the world: in a pose (position, quaternion w x y z) in its frame, or as
+    /// they are to each other where the scene starts.
+    pub fn weld(&mut self, body: &str, other: Option<&str>, pose: Option<&[f64; 7]>) -> Result<()> {
+        let (body, other) = (c_string(body)?, other.map(c_string).transpose()?);
+        let pose = pose.map_or(null(), |pose| pose.as_ptr());
+        check(unsafe { sys::mimo_scene_weld(self.handle(), body.as_ptr(), pointer(&other), pose) })
+    }
+
+    /// Holds a hinge or slide softly, and starts it there, rad or m.
+    pub fn lock(&mut self, joint: &str, value: f64) -> Result<()> {
+        let joint = c_string(joint)?;
+        check(unsafe { sys::mimo_scene_lock(self.handle(), joint.as_ptr(), value) })
+    }
+
+    /// Sets where a hinge or slide starts, rad or m.
+    pub fn set_pose(&mut self, joint: &str, value: f64) -> Result<()> {
+        let joint = c_string(joint)?;
+        check(unsafe { sys::mimo_scene_set_pose(self.handle(), joint.as_ptr(), value) })
     }
 
     /// Adds an object.
@@ -162,8 +205,19 @@ impl Drop for Scene {
 
 /// Names of the built-in scenes.
 pub fn builtin_scenes() -> Vec<String> {
-    (0..)
-        .map(|index| text(unsafe { sys::mimo_scene_builtin(index) }))
-        .take_while(|name| !name.is_empty())
-        .collect()
+    names(sys::mimo_scene_builtin)
+}
+
+/// Names of the rooms for [`Scene::set_room`].
+pub fn rooms() -> Vec<String> {
+    names(sys::mimo_scene_room)
+}
+
+/// Names of the faces of the built-in bodies.
+pub fn faces() -> Vec<String> {
+    names(sys::mimo_face_name)
+}
+
+fn names(by_index: unsafe extern "C" fn(usize) -> *const std::os::raw::c_char) -> Vec<String> {
+    (0..).map(|index| text(unsafe { by_index(index) })).take_while(|name| !name.is_empty()).collect()
 }

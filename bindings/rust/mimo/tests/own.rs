@@ -74,6 +74,35 @@ fn own_task_rewards_and_ends() {
     assert_eq!(dropped.load(Ordering::SeqCst), 1);
 }
 
+/// A room, a cup in it, and a handle that is fastened to the cup.
+#[test]
+fn scenes_are_built() {
+    const CUP: &str = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
+    assert!(mimo::rooms().contains(&"playroom".to_string()));
+    let mut scene = Scene::empty().unwrap();
+    scene.set_room("playroom").unwrap();
+    assert!(scene.set_room("playroom").is_err());
+    let mut agent = scene.default_agent().unwrap();
+    agent.vision(0, 8, 8).touch(0, 1.0);
+    assert_eq!(scene.add_agents(Some(&agent)), Ok(1));
+    let mut cup = mimo::Model::xml("cup", CUP).unwrap();
+    scene.add_model(cup.place([1.0, 0.5, 0.5], [1.0, 0.0, 0.0, 0.0])).unwrap();
+    scene.weld("cup", None, None).unwrap();
+    scene.lock("robot:left_elbow", -0.5).unwrap();
+    scene.set_pose("robot:right_elbow", -0.7).unwrap();
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    env.reset(Some(1), None).unwrap();
+    let joints = ["robot:left_elbow", "robot:right_elbow"].map(|name| env.find(MIMO_JOINT, name).unwrap());
+    assert_eq!(env.get(MIMO_JOINT_POSITION, &joints).unwrap(), [-0.5, -0.7]);
+    assert_eq!(env.locked(joints[0]).unwrap(), Some(-0.5));
+    assert_eq!(env.body_of(MIMO_GEOM, env.find(MIMO_GEOM, "cup/side").unwrap()), env.find(MIMO_BODY, "cup"));
+    for _ in 0..50 {
+        env.step(&[], None).unwrap();
+    }
+    let cup = env.find(MIMO_BODY, "cup").unwrap();
+    assert!(env.get(MIMO_BODY_POSITION, &[cup]).unwrap()[2] > 0.45); // it would be on the floor otherwise
+}
+
 /// A perfect sense times two, and half a second later.
 #[test]
 fn limited_senses() {
