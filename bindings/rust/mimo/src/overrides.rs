@@ -12,7 +12,7 @@ impl World {
         Ok(text(name))
     }
 
-    /// Gives an infant another face, see [`faces`]; pictures show it from the next one on.
+    /// Gives an infant another face, see [`faces`](crate::faces); pictures show it from the next one on.
     pub fn set_face(&mut self, agent: usize, name: &str) -> Result<()> {
         let name = c_string(name)?;
         check(unsafe { sys::mimo_env_set_face(self.handle(), agent, name.as_ptr()) })
