@@ -71,6 +71,7 @@ void add_info(CLI::App& program) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand("info", "Count what a scene holds and list what its infant senses");
   add_scene_options(*command, options->world);
+  add_actuation_option(*command, options->world);
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
