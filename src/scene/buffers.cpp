@@ -9,8 +9,9 @@ namespace {
 
 // MuJoCo sizes its buffers for the worst case, 19 MB a world. In ten hours of random movement an infant with mitten
 // hands needed up to 37 contacts, 175 constraints (210 with every joint locked) and 23,000 numbers of stack; one with
-// five fingers, whose contacts have six constraints, in ten minutes 68, 410 and 63,000. The solver's part of the stack grows with the square of the degrees of freedom: ten infants in a heap needed 5.1 numbers for each entry of
-// their matrix, 1.4 million. A buffer that is full after all shows as a warning, never as a crash.
+// five fingers, whose contacts have six constraints, in ten minutes 68, 410 and 63,000. The solver's part of the stack
+// grows with the square of the degrees of freedom: ten infants in a heap needed 5.1 numbers for each entry of their
+// matrix, 1.4 million. A buffer that is full after all shows as a warning, never as a crash.
 struct Buffers {
   int contacts, constraints, stack;
 };

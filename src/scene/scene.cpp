@@ -20,7 +20,8 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "catch", "showroom", "playdate"};
+constexpr const char* kScenes[] = {"benchmark", "free",  "reach",    "standup",
+                                   "selfbody",  "catch", "showroom", "playdate"};
 constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kRootBody = "mimo_location";
@@ -165,9 +166,7 @@ const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
 const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
 const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
-Scene::Scene(const Source& source)
-    : library_(source.model_dir),
-      document_(load(library_, source)) {}
+Scene::Scene(const Source& source) : library_(source.model_dir), document_(load(library_, source)) {}
 
 Scene::Scene(const Scene& other)
     : library_(other.library_),

@@ -210,7 +210,7 @@ class Info(Case):
     def test_files(self):
         room = self.write("room.xml", '<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>')
         empty = self.info("--scene", room)
-        self.assertEqual((empty["nq"], empty["bodies"], empty["mass_kg"]), (0, 1, None))
+        self.assertEqual((empty["nq"], empty["bodies"], empty["mass_kg"]), (0, 1, 0))  # all in it is an agent
         self.assertEqual(empty["observation_fields"], [])
         furnished = self.info("--scene", room, "--body", "mitten")
         self.assertEqual((furnished["nq"], furnished["nu"]), (54, 44))
