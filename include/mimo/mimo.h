@@ -52,6 +52,8 @@ extern "C" {
 #define MIMO_VERSION_MINOR 1 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_ABI_VERSION 0   /**< Changes when old callers would break; equals the SONAME's number. */
+#define MIMO_API_MAJOR 0     /**< Version of this interface, 0.9: what is declared here. docs/abi.md says what may change. */
+#define MIMO_API_MINOR 9     /**< Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`. */
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
 typedef int32_t mimo_status;
@@ -140,6 +142,16 @@ MIMO_API mimo_status mimo_scene_create(const mimo_scene_config *config, mimo_sce
 
 /** Destroys a scene. NULL and destroyed handles are ignored. Environments made from it live on. */
 MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
+
+/** Name of the index-th room ("playroom"), or NULL past the last. Static string. */
+MIMO_API const char *mimo_scene_room(size_t index) MIMO_NOEXCEPT;
+
+/**
+ * Gives a scene that has none a room: floor, sky, light, and a place for an infant. What the scene says itself about
+ * solver, statistics and pictures stays.
+ * Errors: MIMO_E_NOT_FOUND for an unknown room; MIMO_E_INVALID_ARGUMENT for a scene that has a room or a floor already.
+ */
+MIMO_API mimo_status mimo_scene_set_room(mimo_scene *scene, const char *name) MIMO_NOEXCEPT;
 
 #define MIMO_PROPRIOCEPTION_VELOCITY 0x01u     /**< Joint velocities, rad/s. */
 #define MIMO_PROPRIOCEPTION_TORQUE 0x02u       /**< Three-axis torque sensors at the joints, Nm. */
@@ -266,6 +278,17 @@ MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_co
                                           int32_t *agent) MIMO_NOEXCEPT;
 
 /**
+ * Adds all infants that the scene names (its MJCF's custom text "mimo:infants", "anna ben"), each at a place of its own;
+ * in a scene that names none a single one.
+ * @param config what they have in common; a name only where the scene gives none, a place only where there is just one.
+ *               NULL: the scene's own, see mimo_scene_default_agent.
+ * @param count  receives how many were added; may be NULL.
+ * Errors: as mimo_scene_add_agent. All of them are added, or none.
+ */
+MIMO_API mimo_status mimo_scene_add_agents(mimo_scene *scene, const mimo_agent_config *config,
+                                           size_t *count) MIMO_NOEXCEPT;
+
+/**
  * Sets the distance between the touch sensors of one part of an infant's body, in place of the usual one.
  * @param body    name of a body without its agent's name, "left_hand"; NULL: every body, and what was set before for
  *                single ones no longer counts.
@@ -344,6 +367,65 @@ MIMO_API mimo_status mimo_object_config_init(mimo_object_config *config, size_t 
 /** Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use. */
 MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_config *config) MIMO_NOEXCEPT;
 
+/** An object that is described by an MJCF document of its own: a toy with parts, a piece of furniture, a robot. */
+typedef struct mimo_model_config {
+  uint32_t struct_size;  /**< sizeof(mimo_model_config), set by mimo_model_config_init. */
+  uint32_t fixed;        /**< 1: it gets no free joint; 0: it moves freely, unless its body has joints of its own. */
+  const char *name;      /**< Needed: letters, digits, '_', '-' and '.'. All names in the document get it and '/' before them. */
+  const char *file;      /**< Path of an MJCF file; what it includes and its meshes lie relative to its folder. */
+  const char *xml;       /**< Or MJCF text; relative paths start from the working directory. */
+  double position[3];    /**< Where its body is, metres, world frame; in place of what the document says. */
+  double orientation[4]; /**< w x y z; need not be normalised. */
+} mimo_model_config;
+
+/**
+ * Fills a config with defaults: at the origin, free to move, without name and document.
+ * @param size sizeof(mimo_model_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_model_config_init(mimo_model_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,
+ * equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,
+ * "cup/handle", so the same document may be added often; the free joint, and a body without a name, have the object's.
+ * Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits
+ * are converted to the scene's settings.
+ * What else stands in its worldbody (floor, lights) does not come along, nor do its solver options, keyframes, sizes and
+ * visual settings: there the scene's count. Nor do keyframes of the scene stay: they are positions of other joints.
+ * Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just one
+ * body; MIMO_E_UNSUPPORTED for compiler settings that only count for whole scenes (global coordinates, settotalmass,
+ * ...); MIMO_E_INVALID_ARGUMENT for a name in use, and for fixed = 1 where the body has a free joint.
+ */
+MIMO_API mimo_status mimo_scene_add_model(mimo_scene *scene, const mimo_model_config *config) MIMO_NOEXCEPT;
+
+/**
+ * Fastens a body to another one or to the world, softly, as the solver holds things.
+ * @param body  name of a body in the scene, "anna/left_hand".
+ * @param other name of the one to which it is fastened; NULL: the world.
+ * @param pose  where the body is in the other's frame: position (m) and quaternion w x y z; NULL: as they are to each
+ *              other where the scene starts, with all that is added and posed before an environment is made.
+ * Errors: MIMO_E_NOT_FOUND for a body that the scene does not have; the message lists those that it has.
+ */
+MIMO_API mimo_status mimo_scene_weld(mimo_scene *scene, const char *body, const char *other,
+                                     const double *pose) MIMO_NOEXCEPT;
+
+/**
+ * Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the locks
+ * of the joints that it moves.
+ * @param joint name of a joint in the scene, "anna/robot:left_knee".
+ * @param value rad or m, within the joint's range.
+ * Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has.
+ */
+MIMO_API mimo_status mimo_scene_lock(mimo_scene *scene, const char *joint, double value) MIMO_NOEXCEPT;
+
+/**
+ * Sets where a hinge or slide starts; resets lead there, before a task changes it.
+ * @param joint name of a joint in the scene, of an infant, an object or a model of your own.
+ * @param value rad or m, within the joint's range.
+ * Errors: as mimo_scene_lock.
+ */
+MIMO_API mimo_status mimo_scene_set_pose(mimo_scene *scene, const char *joint, double value) MIMO_NOEXCEPT;
+
 /** A camera whose pictures are fields of the observation: "vision/NAME", "vision/NAME_depth", "vision/NAME_segmentation". */
 typedef struct mimo_camera_config {
   uint32_t struct_size; /**< sizeof(mimo_camera_config), set by mimo_camera_config_init. */
@@ -376,6 +458,7 @@ MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_
 /**
  * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it
  * names "mimo/..." are the built-in ones, installed as share/mimo/models.
+ * Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) and the scene does not compile.
  * @param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only.
  * @param length receives the length without the terminating zero; may be NULL.
  */
@@ -468,7 +551,7 @@ MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) 
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;
 
-/** The usual case in one call: a built-in scene by name with its own infant (mimo_scene_default_agent) and task. */
+/** The usual case in one call: a built-in scene by name with its own infants (mimo_scene_add_agents) and task. */
 MIMO_API mimo_status mimo_env_make(const char *scene_name, mimo_env **env) MIMO_NOEXCEPT;
 
 /** Destroys a world. NULL and destroyed handles are ignored. */

@@ -1,13 +1,11 @@
 #include "body/body.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/fail.h"
-#include "engine/custom.h"
 
 namespace mimo::body {
 namespace {
@@ -125,18 +123,6 @@ std::vector<Motor> motors(const mjModel& model, const Body& body) {
     motors.push_back({id, joint(model, turned), engine::find_lock(model, turned)});
   }
   return motors;
-}
-
-void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos) {
-  const Span<const double> root = engine::custom_numbers(model, body.prefix + "mimo:root");
-  if (root.size() == 7) {
-    const auto address = static_cast<std::size_t>(free_joint_address(model, body.root));
-    std::copy(root.begin(), root.end(), &qpos[address]);
-    Eigen::Map<Eigen::Vector4d>(&qpos[address + 3]).normalize();
-  }
-  for (const engine::TupleEntry& entry : engine::custom_tuple(model, body.prefix + "mimo:pose", Kind::kJoint)) {
-    qpos[static_cast<std::size_t>(hinge(model, entry.id).qpos)] = entry.value;
-  }
 }
 
 double mass(const mjModel& model, const Body& body) { return model.body_subtreemass[body.root]; }

@@ -71,10 +71,6 @@ Body find_part(const mjModel& model, const std::string& root);
 // Its motors in the order of `actuators`.
 std::vector<Motor> motors(const mjModel& model, const Body& body);
 
-// Writes the pose that the model stores for this infant into its part of qpos: the numbers "mimo:root" for its root,
-// the tuple "mimo:pose" for its joints. What is not stored stays as it is.
-void read_stored_pose(const mjModel& model, const Body& body, Span<double> qpos);
-
 double mass(const mjModel& model, const Body& body);
 
 // Vertical extent of the body's geoms at the poses that data holds, m.

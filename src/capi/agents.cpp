@@ -8,15 +8,6 @@
 namespace mimo::capi {
 namespace {
 
-void check_agent_name(const std::string& name) {
-  // Not isalnum, whose letters depend on the host's locale.
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-           c == '.';
-  });
-  require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
-}
-
 senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   check_bits(config.proprioception, MIMO_PROPRIOCEPTION_ALL, "proprioception");
   require(config.limit_threshold > 0 && config.limit_threshold <= 10,
@@ -75,7 +66,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   check_flag(config.vestibular, "vestibular");
   env::AgentOptions options;
   options.name = text(config.name);
-  check_agent_name(options.name);
+  check_plain_name(options.name);
   options.proprioception = proprioception(config);
   options.vestibular = config.vestibular != 0;
   options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
@@ -125,6 +116,15 @@ mimo_agent_config default_agent_config(const scene::Scene& scene) {
   return config;
 }
 
+void check_plain_name(const std::string& name) {
+  // Not isalnum, whose letters depend on the host's locale.
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  });
+  require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
+}
+
 scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
   check_finite(position, 3, "position");
   check_finite(orientation, 4, "orientation");
@@ -168,6 +168,26 @@ std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
   }
   object.agents.push_back(std::move(options));  // in reserved room: fails no more, now that the scene has the body
   return object.agents.size() - 1;
+}
+
+std::size_t add_agents(SceneObject& object, const mimo_agent_config& config) {
+  std::vector<std::string> names = object.scene.infants();
+  const std::string given = text(config.name);
+  if (names.empty()) {
+    names.push_back(given);
+  } else {
+    require(given.empty(), "name is \"{}\", but the scene names its infants itself", given);
+  }
+  require(config.place_given == 0 || names.size() == 1, "place_given is {}, but each of {} infants has its own place",
+          config.place_given, names.size());
+  SceneObject changed = object;
+  for (const std::string& name : names) {
+    mimo_agent_config own = config;
+    own.name = name.c_str();
+    add_agent(changed, own);
+  }
+  object = std::move(changed);
+  return names.size();
 }
 
 }  // namespace mimo::capi

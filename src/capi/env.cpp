@@ -120,7 +120,7 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     scene::Source source;
     source.name = scene_name;
     SceneObject object{scene::Scene(source), {}, {}, {}, {}};
-    add_agent(object, default_agent_config(object.scene));
+    add_agents(object, default_agent_config(object.scene));
     result = make_env(object, default_env_config());
   });
 }

@@ -139,6 +139,15 @@ mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* c
   });
 }
 
+mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* config, size_t* count) noexcept {
+  return guard([&] {
+    SceneObject& object = open(scene);
+    const mimo_agent_config defaults = default_agent_config(object.scene);
+    const std::size_t added = add_agents(object, read_struct(config, defaults, "config"));
+    if (count != nullptr) *count = added;
+  });
+}
+
 mimo_status mimo_scene_xml(const mimo_scene* scene, char* text, size_t capacity, size_t* length) noexcept {
   return guard([&] {
     const std::string xml = open(scene).scene.xml();

@@ -100,20 +100,20 @@ std::vector<std::string> Env::action_names() const {
   return names;
 }
 
-std::optional<mimo_agent_info> Env::agent() const {
+std::vector<mimo_agent_info> Env::agents() const {
   std::size_t count = 0;
   check(mimo_env_agent_count(get(), &count));
-  if (count == 0) return std::nullopt;
-  mimo_agent_info info{};
-  info.struct_size = sizeof info;
-  check(mimo_env_agent(get(), 0, &info));
-  return info;
+  std::vector<mimo_agent_info> agents(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    agents[i].struct_size = sizeof agents[i];
+    check(mimo_env_agent(get(), i, &agents[i]));
+  }
+  return agents;
 }
 
 std::size_t Env::touch_sensors() const {
-  std::size_t agents = 0, sum = 0;
-  check(mimo_env_agent_count(get(), &agents));
-  for (std::size_t i = 0; i < agents; ++i) {
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < agents().size(); ++i) {
     std::size_t count = 0;
     check(mimo_env_touch_sensors(get(), i, nullptr, nullptr, nullptr, nullptr, 0, &count));
     sum += count;
@@ -139,11 +139,15 @@ std::int32_t Env::find(std::int32_t kind, const std::string& name) const {
   return id;
 }
 
-bool Env::has(std::int32_t kind, const std::string& name) const {
-  std::int32_t id = 0;
-  const mimo_status status = mimo_env_find(get(), kind, name.c_str(), &id);
-  if (status != MIMO_E_NOT_FOUND) check(status);
-  return status == MIMO_OK;
+std::vector<std::int32_t> Env::infants() const {
+  const std::string root = "mimo_location";
+  std::vector<std::int32_t> bodies;
+  for (const std::int32_t body : ids(MIMO_BODY)) {
+    const std::string called = name(MIMO_BODY, body);
+    const bool is_root = called.size() >= root.size() && called.substr(called.size() - root.size()) == root;
+    if (is_root) bodies.push_back(body);
+  }
+  return bodies;
 }
 
 std::string Env::name(std::int32_t kind, std::int32_t id) const {

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -75,6 +74,7 @@ class Scene {
  public:
   explicit Scene(const mimo_scene_config& config);
   void add_agent(const mimo_agent_config& config) { check(mimo_scene_add_agent(get(), &config, nullptr)); }
+  void add_agents(const mimo_agent_config& config) { check(mimo_scene_add_agents(get(), &config, nullptr)); }
   void set_touch(double spacing) { check(mimo_scene_set_touch(get(), 0, nullptr, spacing)); }
   mimo_scene* get() const { return handle_.get(); }
 
@@ -98,14 +98,14 @@ class Env {
   Block make_block() const;
   std::vector<Field> fields() const;
   std::vector<std::string> action_names() const;
-  std::optional<mimo_agent_info> agent() const;  // the first one, if the world has any
+  std::vector<mimo_agent_info> agents() const;
 
   std::size_t touch_sensors() const;  // of all agents
 
   std::size_t count(std::int32_t kind) const;
   std::vector<std::int32_t> ids(std::int32_t kind) const;  // all of a kind
   std::int32_t find(std::int32_t kind, const std::string& name) const;
-  bool has(std::int32_t kind, const std::string& name) const;
+  std::vector<std::int32_t> infants() const;  // their root bodies, agents or not
   std::string name(std::int32_t kind, std::int32_t id) const;
   std::int32_t body_of(std::int32_t kind, std::int32_t id) const;
 

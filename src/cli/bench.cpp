@@ -193,7 +193,7 @@ void add_bench(CLI::App& program) {
       "  mimo bench --scene reach --worlds 64 --threads 2\n"
       "  mimo bench --paper --short --csv paper.csv");
   command->callback([options] {
-    if (options->paper) return run_paper({options->world.renderer, options->brief, options->csv});
+    if (options->paper) return run_paper({options->world, options->brief, options->csv});
     const Json result = options->worlds > 1 || options->threads > 1 ? run_many(*options) : run_one(*options);
     if (options->json) {
       std::cout << result.dump(2) << '\n';

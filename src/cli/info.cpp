@@ -22,7 +22,7 @@ Json describe(const Field& field) {
 
 Json describe(const Env& env) {
   const auto joints = env.ids(MIMO_JOINT);
-  const auto agent = env.agent();
+  const auto agents = env.agents();
   Json info = {{"nq", env.width(MIMO_JOINT_POSITION, joints)},
                {"nv", env.width(MIMO_JOINT_VELOCITY, joints)},
                {"nu", env.count(MIMO_ACTUATOR)},
@@ -31,8 +31,9 @@ Json describe(const Env& env) {
                {"geoms", env.count(MIMO_GEOM)},
                {"cameras", env.count(MIMO_CAMERA)},
                {"touch_sensors", env.touch_sensors()},
-               {"mass_kg", agent ? Json(agent->mass) : Json()},
-               {"height_m", agent ? Json(agent->height) : Json()}};
+               {"agents", agents.size()},
+               {"mass_kg", agents.empty() ? Json() : Json(agents[0].mass)},
+               {"height_m", agents.empty() ? Json() : Json(agents[0].height)}};
   info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
   info["observation_bytes"] = env.make_block().bytes();
   info["observation_fields"] = Json::array();
@@ -76,8 +77,8 @@ void add_info(CLI::App& program) {
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
-      "motors. mass_kg and height_m are the infant's. Fields of time 'end' belong to the end of a step, those of time\n"
-      "'last_start' to the start of its last physics step.\n"
+      "motors. mass_kg and height_m are the first agent's. Fields of time 'end' belong to the end of a step, those of\n"
+      "time 'last_start' to the start of its last physics step.\n"
       "Examples:\n"
       "  mimo info\n"
       "  mimo info --scene my_room.xml --json");

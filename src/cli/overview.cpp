@@ -32,13 +32,16 @@ std::vector<Ball> movable_geoms(const Env& env) {
   return balls;
 }
 
-// Drops what is so far from the infant (a ball that rolled away) that showing it would make the infant tiny.
+// Drops what is so far from all infants (a ball that rolled away) that showing it would make them tiny.
 void drop_strays(const Env& env, std::vector<Ball>& balls) {
   constexpr double kFar = 2.0;
-  if (!env.has(MIMO_BODY, "mimo_location")) return;
-  const Vector infant = position(env, MIMO_BODY_POSITION, env.find(MIMO_BODY, "mimo_location"));
+  std::vector<Vector> infants;
+  for (const std::int32_t body : env.infants()) infants.push_back(position(env, MIMO_BODY_POSITION, body));
+  if (infants.empty()) return;
   const auto stray = [&](const Ball& ball) {
-    return std::hypot(ball.center[0] - infant[0], ball.center[1] - infant[1], ball.center[2] - infant[2]) > kFar;
+    return std::none_of(infants.begin(), infants.end(), [&](const Vector& infant) {
+      return std::hypot(ball.center[0] - infant[0], ball.center[1] - infant[1], ball.center[2] - infant[2]) <= kFar;
+    });
   };
   balls.erase(std::remove_if(balls.begin(), balls.end(), stray), balls.end());
 }

@@ -42,8 +42,9 @@ class Run {
   void save(const std::string& name, const ColorPicture& picture, const std::string& what);
   void save_pictures(const std::string& prefix, const std::string& when);
   void save_touch(const std::string& prefix, const std::string& when);
-  void save_eyes(const std::string& prefix, const std::string& when);
+  void save_eyes(const std::string& infant, const std::string& prefix, const std::string& when);
   void save_cameras(const std::string& prefix, const std::string& when);
+  const Field* field(const std::string& name) const;
 
   static mimo_env_config config() {
     auto config = make_env_config();
@@ -93,17 +94,23 @@ void Run::save(const std::string& name, const ColorPicture& picture, const std::
   pictures_.add({path, what});
 }
 
-void Run::save_eyes(const std::string& prefix, const std::string& when) {
-  const Field *left = nullptr, *right = nullptr;
+const Field* Run::field(const std::string& name) const {
   for (const FieldStatistics& field : statistics_) {
-    if (field.field().name == "vision/eye_left") left = &field.field();
-    if (field.field().name == "vision/eye_right") right = &field.field();
+    if (field.field().name == name) return &field.field();
   }
+  return nullptr;
+}
+
+// Those of an infant with a name carry it, as its fields do.
+void Run::save_eyes(const std::string& infant, const std::string& prefix, const std::string& when) {
+  const std::string path = infant.empty() ? "" : infant + "/", owner = infant.empty() ? "the" : infant + "'s";
+  const Field *left = field(path + "vision/eye_left"), *right = field(path + "vision/eye_right");
   if (left == nullptr || right == nullptr) return;
+  const std::string start = prefix + (infant.empty() ? "" : infant + "_");
   const ColorPicture left_picture = picture_in(*left, block_), right_picture = picture_in(*right, block_);
-  save(prefix + "left", left_picture, "the left eye's view " + when);
-  save(prefix + "right", right_picture, "the right eye's view " + when);
-  save(prefix + "anaglyph", anaglyph(left_picture, right_picture), "both, for red-cyan glasses");
+  save(start + "left", left_picture, owner + " left eye's view " + when);
+  save(start + "right", right_picture, owner + " right eye's view " + when);
+  save(start + "anaglyph", anaglyph(left_picture, right_picture), "both, for red-cyan glasses");
 }
 
 // What cameras see that are no eyes: an agent that is no infant sees with all that it has.
@@ -127,7 +134,7 @@ void Run::save_touch(const std::string& prefix, const std::string& when) {
 }
 
 void Run::save_pictures(const std::string& prefix, const std::string& when) {
-  save_eyes(prefix, when);
+  for (const mimo_agent_info& infant : env_.agents()) save_eyes(infant.name, prefix, when);
   save_cameras(prefix, when);
   try {
     save(prefix + "outside", take_picture(env_, overview(env_)), "seen from outside " + when);
@@ -182,7 +189,8 @@ void add_run(CLI::App& program) {
   command->footer(
       "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png and touch.png (where\n"
       "most is felt: sensors as points, forces as arrows) as things are at the end, and the same with start_ before\n"
-      "the name as they were at the start.\n"
+      "the name as they were at the start. In a scene with several infants the eyes' pictures are called after them,\n"
+      "anna_left.png.\n"
       "Examples:\n"
       "  mimo run\n"
       "  mimo run --seconds 2 --vision 512 --seed 7 --out pictures\n"

@@ -72,23 +72,25 @@ Spot spot(const Vector& pixel) { return {pixel[0], pixel[1]}; }
 }  // namespace
 
 TouchPicture::TouchPicture(const Env& env) {
-  std::size_t count = 0;
-  if (!env.agent()) return;
+  const auto agents = env.agents();
   for (const Field& field : env.fields()) {
-    const std::string end = "touch/force";
-    const bool force = field.name.size() >= end.size() && field.name.substr(field.name.size() - end.size()) == end;
-    if (!force || field.shape[1] != 3) continue;
-    count = field.shape[0];
-    offset_ = field.offset;
-    break;
+    for (std::size_t i = 0; i < agents.size(); ++i) {
+      const std::string name = agents[i].name;
+      if (field.name == (name.empty() ? "" : name + "/") + "touch/force" && field.shape[1] == 3) add(env, i, field);
+    }
   }
+}
+
+void TouchPicture::add(const Env& env, std::size_t agent, const Field& field) {
+  const std::size_t count = field.shape[0];
   std::vector<std::int32_t> bodies(count);
   std::vector<double> positions(3 * count), frames(MIMO_TOUCH_FRAME_VALUES * count);
   if (count == 0) return;
-  check(mimo_env_touch_sensors(env.get(), 0, bodies.data(), nullptr, positions.data(), frames.data(), count, nullptr));
+  check(mimo_env_touch_sensors(env.get(), agent, bodies.data(), nullptr, positions.data(), frames.data(), count,
+                               nullptr));
   for (std::size_t i = 0; i < count; ++i) {
     const double *p = &positions[3 * i], *n = &frames[MIMO_TOUCH_FRAME_VALUES * i];
-    sensors_.push_back({bodies[i], {p[0], p[1], p[2]}, {n[0], n[1], n[2]}});
+    sensors_.push_back({bodies[i], {p[0], p[1], p[2]}, {n[0], n[1], n[2]}, field.offset + 3 * sizeof(float) * i});
   }
 }
 
@@ -100,7 +102,7 @@ std::vector<TouchPicture::Feeling> TouchPicture::feelings(const Env& env, const 
     const auto body = static_cast<std::size_t>(sensors_[i].body);
     const Vector place{places[3 * body], places[3 * body + 1], places[3 * body + 2]};
     float force[3];
-    std::memcpy(force, block.data() + offset_ + sizeof force * i, sizeof force);
+    std::memcpy(force, block.data() + sensors_[i].force, sizeof force);
     const double* turn = &turns[4 * body];
     feelings.push_back({sum(place, rotated(turn, sensors_[i].position)), rotated(turn, sensors_[i].normal),
                         rotated(turn, {double{force[0]}, double{force[1]}, double{force[2]}})});

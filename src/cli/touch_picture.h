@@ -10,7 +10,7 @@ namespace cli {
 
 class TouchPicture {
  public:
-  // Needs touch/force of the first agent, with three components in the frame of the body.
+  // Needs touch/force of the agents, with three components in the frame of the body.
   explicit TouchPicture(const Env& env);
 
   // Whether the world has sensors to draw.
@@ -29,17 +29,18 @@ class TouchPicture {
   struct Sensor {
     std::int32_t body;
     Vector position, normal;  // body frame
+    std::size_t force;        // where it stands in the block
   };
   // A sensor as it is in the world.
   struct Feeling {
     Vector position, normal, force;
   };
 
+  void add(const Env& env, std::size_t agent, const Field& field);
   static std::size_t strongest_of(const std::vector<Feeling>& felt);
   std::vector<Feeling> feelings(const Env& env, const Block& block) const;
 
   std::vector<Sensor> sensors_;
-  std::size_t offset_ = 0;  // of the field in the block
 };
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <optional>
 
 namespace cli {
 namespace {
@@ -39,11 +40,10 @@ Env bare_file(const WorldOptions& options) {
   return Env(load_scene(options), config);
 }
 
-bool file_holds_infant(const WorldOptions& options) { return bare_file(options).has(MIMO_BODY, "mimo_location"); }
-
 // Everything in a file that knows nothing of infants is one agent, with the senses that there is something for.
 void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
   const Env world = bare_file(options);
+  agent.body = "scene";
   agent.root = "world";
   agent.vestibular = 0;
   if (world.count(MIMO_CAMERA) == 0) agent.vision = 0;
@@ -51,7 +51,7 @@ void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
 
 // "scene" where the infant is part of the scene's file, "" where there is none: then everything in it is one agent.
 std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& usual) {
-  if (is_file(options.scene) && file_holds_infant(options)) return "scene";
+  if (is_file(options.scene) && !bare_file(options).infants().empty()) return "scene";
   return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
 }
 
@@ -89,6 +89,41 @@ std::string check_seed(const std::string& text) {
   const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
   const bool good = result.ec == std::errc() && result.ptr == text.data() + text.size();
   return good ? "" : "expected a whole number from 0 to 18446744073709551615, not '" + text + "'";
+}
+
+constexpr struct {
+  const char* name;
+  std::uint32_t bit;
+} kEffects[] = {{"shadows", MIMO_RENDER_SHADOWS},
+                {"reflections", MIMO_RENDER_REFLECTIONS},
+                {"sky", MIMO_RENDER_SKY},
+                {"haze", MIMO_RENDER_HAZE},
+                {"fog", MIMO_RENDER_FOG}};
+
+std::uint32_t effect_bit(const std::string& name) {
+  for (const auto& effect : kEffects) {
+    if (name == effect.name) return effect.bit;
+  }
+  return 0;
+}
+
+// The bits of a list of effects; nothing where one is unknown.
+std::optional<std::uint32_t> effect_bits(const std::string& list) {
+  std::uint32_t bits = 0;
+  if (list == "none") return bits;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    const std::uint32_t bit = effect_bit(list.substr(start, end - start));
+    if (bit == 0) return std::nullopt;
+    bits |= bit;
+    start = end + 1;
+  }
+  return bits;
+}
+
+std::string check_effects(const std::string& list) {
+  if (effect_bits(list)) return "";
+  return "expected 'none' or a list of shadows, reflections, sky, haze and fog with commas between, not '" + list + "'";
 }
 
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses) {
@@ -145,6 +180,21 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
   command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray or osmesa")
       ->type_name("NAME")
       ->capture_default_str();
+  command
+      .add_option(
+          "--samples", options.samples,
+          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, what the scene says with OSMesa")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 4, 16, 64}).description(""));
+  command
+      .add_option("--effects", options.effects,
+                  "What pictures show: none, or a list of shadows,reflections,sky,haze,fog.\nDefault: all but fog")
+      ->type_name("LIST")
+      ->check(CLI::Validator(check_effects, ""));
+  command.add_option("--render-threads", options.render_threads, "Threads that draw one picture, with rays: 1 to 64")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64).description(""))
+      ->capture_default_str();
 }
 
 void add_actuation_option(CLI::App& command, WorldOptions& options) {
@@ -176,10 +226,14 @@ Scene make_scene(const WorldOptions& options, Senses senses) {
   const std::string body = body_of_scene(options, usual);
   mimo_agent_config agent = agent_config(options, senses);
   agent.actuation = actuation(options, usual);
-  if (body.empty()) make_agent_of_all(options, agent);
-  agent.body = body.empty() ? "scene" : body.c_str();
-  scene.add_agent(agent);
-  if (body.empty() && agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
+  if (body.empty()) {
+    make_agent_of_all(options, agent);
+    scene.add_agent(agent);
+    if (agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
+    return scene;
+  }
+  agent.body = body.c_str();
+  scene.add_agents(agent);
   return scene;
 }
 
@@ -189,8 +243,15 @@ mimo_env_config make_env_config() {
   return config;
 }
 
-Env open_world(const WorldOptions& options, mimo_env_config config) {
+void set_renderer(const WorldOptions& options, mimo_env_config& config) {
   config.renderer = options.renderer.c_str();
+  config.samples = options.samples;
+  config.render_threads = options.render_threads;
+  if (!options.effects.empty()) config.render = effect_bits(options.effects).value_or(MIMO_RENDER_DEFAULT);
+}
+
+Env open_world(const WorldOptions& options, mimo_env_config config) {
+  set_renderer(options, config);
   try {
     return Env(make_scene(options, Senses::kAll), config);
   } catch (const MimoError& error) {

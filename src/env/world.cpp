@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "engine/custom.h"
+#include "engine/stored_pose.h"
 
 namespace mimo::env {
 namespace {
@@ -31,6 +32,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       physics_(shared_model_, options.physics),
       random_(options.seed) {
   adopt_scene_choices();
+  engine::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker();
   render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
@@ -49,7 +51,6 @@ void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, r
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
   for (const auto& sense : agent.senses) observer_.add(*sense);
-  body::read_stored_pose(physics_.model(), agent.body, physics_.start());
   agents_.push_back(std::move(agent));
   if (!options.face.empty()) set_face(agents_.size() - 1, options.face);
 }

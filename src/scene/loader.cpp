@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/fail.h"
+#include "scene/compiler.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -39,32 +40,7 @@ constexpr std::array<FileAttribute, 10> kFiles = {{{"mesh", "file", "meshdir"},
                                                    {"texture", "filefront", "texturedir"},
                                                    {"texture", "fileback", "texturedir"}}};
 
-// A setting of the document's compiler elements; the last one counts, as in MuJoCo.
-std::string compiler_setting(pugi::xml_node root, const char* attribute) {
-  std::string value;
-  for (pugi::xml_node compiler : root.children("compiler")) {
-    if (compiler.attribute(attribute)) value = compiler.attribute(attribute).value();
-  }
-  return value;
-}
-
 }  // namespace
-
-bool in_radians(pugi::xml_node root) { return compiler_setting(root, "angle") == "radian"; }
-
-void convert_to_radians(pugi::xml_node root) {
-  constexpr double kDegree = 3.14159265358979323846 / 180;
-  walk(root, [](pugi::xml_node node) {
-    if (std::string(node.name()) != "joint") return;  // all joints of the bodies are hinges
-    for (const char* name : {"range", "ref", "springref"}) {
-      const pugi::xml_attribute attribute = node.attribute(name);
-      if (attribute.empty()) continue;
-      std::vector<double> values = numbers(attribute);
-      for (double& value : values) value *= kDegree;
-      set(node, name, Span<const double>(values));
-    }
-  });
-}
 
 pugi::xml_document Loader::built_in(const std::string& path) {
   const auto content = library_.text(path);

@@ -35,10 +35,4 @@ class Loader {
   std::set<std::string> included_;
 };
 
-// Whether angles of a document are in radians; MJCF's default is degrees.
-bool in_radians(pugi::xml_node root);
-
-// Turns the angles of built-in body files, which are in degrees, into radians.
-void convert_to_radians(pugi::xml_node root);
-
 }  // namespace mimo::scene

@@ -1,5 +1,8 @@
 #include "scene/names.h"
 
+#include <algorithm>
+
+#include "base/format.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -7,10 +10,35 @@ namespace {
 
 // Attributes that name a model element in these sections, or refer to one.
 constexpr const char* kSections[] = {"worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"};
-constexpr const char* kReferences[] = {"name",     "body",          "body1",      "body2",  "joint",  "joint1",
-                                       "joint2",   "jointinparent", "geom",       "geom1",  "geom2",  "site",
-                                       "sidesite", "cranksite",     "slidersite", "tendon", "target", "objname",
-                                       "camera",   "refsite",       "refname"};
+constexpr const char* kReferences[] = {"name",     "body",          "body1",      "body2",   "joint",  "joint1",
+                                       "joint2",   "jointinparent", "geom",       "geom1",   "geom2",  "site",
+                                       "sidesite", "cranksite",     "slidersite", "tendon",  "target", "objname",
+                                       "camera",   "refsite",       "refname",    "actuator"};
+// Those that name default classes and assets, wherever they stand; elements of a composite are named by its prefix.
+constexpr const char* kShared[] = {"class", "childclass", "material", "mesh", "hfield", "texture", "prefix"};
+
+bool is_element(pugi::xml_node node, std::initializer_list<const char*> elements) {
+  return std::any_of(elements.begin(), elements.end(),
+                     [&](const char* element) { return std::string(node.name()) == element; });
+}
+
+void prefix_attribute(pugi::xml_node node, const char* name, const std::string& prefix) {
+  const pugi::xml_attribute attribute = node.attribute(name);
+  if (attribute.empty()) return;
+  const std::string value = attribute.value();
+  const bool the_world = value == "world" && std::string(name) != "name";  // there is only one
+  if (!the_world) set(node, name, prefix + value);
+}
+
+std::string stem_of(const std::string& path) {
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return file.substr(0, file.find_last_of('.'));
+}
+
+void name_after_file(pugi::xml_node asset) {
+  if (asset.attribute("name") || !asset.attribute("file")) return;
+  set(asset, "name", stem_of(asset.attribute("file").value()));
+}
 
 }  // namespace
 
@@ -19,13 +47,61 @@ void prefix_names(pugi::xml_node root, const std::string& prefix) {
   for (const char* section : kSections) {
     for (const pugi::xml_node top : root.children(section)) {
       walk(top, [&](pugi::xml_node node) {
-        for (const char* name : kReferences) {
-          const pugi::xml_attribute attribute = node.attribute(name);
-          if (!attribute.empty()) set(node, name, prefix + attribute.value());
-        }
+        for (const char* name : kReferences) prefix_attribute(node, name, prefix);
       });
     }
   }
+}
+
+void prefix_all_names(pugi::xml_node root, const std::string& prefix) {
+  prefix_names(root, prefix);
+  for (const pugi::xml_node assets : root.children("asset")) {
+    for (const pugi::xml_node asset : assets.children()) name_after_file(asset);
+    walk(assets, [&](pugi::xml_node node) {
+      for (const char* name : {"name", "body"}) prefix_attribute(node, name, prefix);  // bones of a skin are bodies
+    });
+  }
+  walk(root, [&](pugi::xml_node node) {
+    if (is_element(node, {"composite"}) && !node.attribute("prefix")) set(node, "prefix", "");
+    for (const char* name : kShared) prefix_attribute(node, name, prefix);
+  });
+}
+
+pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::string& name) {
+  return root.find_node([&](pugi::xml_node node) {
+    return std::string(node.name()) == element && name == node.attribute("name").value();
+  });
+}
+
+std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<const char*> elements) {
+  std::vector<std::string> names;
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    walk(world, [&](pugi::xml_node node) {
+      if (is_element(node, elements) && node.attribute("name")) names.emplace_back(node.attribute("name").value());
+    });
+  }
+  return names;
+}
+
+std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements) {
+  constexpr std::size_t kShown = 60;
+  std::vector<std::string> names = names_of(root, elements);
+  if (names.empty()) return "none";
+  if (names.size() > kShown) {
+    names.resize(kShown);
+    names.emplace_back("...");
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+bool has_names_with(pugi::xml_node root, const std::string& prefix) {
+  return !root.find_node([&](pugi::xml_node node) {
+                for (const char* name : {"name", "class"}) {
+                  if (std::string(node.attribute(name).value()).rfind(prefix, 0) == 0) return true;
+                }
+                return false;
+              })
+              .empty();
 }
 
 void prefix_classes(pugi::xml_node root, const std::string& prefix) {

@@ -1,8 +1,10 @@
-// Names of one infant's model elements, told apart from another's by a prefix.
+// Names of a document's elements: looked up, listed, and told apart from another's by a prefix.
 #pragma once
 
+#include <initializer_list>
 #include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 namespace mimo::scene {
 
@@ -10,6 +12,19 @@ namespace mimo::scene {
 // default classes and assets stay: they are shared by all infants.
 void prefix_names(pugi::xml_node root, const std::string& prefix);
 
+// Prefixes those of default classes and assets as well. Assets that are called after their file get that name first.
+void prefix_all_names(pugi::xml_node root, const std::string& prefix);
+
+// The element of that name; empty if there is none.
+pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::string& name);
+
+// Names of the document's bodies, joints, ..., in its order.
+std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<const char*> elements);
+// The same for a message, some of them; "none" where there are none.
+std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements);
+
+// Whether anything has a name that starts so.
+bool has_names_with(pugi::xml_node root, const std::string& prefix);
 // Prefixes the default classes of a body's document and all uses of them, for a scene that has classes of these names.
 void prefix_classes(pugi::xml_node root, const std::string& prefix);
 

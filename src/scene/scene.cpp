@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "scene/buffers.h"
+#include "scene/compiler.h"
+#include "scene/defaults.h"
+#include "scene/joints.h"
 #include "scene/loader.h"
 #include "scene/names.h"
 #include "scene/recipe.h"
@@ -14,10 +20,16 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "catch", "showroom"};
+constexpr const char* kScenes[] = {"benchmark", "free",  "reach",    "standup",
+                                   "selfbody",  "catch", "showroom", "playdate"};
+constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kRootBody = "mimo_location";
-constexpr const char* kPlaces = "mimo:place";  // custom number of a room: 7 values a place
+constexpr const char* kPlaces = "mimo:place";     // custom number of a room: 7 values a place
+constexpr const char* kInfants = "mimo:infants";  // custom text: names of those whom the scene is made for
+constexpr const char* kBodyClass = "mimo";        // default class of all that belongs to an infant
+constexpr const char* kRoomClass = "room";
+constexpr const char* kSceneClass = "mimo:main";  // a user's main defaults, where something stands beside them
 
 template <std::size_t N>
 const char* entry(const char* const (&list)[N], std::size_t index) {
@@ -65,17 +77,6 @@ double volume(const Object& object) {
   return 0;
 }
 
-void set_pose(pugi::xml_node body, const Pose& pose) {
-  for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"}) body.remove_attribute(other);
-  set(body, "pos", Span<const double>(pose.position));
-  set(body, "quat", Span<const double>(pose.orientation));
-}
-
-pugi::xml_node section(pugi::xml_node root, const char* name) {
-  const pugi::xml_node found = root.child(name);
-  return found.empty() ? append(root, name) : found;
-}
-
 // The directions that are right and up in a camera's picture. Where it looks along z, y is up.
 std::array<double, 6> picture_axes(const Camera& camera) {
   using Vector = std::array<double, 3>;
@@ -90,14 +91,6 @@ std::array<double, 6> picture_axes(const Camera& camera) {
   if (length(right) < 1e-6 * length(forward)) right = cross(forward, {0, 1, 0});
   const Vector up = cross(right, forward);
   return {right[0], right[1], right[2], up[0], up[1], up[2]};
-}
-
-// Infants of one kind share their default classes; those of another kind have the same names and other content.
-bool has_infant_classes(pugi::xml_node root) {
-  for (const pugi::xml_node section : root.children("default")) {
-    if (!section.find_child_by_attribute("default", "class", "mimo").empty()) return true;
-  }
-  return false;
 }
 
 // Textures and materials are the same for all kinds where they have the same name.
@@ -116,68 +109,6 @@ void add_assets(pugi::xml_node root, pugi::xml_node assets) {
   if (added.first_child().empty()) root.remove_child(added);
 }
 
-// MuJoCo sizes its buffers for the worst case, 19 MB a world. In ten hours of random movement an infant with mitten
-// hands needed up to 37 contacts, 175 constraints (210 with every joint locked) and 23,000 numbers of stack; one with
-// five fingers, whose contacts have six constraints, in ten minutes 68, 410 and 63,000. A buffer that is full after all
-// shows as a warning, never as a crash.
-struct Buffers {
-  int contacts, constraints, stack;
-};
-constexpr Buffers kRoom = {20, 60, 20000};
-constexpr Buffers kMitten = {100, 340, 80000};
-constexpr Buffers kFingers = {200, 900, 230000};
-constexpr Buffers kObject = {20, 60, 5000};
-
-void size_buffers(pugi::xml_node root, int mittens, int fingers, int objects) {
-  if (mittens + fingers == 0) return;
-  for (const pugi::xml_node given : root.children("size")) {
-    for (const char* name : {"njmax", "nconmax", "nstack", "memory"}) {
-      if (given.attribute(name)) return;  // the document's author has decided
-    }
-  }
-  const auto sum = [=](int Buffers::*which) {
-    return std::to_string(kRoom.*which + mittens * kMitten.*which + fingers * kFingers.*which +
-                          objects * kObject.*which);
-  };
-  const pugi::xml_node size = section(root, "size");
-  set(size, "nconmax", sum(&Buffers::contacts));
-  set(size, "njmax", sum(&Buffers::constraints));
-  set(size, "nstack", sum(&Buffers::stack));
-}
-
-// An attribute of the document's elements of that name in sections of that name; 0 where none has it. The last one
-// counts, as MuJoCo reads them.
-double setting(pugi::xml_node root, const char* section, const char* element, const char* attribute) {
-  double value = 0;
-  const auto read = [&](pugi::xml_node node) {
-    const std::vector<double> given = numbers(node.attribute(attribute));
-    if (given.size() == 1) value = given[0];
-  };
-  for (const pugi::xml_node part : root.children(section)) {
-    if (element == nullptr) {
-      read(part);
-    } else {
-      for (const pugi::xml_node node : part.children(element)) read(node);
-    }
-  }
-  return value;
-}
-
-// Nothing nearer than znear * extent is drawn. MuJoCo's own choice, a hundredth of the size of all that there is, would
-// hide an infant's hands from its eyes. Where the author has set both, it is so; else they become 5 mm and, for want of
-// any other, 100 m.
-void keep_hands_in_sight(pugi::xml_node root) {
-  constexpr double kNear = 0.005, kExtent = 2;
-  const double extent = setting(root, "statistic", nullptr, "extent"), near = setting(root, "visual", "map", "znear");
-  if (extent > 0 && near > 0) return;
-  const double own_extent = extent > 0 ? extent : near > 0 ? kNear / near : kExtent;
-  if (extent == 0) set(section(root, "statistic"), "extent", Span<const double>(&own_extent, 1));
-  if (near > 0) return;
-  const double own_near = kNear / own_extent;
-  const pugi::xml_node visual = section(root, "visual");
-  set(section(visual, "map"), "znear", Span<const double>(&own_near, 1));
-}
-
 // Calls visit(node, attribute) for every reference to a built-in file.
 template <typename Visit>
 void visit_built_in_files(pugi::xml_node root, Visit&& visit) {
@@ -189,15 +120,86 @@ void visit_built_in_files(pugi::xml_node root, Visit&& visit) {
   });
 }
 
+// Ready to compile: built-in files go along in memory.
+Composition packed(const pugi::xml_document& document) {
+  Composition composition;
+  std::set<std::string> seen;
+  visit_built_in_files(document.document_element(), [&](pugi::xml_node node, pugi::xml_attribute attribute) {
+    const std::string path = std::string(attribute.value()).substr(5);
+    const auto bytes = built_in_file(path);
+    if (bytes.empty()) return;
+    // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
+    std::string name = "mimo:" + path;
+    std::replace(name.begin(), name.end(), '/', ':');
+    set(node, attribute.name(), name);
+    if (seen.insert(name).second) composition.assets.push_back({name, bytes});
+  });
+  composition.xml = print(document);
+  return composition;
+}
+
+bool has_class(pugi::xml_node root, const std::string& name) {
+  return !root.find_node([&](pugi::xml_node node) {
+                return std::string(node.name()) == "default" && name == node.attribute("class").value();
+              })
+              .empty();
+}
+
+// A custom number of a document; empty if there is none.
+std::vector<double> numbers_of(pugi::xml_node root, const char* name) {
+  for (const pugi::xml_node custom : root.children("custom")) {
+    const pugi::xml_node node = custom.find_child_by_attribute("numeric", "name", name);
+    if (!node.empty()) return numbers(node.attribute("data"));
+  }
+  return {};
+}
+
+int count_bodies(pugi::xml_node root) {
+  int count = 0;
+  walk(root, [&](pugi::xml_node node) { count += std::string(node.name()) == "body" ? 1 : 0; });
+  return count;
+}
+
 }  // namespace
 
 const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
+const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
 const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
 Scene::Scene(const Source& source) : library_(source.model_dir), document_(load(library_, source)) {}
 
+Scene::Scene(const Scene& other)
+    : library_(other.library_),
+      document_(copy(other.document_)),
+      bodies_(other.bodies_),
+      objects_(other.objects_),
+      start_welds_(other.start_welds_),
+      kinds_(other.kinds_) {}
+
+void Scene::set_room(const std::string& room) {
+  require_known("room", kRooms, room);
+  const pugi::xml_document guest = Loader(library_).built_in("free.xml");
+  pugi::xml_document changed = copy(document_);
+  const pugi::xml_node root = changed.document_element();
+  require(!has_class(root, kRoomClass), "room \"{}\": the scene has a room already", room);
+  require(!has_name("geom", "floor"), "room \"{}\": the scene has a geom named \"floor\" already", room);
+  const bool has_places = !numbers_of(root, kPlaces).empty();
+  const pugi::xml_node own_start = pugi::xml_node(root).prepend_child("custom");  // what comes later counts
+  if (own_start.empty()) throw std::bad_alloc();
+  for (const pugi::xml_node part : guest.document_element().children()) {
+    const std::string name = part.name();
+    const bool setting = name == "option" || name == "statistic" || name == "visual";
+    if (name == "custom" && has_places) continue;
+    if (part.type() != pugi::node_element) continue;
+    setting ? copy_before(own_start, part) : copy_into(root, part);
+  }
+  pugi::xml_node(root).remove_child(own_start);
+  document_ = std::move(changed);
+}
+
 void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups) {
   require_known("body", kBodies, body);
+  require_local_coordinates(document_.document_element(), "the scene");
   const std::string root_name = prefix + kRootBody;
   require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
   const Pose place = pose != nullptr ? *pose : next_place();
@@ -213,7 +215,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   prefix_names(guest_root, prefix);
   if (in_radians(root)) convert_to_radians(guest_root);
   const bool known = kinds_.count(body) > 0;
-  const std::string classes = known ? kinds_.at(body).classes : has_infant_classes(root) ? body + ":" : "";
+  const std::string classes = known ? kinds_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
   prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
@@ -245,6 +247,11 @@ void Scene::choose_motors(const std::string& prefix, unsigned groups) {
   pugi::xml_document changed = copy(document_);
   keep_motors(changed.document_element(), prefix, groups);
   document_ = std::move(changed);
+}
+
+std::vector<std::string> Scene::infants() const {
+  std::istringstream words(custom_text(document_.document_element(), kInfants));
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }
@@ -287,11 +294,50 @@ void Scene::add_object(const Object& object) {
   ++objects_;
 }
 
+void Scene::add_model(const Model& model) {
+  require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
+              !has_names_with(document_.document_element(), model.name + "/"),
+          "model name \"{}\": the scene already has something of that name", model.name);
+  require_local_coordinates(document_.document_element(), "the scene");
+  Loader loader(library_);
+  pugi::xml_document guest = model.file.empty() ? loader.text(model.xml) : loader.file(model.file);
+  pugi::xml_document changed = copy(document_);
+  const pugi::xml_node root = changed.document_element();
+  become_object(guest, root, model);
+  if (has_main_defaults(root)) name_main_defaults(root, kSceneClass);
+  for (const char* name :
+       {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"}) {
+    for (const pugi::xml_node part : guest.document_element().children(name)) copy_into(root, part);
+  }
+  document_ = std::move(changed);
+  objects_ += count_bodies(guest.document_element());
+}
+
+void Scene::weld(const Weld& weld, const Pose* pose) {
+  require_bodies(document_.document_element(), weld);
+  if (pose == nullptr) return start_welds_.push_back(weld);
+  pugi::xml_document changed = copy(document_);
+  add_weld(changed.document_element(), weld, *pose);
+  document_ = std::move(changed);
+}
+
+void Scene::start_joint(const std::string& joint, double value) {
+  pugi::xml_document changed = copy(document_);
+  scene::start_joint(changed.document_element(), joint, value);
+  document_ = std::move(changed);
+}
+
+void Scene::lock_joint(const std::string& joint, double value) {
+  pugi::xml_document changed = copy(document_);
+  scene::lock_joint(changed.document_element(), joint, value);
+  document_ = std::move(changed);
+}
+
 void Scene::add_camera(const Camera& camera) {
   require(!has_name("camera", camera.name), "camera name \"{}\": the scene already has a camera of that name",
           camera.name);
-  const pugi::xml_node carrier =
-      camera.body.empty() ? section(document_.document_element(), "worldbody") : find_named("body", camera.body);
+  const pugi::xml_node carrier = camera.body.empty() ? section(document_.document_element(), "worldbody")
+                                                     : find_named(document_, "body", camera.body);
   if (carrier.empty()) fail(Status::kNotFound, "camera \"{}\": no body named \"{}\"", camera.name, camera.body);
   const std::array<double, 6> axes = picture_axes(camera);  // before anything is changed
   const pugi::xml_node node = append(carrier, "camera");
@@ -304,32 +350,23 @@ void Scene::add_camera(const Camera& camera) {
 
 pugi::xml_document Scene::finished() const {
   pugi::xml_document document = copy(document_);
+  const pugi::xml_node root = document.document_element();
   const auto count = [&](const char* body) { return kinds_.count(body) > 0 ? kinds_.at(body).count : 0; };
-  size_buffers(document.document_element(), count("mitten"), count("fingers"), objects_);
+  size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", kRootBody);
-  if (infants) keep_hands_in_sight(document.document_element());
+  if (infants) keep_hands_in_sight(root);
+  // Keyframes are positions of all joints that the document had by itself.
+  while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
+  if (!start_welds_.empty()) {
+    const Composition composition = packed(copy(document));
+    add_start_welds(root, start_welds_, engine::compile(composition.xml, composition.assets, {}));
+  }
   return document;
 }
 
 std::string Scene::xml() const { return print(finished()); }
 
-Composition Scene::compose() const {
-  const pugi::xml_document document = finished();
-  Composition composition;
-  std::set<std::string> seen;
-  visit_built_in_files(document.document_element(), [&](pugi::xml_node node, pugi::xml_attribute attribute) {
-    const std::string path = std::string(attribute.value()).substr(5);
-    const auto bytes = built_in_file(path);
-    if (bytes.empty()) return;
-    // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
-    std::string name = "mimo:" + path;
-    std::replace(name.begin(), name.end(), '/', ':');
-    set(node, attribute.name(), name);
-    if (seen.insert(name).second) composition.assets.push_back({name, bytes});
-  });
-  composition.xml = print(document);
-  return composition;
-}
+Composition Scene::compose() const { return packed(finished()); }
 
 std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   const auto is = [&](pugi::xml_node node, const std::string& name) {
@@ -344,21 +381,13 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   return names;
 }
 
-pugi::xml_node Scene::find_named(const char* element, const std::string& name) const {
-  return document_.find_node([&](pugi::xml_node node) {
-    return std::string(node.name()) == element && name == node.attribute("name").value();
-  });
+bool Scene::has_name(const char* element, const std::string& name) const {
+  return !find_named(document_, element, name).empty();
 }
-
-bool Scene::has_name(const char* element, const std::string& name) const { return !find_named(element, name).empty(); }
 
 // The room's next free place for an infant; the origin in a room that names none.
 Pose Scene::next_place() const {
-  std::vector<double> places;
-  for (const pugi::xml_node custom : document_.document_element().children("custom")) {
-    const pugi::xml_node node = custom.find_child_by_attribute("numeric", "name", kPlaces);
-    if (!node.empty()) places = numbers(node.attribute("data"));
-  }
+  const std::vector<double> places = numbers_of(document_.document_element(), kPlaces);
   const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
   if (places.empty() && bodies_ == 0) return {};
   require(places.size() >= first + 7, "position: the scene has no place for infant number {}; give one", bodies_ + 1);

@@ -9,14 +9,12 @@
 
 #include "base/log.h"
 #include "engine/model.h"
+#include "scene/guest.h"
 #include "scene/library.h"
+#include "scene/pose.h"
+#include "scene/welds.h"
 
 namespace mimo::scene {
-
-struct Pose {
-  std::array<double, 3> position{};
-  std::array<double, 4> orientation{1, 0, 0, 0};  // w x y z
-};
 
 // At most one of name, file and xml is not empty.
 struct Source {
@@ -55,6 +53,15 @@ struct Composition {
 class Scene {
  public:
   explicit Scene(const Source& source);
+  Scene(const Scene& other);
+  Scene(Scene&&) = default;
+  Scene& operator=(const Scene&) = delete;
+  Scene& operator=(Scene&&) = default;
+  ~Scene() = default;
+
+  // What fails leaves the scene as it was; so does every other call.
+  // Gives a scene without one floor, sky and light. What it says itself of solver and pictures stays.
+  void set_room(const std::string& room);
 
   // Adds the body of an infant ("mitten", "fingers"). Its model names get the prefix; no pose means the scene's own
   // place; only motors of the groups act, 0 means the scene's own choice.
@@ -63,23 +70,32 @@ class Scene {
   void choose_motors(const std::string& prefix, unsigned groups);
   // The senses that the scene gives its infants, "proprioception vestibular"; "" if it does not say.
   std::string senses() const;
+  // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
+  std::vector<std::string> infants() const;
   // How infants of this scene usually act, "muscle"; "" if it does not say.
   std::string actuation() const;
   // The body that infants of this scene usually have; static.
   const char* usual_body() const;
   void add_object(const Object& object);
+  void add_model(const Model& model);
   void add_camera(const Camera& camera);
+
+  // Fastens a body; without a pose as they are to each other where the scene starts.
+  void weld(const Weld& weld, const Pose* pose);
+  // Where a hinge or slide starts, and a joint that is held there.
+  void start_joint(const std::string& joint, double value);
+  void lock_joint(const std::string& joint, double value);
 
   // Bodies below and including the infant's root, by their names without the prefix.
   std::vector<std::string> body_names(const std::string& prefix) const;
 
-  // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png".
+  // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png". Both throw
+  // what engine::compile throws where bodies are fastened as they start.
   std::string xml() const;
   Composition compose() const;
 
  private:
   pugi::xml_document finished() const;
-  pugi::xml_node find_named(const char* element, const std::string& name) const;
   bool has_name(const char* element, const std::string& name) const;
   Pose next_place() const;
 
@@ -87,6 +103,7 @@ class Scene {
   pugi::xml_document document_;
   int bodies_ = 0;
   int objects_ = 0;
+  std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last
   // How many infants of a body were added, and what the names of their default classes begin with.
   struct Kind {
     int count = 0;
@@ -95,8 +112,9 @@ class Scene {
   std::map<std::string, Kind> kinds_;
 };
 
-// Names of the built-in scenes and bodies; nullptr past the last.
+// Names of the built-in scenes, rooms and bodies; nullptr past the last.
 const char* built_in_scene(std::size_t index);
+const char* built_in_room(std::size_t index);
 const char* built_in_body(std::size_t index);
 
 }  // namespace mimo::scene

@@ -91,6 +91,11 @@ pugi::xml_node append(pugi::xml_node parent, const char* name) {
   return node;
 }
 
+pugi::xml_node section(pugi::xml_node root, const char* name) {
+  const pugi::xml_node found = root.child(name);
+  return found.empty() ? append(root, name) : found;
+}
+
 void copy_into(pugi::xml_node parent, pugi::xml_node node) { must(same(parent.append_copy(node), node)); }
 
 void copy_before(pugi::xml_node place, pugi::xml_node node) {

@@ -16,6 +16,8 @@ pugi::xml_document parse(const std::string& text, const std::string& origin);
 std::string print(const pugi::xml_document& document);
 
 pugi::xml_node append(pugi::xml_node parent, const char* name);
+// A document's first section of that name, made if there is none.
+pugi::xml_node section(pugi::xml_node root, const char* name);
 // Copies of all that a node or document holds.
 void copy_into(pugi::xml_node parent, pugi::xml_node node);
 void copy_before(pugi::xml_node place, pugi::xml_node node);

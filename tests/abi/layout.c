@@ -78,6 +78,15 @@ int main(void) {
   FIELD(mimo_object_config, fixed);
   FIELD(mimo_object_config, reserved);
 
+  BEGIN(mimo_model_config);
+  FIELD(mimo_model_config, struct_size);
+  FIELD(mimo_model_config, fixed);
+  FIELD(mimo_model_config, name);
+  FIELD(mimo_model_config, file);
+  FIELD(mimo_model_config, xml);
+  FIELD(mimo_model_config, position);
+  FIELD(mimo_model_config, orientation);
+
   BEGIN(mimo_camera_config);
   FIELD(mimo_camera_config, struct_size);
   FIELD(mimo_camera_config, outputs);

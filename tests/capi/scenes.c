@@ -31,7 +31,8 @@ static void check_sources(void) {
   CHECK_TEXT("free", mimo_scene_builtin(1));
   CHECK_TEXT("selfbody", mimo_scene_builtin(4));
   CHECK_TEXT("showroom", mimo_scene_builtin(6));
-  CHECK(mimo_scene_builtin(7) == NULL);
+  CHECK_TEXT("playdate", mimo_scene_builtin(7));
+  CHECK(mimo_scene_builtin(8) == NULL);
   CHECK(mimo_scene_builtin((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);

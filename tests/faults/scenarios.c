@@ -90,6 +90,31 @@ static mimo_status add_object(void) {
   return mimo_scene_add_object(scene, &object);
 }
 
+static void prepare_empty(void) { CHECK_OK(make_scene(NULL, NULL)); }
+static mimo_status set_room(void) { return mimo_scene_set_room(scene, "playroom"); }
+
+static void prepare_playdate(void) { CHECK_OK(make_scene("playdate", NULL)); }
+static mimo_status add_agents(void) { return mimo_scene_add_agents(scene, NULL, NULL); }
+
+static mimo_status add_model(void) {
+  mimo_model_config model;
+  CHECK_OK(mimo_model_config_init(&model, sizeof model));
+  model.name = "a_model_with_a_name_that_is_too_long_to_be_kept_in_a_short_string";
+  model.xml =
+      "<mujoco><compiler eulerseq='zyx' autolimits='true' angle='radian'/><default><geom size='.1'/></default><asset>"
+      "<material name='m'/></asset><worldbody><body name='b' euler='1 2 3'><joint name='j' range='0 1'/><geom "
+      "material='m' euler='1 2 3'/></body></worldbody><actuator><motor joint='j'/></actuator></mujoco>";
+  return mimo_scene_add_model(scene, &model);
+}
+
+static void prepare_defaults(void) {
+  CHECK_OK(make_scene(NULL,
+                      "<mujoco><default><geom size='.1'/></default><worldbody><geom/><body name='a'><joint name='j'/>"
+                      "<geom/></body></worldbody></mujoco>"));
+}
+static mimo_status weld(void) { return mimo_scene_weld(scene, "a", NULL, NULL); }
+static mimo_status lock_scene(void) { return mimo_scene_lock(scene, "j", 0.5); }
+
 static mimo_status set_parameter(void) { return mimo_scene_set_parameter(scene, "reach/success_reward", 3); }
 static mimo_status set_touch(void) { return mimo_scene_set_touch(infant_scene, 0, "left_hand", 0.01); }
 static mimo_status print_scene(void) { return mimo_scene_xml(infant_scene, (char*)block, sizeof block, NULL); }
@@ -131,6 +156,11 @@ const scenario all_scenarios[] = {
     {"scene_create", nothing, create_scene, clean, 1, 0, 400},
     {"scene_add_agent", prepare_scene, add_agent, clean, 0, 0, 110},
     {"scene_add_object", prepare_scene, add_object, clean, 0, 0, 400},
+    {"scene_set_room", prepare_empty, set_room, clean, 0, 0, 400},
+    {"scene_add_agents", prepare_playdate, add_agents, clean, 0, 0, 60},
+    {"scene_add_model", prepare_defaults, add_model, clean, 0, 0, 3000},
+    {"scene_weld", prepare_defaults, weld, clean, 0, 0, 400},
+    {"scene_lock", prepare_defaults, lock_scene, clean, 0, 0, 400},
     {"scene_set_parameter", prepare_scene, set_parameter, clean, 0, 0, 400},
     {"scene_set_touch", nothing, set_touch, clean, 0, 0, 400},
     {"scene_xml", nothing, print_scene, clean, 0, 0, 400},

@@ -1,4 +1,5 @@
-/* MJCF text of any kind: refused with a message, or a world that can be stepped, watched and felt. */
+/* MJCF text of any kind, as a scene and as an object: refused with a message, or a world that can be stepped, watched
+ * and felt. */
 #include "fuzz/input.h"
 
 static void use(const mimo_scene* scene) {
@@ -30,6 +31,21 @@ static void add_agent(mimo_scene* scene) {
   CALL(mimo_scene_add_agent(scene, &config, NULL));
 }
 
+/* The text as an object of a scene that has an infant. */
+static void add_model(const char* text) {
+  mimo_scene_config config;
+  mimo_model_config model;
+  mimo_scene* scene = NULL;
+  CALL(mimo_scene_config_init(&config, sizeof config));
+  config.xml = "<mujoco><compiler angle='radian'/><default><geom size='.1'/></default></mujoco>";
+  CALL(mimo_scene_create(&config, &scene));
+  CALL(mimo_model_config_init(&model, sizeof model));
+  model.name = "guest";
+  model.xml = text;
+  if (CALL(mimo_scene_add_model(scene, &model)) == MIMO_OK) use(scene);
+  mimo_scene_destroy(scene);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   mimo_scene_config config;
   mimo_scene* scene = NULL;
@@ -44,6 +60,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     add_agent(scene);
     use(scene);
   }
+  add_model(text);
   mimo_scene_destroy(scene);
   free(text);
   return 0;

@@ -130,6 +130,18 @@ static void bad_agent_name(args* a) { a->agent_config->name = "an na"; }
 static void unknown_body(args* a) { a->agent_config->body = "centaur"; }
 static void taken_agent(args* a) { CHECK_OK(mimo_scene_add_agent(a->room, NULL, NULL)); }
 static void unknown_part(args* a) { a->part = "tail"; }
+static void bad_model_name(args* a) { a->model_config->name = "te/a"; }
+static void taken_model(args* a) { a->model_config->name = "toy"; }
+static void two_models(args* a) { a->model_config->file = "cup.xml"; }
+static void no_model_file(args* a) { a->model_config->xml = NULL, a->model_config->file = "/no_such_file.xml"; }
+static void two_bodies(args* a) { a->model_config->xml = "<mujoco><worldbody><body/><body/></worldbody></mujoco>"; }
+static void unknown_room(args* a) { a->room_name = "attic"; }
+static void second_room(args* a) { CHECK_OK(mimo_scene_set_room(a->room, a->room_name)); }
+static void unknown_other(args* a) { a->other = "ghost"; }
+static void weld_to_itself(args* a) { a->other = a->part; }
+static void pose_of_nan(args* a) { ((double*)a->pose)[6] = NAN; }
+static void pose_of_zeros(args* a) { ((double*)a->pose)[3] = 0; }
+static void unknown_joint(args* a) { a->joint_name = "tail"; }
 static void taken_object(args* a) { a->object_config->name = "toy"; }
 static void no_text(args* a) { a->text = NULL, a->capacity = 0; }
 static void unknown_parameter(args* a) { a->parameter_name = "mood"; }

@@ -6,6 +6,7 @@ ROW(mimo_mujoco_version, 0, CHECKED(is_version(mimo_mujoco_version())), NONE)
 ROW(mimo_status_name, 0, check_status_names(), NONE)
 ROW(mimo_last_error, 0, CHECKED(mimo_last_error() != NULL), NONE)
 ROW(mimo_scene_builtin, 0, check_list(mimo_scene_builtin), NONE)
+ROW(mimo_scene_room, 0, check_list(mimo_scene_room), NONE)
 ROW(mimo_task_name, 0, check_list(mimo_task_name), NONE)
 ROW(mimo_face_name, 0, check_list(mimo_face_name), NONE)
 
@@ -23,6 +24,8 @@ ROW(mimo_picture_config_init, 0, mimo_picture_config_init(a->picture_config, siz
     INIT(picture_config, mimo_picture_config, "config"))
 ROW(mimo_camera_config_init, 0, mimo_camera_config_init(a->camera_config, sizeof *a->camera_config + a->more_bytes),
     INIT(camera_config, mimo_camera_config, "config"))
+ROW(mimo_model_config_init, 0, mimo_model_config_init(a->model_config, sizeof *a->model_config + a->more_bytes),
+    INIT(model_config, mimo_model_config, "config"))
 ROW(mimo_task_init, 0, mimo_task_init(a->task, sizeof *a->task + a->more_bytes), INIT(task, mimo_task, "task"))
 
 ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more_bytes),
@@ -45,10 +48,10 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     NULL_OK(id_out), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place_given, 2),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
     UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
-    AGENT(proprioception, 64), AGENT(proprioception, -1), AGENT(vestibular, 2),
+    AGENT(proprioception, 0x80), AGENT(proprioception, -1), AGENT(vestibular, 2),
     UNREAL(agent_config, mimo_agent_config, limit_threshold, "limit_threshold"),
     AGENT_REAL(limit_threshold, 0, "limit"), AGENT(vision, 8), AGENT(vision_width, 0), AGENT(vision_width, 4097),
-    AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097), AGENT(actuation, 2),
+    AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097), AGENT(actuation, 4),
     UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"), AGENT_REAL(vision_fovy, 171, "vision_fovy"),
     AGENT(acts, 0x800), AGENT(acts, 0x80000001), AGENT(normalize_actions, 2), AGENT(touch, 16), AGENT(touch, 3),
     AGENT(touch_response, 0), AGENT(touch_response, 4), AGENT(touch_frame, 0), AGENT(touch_frame, -1),
@@ -58,6 +61,10 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
     DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"))
+ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_config, a->count), NULL_OK(agent_config),
+    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place_given, 2), AGENT(vision, 8),
+    UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"), DO(bad_agent_name, E_ARG, "an na"),
+    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
     BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
@@ -82,6 +89,25 @@ ROW(mimo_scene_add_object, ON_SCENE, mimo_scene_add_object(a->scene, a->object_c
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(object_config), FIELD(mimo_object_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(taken_object, E_ARG, "toy"))
+#define MODEL_UNREAL(f) UNREAL(model_config, mimo_model_config, f, #f)
+ROW(mimo_scene_add_model, ON_SCENE, mimo_scene_add_model(a->scene, a->model_config), NO_NULL(model_config, "config"),
+    CONFIG(model_config, mimo_model_config, "config"), BAD_FIELD(model_config, mimo_model_config, fixed, 2, "fixed"),
+    MODEL_UNREAL(position[2]), MODEL_UNREAL(orientation[0]),
+    {FAULT_FIELD_NULL, "name is NULL", MEMBER(model_config), FIELD(mimo_model_config, name), 0, 0, NULL, E_ARG, "name"},
+    {FAULT_FIELD_NULL, "xml is NULL", MEMBER(model_config), FIELD(mimo_model_config, xml), 0, 0, NULL, E_ARG, "xml"},
+    DO(bad_model_name, E_ARG, "te/a"), DO(taken_model, E_ARG, "toy"), DO(two_models, E_ARG, "both"),
+    DO(no_model_file, MIMO_E_NOT_FOUND, "no_such_file"), DO(two_bodies, MIMO_E_MODEL, "2 bodies"))
+ROW(mimo_scene_set_room, ON_EMPTY, mimo_scene_set_room(a->room, a->room_name), NO_NULL(room_name, "name"),
+    DO(unknown_room, MIMO_E_NOT_FOUND, "attic"), DO(second_room, E_ARG, "room already"))
+ROW(mimo_scene_weld, ON_SCENE, mimo_scene_weld(a->scene, a->part, a->other, a->pose), NO_NULL(part, "body"),
+    NULL_OK(other), NULL_OK(pose), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"),
+    DO(unknown_other, MIMO_E_NOT_FOUND, "ghost"), DO(weld_to_itself, E_ARG, "head"), DO(pose_of_nan, E_ARG, "pose[6]"),
+    DO(pose_of_zeros, E_ARG, "orientation"))
+#define JOINT_FAULTS                                                                                        \
+  NO_NULL(joint_name, "joint"), NOT_FINITE(angle, "robot:head_tilt"), BAD_F64(angle, 9, "robot:head_tilt"), \
+      DO(unknown_joint, MIMO_E_NOT_FOUND, "tail")
+ROW(mimo_scene_lock, ON_SCENE, mimo_scene_lock(a->scene, a->joint_name, a->angle), JOINT_FAULTS)
+ROW(mimo_scene_set_pose, ON_SCENE, mimo_scene_set_pose(a->scene, a->joint_name, a->angle), JOINT_FAULTS)
 #define CAMERA(f, n) BAD_FIELD(camera_config, mimo_camera_config, f, n, #f)
 #define CAMERA_UNREAL(f) UNREAL(camera_config, mimo_camera_config, f, #f)
 ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_config),

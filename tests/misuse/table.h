@@ -7,7 +7,8 @@
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
-  /* handles; `room` is a scene without infant, the others have one, but for calls ON_CART a cart instead */
+  /* handles; `room` is a scene without infant, or without anything; the others have one, but for calls ON_CART a cart
+   * instead */
   mimo_scene *scene, *room;
   mimo_env* env;
   mimo_batch* batch;
@@ -26,6 +27,7 @@ typedef struct args {
   mimo_field* field;
   mimo_timing* timing;
   mimo_camera_config* camera_config;
+  mimo_model_config* model_config;
   mimo_gaze* gaze;
   mimo_limits* limits;
   size_t more_bytes;
@@ -34,13 +36,13 @@ typedef struct args {
   size_t index, element, agent_index, world, steps, model_size, data_size;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face, *path;
+  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *joint_name, *other;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
-  const double *points, *to_write, *all_to_write;
+  const double *points, *to_write, *all_to_write, *pose;
   const void *state, *states, *model, *data;
   size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, value_count,
       values_count;
@@ -108,7 +110,8 @@ enum {
   ANYTIME = 64,
   DESTROYS = 128,
   ON_SENSES = 256,
-  ON_CART = 512
+  ON_CART = 512,
+  ON_EMPTY = 1024 /* a room that is none */
 };
 
 typedef struct row {

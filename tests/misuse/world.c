@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 64, MOST_BYTES = 1 << 20 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20 };
 
 static struct {
   unsigned char *bytes, *kept;
@@ -185,6 +185,7 @@ static void make_arrays(void) {
   good.action = region(actions * sizeof(float));
   good.actions = region(worlds * actions * sizeof(float));
   good.points = region(3 * good.point_count * sizeof(double));
+  good.pose = region(7 * sizeof(double));
   good.to_write = region(good.value_count * sizeof(double));
   good.all_to_write = region(good.values_count * sizeof(double));
   good.state = region(state);
@@ -247,6 +248,7 @@ static void make_structs(void) {
   good.field = region(sizeof *good.field + TAIL);
   good.timing = region(sizeof *good.timing + TAIL);
   good.camera_config = region(sizeof *good.camera_config + TAIL);
+  good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
 }
@@ -293,6 +295,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
+  CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
   good.scene_config->name = "free";
   good.agent_config->place_given = 1;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
@@ -307,6 +310,8 @@ static void fill_configs(void) {
   good.field->struct_size = sizeof *good.field;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
+  good.model_config->name = "cup";
+  good.model_config->xml = "<mujoco><worldbody><body><geom size='0.1'/></body></worldbody></mujoco>";
   good.camera_config->name = "watcher";
   good.camera_config->placed = 1;
 }
@@ -335,6 +340,8 @@ static void fill_arrays(void) {
   memset((void*)good.action, 0, good.action_count * sizeof(float));
   memset((void*)good.actions, 0, good.actions_count * sizeof(float));
   memset((void*)good.points, 0, 3 * good.point_count * sizeof(double));
+  memset((void*)good.pose, 0, 7 * sizeof(double));
+  ((double*)good.pose)[3] = 2;
   memset(write, 0, VALUES_PER_WORLD * sizeof(double));
   write[2] = write[3] = 1; /* a metre up, upright */
   for (i = 0; i < WORLDS_IN_BATCH; ++i) {
@@ -369,6 +376,9 @@ args good_args(int uses) {
   good.name = "toy";
   good.scene_name = "free";
   good.part = "head";
+  good.other = "left_hand";
+  good.room_name = "playroom";
+  good.joint_name = "robot:head_tilt";
   good.face = "fear";
   good.path = "touch";
   good.how = MIMO_LOOK_HEAD;
@@ -384,6 +394,7 @@ args good_args(int uses) {
   if (uses & ON_SCENE) a.scene = make_scene("selfbody", "mitten");
   if (uses & ON_CART) a.scene = make_cart();
   if (uses & ON_ROOM) a.room = make_scene("free", NULL);
+  if (uses & ON_EMPTY) a.room = make_scene(NULL, NULL);
   return a;
 }
 

@@ -18,6 +18,16 @@ def test_pettingzoo_s_checker():
     parallel_api_test(mimo.ParallelEnv(two(), max_steps=20), num_cycles=50)
 
 
+def test_playdate():
+    env = mimo.ParallelEnv("playdate", vision_width=16, vision_height=16, touch_scale=0.3, max_steps=20)
+    parallel_api_test(env, num_cycles=30)
+    observations, _ = env.reset(seed=1)
+    assert sorted(observations) == ["anna", "ben"]
+    assert observations["anna"].keys() == observations["ben"].keys()
+    assert {"touch/force", "vision/eye_left", "vestibular/acceleration"} <= observations["anna"].keys()
+    assert env.action_space("anna").shape == env.action_space("ben").shape == (25,)
+
+
 def test_each_infant_has_its_own_senses_and_motors():
     env = mimo.ParallelEnv(two())
     observations, _ = env.reset(seed=1)

@@ -31,17 +31,18 @@ inline void expect_same_physics(const mjModel& expected, const mjModel& actual, 
   ASSERT_EQ(expected.nsensor, actual.nsensor);
   ASSERT_EQ(expected.neq, actual.neq);
   ASSERT_EQ(expected.ntendon, actual.ntendon);
-  const auto compare = [&](const char* array, int count, const auto* one, const auto* two) {
+  const auto compare = [&](const char* array, int count, int other_count, const auto* one, const auto* two) {
     if (!is_physical(array)) return;
+    ASSERT_EQ(count, other_count) << array;
     for (int i = 0; i < count; ++i) {
       ASSERT_TRUE(close(static_cast<double>(one[i]), static_cast<double>(two[i]), tolerance))
           << array << "[" << i << "]";
     }
   };
   MJMODEL_POINTERS_PREAMBLE((&expected))
-#define X(type, name, nr, nc)                 \
-  ASSERT_EQ(expected.nr, actual.nr) << #name; \
-  compare(#name, static_cast<int>(expected.nr) * static_cast<int>(nc), expected.name, actual.name);
+#define X(type, name, nr, nc)                                          \
+  compare(#name, static_cast<int>(expected.nr) * static_cast<int>(nc), \
+          static_cast<int>(actual.nr) * static_cast<int>(nc), expected.name, actual.name);
   MJMODEL_POINTERS
 #undef X
 }

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "body/body.h"
@@ -75,6 +76,29 @@ TEST_F(SceneInfants, TwoHaveEverythingTwice) {
       EXPECT_EQ(body.joints[i].low, sole.joints[i].low);
       EXPECT_EQ(body.joints[i].high, sole.joints[i].high);
     }
+  }
+}
+
+// Of the room for contacts, constraints and the solver half is enough, for one infant and for ten in a heap.
+TEST_F(SceneInfants, BuffersAreLargeEnough) {
+  for (const int count : {1, 2, 10}) {
+    scene::Scene scene(named("free"));
+    for (int i = 0; i < count; ++i) {
+      const scene::Pose place{{0.15 * (i % 2), 0.3 * (i / 2), 0.4}, {1, 0, 0, 0}};
+      scene.add_body("mitten", std::to_string(i) + "/", &place);
+    }
+    engine::Physics physics(compile(scene), {});
+    const mjModel& model = physics.model();
+    int contacts = 0;
+    for (int step = 0; step < 120; ++step) {
+      for (int i = 0; i < model.nu; ++i) physics.data().ctrl[i] = std::sin(0.5 * step + i);
+      physics.step(1);
+      contacts = std::max(contacts, physics.data().ncon);
+      ASSERT_LT(2 * physics.data().ncon, model.nconmax) << count;
+      ASSERT_LT(2 * physics.data().nefc, model.njmax) << count;
+    }
+    EXPECT_GT(contacts, 5 * count) << "they lie on the floor";
+    EXPECT_LT(2 * physics.data().maxuse_stack, model.nstack) << count;
   }
 }
 

@@ -102,6 +102,18 @@ class ObjectConfig(Struct):
     ]
 
 
+class ModelConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("fixed", c_uint32),
+        ("name", c_char_p),
+        ("file", c_char_p),
+        ("xml", c_char_p),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+    ]
+
+
 class CameraConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -279,15 +291,23 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_builtin": (c_char_p, [c_size_t]),
     "mimo_scene_create": (_status, [_config(SceneConfig), _Out_handle]),
     "mimo_scene_destroy": (None, [_Handle]),
+    "mimo_scene_room": (c_char_p, [c_size_t]),
+    "mimo_scene_set_room": (_status, [_Handle, c_char_p]),
     "mimo_agent_config_init": (_status, [_config(AgentConfig), c_size_t]),
     "mimo_scene_default_agent": (_status, [_Handle, _config(AgentConfig), c_size_t]),
     "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_i32]),
+    "mimo_scene_add_agents": (_status, [_Handle, _config(AgentConfig), _Out_size]),
     "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
     "mimo_scene_read_joint": (_status, [_Handle, c_int32, c_char_p]),
     "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
     "mimo_scene_limit_sense": (_status, [_Handle, c_int32, c_char_p, _config(Limits)]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
+    "mimo_model_config_init": (_status, [_config(ModelConfig), c_size_t]),
+    "mimo_scene_add_model": (_status, [_Handle, _config(ModelConfig)]),
+    "mimo_scene_weld": (_status, [_Handle, c_char_p, c_char_p, _Array]),
+    "mimo_scene_lock": (_status, [_Handle, c_char_p, c_double]),
+    "mimo_scene_set_pose": (_status, [_Handle, c_char_p, c_double]),
     "mimo_face_name": (c_char_p, [c_size_t]),
     "mimo_camera_config_init": (_status, [_config(CameraConfig), c_size_t]),
     "mimo_scene_add_camera": (_status, [_Handle, _config(CameraConfig)]),

@@ -104,6 +104,24 @@ class Disable(IntFlag):
     GRAVITY = 0x2
 
 
+class Render(IntFlag):
+    """What pictures show; what is left out costs nothing."""
+
+    SHADOWS = 0x01
+    REFLECTIONS = 0x02
+    SKY = 0x04
+    HAZE = 0x08
+    FOG = 0x10
+    DEFAULT = 0x0F
+
+
+class Look(IntEnum):
+    """What turns to look at a point: the eyes alone, or the head first, so that the eyes have to turn little."""
+
+    EYES = 0
+    HEAD = 1
+
+
 class Time(IntEnum):
     """When a field was true: at the end of the step, or at the start of its last physics step."""
 

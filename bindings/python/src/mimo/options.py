@@ -6,6 +6,7 @@ Whatever is left out is the library's default, or the scene's own. docs/python.m
 from __future__ import annotations
 
 import ctypes
+import os
 from typing import Any, Mapping, Sequence, TypedDict, Union
 
 from ._library import utf8
@@ -16,6 +17,7 @@ from .constants import (
     Frame,
     Jacobian,
     Proprioception,
+    Render,
     Shape,
     Touch,
     TouchResponse,
@@ -47,6 +49,7 @@ class AgentOptions(TypedDict, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
+    face: str
     root: str
     vestibular_at: str
 
@@ -60,6 +63,9 @@ class PhysicsOptions(TypedDict, total=False):
     jacobian: Jacobian
     disable: Disable
     timing: bool
+    render: Render
+    samples: int
+    render_threads: int
 
 
 class EnvOptions(AgentOptions, PhysicsOptions, total=False):
@@ -83,6 +89,28 @@ class ObjectOptions(TypedDict, total=False):
     orientation: Numbers
     mass: float
     rgba: Numbers
+    fixed: bool
+
+
+class CameraOptions(TypedDict, total=False):
+    """A camera whose pictures are observed; with `look_at` a new one. Metres, in the frame of `body`."""
+
+    outputs: Vision
+    width: int
+    height: int
+    fovy: float
+    body: str
+    position: Numbers
+    look_at: Numbers
+
+
+class ModelOptions(TypedDict, total=False):
+    """An object that an MJCF document describes."""
+
+    file: Union[str, "os.PathLike[str]"]
+    xml: str
+    position: Numbers
+    orientation: Numbers
     fixed: bool
 
 

@@ -12,7 +12,17 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .options import AGENT_OPTIONS, WORLD_OPTIONS, AgentOptions, ObjectOptions, Options, fill
+from .options import (
+    AGENT_OPTIONS,
+    WORLD_OPTIONS,
+    AgentOptions,
+    CameraOptions,
+    ModelOptions,
+    Numbers,
+    ObjectOptions,
+    Options,
+    fill,
+)
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 
@@ -20,6 +30,16 @@ _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 def scenes() -> List[str]:
     """Names of the built-in scenes."""
     return _names(LIB.mimo_scene_builtin)
+
+
+def faces() -> List[str]:
+    """Names of the faces of the built-in bodies."""
+    return _names(LIB.mimo_face_name)
+
+
+def rooms() -> List[str]:
+    """Names of the rooms for Scene.set_room."""
+    return _names(LIB.mimo_scene_room)
 
 
 def tasks() -> List[str]:
@@ -69,6 +89,21 @@ class Scene(Handle):
 
     def add_agent(self, **options: Unpack[AgentOptions]) -> int:
         """Adds an infant and returns its number; what is not given is as the scene's task wants it."""
+        number = ctypes.c_int32()
+        check(LIB.mimo_scene_add_agent(self._handle, self._agent_config(options), number))
+        self._agents += 1
+        self._remember("add_agent", **options)
+        return number.value
+
+    def add_agents(self, **options: Unpack[AgentOptions]) -> int:
+        """Adds all infants that the scene names, or one where it names none; returns how many these are."""
+        count = ctypes.c_size_t()
+        check(LIB.mimo_scene_add_agents(self._handle, self._agent_config(options), count))
+        self._agents += count.value
+        self._remember("add_agents", **options)
+        return count.value
+
+    def _agent_config(self, options: AgentOptions) -> _abi.AgentConfig:
         config = _abi.AgentConfig()
         check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
         standard = {key: getattr(config, key) for key in ("proprioception", "vision", "touch")}
@@ -76,11 +111,12 @@ class Scene(Handle):
         fill(config, options, standard)
         if "position" in options or "orientation" in options:
             config.place_given = 1
-        number = ctypes.c_int32()
-        check(LIB.mimo_scene_add_agent(self._handle, config, number))
-        self._agents += 1
-        self._remember("add_agent", **options)
-        return number.value
+        return config
+
+    def set_room(self, name: str) -> None:
+        """Gives a scene that has none a room: floor, sky, light; see mimo.rooms."""
+        check(LIB.mimo_scene_set_room(self._handle, utf8(name)))
+        self._remember("set_room", name)
 
     def set_touch(self, body: Optional[str], spacing: float, agent: int = 0) -> None:
         """Sets the distance (m) between the touch sensors of a part of the body; 0: no skin there; None: everywhere."""
@@ -111,6 +147,47 @@ class Scene(Handle):
         fill(config, {**options, "name": name}, {})
         check(LIB.mimo_scene_add_object(self._handle, config))
         self._remember("add_object", name, **options)
+
+    def add_camera(self, name: str, **options: Unpack[CameraOptions]) -> None:
+        """Has a camera observed, as "vision/NAME", "vision/NAME_depth" and "vision/NAME_segmentation".
+
+        Without `look_at` it is one of the scene or of an infant ("anna/eye_left"). With it, it is a new one at
+        `position` that looks at that point and stands still in the world, or is carried by `body`.
+        """
+        config = _abi.CameraConfig()
+        check(LIB.mimo_camera_config_init(config, ctypes.sizeof(config)))
+        fill(config, {**options, "name": name}, {})
+        config.placed = "look_at" in options
+        check(LIB.mimo_scene_add_camera(self._handle, config))
+        self._remember("add_camera", name, **options)
+
+    def add_model(self, name: str, **options: Unpack[ModelOptions]) -> None:
+        """Adds an MJCF document with one body (file or xml) as an object; its names get "name/" before them."""
+        if options.get("file") is not None:
+            options["file"] = os.path.abspath(options["file"])
+        config = _abi.ModelConfig()
+        check(LIB.mimo_model_config_init(config, ctypes.sizeof(config)))
+        fill(config, {**options, "name": name}, {})
+        check(LIB.mimo_scene_add_model(self._handle, config))
+        self._remember("add_model", name, **options)
+
+    def weld(self, body: str, other: Optional[str] = None, pose: Optional[Numbers] = None) -> None:
+        """Fastens a body to another (None: the world): in a pose (x y z, w x y z) in its frame, or as they start."""
+        if pose is not None and len(pose) != 7:
+            raise ValueError(f"pose is {pose!r}, expected a position and a quaternion: 7 numbers")
+        numbers = None if pose is None else (ctypes.c_double * 7)(*pose)
+        check(LIB.mimo_scene_weld(self._handle, utf8(body), utf8(other), numbers))
+        self._remember("weld", body, other, pose)
+
+    def lock(self, joint: str, value: float) -> None:
+        """Holds a hinge or slide (rad or m), and starts it there."""
+        check(LIB.mimo_scene_lock(self._handle, utf8(joint), value))
+        self._remember("lock", joint, value)
+
+    def set_pose(self, joint: str, value: float) -> None:
+        """Sets where a hinge or slide starts (rad or m)."""
+        check(LIB.mimo_scene_set_pose(self._handle, utf8(joint), value))
+        self._remember("set_pose", joint, value)
 
     @property
     def parameters(self) -> "Parameters":
@@ -202,7 +279,7 @@ def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str
             raise TypeError(f"{', '.join(agent)}: of a scene of your own, give these to its add_agent")
         return _with_parameters(scene.copy(), parameters), world
     made = Scene(scene)
-    made.add_agent(**agent)
+    made.add_agents(**agent)
     return _with_parameters(made, parameters), world
 
 

@@ -1,0 +1,58 @@
+#include "engine/stored_pose.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/fail.h"
+#include "engine/custom.h"
+
+namespace mimo::engine {
+namespace {
+
+constexpr const char* kRootBody = "mimo_location";
+
+// Calls visit(name, prefix) for all elements of a kind that are called `what`, with or without a prefix.
+template <typename Visit>
+void visit_named(const mjModel& model, mjtObj kind, int count, const std::string& what, Visit&& visit) {
+  for (int id = 0; id < count; ++id) {
+    const char* text = mj_id2name(&model, kind, id);
+    const std::string name = text == nullptr ? "" : text;
+    if (name.size() < what.size() || name.compare(name.size() - what.size(), what.size(), what) != 0) continue;
+    const std::string prefix = name.substr(0, name.size() - what.size());
+    if (prefix.empty() || prefix.back() == '/') visit(name, prefix);
+  }
+}
+
+void place_root(const mjModel& model, int body, Span<const double> pose, Span<double> qpos) {
+  const int joint = model.body_jntadr[body];
+  if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {
+    fail(Status::kModel, "body {} has no free joint", name(model, Kind::kBody, body));
+  }
+  double* start = &qpos[static_cast<std::size_t>(model.jnt_qposadr[joint])];
+  std::copy(pose.begin(), pose.end(), start);
+  mju_normalize4(start + 3);
+}
+
+}  // namespace
+
+void read_stored_pose(const mjModel& model, Span<double> qpos) {
+  visit_named(model, mjOBJ_NUMERIC, model.nnumeric, "mimo:root",
+              [&](const std::string& name, const std::string& prefix) {
+                const Span<const double> pose = custom_numbers(model, name);
+                const int body = find(model, Kind::kBody, (prefix + kRootBody).c_str());
+                if (pose.size() == 7 && body >= 0) place_root(model, body, pose, qpos);
+              });
+  visit_named(model, mjOBJ_TUPLE, model.ntuple, "mimo:pose", [&](const std::string& name, const std::string&) {
+    for (const TupleEntry& entry : custom_tuple(model, name, Kind::kJoint)) {
+      const int type = model.jnt_type[entry.id];
+      if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
+        fail(Status::kModel, "{}: joint {} is no hinge or slide", name, engine::name(model, Kind::kJoint, entry.id));
+      }
+      qpos[static_cast<std::size_t>(model.jnt_qposadr[entry.id])] = entry.value;
+    }
+  });
+}
+
+}  // namespace mimo::engine

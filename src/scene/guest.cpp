@@ -1,0 +1,71 @@
+#include "scene/guest.h"
+
+#include "base/fail.h"
+#include "scene/compiler.h"
+#include "scene/defaults.h"
+#include "scene/names.h"
+#include "scene/xml.h"
+
+namespace mimo::scene {
+namespace {
+
+pugi::xml_node only_body(pugi::xml_node root, const std::string& what) {
+  pugi::xml_node body;
+  int count = 0;
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    for (const pugi::xml_node child : world.children("body")) {
+      body = child;
+      ++count;
+    }
+  }
+  if (count != 1) fail(Status::kModel, "{}: {} bodies stand in its worldbody, expected one", what, count);
+  return body;
+}
+
+// What else the document has in its world, such as a floor or a lamp for looking at it alone, does not come along.
+void keep_only(pugi::xml_node root, pugi::xml_node body) {
+  for (pugi::xml_node world = root.child("worldbody"); world;) {
+    const pugi::xml_node next = world.next_sibling("worldbody");
+    if (body.parent() != world) root.remove_child(world);
+    world = next;
+  }
+  pugi::xml_node world = body.parent();
+  for (pugi::xml_node child = world.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();
+    if (child != body) world.remove_child(child);
+    child = next;
+  }
+}
+
+bool is_free(pugi::xml_node joint, const Defaults& defaults) {
+  if (std::string(joint.name()) == "freejoint") return true;
+  return std::string(joint.name()) == "joint" && std::string(defaults.find(joint, "type").value()) == "free";
+}
+
+// How the body moves: by joints of its own; by a free joint, if it has none; or not at all.
+void set_freedom(pugi::xml_node body, const Defaults& defaults, const Model& model, const std::string& what) {
+  bool has_joint = false;
+  for (const pugi::xml_node child : body.children()) {
+    const bool free = is_free(child, defaults);
+    require(!free || !model.fixed, "{}: fixed is 1, but its body has a free joint", what);
+    has_joint = has_joint || free || std::string(child.name()) == "joint";
+  }
+  if (!has_joint && !model.fixed) set(append(body, "freejoint"), "name", model.name);
+}
+
+}  // namespace
+
+void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model) {
+  const std::string what = "model \"" + model.name + "\"";
+  const pugi::xml_node root = document.document_element();
+  pugi::xml_node body = only_body(root, what);
+  keep_only(root, body);
+  adapt(root, host, what);
+  name_main_defaults(root, "main");
+  prefix_all_names(root, model.name + "/");
+  if (!body.attribute("name")) set(body, "name", model.name);
+  set_pose(body, model.pose);
+  set_freedom(body, Defaults(root), model, what);
+}
+
+}  // namespace mimo::scene

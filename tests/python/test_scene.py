@@ -1,0 +1,95 @@
+"""The calls that build a scene, and the scene with two infants."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import mimo
+
+CUP = """<mujoco><worldbody><body name="cup"><geom size="0.04" mass="0.1"/><body name="lid" pos="0 0 0.1">
+<joint name="lid" axis="0 1 0" range="0 90" limited="true"/><geom size="0.03" mass="0.01"/></body></body></worldbody>
+</mujoco>"""
+
+
+def furnished():
+    scene = mimo.Scene()
+    scene.set_room("playroom")
+    scene.add_agent(name="anna", vision=False, touch=False)
+    scene.add_model("red", xml=CUP, position=[1, 0, 0.2])
+    scene.add_model("blue", xml=CUP, position=[1, 1, 0.2], fixed=True)
+    scene.set_pose("red/lid", 0.5)
+    scene.lock("anna/robot:left_elbow", -1)
+    scene.weld("red/cup")
+    scene.weld("anna/left_hand", "anna/head", [0.2, 0, 0.1, 1, 0, 0, 0])
+    return scene
+
+
+def test_furniture():
+    assert mimo.rooms() == ["playroom"]
+    world = mimo.World(furnished())
+    world.reset(seed=1)
+    assert world.joints("red/lid").position[0] == 0.5
+    assert world.joints("blue/lid").position[0] == 0
+    assert world.locked("anna/robot:left_elbow") == pytest.approx(-1)
+    for _ in range(30):
+        world.step()
+    np.testing.assert_allclose(world.bodies("red/cup").position[0], [1, 0, 0.2], atol=0.01)
+    assert world.bodies("anna/head").position[0][2] < 0.7  # nobody holds the infant itself
+
+
+def test_models_from_files(tmp_path, monkeypatch):
+    (tmp_path / "cup.xml").write_text(CUP)
+    monkeypatch.chdir(tmp_path)
+    scene = mimo.Scene("free")
+    scene.add_model("cup", file="cup.xml")
+    monkeypatch.chdir("/")
+    assert 'name="cup/lid"' in scene.copy().xml  # a path stays what it was
+
+
+def test_furnished_scenes_can_be_pickled():
+    scene = furnished()
+    again = pickle.loads(pickle.dumps(scene))
+    assert again.xml == scene.xml
+    assert again.agent_count == 1
+
+
+def test_refusals_leave_the_scene():
+    scene = furnished()
+    before = scene.xml
+    with pytest.raises(mimo.ArgumentError, match="room already"):
+        scene.set_room("playroom")
+    with pytest.raises(mimo.NotFoundError, match="there are: anna/robot:"):
+        scene.set_pose("green/lid", 0)
+    with pytest.raises(mimo.ArgumentError, match="radians"):
+        scene.lock("red/lid", 2)
+    with pytest.raises(ValueError, match="7 numbers"):
+        scene.weld("red/cup", pose=[0, 0, 0])
+    with pytest.raises(mimo.ModelError, match="0 bodies"):
+        scene.add_model("green", xml="<mujoco/>")
+    with pytest.raises(mimo.ArgumentError, match="none of file and xml"):
+        scene.add_model("green")
+    assert scene.xml == before
+
+
+def test_playdate_has_two():
+    scene = mimo.Scene("playdate")
+    assert scene.add_agents(vision=False) == scene.agent_count == 2
+    world = mimo.World("playdate", vision=False, touch=False)
+    assert [agent.name for agent in world.agents] == ["anna", "ben"]
+    assert mimo.World("free", name="carl", vision=False, touch=False).agents[0].name == "carl"
+    with pytest.raises(ValueError, match="ParallelEnv"):
+        mimo.make("playdate")
+
+
+def test_a_model_can_be_an_agent():
+    scene = mimo.Scene("free")
+    scene.add_agent(name="anna", vision=False)
+    scene.add_model("red", xml=CUP, position=[1, 0, 0.2])
+    scene.add_agent(name="red", body="scene", root="red/cup", vision=False, vestibular=False)
+    scene.set_touch(None, 0.02, agent=1)
+    world = mimo.World(scene)
+    assert [agent.name for agent in world.agents] == ["anna", "red"]
+    observation = world.reset(seed=1)
+    assert observation["red/proprioception/position"].shape[0] >= 1
+    assert len(observation["red/touch/force"]) > 10
