@@ -14,6 +14,8 @@ endif()
 
 # Articles and examples, beside each other as in the repository: they refer to each other.
 install(DIRECTORY docs/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN *.md)
+install(FILES docs/abi.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY examples/c examples/cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 
 # find_package(mimo) and the target mimo::mimo

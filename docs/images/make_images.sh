@@ -22,6 +22,13 @@ for renderer in ray osmesa; do
 done
 montage "$work/body_ray.png" "$work/body_osmesa.png" -resize 40% -tile 2x1 -geometry +3+3 -depth 8 body.png
 
+# Hands with five fingers around a ball, and the nursery with its toys.
+"$mimo" render --scene catch --touch off --look-at 0.1 -0.07 0.64 --distance 0.85 --azimuth 150 --elevation -15 \
+  --width 1280 --height 960 --seed 2 --out "$work/catch.png"
+"$mimo" render --scene showroom --touch off --look-at 0.05 -0.08 0.35 --distance 1.9 --azimuth 120 --elevation -22 \
+  --width 1280 --height 960 --out "$work/showroom.png"
+montage "$work/catch.png" "$work/showroom.png" -resize 50% -tile 2x1 -geometry +3+3 -depth 8 fingers.png
+
 # Both renderers side by side: OSMesa with one sample a pixel, rays with sixteen; the infant, and its shadow from near.
 pair() {
   name=$1

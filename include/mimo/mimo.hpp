@@ -180,6 +180,7 @@ class Handle {
 namespace detail {
 inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
 inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
+inline void destroy_batch(mimo_batch *batch) { mimo_batch_destroy(batch); }
 inline void destroy_senses(mimo_senses *senses) { mimo_senses_destroy(senses); }
 inline mimo_field field_named(const std::vector<mimo_field> &fields, const std::string &name) {
   for (const mimo_field &candidate : fields) {
@@ -350,6 +351,27 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     check(mimo_env_look_at(get(), agent, point, how, nullptr));
   }
 
+  /// Holds a joint at an angle, softly, from the next step on.
+  void lock(std::int32_t joint, double angle) { check(mimo_env_lock(get(), joint, angle)); }
+  void unlock(std::int32_t joint) { check(mimo_env_unlock(get(), joint)); }
+  void set_gravity(double x, double y, double z) { check(mimo_env_set_gravity(get(), x, y, z)); }
+
+  /// Everything that the future depends on; a world that loads it goes on exactly so.
+  std::vector<std::uint8_t> save() const {
+    std::size_t bytes = 0;
+    check(mimo_env_state_size(get(), &bytes));
+    std::vector<std::uint8_t> state(bytes);
+    check(mimo_env_state_save(get(), state.data(), state.size()));
+    return state;
+  }
+  void load(const std::vector<std::uint8_t> &state) { check(mimo_env_state_load(get(), state.data(), state.size())); }
+  /// Another world in the same state.
+  Env clone() const {
+    mimo_env *twin = nullptr;
+    check(mimo_env_clone(get(), &twin));
+    return Env(twin);
+  }
+
  private:
   static mimo_env *create(const Scene &scene, const mimo_env_config &config) {
     mimo_env *env = nullptr;
@@ -403,6 +425,73 @@ inline Env make(const std::string &scene_name) {
   check(mimo_env_make(scene_name.c_str(), &env));
   return Env(env);
 }
+
+/// Many worlds, stepped by a pool of threads. Arrays stack the worlds along their first axis.
+class Batch : public Handle<mimo_batch, detail::destroy_batch> {
+ public:
+  Batch(const Scene &scene, std::size_t worlds, const mimo_env_config &env = env_config())
+      : Batch(scene, env, sized(worlds)) {}
+  Batch(const Scene &scene, const mimo_env_config &env, const mimo_batch_config &config)
+      : Handle(create(scene, env, config)) {}
+
+  std::size_t size() const {
+    std::size_t worlds = 0;
+    check(mimo_batch_size(get(), &worlds, nullptr));
+    return worlds;
+  }
+  /// One world, which stays the batch's: for mimo_env_ functions, between the batch's own calls.
+  mimo_env *world(std::size_t index) {
+    mimo_env *env = nullptr;
+    check(mimo_batch_world(get(), index, &env));
+    return env;
+  }
+  /// Observations of all worlds; that of world i starts at i times the size of one.
+  Block make_blocks() {
+    std::size_t bytes = 0;
+    check(mimo_env_observation_size(world(0), &bytes, nullptr));
+    return Block(bytes * size());
+  }
+
+  /// One seed for each world; none: they go on with their own random numbers.
+  void reset(const std::vector<std::uint64_t> &seeds, Block &blocks) {
+    check(mimo_batch_reset(get(), seeds.empty() ? nullptr : seeds.data(), nullptr, seeds.size(), blocks.data(),
+                           blocks.bytes()));
+  }
+  /// One step; worlds x actions, none leave the controls as they are. `results` says where else it goes, or nullptr.
+  void step(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {
+    check(mimo_batch_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), blocks.data(),
+                          blocks.bytes(), results));
+  }
+
+  /// The states of all worlds, one after the other. Loading takes as many, or one for all.
+  std::vector<std::uint8_t> save() {
+    std::size_t bytes = 0;
+    check(mimo_env_state_size(world(0), &bytes));
+    std::vector<std::uint8_t> states(bytes * size());
+    check(mimo_batch_state_save(get(), nullptr, 0, states.data(), states.size()));
+    return states;
+  }
+  void load(const std::vector<std::uint8_t> &states) {
+    check(mimo_batch_state_load(get(), nullptr, 0, states.data(), states.size()));
+  }
+
+  void set_face(const std::string &name, std::size_t agent = 0) {
+    check(mimo_batch_set_face(get(), agent, name.c_str(), nullptr, 0));
+  }
+
+ private:
+  static mimo_batch_config sized(std::size_t worlds) {
+    mimo_batch_config config;
+    check(mimo_batch_config_init(&config, sizeof config));
+    config.worlds = static_cast<std::uint32_t>(worlds);
+    return config;
+  }
+  static mimo_batch *create(const Scene &scene, const mimo_env_config &env, const mimo_batch_config &config) {
+    mimo_batch *batch = nullptr;
+    check(mimo_batch_create(scene.get(), &env, &config, &batch));
+    return batch;
+  }
+};
 
 }  // namespace mimo
 

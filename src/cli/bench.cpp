@@ -156,6 +156,7 @@ void add_bench(CLI::App& program) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command = program.add_subcommand("bench", "Measure how fast the world steps");
   add_scene_options(*command, options->world);
+  options->world.actuation = "torque";  // the twin without senses repeats the motors' commands
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
   command->add_option("--steps", options->steps, "Steps to measure, of two physics steps (10 ms) each")

@@ -49,6 +49,20 @@ void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
   if (world.count(MIMO_CAMERA) == 0) agent.vision = 0;
 }
 
+// "scene" where the infant is part of the scene's file, "" where there is none: then everything in it is one agent.
+std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& usual) {
+  if (is_file(options.scene) && !bare_file(options).infants().empty()) return "scene";
+  return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
+}
+
+// Words for MIMO_ACTUATION_ constants, in their order.
+const std::vector<std::string> kActuations = {"torque", "position", "muscle", "mujoco-muscle"};
+
+std::uint32_t actuation(const WorldOptions& options, const mimo_agent_config& usual) {
+  const auto found = std::find(kActuations.begin(), kActuations.end(), options.actuation);
+  return found == kActuations.end() ? usual.actuation : static_cast<std::uint32_t>(found - kActuations.begin());
+}
+
 std::uint32_t pixels(const WorldOptions& options) {
   if (options.vision == "off") return 0;
   return options.vision.empty() ? 256 : static_cast<std::uint32_t>(std::stoul(options.vision));
@@ -138,8 +152,8 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
   command
       .add_option("--body", options.body,
-                  "Body of the infant: mitten. A file that holds an infant keeps that\n"
-                  "one; a file without gets one only if this is given")
+                  "Body of the infant: mitten or fingers. A file that holds an infant\n"
+                  "keeps that one; a file without gets one only if this is given")
       ->type_name("BODY");
 }
 
@@ -183,6 +197,14 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
+void add_actuation_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--actuation", options.actuation,
+                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: the scene's own")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(kActuations));
+}
+
 void add_face_option(CLI::App& command, WorldOptions& options) {
   std::string names;
   for (std::size_t i = 0; const char* name = mimo_face_name(i); ++i) names += (i ? ", " : "") + std::string(name);
@@ -196,18 +218,14 @@ void add_seed_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
-std::string body_of_scene(const WorldOptions& options) {
-  if (is_file(options.scene)) {
-    return bare_file(options).infants().empty() ? options.body : "scene";
-  }
-  return options.body.empty() ? "mitten" : options.body;
-}
-
 Scene make_scene(const WorldOptions& options, Senses senses) {
   constexpr double kSpacing = 0.05;  // of touch sensors on what is no infant, m
   Scene scene = load_scene(options);
-  const std::string body = body_of_scene(options);
+  auto usual = defaults(mimo_agent_config_init);
+  check(mimo_scene_default_agent(scene.get(), &usual, sizeof usual));
+  const std::string body = body_of_scene(options, usual);
   mimo_agent_config agent = agent_config(options, senses);
+  agent.actuation = actuation(options, usual);
   if (body.empty()) {
     make_agent_of_all(options, agent);
     scene.add_agent(agent);

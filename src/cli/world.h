@@ -19,6 +19,7 @@ struct WorldOptions {
   std::string vision;                // "off", pixels, or "" for 256 where a renderer works
   std::string touch = "1";           // "off", or the scale
   std::string face;                  // "" means the model's own
+  std::string actuation;             // "" means the scene's own
   std::uint64_t seed = 0;
 };
 
@@ -27,12 +28,9 @@ void add_scene_options(CLI::App& command, WorldOptions& options);
 void add_vision_options(CLI::App& command, WorldOptions& options);  // with add_renderer_option
 void add_touch_option(CLI::App& command, WorldOptions& options);
 void add_renderer_option(CLI::App& command, WorldOptions& options);  // and those for how pictures are made
+void add_actuation_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
-
-// The infant's body: "mitten", or "scene" where it is part of the scene's file, or "" where there is none: then
-// everything in the file is one agent.
-std::string body_of_scene(const WorldOptions& options);
 
 enum class Senses { kAll, kAllButVision, kNone };
 

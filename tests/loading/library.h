@@ -6,18 +6,33 @@
 
 #include "support/capi.h"
 
+#define EACH_FUNCTION(DO)  \
+  DO(agent_config_init)    \
+  DO(env_agent)            \
+  DO(env_config_init)      \
+  DO(env_create)           \
+  DO(env_destroy)          \
+  DO(env_make)             \
+  DO(env_observation_size) \
+  DO(env_reset)            \
+  DO(env_step)             \
+  DO(env_time)             \
+  DO(last_error)           \
+  DO(scene_add_agent)      \
+  DO(scene_config_init)    \
+  DO(scene_create)         \
+  DO(scene_destroy)
+
 typedef struct library {
   void* handle;
-  mimo_status (*env_make)(const char*, mimo_env**);
-  mimo_status (*env_step)(mimo_env*, const float*, size_t, void*, size_t, double*, uint8_t*, uint8_t*, size_t);
-  mimo_status (*env_time)(const mimo_env*, double*);
-  void (*env_destroy)(mimo_env*);
-  const char* (*last_error)(void);
+#define MEMBER(name) __typeof__(&mimo_##name) name;
+  EACH_FUNCTION(MEMBER)
+#undef MEMBER
 } library;
 
 /* ISO C knows no way from an address to a function. */
-static inline void look_up(const library* from, const char* name, void* function) {
-  void* address = dlsym(from->handle, name);
+static inline void look_up(void* from, const char* name, void* function) {
+  void* address = dlsym(from, name);
   if (address == NULL) {
     fprintf(stderr, "no %s\n", name);
     exit(1);
@@ -33,11 +48,9 @@ static inline library open_library(const char* path) {
     fprintf(stderr, "%s\n", dlerror());
     exit(1);
   }
-  look_up(&mimo, "mimo_env_make", &mimo.env_make);
-  look_up(&mimo, "mimo_env_step", &mimo.env_step);
-  look_up(&mimo, "mimo_env_time", &mimo.env_time);
-  look_up(&mimo, "mimo_env_destroy", &mimo.env_destroy);
-  look_up(&mimo, "mimo_last_error", &mimo.last_error);
+#define LOOK_UP(name) look_up(mimo.handle, "mimo_" #name, &mimo.name);
+  EACH_FUNCTION(LOOK_UP)
+#undef LOOK_UP
   return mimo;
 }
 
@@ -52,6 +65,24 @@ static inline void use_library(const library* mimo) {
   CHECK(mimo->env_make("nowhere", &env) == MIMO_E_NOT_FOUND);
   CHECK(strstr(mimo->last_error(), "nowhere") != NULL);
   mimo->env_destroy(env);
+}
+
+/* FNV-1a over the observations of a reset and a few steps. */
+static inline uint64_t hash_of_life(const library* mimo, mimo_env* env, int steps) {
+  const uint64_t seed = 7;
+  uint64_t hash = UINT64_C(14695981039346656037);
+  size_t bytes = 0, i;
+  uint8_t* block;
+  int step;
+  CHECK(mimo->env_observation_size(env, &bytes, NULL) == MIMO_OK);
+  block = malloc(bytes);
+  CHECK(mimo->env_reset(env, &seed, block, bytes) == MIMO_OK);
+  for (step = 0; step < steps; ++step) {
+    CHECK(mimo->env_step(env, NULL, 0, block, bytes, NULL, NULL, NULL, 0) == MIMO_OK);
+    for (i = 0; i < bytes; ++i) hash = (hash ^ block[i]) * UINT64_C(1099511628211);
+  }
+  free(block);
+  return hash;
 }
 
 #endif

@@ -6,7 +6,7 @@ from enum import IntFlag
 
 import pytest
 
-from mimo import _abi, constants, errors
+from mimo import _abi, constants, errors, world
 
 NUMBERS = {
     "int32_t": ctypes.c_int32,
@@ -104,6 +104,7 @@ PREFIXES = {
     "MIMO_JACOBIAN_": constants.Jacobian,
     "MIMO_DISABLE_": constants.Disable,
     "MIMO_AUTORESET_": constants.Autoreset,
+    "MIMO_RENDER_": constants.Render,
 }
 
 
@@ -126,6 +127,11 @@ def test_touch_constants(header):
         written = re.search(rf"#define MIMO_TOUCH_{name} (\w+?)u?\s", header).group(1)
         assert int(written, 0) == member
     assert issubclass(constants.Touch, IntFlag)
+
+
+def test_look_constants(header):
+    for name, member in [*constants.Look.__members__.items(), ("JOINTS", world.LOOK_JOINTS)]:
+        assert re.search(rf"#define MIMO_LOOK_{name} {int(member)}\s", header), name
 
 
 def test_every_status_has_its_exception(header):

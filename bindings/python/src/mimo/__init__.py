@@ -22,8 +22,10 @@ from .constants import (
     Frame,
     Jacobian,
     Kind,
+    Look,
     Proprioception,
     Quantity,
+    Render,
     Shape,
     Time,
     Touch,
@@ -45,7 +47,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
-from .scene import Scene, rooms, scenes, tasks
+from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
 from .tasks import Judgement, Task
 from .vector import VectorEnv, make_vec
@@ -88,12 +90,14 @@ __all__ = [
     "Judgement",
     "Kind",
     "Layout",
+    "Look",
     "ModelError",
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
     "Proprioception",
     "Quantity",
+    "Render",
     "RenderError",
     "Scene",
     "Senses",
@@ -108,6 +112,7 @@ __all__ = [
     "VectorEnv",
     "Vision",
     "World",
+    "faces",
     "library_path",
     "make",
     "make_vec",

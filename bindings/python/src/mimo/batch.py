@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from . import _abi
-from ._library import LIB, check, raise_error, text
+from ._library import LIB, check, raise_error, text, utf8
 from .access import Access, Mask, Numbers
 from .constants import Autoreset
 from .errors import Error, make_error
@@ -186,6 +186,12 @@ class Batch(Access):
         for index in range(self.world_count) if mask is None else np.flatnonzero(mask):
             check(LIB.mimo_env_random(self._world_handle(int(index)), values[index].ctypes.data, count))
         return values
+
+    def set_face(self, name: str, agent: int = 0, mask: Mask = None) -> None:
+        """Gives an infant another face, see mimo.faces()."""
+        chosen = self._mask(mask)
+        count = 0 if chosen is None else self.world_count
+        check(LIB.mimo_batch_set_face(self._handle, agent, utf8(name), _data(chosen), count))
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""

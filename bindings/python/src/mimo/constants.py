@@ -14,8 +14,9 @@ class Proprioception(IntFlag):
     ACTUATION = 0x08
     JOINT_TORQUE = 0x10
     POSITION = 0x20
+    EFFORT = 0x40
     DEFAULT = 0x2F
-    ALL = 0x3F
+    ALL = 0x7F
 
 
 class Vision(IntFlag):
@@ -27,10 +28,12 @@ class Vision(IntFlag):
 
 
 class Actuation(IntEnum):
-    """What an action is: a motor's share of its largest torque, or the angle at which a joint is to be."""
+    """What an action is: a motor's share of its largest torque, the angle at which a joint is to be, or a muscle's activation."""
 
     TORQUE = 0
     POSITION = 1
+    MUSCLE = 2
+    MUJOCO_MUSCLE = 3
 
 
 class Act(IntFlag):
@@ -99,6 +102,24 @@ class Disable(IntFlag):
 
     CONTACT = 0x1
     GRAVITY = 0x2
+
+
+class Render(IntFlag):
+    """What pictures show; what is left out costs nothing."""
+
+    SHADOWS = 0x01
+    REFLECTIONS = 0x02
+    SKY = 0x04
+    HAZE = 0x08
+    FOG = 0x10
+    DEFAULT = 0x0F
+
+
+class Look(IntEnum):
+    """What turns to look at a point: the eyes alone, or the head first, so that the eyes have to turn little."""
+
+    EYES = 0
+    HEAD = 1
 
 
 class Time(IntEnum):

@@ -17,6 +17,7 @@ from .constants import (
     Frame,
     Jacobian,
     Proprioception,
+    Render,
     Shape,
     Touch,
     TouchResponse,
@@ -48,6 +49,7 @@ class AgentOptions(TypedDict, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
+    face: str
     root: str
     vestibular_at: str
 
@@ -61,6 +63,9 @@ class PhysicsOptions(TypedDict, total=False):
     jacobian: Jacobian
     disable: Disable
     timing: bool
+    render: Render
+    samples: int
+    render_threads: int
 
 
 class EnvOptions(AgentOptions, PhysicsOptions, total=False):
@@ -85,6 +90,18 @@ class ObjectOptions(TypedDict, total=False):
     mass: float
     rgba: Numbers
     fixed: bool
+
+
+class CameraOptions(TypedDict, total=False):
+    """A camera whose pictures are observed; with `look_at` a new one. Metres, in the frame of `body`."""
+
+    outputs: Vision
+    width: int
+    height: int
+    fovy: float
+    body: str
+    position: Numbers
+    look_at: Numbers
 
 
 class ModelOptions(TypedDict, total=False):

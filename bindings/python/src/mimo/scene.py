@@ -12,7 +12,17 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .options import AGENT_OPTIONS, WORLD_OPTIONS, AgentOptions, ModelOptions, Numbers, ObjectOptions, Options, fill
+from .options import (
+    AGENT_OPTIONS,
+    WORLD_OPTIONS,
+    AgentOptions,
+    CameraOptions,
+    ModelOptions,
+    Numbers,
+    ObjectOptions,
+    Options,
+    fill,
+)
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 
@@ -20,6 +30,11 @@ _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 def scenes() -> List[str]:
     """Names of the built-in scenes."""
     return _names(LIB.mimo_scene_builtin)
+
+
+def faces() -> List[str]:
+    """Names of the faces of the built-in bodies."""
+    return _names(LIB.mimo_face_name)
 
 
 def rooms() -> List[str]:
@@ -132,6 +147,19 @@ class Scene(Handle):
         fill(config, {**options, "name": name}, {})
         check(LIB.mimo_scene_add_object(self._handle, config))
         self._remember("add_object", name, **options)
+
+    def add_camera(self, name: str, **options: Unpack[CameraOptions]) -> None:
+        """Has a camera observed, as "vision/NAME", "vision/NAME_depth" and "vision/NAME_segmentation".
+
+        Without `look_at` it is one of the scene or of an infant ("anna/eye_left"). With it, it is a new one at
+        `position` that looks at that point and stands still in the world, or is carried by `body`.
+        """
+        config = _abi.CameraConfig()
+        check(LIB.mimo_camera_config_init(config, ctypes.sizeof(config)))
+        fill(config, {**options, "name": name}, {})
+        config.placed = "look_at" in options
+        check(LIB.mimo_scene_add_camera(self._handle, config))
+        self._remember("add_camera", name, **options)
 
     def add_model(self, name: str, **options: Unpack[ModelOptions]) -> None:
         """Adds an MJCF document with one body (file or xml) as an object; its names get "name/" before them."""

@@ -11,12 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from . import _abi
-from ._library import LIB, check, log_to_python, raise_error, text
+from ._library import LIB, check, log_to_python, raise_error, text, utf8
 from .access import Access, Mask, Numbers
-from .constants import Kind
+from .constants import Kind, Look
 from .layout import Layout, Observation
 from .options import Options, PictureOptions, fill
 from .scene import Scene, prepare
+
+LOOK_JOINTS = 8  # MIMO_LOOK_JOINTS
 
 _step = LIB.mimo_env_step
 
@@ -66,6 +68,31 @@ class Outcome(NamedTuple):
 
     success: bool
     failure: bool
+
+
+class Sightline(NamedTuple):
+    """One eye's line of sight, in the world."""
+
+    position: Numbers  # of the eye's camera, m
+    direction: Numbers  # unit vector
+
+
+class Gaze(NamedTuple):
+    """Where an infant looks."""
+
+    left: Sightline
+    right: Sightline
+    vergence: float  # angle between the lines of sight, rad; negative where they lead apart
+    point: Optional[Numbers]  # where they come closest to each other, world, m; None where they lead apart
+    miss: float  # how far they pass each other there, m
+
+
+class LookAngles(NamedTuple):
+    """Joints that make an infant look at a point: of the left eye, then of the right one; the head's before them."""
+
+    joints: List[str]
+    angles: Numbers  # rad, within the joints' ranges
+    errors: Numbers  # by how much the left and the right eye miss the point because of their range, rad
 
 
 class Picture(NamedTuple):
@@ -316,6 +343,50 @@ class World(Access):
         check(LIB.mimo_env_touch_sensors(self._handle, agent, *places, n, count))
         return TouchSensors(bodies, geoms, position, frame)
 
+    # ---- Looking ---------------------------------------------------------------------------------------------------
+
+    def gaze(self, agent: int = 0) -> Gaze:
+        """Where an infant looks, by the poses of its eyes' cameras as they are."""
+        gaze = _abi.Gaze()
+        check(LIB.mimo_env_gaze(self._handle, agent, gaze))
+        return Gaze(
+            left=Sightline(np.array(gaze.left_position), np.array(gaze.left_direction)),
+            right=Sightline(np.array(gaze.right_position), np.array(gaze.right_direction)),
+            vergence=gaze.vergence,
+            point=np.array(gaze.point) if gaze.meets else None,
+            miss=gaze.miss,
+        )
+
+    def look_at(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> Numbers:
+        """Makes an infant look at a point (world, m) at once; springs and motors move its joints on in the next step.
+
+        Returns the angles by which the left and the right eye miss the point because of their range, rad.
+        """
+        errors = np.empty(2)
+        check(LIB.mimo_env_look_at(self._handle, agent, _point(point).ctypes.data, how, errors.ctypes.data))
+        return errors
+
+    def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
+        """Angles of the joints that make an infant look at a point (world, m), for locks and position control."""
+        count = ctypes.c_size_t()
+        joints, angles, errors = np.empty(LOOK_JOINTS, np.int32), np.empty(LOOK_JOINTS), np.empty(2)
+        places = (joints.ctypes.data, angles.ctypes.data, LOOK_JOINTS, count, errors.ctypes.data)
+        check(LIB.mimo_env_look_angles(self._handle, agent, _point(point).ctypes.data, how, *places))
+        names = [self.name(Kind.JOINT, int(joint)) for joint in joints[: count.value]]
+        return LookAngles(names, angles[: count.value], errors)
+
+    # ---- What differs from world to world; it outlives resets --------------------------------------------------------
+
+    def face(self, agent: int = 0) -> str:
+        """The face that an infant shows; "" for a body without faces."""
+        name = ctypes.c_char_p()
+        check(LIB.mimo_env_face(self._handle, agent, name))
+        return text(name.value)
+
+    def set_face(self, name: str, agent: int = 0) -> None:
+        """Gives an infant another face, see mimo.faces(); pictures show it from the next one on."""
+        check(LIB.mimo_env_set_face(self._handle, agent, utf8(name)))
+
     def lock(self, joint: str, angle: float) -> None:
         """Holds a joint at an angle (rad), softly, from the next step on; outlives resets."""
         check(LIB.mimo_env_lock(self._handle, self.find(Kind.JOINT, joint), angle))
@@ -405,6 +476,13 @@ def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
     world = World(scene, **options)
     world.load(state)
     return world
+
+
+def _point(point: ArrayLike) -> Numbers:
+    numbers = np.ascontiguousarray(point, np.float64)
+    if numbers.shape != (3,):
+        raise ValueError(f"point has the shape {numbers.shape}, expected (3,)")
+    return numbers
 
 
 def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:

@@ -1,0 +1,122 @@
+# Building and testing the bindings other than Python's: a part of ./dev, which has the functions used here.
+
+# follow BINDING: what its README says, step by step.
+follow() {
+  tests/readme/follow "bindings/$1/README.md" . >/dev/null
+  echo "README of bindings/$1 followed"
+}
+
+# ---- Rust -------------------------------------------------------------------------------------------------
+
+test_rust() {
+  need "${rust_packages[@]}"
+  build_program
+  echo "Tests of the Rust crates"
+  local -x MIMO_LIB_DIR=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust
+  local example rooms=$PWD/build/rooms  # with the rooms of the release build ccache knows all that the crate builds
+  (
+    cd bindings/rust
+    ./generate --check
+    cargo fmt --check
+    cargo clippy -q --all-targets -- -D warnings
+    RUSTDOCFLAGS="-D warnings" cargo doc -q --no-deps
+    cargo test -q
+    MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON -DMIMO_ROOMS=$rooms" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
+    for example in hello batch own_reward; do cargo run -q --example "$example"; done
+  )
+  follow rust
+}
+
+# ---- C# ---------------------------------------------------------------------------------------------------
+
+# Undocumented public members are warnings of the library, hence errors.
+build_csharp() {
+  need "${csharp_packages[@]}"
+  local mcs=(mcs -nologo -langversion:7 -warnaserror) sources=(bindings/csharp/src/*.cs) example
+  mkdir -p build/csharp
+  "${mcs[@]}" -target:library -doc:build/csharp/Mimo.xml -out:build/csharp/Mimo.dll "${sources[@]}"
+  "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/*.cs
+  for example in examples/csharp/*.cs tests/same/*.cs; do
+    "${mcs[@]}" -r:build/csharp/Mimo.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
+  done
+}
+
+test_csharp() {
+  build_program
+  build_csharp
+  echo "Tests of the C# classes"
+  local -x LD_LIBRARY_PATH=$PWD/build/lib
+  mono build/csharp/Tests.exe tests/abi/layout.json
+  mono build/csharp/Game.exe 1
+  follow csharp
+}
+
+# ---- MATLAB and Octave ------------------------------------------------------------------------------------
+
+build_mex() {
+  need "${octave_packages[@]}"
+  local root=$PWD
+  mkdir -p build/matlab
+  (cd build/matlab && CFLAGS="-O2 -Wall -Wextra -Werror" \
+    octave-cli --no-init-file --norc --no-history --path ../../bindings/matlab --eval "mimo_build('$root')")
+}
+
+octave_with_mimo() {
+  octave-cli --no-init-file --norc --no-history --path "$PWD/bindings/matlab" --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
+}
+
+test_octave() {
+  build_program
+  build_mex
+  echo "Tests of the MEX gateway"
+  octave_with_mimo --eval tests
+  octave_with_mimo examples/matlab/episode.m
+  follow matlab
+}
+
+# ---- The same in every language ---------------------------------------------------------------------------
+
+# hashed LANGUAGE COMMAND...: runs a program that writes the blocks of each scene to a file of its name in a folder, and
+# prints scenes and sums of rewards; puts the files' hashes in between.
+hashed() {
+  local folder=$PWD/build/same/$1 scene sum
+  mkdir -p "$folder"
+  shift
+  "$@" "$folder" | while read -r scene sum; do
+    echo "$scene $(build/bin/same_fnv1a "$folder/$scene") $sum"
+    rm "$folder/$scene"
+  done
+}
+
+same_in_octave() { octave_with_mimo --path "$PWD/tests/same" --eval "same('$1')"; }
+
+same_in_python() {
+  MIMO_LIBRARY=$PWD/build/lib/libmimo.so PYTHONPATH=bindings/python/src build/python-venv/bin/python tests/same/same.py "$1"
+}
+
+same_in_rust() {
+  MIMO_LIB_DIR=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust \
+    cargo run -q --manifest-path bindings/rust/mimo/Cargo.toml --example same
+}
+
+# The scenario of tests/capi/same.c: a line a scene, with the hash of all blocks.
+test_same() {
+  need "${rust_packages[@]}"
+  build release mimo capi_same same_cpp same_fnv1a
+  [[ -x build/python-venv/bin/python ]] || python_venv
+  build_csharp
+  build_mex
+  local -x LD_LIBRARY_PATH=$PWD/build/lib
+  local language
+  echo "The same bytes in C, C++, Python, Rust, C# and Octave"
+  mkdir -p build/same
+  build/bin/capi_same | tee build/same/c.txt
+  build/bin/same_cpp >build/same/cpp.txt
+  hashed python same_in_python >build/same/python.txt
+  same_in_rust >build/same/rust.txt
+  mono build/csharp/Same.exe >build/same/csharp.txt
+  hashed octave same_in_octave >build/same/octave.txt
+  for language in cpp python rust csharp octave; do
+    diff build/same/c.txt "build/same/$language.txt" || fail "$language gives other bytes than C"
+  done
+}

@@ -1,0 +1,207 @@
+using System;
+using System.Linq;
+using System.Runtime.InteropServices;
+
+namespace Mimo
+{
+    /// <summary>What a batch does when an episode ends; values are those of mimo.h.</summary>
+    public enum Autoreset
+    {
+        /// <summary>Worlds go on, until they are reset.</summary>
+        None = 0,
+        /// <summary>The step after the end of an episode starts a new one, instead of acting.</summary>
+        NextStep = 1,
+        /// <summary>The step that ends an episode also starts the next: reward and flags are of the old, the block is of the
+        /// new one.</summary>
+        SameStep = 2
+    }
+
+    /// <summary>Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
+    /// reset with the i-th seed and given the i-th actions. Its arrays are made once: a step allocates nothing. Masks have an
+    /// entry for each world; null means all.</summary>
+    public sealed class Batch : IDisposable
+    {
+        private readonly BatchHandle handle;
+        private readonly Env first;
+        private readonly byte[] terminated, truncated, wasReset;
+        private readonly int agents;
+
+        /// <summary>How many worlds.</summary>
+        public int Worlds { get; }
+
+        /// <summary>Number of actions of one world.</summary>
+        public int ActionSize => first.ActionSize;
+
+        /// <summary>Bytes of one world's observation; that of world i starts at i times as many.</summary>
+        public int BlockBytes => first.Block.Length;
+
+        /// <summary>The last observations, worlds one after the other. Overwritten by each reset, step and observe.</summary>
+        public byte[] Blocks { get; }
+
+        /// <summary>Rewards of the last step, worlds x agents.</summary>
+        public double[] Rewards { get; }
+
+        /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores.</summary>
+        public Batch(Scene scene, int worlds, EnvOptions options = null, Autoreset autoreset = Autoreset.None, int threads = 0,
+            bool restartFailed = false)
+        {
+            BatchConfigStruct config;
+            MimoException.Check(Native.mimo_batch_config_init(out config, Structs.Size<BatchConfigStruct>()));
+            config.worlds = checked((uint)worlds);
+            config.threads = checked((uint)threads);
+            config.autoreset = (int)autoreset;
+            config.restart_failed = restartFailed ? 1u : 0u;
+            handle = Create(scene, options ?? new EnvOptions(), config);
+            Worlds = worlds;
+            first = World(0);
+            agents = first.AgentCount;
+            Blocks = new byte[worlds * first.Block.Length];
+            Rewards = new double[worlds * agents];
+            terminated = new byte[Rewards.Length];
+            truncated = new byte[Rewards.Length];
+            wasReset = new byte[worlds];
+        }
+
+        private static BatchHandle Create(Scene scene, EnvOptions options, BatchConfigStruct config)
+        {
+            return options.Use((env, log) =>
+            {
+                BatchHandle made;
+                var status = Native.mimo_batch_create(scene.Handle, ref env, ref config, out made);
+                made.Log = log;
+                if (status != 0) log?.Release();
+                MimoException.Check(status);
+                return made;
+            });
+        }
+
+        /// <summary>One world, between the batch's own calls: its fields, names, pictures, locks. Its own block is not that of
+        /// the batch.</summary>
+        public Env World(int world)
+        {
+            IntPtr env;
+            MimoException.Check(Native.mimo_batch_world(handle, (UIntPtr)checked((uint)world), out env));
+            return new Env(new EnvHandle(env, handle));
+        }
+
+        /// <summary>A field by its name; its offset counts from the start of a world's block.</summary>
+        public Field FindField(string name) { return first.FindField(name); }
+
+        /// <summary>Copies a field of one world's last observation into an array of its element type.</summary>
+        public void Read<T>(int world, Field field, T[] into) where T : struct
+        {
+            if (world < 0 || world >= Worlds) throw new ArgumentOutOfRangeException(nameof(world), world, "there are " + Worlds);
+            field.CopyTo(into, Blocks, world * BlockBytes);
+        }
+
+        /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers.</summary>
+        public void Reset(ulong[] seeds = null, bool[] mask = null)
+        {
+            if (seeds != null && seeds.Length != Worlds)
+                throw new ArgumentException(seeds.Length + " seeds, expected " + Worlds, nameof(seeds));
+            var chosen = BytesOf(mask);
+            MimoException.Check(Native.mimo_batch_reset(handle, seeds, chosen, CountOf(chosen, seeds), Blocks, (UIntPtr)Blocks.Length));
+        }
+
+        /// <summary>Goes one step on in all worlds; worlds x actions, null leaves the controls as they are. The exception is
+        /// that of the first world that did not do what was asked; all others have made their step.</summary>
+        public void Step(float[] actions)
+        {
+            GCHandle r = Pin(Rewards), e = Pin(terminated), u = Pin(truncated), w = Pin(wasReset);
+            try
+            {
+                var results = new BatchResultsStruct
+                {
+                    struct_size = (uint)Structs.Size<BatchResultsStruct>(), agents = (UIntPtr)Rewards.Length, worlds = (UIntPtr)Worlds,
+                    reward = r.AddrOfPinnedObject(), terminated = e.AddrOfPinnedObject(), truncated = u.AddrOfPinnedObject(),
+                    was_reset = w.AddrOfPinnedObject()
+                };
+                MimoException.Check(Native.mimo_batch_step(handle, actions, (UIntPtr)(actions == null ? 0 : actions.Length), Blocks,
+                    (UIntPtr)Blocks.Length, ref results));
+            }
+            finally
+            {
+                r.Free();
+                e.Free();
+                u.Free();
+                w.Free();
+            }
+        }
+
+        private static GCHandle Pin(Array array) { return GCHandle.Alloc(array, GCHandleType.Pinned); }
+
+        /// <summary>What an agent of a world got in the last step.</summary>
+        public Step StepOf(int world, int agent = 0)
+        {
+            var i = world * agents + agent;
+            return new Step { Reward = Rewards[i], Terminated = terminated[i] != 0, Truncated = truncated[i] != 0 };
+        }
+
+        /// <summary>Whether the last step started a new episode in a world: its block is then the first of that.</summary>
+        public bool WasReset(int world) { return wasReset[world] != 0; }
+
+        /// <summary>What became of one world in the last call; "" for nothing bad.</summary>
+        public string ErrorOf(int world)
+        {
+            int status;
+            IntPtr message;
+            MimoException.Check(Native.mimo_batch_world_error(handle, (UIntPtr)checked((uint)world), out status, out message));
+            return Text.Of(message);
+        }
+
+        /// <summary>Observes the current states, without changing trajectories.</summary>
+        public void Observe(bool[] mask = null)
+        {
+            var chosen = BytesOf(mask);
+            MimoException.Check(Native.mimo_batch_observe(handle, chosen, CountOf(chosen), Blocks, (UIntPtr)Blocks.Length));
+        }
+
+        /// <summary>Reads a quantity of many ids in all worlds: worlds x Env.Width.</summary>
+        public void Get(Quantity quantity, int[] ids, double[] values)
+        {
+            MimoException.Check(Native.mimo_batch_get(handle, (int)quantity, ids, (UIntPtr)ids.Length, null, UIntPtr.Zero, values,
+                (UIntPtr)values.Length));
+        }
+
+        /// <summary>Writes a quantity of many ids: worlds x Env.Width.</summary>
+        public void Set(Quantity quantity, int[] ids, double[] values, bool[] mask = null)
+        {
+            var chosen = BytesOf(mask);
+            MimoException.Check(Native.mimo_batch_set(handle, (int)quantity, ids, (UIntPtr)ids.Length, chosen, CountOf(chosen), values,
+                (UIntPtr)values.Length));
+        }
+
+        /// <summary>Gives an infant another face.</summary>
+        public void SetFace(string name, int agent = 0, bool[] mask = null)
+        {
+            var chosen = BytesOf(mask);
+            MimoException.Check(Native.mimo_batch_set_face(handle, (UIntPtr)agent, Text.Bytes(name), chosen, CountOf(chosen)));
+        }
+
+        /// <summary>The states of all worlds, one after the other; all have the same size.</summary>
+        public byte[] Save()
+        {
+            var states = new byte[Worlds * first.Save().Length];
+            MimoException.Check(Native.mimo_batch_state_save(handle, null, UIntPtr.Zero, states, (UIntPtr)states.Length));
+            return states;
+        }
+
+        /// <summary>Loads one state for each world, or a single one into all: futures of one present.</summary>
+        public void Load(byte[] states, bool[] mask = null)
+        {
+            var chosen = BytesOf(mask);
+            MimoException.Check(Native.mimo_batch_state_load(handle, chosen, CountOf(chosen), states, (UIntPtr)states.Length));
+        }
+
+        private static byte[] BytesOf(bool[] mask) { return mask?.Select(chosen => (byte)(chosen ? 1 : 0)).ToArray(); }
+
+        /// <summary>Length of what is given for each world; the library refuses another than there are worlds.</summary>
+        private UIntPtr CountOf(byte[] mask, ulong[] seeds = null)
+        {
+            return (UIntPtr)(mask != null ? mask.Length : seeds != null ? seeds.Length : 0);
+        }
+
+        /// <summary>Frees the batch and its worlds.</summary>
+        public void Dispose() { handle.Dispose(); }
+    }
+}

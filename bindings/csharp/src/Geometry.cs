@@ -1,0 +1,53 @@
+using System.Runtime.InteropServices;
+
+namespace Mimo
+{
+    /// <summary>Three numbers: a place in metres, or what else is said where it is used.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Vector3
+    {
+        /// <summary>Component.</summary>
+        public double X;
+        /// <summary>Component.</summary>
+        public double Y;
+        /// <summary>Component.</summary>
+        public double Z;
+
+        /// <summary>Makes one of its components.</summary>
+        public Vector3(double x, double y, double z) { X = x; Y = y; Z = z; }
+    }
+
+    /// <summary>A rotation. In memory in the library's order: w x y z.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Quaternion
+    {
+        /// <summary>Component.</summary>
+        public double W;
+        /// <summary>Component.</summary>
+        public double X;
+        /// <summary>Component.</summary>
+        public double Y;
+        /// <summary>Component.</summary>
+        public double Z;
+
+        /// <summary>Makes one of its components, w first.</summary>
+        public Quaternion(double w, double x, double y, double z) { W = w; X = x; Y = y; Z = z; }
+    }
+
+    /// <summary>A colour, components from 0 to 1.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Rgba
+    {
+        /// <summary>Red.</summary>
+        public double R;
+        /// <summary>Green.</summary>
+        public double G;
+        /// <summary>Blue.</summary>
+        public double B;
+        /// <summary>Opacity.</summary>
+        public double A;
+
+        /// <summary>Makes one of its components.</summary>
+        public Rgba(double r, double g, double b, double a) { R = r; G = g; B = b; A = a; }
+    }
+}

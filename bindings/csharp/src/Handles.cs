@@ -1,0 +1,63 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Mimo
+{
+    /// <summary>Owns a mimo_scene.</summary>
+    internal sealed class SceneHandle : SafeHandle
+    {
+        internal SceneHandle() : base(IntPtr.Zero, true) { }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_scene_destroy(handle);
+            return true;
+        }
+    }
+
+    /// <summary>A mimo_env, and a share of what its log callback needs.</summary>
+    internal sealed class EnvHandle : SafeHandle
+    {
+        internal Logging Log;
+
+        // Of a world that belongs to a batch: alive as long as the handle is in use.
+        internal BatchHandle Owner { get; }
+
+        internal EnvHandle() : base(IntPtr.Zero, true) { }
+
+        internal EnvHandle(IntPtr borrowed, BatchHandle owner) : base(IntPtr.Zero, false)
+        {
+            Owner = owner;
+            Log = owner.Log;
+            SetHandle(borrowed);
+        }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_env_destroy(handle);
+            Log?.Release();
+            return true;
+        }
+    }
+
+    /// <summary>Owns a mimo_batch and a share of what its log callback needs.</summary>
+    internal sealed class BatchHandle : SafeHandle
+    {
+        internal Logging Log;
+
+        internal BatchHandle() : base(IntPtr.Zero, true) { }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_batch_destroy(handle);
+            Log?.Release();
+            return true;
+        }
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Runtime.InteropServices;
+using Size = System.UIntPtr;
+
+namespace Mimo
+{
+    /// <summary>Functions of mimo.h. Arrays are pinned for the length of a call, not copied.</summary>
+    internal static class Native
+    {
+        // libmimo.so on Linux; .NET and Mono complete the name.
+        private const string Library = "mimo";
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void LogFunction(IntPtr user, int level, IntPtr message);
+
+        [DllImport(Library)] internal static extern uint mimo_abi_version();
+        [DllImport(Library)] internal static extern IntPtr mimo_version();
+        [DllImport(Library)] internal static extern IntPtr mimo_status_name(int status);
+        [DllImport(Library)] internal static extern IntPtr mimo_last_error();
+
+        [DllImport(Library)] internal static extern int mimo_scene_config_init(out SceneConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_agent_config_init(out AgentConfig config, Size size);
+        [DllImport(Library)] internal static extern int mimo_object_config_init(out ObjectConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_env_config_init(out EnvConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_camera_config_init(out CameraConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_picture_config_init(out PictureConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_batch_config_init(out BatchConfigStruct config, Size size);
+
+        [DllImport(Library)] internal static extern int mimo_scene_create(ref SceneConfigStruct config, out SceneHandle scene);
+        [DllImport(Library)] internal static extern void mimo_scene_destroy(IntPtr scene);
+        [DllImport(Library)] internal static extern int mimo_scene_default_agent(SceneHandle scene, out AgentConfig config, Size size);
+        [DllImport(Library)] internal static extern int mimo_scene_add_agent(SceneHandle scene, ref AgentConfig config, out int agent);
+        [DllImport(Library)] internal static extern int mimo_scene_add_object(SceneHandle scene, ref ObjectConfigStruct config);
+        [DllImport(Library)] internal static extern int mimo_scene_add_camera(SceneHandle scene, ref CameraConfigStruct config);
+        [DllImport(Library)] internal static extern int mimo_scene_set_touch(SceneHandle scene, int agent, byte[] body, double spacing);
+        [DllImport(Library)] internal static extern int mimo_model_config_init(out ModelConfigStruct config, Size size);
+        [DllImport(Library)] internal static extern int mimo_scene_add_agents(SceneHandle scene, ref AgentConfig config, out Size count);
+        [DllImport(Library)] internal static extern int mimo_scene_set_room(SceneHandle scene, byte[] name);
+        [DllImport(Library)] internal static extern int mimo_scene_add_model(SceneHandle scene, ref ModelConfigStruct config);
+        [DllImport(Library)] internal static extern int mimo_scene_weld(SceneHandle scene, byte[] body, byte[] other, double[] pose);
+        [DllImport(Library)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
+        [DllImport(Library)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
+        [DllImport(Library)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
+        [DllImport(Library)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
+        [DllImport(Library)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
+
+        [DllImport(Library)] internal static extern int mimo_env_create(SceneHandle scene, ref EnvConfigStruct config, out EnvHandle env);
+        [DllImport(Library)] internal static extern int mimo_env_make(byte[] scene, out EnvHandle env);
+        [DllImport(Library)] internal static extern void mimo_env_destroy(IntPtr env);
+        [DllImport(Library)] internal static extern int mimo_env_agent_count(EnvHandle env, out Size count);
+        [DllImport(Library)] internal static extern int mimo_env_observation_size(EnvHandle env, out Size bytes, out Size fields);
+        [DllImport(Library)] internal static extern int mimo_env_observation_field(EnvHandle env, Size index, ref FieldStruct field);
+        [DllImport(Library)] internal static extern int mimo_env_action_size(EnvHandle env, out Size count);
+        [DllImport(Library)] internal static extern int mimo_env_action_bounds(EnvHandle env, float[] low, float[] high, Size count);
+        [DllImport(Library)] internal static extern int mimo_env_action_name(EnvHandle env, Size index, out IntPtr name);
+        [DllImport(Library)] internal static extern int mimo_env_reset(EnvHandle env, ulong[] seed, byte[] block, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_env_step(EnvHandle env, float[] action, Size actions, byte[] block, Size bytes, double[] reward, byte[] terminated, byte[] truncated, Size agents);
+        [DllImport(Library)] internal static extern int mimo_env_observe(EnvHandle env, byte[] block, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_env_time(EnvHandle env, out double seconds);
+        [DllImport(Library)] internal static extern int mimo_env_count(EnvHandle env, int kind, out Size count);
+        [DllImport(Library)] internal static extern int mimo_env_find(EnvHandle env, int kind, byte[] name, out int id);
+        [DllImport(Library)] internal static extern int mimo_env_name(EnvHandle env, int kind, int id, out IntPtr name);
+        [DllImport(Library)] internal static extern int mimo_env_width(EnvHandle env, int quantity, int[] ids, Size idCount, out Size count);
+        [DllImport(Library)] internal static extern int mimo_env_get(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
+        [DllImport(Library)] internal static extern int mimo_env_set(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
+        [DllImport(Library)] internal static extern int mimo_env_update(EnvHandle env);
+        [DllImport(Library)] internal static extern int mimo_env_contacts(EnvHandle env, int[] ids, double[] values, Size capacity, out Size count);
+        [DllImport(Library)] internal static extern int mimo_env_outcome(EnvHandle env, Size agent, out byte success, out byte failure);
+        [DllImport(Library)] internal static extern int mimo_env_gaze(EnvHandle env, Size agent, ref GazeStruct gaze);
+        [DllImport(Library)] internal static extern int mimo_env_look_angles(EnvHandle env, Size agent, ref Vector3 point, int how, int[] joints, double[] angles, Size capacity, out Size count, double[] errors);
+        [DllImport(Library)] internal static extern int mimo_env_look_at(EnvHandle env, Size agent, ref Vector3 point, int how, double[] errors);
+        [DllImport(Library)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, byte[] rgb, Size rgbBytes, float[] depth, Size depthCount, int[] segmentation, Size segmentationCount);
+
+        [DllImport(Library)] internal static extern IntPtr mimo_face_name(Size index);
+        [DllImport(Library)] internal static extern int mimo_env_set_face(EnvHandle env, Size agent, byte[] name);
+        [DllImport(Library)] internal static extern int mimo_env_face(EnvHandle env, Size agent, out IntPtr name);
+        [DllImport(Library)] internal static extern int mimo_env_lock(EnvHandle env, int joint, double angle);
+        [DllImport(Library)] internal static extern int mimo_env_unlock(EnvHandle env, int joint);
+        [DllImport(Library)] internal static extern int mimo_env_lock_state(EnvHandle env, int joint, out byte locked, out double angle);
+        [DllImport(Library)] internal static extern int mimo_env_set_gravity(EnvHandle env, double x, double y, double z);
+        [DllImport(Library)] internal static extern int mimo_env_gravity(EnvHandle env, out Vector3 xyz, Size count);
+        [DllImport(Library)] internal static extern int mimo_env_state_size(EnvHandle env, out Size bytes);
+        [DllImport(Library)] internal static extern int mimo_env_state_save(EnvHandle env, byte[] state, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_env_clone(EnvHandle env, out EnvHandle clone);
+
+        [DllImport(Library)] internal static extern int mimo_batch_create(SceneHandle scene, ref EnvConfigStruct env, ref BatchConfigStruct config, out BatchHandle batch);
+        [DllImport(Library)] internal static extern void mimo_batch_destroy(IntPtr batch);
+        [DllImport(Library)] internal static extern int mimo_batch_world(BatchHandle batch, Size world, out IntPtr env);
+        [DllImport(Library)] internal static extern int mimo_batch_world_error(BatchHandle batch, Size world, out int status, out IntPtr message);
+        [DllImport(Library)] internal static extern int mimo_batch_reset(BatchHandle batch, ulong[] seeds, byte[] mask, Size worlds, byte[] blocks, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_batch_step(BatchHandle batch, float[] actions, Size count, byte[] blocks, Size bytes, ref BatchResultsStruct results);
+        [DllImport(Library)] internal static extern int mimo_batch_observe(BatchHandle batch, byte[] mask, Size worlds, byte[] blocks, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_batch_get(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
+        [DllImport(Library)] internal static extern int mimo_batch_set(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
+        [DllImport(Library)] internal static extern int mimo_batch_set_face(BatchHandle batch, Size agent, byte[] name, byte[] mask, Size worlds);
+        [DllImport(Library)] internal static extern int mimo_batch_state_save(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes);
+        [DllImport(Library)] internal static extern int mimo_batch_state_load(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes);
+    }
+}

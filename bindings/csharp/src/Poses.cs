@@ -1,0 +1,93 @@
+using System;
+
+namespace Mimo
+{
+    /// <summary>A pose in the frame of Unity: left-handed, x right, y up, z forward; quaternion x y z w.</summary>
+    public struct LeftHandedPose
+    {
+        /// <summary>Of the place, metres.</summary>
+        public float X;
+        /// <summary>Of the place, metres.</summary>
+        public float Y;
+        /// <summary>Of the place, metres.</summary>
+        public float Z;
+
+        /// <summary>Of the rotation.</summary>
+        public float Qx;
+        /// <summary>Of the rotation.</summary>
+        public float Qy;
+        /// <summary>Of the rotation.</summary>
+        public float Qz;
+        /// <summary>Of the rotation.</summary>
+        public float Qw;
+    }
+
+    /// <summary>
+    /// From the library's frame (right-handed, x forward, y left, z up) to a left-handed one with y up. The axes are
+    /// right = -y, up = z, forward = x. That mirrors space, so the axis of a rotation, which is no ordinary vector,
+    /// goes to minus that.
+    /// </summary>
+    public static class LeftHanded
+    {
+        /// <summary>Converts a place.</summary>
+        public static Vector3 Position(Vector3 p) { return new Vector3(-p.Y, p.Z, p.X); }
+
+        /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
+        public static Quaternion Rotation(Quaternion q) { return new Quaternion(q.W, q.Y, -q.Z, -q.X); }
+    }
+
+    /// <summary>
+    /// To a right-handed frame with y up, that of Godot and OpenGL: right = -y, up = z, backward = -x. Nothing is mirrored: the
+    /// axis of a rotation goes where any vector goes.
+    /// </summary>
+    public static class RightHanded
+    {
+        /// <summary>Converts a place.</summary>
+        public static Vector3 Position(Vector3 p) { return new Vector3(-p.Y, p.Z, -p.X); }
+
+        /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
+        public static Quaternion Rotation(Quaternion q) { return new Quaternion(q.W, -q.Y, q.Z, -q.X); }
+    }
+
+    /// <summary>Reads the poses of many bodies at once, without allocating.</summary>
+    public sealed class PoseReader
+    {
+        private readonly Env env;
+        private readonly double[] places, rotations;
+
+        /// <summary>Ids of the bodies, in the order of the poses.</summary>
+        public int[] Bodies { get; }
+
+        /// <summary>The poses that Read has read.</summary>
+        public LeftHandedPose[] Poses { get; }
+
+        /// <summary>For all bodies of a world, its fixed world body included.</summary>
+        public PoseReader(Env env)
+        {
+            this.env = env;
+            Bodies = new int[env.Count(Kind.Body)];
+            for (var i = 0; i < Bodies.Length; ++i) Bodies[i] = i;
+            places = new double[3 * Bodies.Length];
+            rotations = new double[4 * Bodies.Length];
+            Poses = new LeftHandedPose[Bodies.Length];
+        }
+
+        /// <summary>Reads and converts the current poses.</summary>
+        public void Read()
+        {
+            env.Get(Quantity.BodyPosition, Bodies, places);
+            env.Get(Quantity.BodyOrientation, Bodies, rotations);
+            for (var i = 0; i < Bodies.Length; ++i)
+            {
+                var p = LeftHanded.Position(new Vector3(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
+                var q = LeftHanded.Rotation(new Quaternion(rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2],
+                    rotations[4 * i + 3]));
+                Poses[i] = new LeftHandedPose
+                {
+                    X = (float)p.X, Y = (float)p.Y, Z = (float)p.Z,
+                    Qx = (float)q.X, Qy = (float)q.Y, Qz = (float)q.Z, Qw = (float)q.W
+                };
+            }
+        }
+    }
+}

@@ -1,0 +1,189 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Mimo
+{
+    /// <summary>A room, objects and infants. Worlds that were made of it live on without it.</summary>
+    public sealed class Scene : IDisposable
+    {
+        internal readonly SceneHandle Handle;
+
+        private Scene(string name, string file, string xml)
+        {
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
+            {
+                SceneConfigStruct config;
+                MimoException.Check(Native.mimo_scene_config_init(out config, Structs.Size<SceneConfigStruct>()));
+                config.name = n.Pointer;
+                config.file = f.Pointer;
+                config.xml = x.Pointer;
+                MimoException.Check(Native.mimo_scene_create(ref config, out Handle));
+            }
+        }
+
+        /// <summary>An empty world.</summary>
+        public static Scene Empty() { return new Scene(null, null, null); }
+
+        /// <summary>A built-in scene: "reach", "benchmark", ...</summary>
+        public static Scene Builtin(string name) { return new Scene(name, null, null); }
+
+        /// <summary>An MJCF file.</summary>
+        public static Scene FromFile(string path) { return new Scene(null, path, null); }
+
+        /// <summary>MJCF text.</summary>
+        public static Scene FromXml(string xml) { return new Scene(null, null, xml); }
+
+        /// <summary>What the scene gives its infant by itself.</summary>
+        public AgentConfig DefaultAgent()
+        {
+            AgentConfig config;
+            MimoException.Check(Native.mimo_scene_default_agent(Handle, out config, Structs.Size<AgentConfig>()));
+            return config;
+        }
+
+        /// <summary>Adds an infant and gives its number. Its name is null for a sole agent; else the prefix of its fields
+        /// and model names, "anna/...". The face is one of Faces.Names; null: neutral. With a root the agent is no infant, but
+        /// that body of the scene's own MJCF with all below it, "world" for everything; its vestibular organ is at the site or
+        /// body vestibularAt.</summary>
+        public int AddAgent(AgentConfig config, string name = null, string face = null, string root = null,
+            string vestibularAt = null)
+        {
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(face), body = new PinnedText("scene"),
+                r = new PinnedText(root), v = new PinnedText(vestibularAt))
+            {
+                if (name != null) config.name = n.Pointer;
+                if (face != null) config.face = f.Pointer;
+                if (root != null) config.body = body.Pointer;
+                config.root = r.Pointer;
+                config.vestibular_at = v.Pointer;
+                int agent;
+                MimoException.Check(Native.mimo_scene_add_agent(Handle, ref config, out agent));
+                return agent;
+            }
+        }
+
+        /// <summary>Adds all infants that the scene names, each at a place of its own; in a scene that names none a single
+        /// one. Gives how many they are.</summary>
+        public int AddAgents(AgentConfig config)
+        {
+            UIntPtr count;
+            MimoException.Check(Native.mimo_scene_add_agents(Handle, ref config, out count));
+            return (int)count;
+        }
+
+        /// <summary>Gives a scene that has none a room: "playroom".</summary>
+        public void SetRoom(string name) { MimoException.Check(Native.mimo_scene_set_room(Handle, Text.Bytes(name))); }
+
+        /// <summary>Adds an MJCF document with one body as an object: a file, or a text. All its names get its name and '/'
+        /// before them.</summary>
+        public void AddModel(string name, Vector3 position, string file = null, string xml = null, bool isFixed = false)
+        {
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
+            {
+                ModelConfigStruct config;
+                MimoException.Check(Native.mimo_model_config_init(out config, Structs.Size<ModelConfigStruct>()));
+                config.name = n.Pointer;
+                config.file = f.Pointer;
+                config.xml = x.Pointer;
+                config.position = position;
+                config.@fixed = isFixed ? 1u : 0u;
+                MimoException.Check(Native.mimo_scene_add_model(Handle, ref config));
+            }
+        }
+
+        /// <summary>Fastens a body softly to another one, null: to the world, as they are to each other where the scene
+        /// starts.</summary>
+        public void Weld(string body, string other = null)
+        {
+            MimoException.Check(Native.mimo_scene_weld(Handle, Text.Bytes(body), Text.Bytes(other), null));
+        }
+
+        /// <summary>Holds a hinge or slide softly, and starts it there, rad or m.</summary>
+        public void Lock(string joint, double value)
+        {
+            MimoException.Check(Native.mimo_scene_lock(Handle, Text.Bytes(joint), value));
+        }
+
+        /// <summary>Sets where a hinge or slide starts, rad or m.</summary>
+        public void SetPose(string joint, double value)
+        {
+            MimoException.Check(Native.mimo_scene_set_pose(Handle, Text.Bytes(joint), value));
+        }
+
+        /// <summary>Adds a rigid object.</summary>
+        public void AddObject(ObjectOptions options)
+        {
+            using (var name = new PinnedText(options.Name))
+            {
+                ObjectConfigStruct config;
+                MimoException.Check(Native.mimo_object_config_init(out config, Structs.Size<ObjectConfigStruct>()));
+                config.name = name.Pointer;
+                config.shape = (int)options.Shape;
+                config.size = options.Size;
+                config.position = options.Position;
+                config.orientation = options.Orientation;
+                config.mass = options.Mass;
+                if (options.Color.HasValue) config.rgba = options.Color.Value;
+                config.@fixed = options.Fixed ? 1u : 0u;
+                MimoException.Check(Native.mimo_scene_add_object(Handle, ref config));
+            }
+        }
+
+        /// <summary>Has a camera observed; its fields come after those of all infants.</summary>
+        public void AddCamera(CameraOptions options)
+        {
+            using (PinnedText name = new PinnedText(options.Name), body = new PinnedText(options.Body))
+            {
+                CameraConfigStruct config;
+                MimoException.Check(Native.mimo_camera_config_init(out config, Structs.Size<CameraConfigStruct>()));
+                config.name = name.Pointer;
+                config.body = body.Pointer;
+                config.outputs = (uint)options.Outputs;
+                config.width = options.Width;
+                config.height = options.Height;
+                config.fovy = options.FieldOfView;
+                config.placed = options.LookAt.HasValue ? 1u : 0u;
+                if (options.LookAt.HasValue)
+                {
+                    config.position = options.Position;
+                    config.look_at = options.LookAt.Value;
+                }
+                MimoException.Check(Native.mimo_scene_add_camera(Handle, ref config));
+            }
+        }
+
+        /// <summary>Has an agent's proprioception read this hinge or slide; the first call takes away all others.</summary>
+        public void ReadJoint(string joint, int agent = 0)
+        {
+            MimoException.Check(Native.mimo_scene_read_joint(Handle, agent, Text.Bytes(joint)));
+        }
+
+        /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
+        /// Gaussian noise of that standard deviation in the field's unit, a delay in steps; pictures keep half the contrast of
+        /// lines of blur cycles per degree.</summary>
+        public void LimitSense(string path, double gain = 1, double noise = 0, uint delay = 0, double blur = 0, int agent = 0)
+        {
+            var limits = new LimitsStruct
+            {
+                struct_size = (uint)Structs.Size<LimitsStruct>(), gain = gain, noise = noise, delay = delay, blur = blur
+            };
+            MimoException.Check(Native.mimo_scene_limit_sense(Handle, agent, Text.Bytes(path), ref limits));
+        }
+
+        /// <summary>Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there; a body of
+        /// null: everywhere.</summary>
+        public void SetTouch(int agent, string body, double spacing)
+        {
+            MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Text.Bytes(body), spacing));
+        }
+
+        /// <summary>Sets a parameter of a task, "reach/success_reward", for worlds made from now on.</summary>
+        public void SetParameter(string name, double value)
+        {
+            MimoException.Check(Native.mimo_scene_set_parameter(Handle, Text.Bytes(name), value));
+        }
+
+        /// <summary>Frees the scene.</summary>
+        public void Dispose() { Handle.Dispose(); }
+    }
+}

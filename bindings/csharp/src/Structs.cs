@@ -1,0 +1,130 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Mimo
+{
+    // The structs of mimo.h under their names there; a test compares them with tests/abi/layout.json.
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct SceneConfigStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr name, file, xml, model_dir, log, log_user;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ObjectConfigStruct
+    {
+        internal uint struct_size;
+        internal int shape;
+        internal IntPtr name;
+        internal Vector3 size, position;
+        internal Quaternion orientation;
+        internal double mass;
+        internal Rgba rgba;
+        internal uint @fixed, reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct EnvConfigStruct
+    {
+        internal uint struct_size, frame_skip;
+        internal int jacobian;
+        internal uint disable;
+        internal IntPtr renderer;
+        internal uint max_steps, timing;
+        internal IntPtr log, log_user, task;
+        internal uint render, samples, render_threads, reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct Sizes
+    {
+        internal UIntPtr A, B, C, D;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct FieldStruct
+    {
+        internal uint struct_size;
+        internal int dtype;
+        internal IntPtr name, unit, frame;
+        internal UIntPtr offset, bytes;
+        internal Sizes shape;
+        internal uint ndim;
+        internal int time;
+        internal double low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct CameraConfigStruct
+    {
+        internal uint struct_size, outputs;
+        internal IntPtr name;
+        internal uint width, height;
+        internal double fovy;
+        internal uint placed, reserved;
+        internal IntPtr body;
+        internal Vector3 position, look_at;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ModelConfigStruct
+    {
+        internal uint struct_size, @fixed;
+        internal IntPtr name, file, xml;
+        internal Vector3 position;
+        internal Quaternion orientation;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct LimitsStruct
+    {
+        internal uint struct_size, delay;
+        internal double gain, noise, blur;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct GazeStruct
+    {
+        internal uint struct_size, meets;
+        internal Vector3 left_position, left_direction, right_position, right_direction;
+        internal double vergence;
+        internal Vector3 point;
+        internal double miss;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct PictureConfigStruct
+    {
+        internal uint struct_size, width, height, format;
+        internal IntPtr camera;
+        internal Vector3 look_at;
+        internal double distance, azimuth, elevation, fovy;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct BatchConfigStruct
+    {
+        internal uint struct_size, worlds, threads;
+        internal int autoreset;
+        internal uint restart_failed, reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct BatchResultsStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr reward, terminated, truncated;
+        internal UIntPtr agents;
+        internal IntPtr status, was_reset, final_written;
+        internal UIntPtr worlds;
+        internal IntPtr final_blocks;
+        internal UIntPtr final_bytes;
+    }
+
+    internal static class Structs
+    {
+        internal static UIntPtr Size<T>() { return (UIntPtr)Marshal.SizeOf(typeof(T)); }
+    }
+}

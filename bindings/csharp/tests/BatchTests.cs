@@ -1,0 +1,114 @@
+// Many worlds do what single ones do.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Mimo;
+
+internal static partial class Tests
+{
+    private static Batch ReachBatch(int worlds, uint steps = 0, Autoreset autoreset = Autoreset.None)
+    {
+        using (var scene = Scene.Builtin("reach"))
+        {
+            scene.AddAgent(scene.DefaultAgent());
+            return new Batch(scene, worlds, new EnvOptions { MaxSteps = steps }, autoreset, threads: 2);
+        }
+    }
+
+    private static byte[] BlockOf(Batch batch, int world)
+    {
+        return batch.Blocks.Skip(world * batch.BlockBytes).Take(batch.BlockBytes).ToArray();
+    }
+
+    private static void WorldsOfBatchesEqualSingleOnes()
+    {
+        using (var batch = ReachBatch(3))
+        using (var single = new Env("reach"))
+        {
+            var actions = new float[3 * batch.ActionSize];
+            for (var i = 0; i < actions.Length; ++i) actions[i] = i % 7 / 7f - 0.4f;
+            batch.Reset(new ulong[] { 5, 6, 7 });
+            batch.Step(actions);
+            var velocity = batch.FindField("proprioception/velocity");
+            float[] ours = new float[47], theirs = new float[47]; // MIMo's joints in reach
+            for (var world = 0; world < 3; ++world)
+            {
+                single.Reset((ulong)(5 + world));
+                var step = single.Step(actions.Skip(world * batch.ActionSize).Take(batch.ActionSize).ToArray());
+                Check(BlockOf(batch, world).SequenceEqual(single.Block), "other bytes in world " + world);
+                Check(batch.StepOf(world).Reward == step.Reward && batch.Rewards[world] == step.Reward, "other rewards");
+                batch.Read(world, velocity, ours);
+                single.Read(velocity, theirs);
+                Check(ours.SequenceEqual(theirs), "other velocities");
+            }
+        }
+    }
+
+    private static void BatchStatesAndMasks()
+    {
+        using (var batch = ReachBatch(3))
+        {
+            var actions = Enumerable.Repeat(0.3f, 3 * batch.ActionSize).ToArray();
+            batch.Reset(new ulong[] { 5, 6, 7 });
+            var states = batch.Save();
+            batch.Step(actions);
+            byte[] first = BlockOf(batch, 1), last = BlockOf(batch, 2);
+            batch.Load(states);
+            batch.Load(states.Skip(states.Length / 3).Take(states.Length / 3).ToArray(), new[] { true, true, false });
+            batch.Step(actions);
+            Check(BlockOf(batch, 0).SequenceEqual(first) && BlockOf(batch, 1).SequenceEqual(first), "futures of one present");
+            Check(BlockOf(batch, 2).SequenceEqual(last), "a future of its own");
+
+            batch.Reset(mask: new[] { false, true, false });
+            Check(batch.World(1).Time == 0 && batch.World(0).Time > 0, "one was to be reset");
+            Check(BlockOf(batch, 2).SequenceEqual(last), "others stay");
+            batch.SetFace("anger", mask: new[] { true, false, false });
+            Check(batch.World(0).Face() == "anger" && batch.World(1).Face() == "neutral", "one face");
+            Check(Refused(() => batch.SetFace("anger", mask: new[] { true })).Message.Contains("worlds is 1"), "another message");
+
+            var joint = new[] { batch.World(0).Find(Kind.Joint, "robot:right_elbow") };
+            batch.Set(Quantity.JointPosition, joint, new[] { -0.1, -0.2, -0.3 }, new[] { true, false, true });
+            var angles = new double[3];
+            batch.Get(Quantity.JointPosition, joint, angles);
+            Check(angles[0] == -0.1 && angles[1] != -0.2 && angles[2] == -0.3, "masked angles");
+            var before = BlockOf(batch, 0);
+            batch.Observe(new[] { true, false, false });
+            Check(!BlockOf(batch, 0).SequenceEqual(before), "observed anew");
+        }
+    }
+
+    private static void BatchErrorsAndEnds()
+    {
+        using (var batch = ReachBatch(2, 1, Autoreset.SameStep))
+        {
+            batch.Reset(new ulong[] { 1, 2 });
+            var actions = new float[2 * batch.ActionSize];
+            actions[batch.ActionSize] = float.NaN;
+            Check(Refused(() => batch.Step(actions)).Message.Contains("world 1"), "which world");
+            Check(batch.ErrorOf(0) == "" && batch.ErrorOf(1).Contains("not a number"), "messages");
+            batch.Step(null);
+            Check(batch.StepOf(1).Truncated && batch.WasReset(1), "an episode of one step");
+            try { batch.Reset(new ulong[1]); }
+            catch (ArgumentException) { return; }
+            throw new Exception("one seed for two worlds");
+        }
+    }
+
+    /// <summary>A world of a batch that nobody holds any more is still good, and its log too.</summary>
+    private static void WorldsKeepTheirBatchAlive()
+    {
+        var world = ReachBatch(2).World(1);
+        for (var i = 0; i < 3; ++i)
+        {
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+        }
+        world.Step(null);
+        Check(world.Time > 0, "time stands still");
+        var batch = ReachBatch(1);
+        var gone = batch.World(0);
+        batch.Dispose();
+        Check(Refused(() => gone.Step(null)).StatusName == "MIMO_E_BAD_HANDLE", "stepped after its end");
+    }
+}

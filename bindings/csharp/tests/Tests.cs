@@ -1,0 +1,243 @@
+// Tests of the C# binding: a program that runs them all and says how many passed. Mono has no test runner of its own.
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using System.Text.RegularExpressions;
+using Mimo;
+
+internal static partial class Tests
+{
+    private static string layoutFile;
+
+    private static void Check(bool good, string what)
+    {
+        if (!good) throw new Exception(what);
+    }
+
+    private static void Near(double expected, double value, double tolerance, string what)
+    {
+        Check(Math.Abs(expected - value) <= tolerance, what + ": " + value + ", expected " + expected);
+    }
+
+    private static MimoException Refused(Action action)
+    {
+        try { action(); }
+        catch (MimoException error) { return error; }
+        throw new Exception("was not refused");
+    }
+
+    /// <summary>Offsets and sizes are those that the C compiler gives, tests/abi/layout.json.</summary>
+    private static void StructsLieAsListed()
+    {
+        var types = new Dictionary<string, Type>
+        {
+            { "mimo_scene_config", typeof(SceneConfigStruct) }, { "mimo_agent_config", typeof(AgentConfig) },
+            { "mimo_object_config", typeof(ObjectConfigStruct) }, { "mimo_env_config", typeof(EnvConfigStruct) },
+            { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
+            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
+            { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) }
+        };
+        var text = File.ReadAllText(layoutFile);
+        foreach (var type in types)
+        {
+            var part = Regex.Match(text, "\"" + type.Key + "\": \\{([^}]*)\\}").Groups[1].Value;
+            var size = int.Parse(Regex.Match(part, "\"size\": (\\d+)").Groups[1].Value);
+            Check(Marshal.SizeOf(type.Value) == size, type.Key + " has another size than " + size);
+            var listed = Regex.Matches(part, "\"(\\w+)\": \\[(\\d+), (\\d+)\\]").Cast<Match>().ToList();
+            var fields = type.Value.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
+            Check(fields.Length == listed.Count, type.Key + " has another number of fields than " + listed.Count);
+            foreach (var field in listed)
+            {
+                var name = field.Groups[1].Value;
+                var offset = (int)Marshal.OffsetOf(type.Value, name);
+                var length = Marshal.SizeOf(fields.Single(f => f.Name == name).FieldType);
+                Check(offset == int.Parse(field.Groups[2].Value) && length == int.Parse(field.Groups[3].Value),
+                    type.Key + "." + name + " lies elsewhere");
+            }
+        }
+    }
+
+    private static void StructsAreBlittable()
+    {
+        foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
+            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
+            new BatchResultsStruct() })
+            GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
+    }
+
+    private static void ErrorsCarryTheMessage()
+    {
+        var error = Refused(() => new Env("benchmarc"));
+        Check(error.Status == -5 && error.StatusName == "MIMO_E_NOT_FOUND", error.StatusName);
+        Check(error.Message.Contains("\"benchmarc\""), error.Message);
+        using (var env = new Env("reach"))
+        {
+            var action = new float[env.ActionSize];
+            action[1] = float.NaN;
+            Check(Refused(() => env.Step(action)).Message == "action[1] is not a number", "another message");
+        }
+    }
+
+    private static void DisposedWorldsAreRefused()
+    {
+        var env = new Env("reach");
+        env.Dispose();
+        env.Dispose();
+        try { env.Step(null); }
+        catch (ObjectDisposedException) { return; }
+        throw new Exception("stepped after its end");
+    }
+
+    /// <summary>Semi-implicit Euler with h = 5 ms: after n steps a ball has fallen by g h^2 n (n + 1) / 2.</summary>
+    private static void BallFallsAsCalculated()
+    {
+        using (var scene = Scene.Empty())
+        {
+            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3(1, 2, 3) });
+            using (var env = new Env(scene))
+            {
+                env.Reset(1);
+                for (var i = 0; i < 10; ++i) env.Step(null);
+                var joint = new double[7];
+                env.Get(Quantity.JointPosition, new[] { 0 }, joint);
+                var n = Math.Round(env.Time / 0.005);
+                Check(n >= 10, "time stands still");
+                Near(3 - 9.81 * 0.005 * 0.005 * n * (n + 1) / 2, joint[2], 1e-12, "height");
+                Near(1, joint[0], 0, "x");
+            }
+        }
+    }
+
+    /// <summary>Turning left by 90 degrees: what looked ahead looks to the left, in either frame.</summary>
+    private static void LeftHandedFrame()
+    {
+        var right = LeftHanded.Position(new Vector3(0, -1, 0));
+        var up = LeftHanded.Position(new Vector3(0, 0, 1));
+        var ahead = LeftHanded.Position(new Vector3(1, 0, 0));
+        Check(right.X == 1 && right.Y == 0 && right.Z == 0, "right is x");
+        Check(up.X == 0 && up.Y == 1 && up.Z == 0, "up is y");
+        Check(ahead.X == 0 && ahead.Y == 0 && ahead.Z == 1, "ahead is z");
+        var half = Math.Sqrt(0.5);
+        var turned = Rotate(LeftHanded.Rotation(new Quaternion(half, 0, 0, half)), ahead);
+        Near(-1, turned.X, 1e-15, "to the left");
+    }
+
+    private static void RightHandedFrame()
+    {
+        var right = RightHanded.Position(new Vector3(0, -1, 0));
+        var up = RightHanded.Position(new Vector3(0, 0, 1));
+        var ahead = RightHanded.Position(new Vector3(1, 0, 0));
+        Check(right.X == 1 && up.Y == 1 && ahead.Z == -1, "x right, y up, -z ahead");
+        var half = Math.Sqrt(0.5);
+        Near(-1, Rotate(RightHanded.Rotation(new Quaternion(half, 0, 0, half)), ahead).X, 1e-15, "to the left");
+        Commutes(RightHanded.Position, RightHanded.Rotation);
+    }
+
+    private static void ConversionCommutes() { Commutes(LeftHanded.Position, LeftHanded.Rotation); }
+
+    /// <summary>Conversion and rotation may change places, for any rotation and point.</summary>
+    private static void Commutes(Func<Vector3, Vector3> position, Func<Quaternion, Quaternion> rotation)
+    {
+        var random = new Random(1);
+        for (var i = 0; i < 100; ++i)
+        {
+            Func<double> any = () => 2 * random.NextDouble() - 1;
+            var q = new Quaternion(any(), any(), any(), any());
+            var norm = Math.Sqrt(q.W * q.W + q.X * q.X + q.Y * q.Y + q.Z * q.Z);
+            q = new Quaternion(q.W / norm, q.X / norm, q.Y / norm, q.Z / norm);
+            var p = new Vector3(any(), any(), any());
+            var one = position(Rotate(q, p));
+            var other = Rotate(rotation(q), position(p));
+            Near(one.X, other.X, 1e-14, "x");
+            Near(one.Y, other.Y, 1e-14, "y");
+            Near(one.Z, other.Z, 1e-14, "z");
+        }
+    }
+
+    /// <summary>v + 2 w (u x v) + 2 u x (u x v): the same formula in left- and right-handed frames.</summary>
+    private static Vector3 Rotate(Quaternion q, Vector3 v)
+    {
+        var u = new Vector3(q.X, q.Y, q.Z);
+        var a = Cross(u, v);
+        var b = Cross(u, a);
+        return new Vector3(v.X + 2 * (q.W * a.X + b.X), v.Y + 2 * (q.W * a.Y + b.Y), v.Z + 2 * (q.W * a.Z + b.Z));
+    }
+
+    private static Vector3 Cross(Vector3 a, Vector3 b)
+    {
+        return new Vector3(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+    }
+
+    private static void PicturesAndPoses()
+    {
+        using (var env = new Env("benchmark"))
+        {
+            env.Reset(7);
+            var eye = env.FindField("vision/eye_left");
+            Check(eye.Shape.SequenceEqual(new[] { 256, 256, 3 }), "the default size");
+            byte[] rgb = new byte[eye.Bytes], up = new byte[256 * 256 * 4], down = new byte[256 * 256 * 4];
+            env.Read(eye, rgb);
+            env.ReadRgba(eye, down);
+            env.ReadRgba(eye, up, true);
+            for (var i = 0; i < 3; ++i)
+            {
+                Check(down[4 * 1000 + i] == rgb[3 * 1000 + i], "top row first");
+                Check(up[4 * (255 * 256 + 7) + i] == rgb[3 * 7 + i], "bottom row first");
+            }
+            Check(down[3] == 255 && rgb.Distinct().Count() > 10, "an opaque picture of something");
+            var poses = new PoseReader(env);
+            poses.Read();
+            var place = new double[3];
+            var head = env.Find(Kind.Body, "head");
+            env.Get(Quantity.BodyPosition, new[] { head }, place);
+            Near(place[2], poses.Poses[head].Y, 1e-6, "the head's height");
+            Near(-place[1], poses.Poses[head].X, 1e-6, "to the right");
+        }
+    }
+
+    /// <summary>A box lies on a plane with four contacts and there is room for one: MuJoCo warns.</summary>
+    private static void LogIsDeliveredAndItsExceptionsStay()
+    {
+        const string crowded = "<mujoco><size nconmax='1'/><worldbody><geom type='plane' size='1 1 1'/>" +
+            "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
+        var messages = new List<string>();
+        var options = new EnvOptions { Log = (level, text) => { messages.Add(text); throw new Exception("stays"); } };
+        using (var scene = Scene.FromXml(crowded))
+        using (var env = new Env(scene, options))
+        {
+            options.Log = null;
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            env.Step(null);
+            Check(messages.Count > 0 && messages[0] != "", "no warning");
+        }
+    }
+
+    private static int Main(string[] arguments)
+    {
+        layoutFile = arguments[0];
+        var tests = new Action[]
+        {
+            StructsLieAsListed, StructsAreBlittable, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
+            BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, ScenesAreBuilt, FacesShow,
+            LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
+            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
+        };
+        var failed = 0;
+        foreach (var test in tests)
+        {
+            try { test(); }
+            catch (Exception error)
+            {
+                ++failed;
+                Console.WriteLine("FAILED " + test.Method.Name + ": " + error.Message);
+            }
+        }
+        Console.WriteLine("C#: " + (tests.Length - failed) + " passed, " + failed + " failed");
+        return failed == 0 ? 0 : 1;
+    }
+}

@@ -1,0 +1,260 @@
+// What worlds can do beside stepping: contacts, states, faces, gaze, cameras.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Mimo;
+
+internal static partial class Tests
+{
+    /// <summary>The scene "free" with an infant that neither sees nor feels by itself.</summary>
+    private static Scene Room()
+    {
+        var scene = Scene.Builtin("free");
+        var agent = scene.DefaultAgent();
+        agent.vision = 0;
+        agent.touch = 0;
+        scene.AddAgent(agent, null, "sadness");
+        return scene;
+    }
+
+    /// <summary>A ball of 1 kg rests on the floor: 9.81 N, from the standard gravity of the scene.</summary>
+    private static void ContactsCarryTheWeight()
+    {
+        const string floor = "<mujoco><worldbody><geom name='floor' type='plane' size='1 1 .1'/></worldbody></mujoco>";
+        using (var scene = Scene.FromXml(floor))
+        {
+            scene.AddObject(new ObjectOptions
+            {
+                Name = "ball", Size = new Vector3(0.1, 0, 0), Position = new Vector3(0, 0, 0.0999), Mass = 1
+            });
+            using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
+            {
+                env.Reset();
+                for (var i = 0; i < 400; ++i) env.Step(null);
+                var contact = env.Contacts().Single();
+                Near(9.81, Math.Abs(contact.Force.Z), 0.01, "weight");
+                Near(0, contact.Force.X, 1e-6, "sideways");
+                Near(1, Math.Abs(contact.Normal.Z), 1e-12, "upwards");
+                Check(contact.Geom1 == env.Find(Kind.Geom, "floor") && contact.Body2 == env.Find(Kind.Body, "ball"), "who");
+            }
+        }
+    }
+
+    private static void SavedStateContinues()
+    {
+        using (var env = new Env("reach"))
+        {
+            var action = Enumerable.Repeat(0.5f, env.ActionSize).ToArray();
+            env.Reset(3);
+            env.Step(action);
+            var state = env.Save();
+            using (var clone = env.Clone())
+            {
+                env.Step(action);
+                var then = (byte[])env.Block.Clone();
+                clone.Step(action);
+                Check(then.SequenceEqual(clone.Block), "the clone goes elsewhere");
+                env.Load(state);
+                env.Step(action);
+                Check(then.SequenceEqual(env.Block), "the state goes elsewhere");
+            }
+            Check(Refused(() => env.Load(new byte[3])).Message.Contains("state"), "another message");
+        }
+    }
+
+    /// <summary>The original may go before its clone does.</summary>
+    private static void ClonesShareTheLog()
+    {
+        const string crowded = "<mujoco><size nconmax='1'/><worldbody><geom type='plane' size='1 1 1'/>" +
+            "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
+        var messages = new List<string>();
+        Env clone;
+        using (var scene = Scene.FromXml(crowded))
+        using (var env = new Env(scene, new EnvOptions { Log = (level, text) => messages.Add(text) })) clone = env.Clone();
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        clone.Step(null);
+        clone.Dispose();
+        Check(messages.Count > 0, "no warning");
+    }
+
+    private static void LocksAndGravity()
+    {
+        using (var env = new Env("benchmark"))
+        {
+            var elbow = env.Find(Kind.Joint, "robot:left_elbow");
+            Check(env.Locked(elbow) == null, "locked from the start");
+            env.Lock(elbow, -0.5);
+            Check(env.Locked(elbow) == -0.5, "is held");
+            env.Unlock(elbow);
+            Check(env.Locked(elbow) == null, "let go");
+            Near(-9.81, env.Gravity.Z, 0, "gravity");
+            env.Gravity = new Vector3(0, 0, -1.6);
+            Near(-1.6, env.Gravity.Z, 0, "on the Moon");
+            Check(Refused(() => env.Lock(elbow, 99)).Message.Contains("angle"), "another message");
+        }
+    }
+
+    /// <summary>An arm on a hinge, sensed at twice its speed and a step late.</summary>
+    private static void SensesAreLimited()
+    {
+        const string arm = "<mujoco><worldbody><body name='arm'><joint name='hinge' axis='0 1 0'/><geom type='capsule' " +
+            "fromto='0 0 0 .3 0 0' size='.02'/></body></worldbody></mujoco>";
+        Func<bool, float[]> speeds = limited =>
+        {
+            using (var scene = Scene.FromXml(arm))
+            {
+                var agent = scene.DefaultAgent();
+                agent.vision = agent.vestibular = agent.touch = 0;
+                scene.AddAgent(agent, root: "arm");
+                scene.ReadJoint("hinge");
+                if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 1);
+                using (var env = new Env(scene))
+                {
+                    var seen = new List<float>();
+                    var one = new float[1];
+                    env.Reset(1);
+                    for (var i = 0; i < 3; ++i)
+                    {
+                        env.Step(null);
+                        env.Read(env.FindField("proprioception/velocity"), one);
+                        seen.Add(one[0]);
+                    }
+                    return seen.ToArray();
+                }
+            }
+        };
+        float[] plain = speeds(false), late = speeds(true);
+        Check(plain[0] != plain[1] && plain[0] != 0, "the arm does not fall");
+        Near(2 * plain[1], late[2], 1e-6, "twice and late");
+    }
+
+    /// <summary>A cup that is fastened to the world does not fall.</summary>
+    private static void ScenesAreBuilt()
+    {
+        const string cup = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
+        using (var scene = Scene.Empty())
+        {
+            scene.SetRoom("playroom");
+            var agent = scene.DefaultAgent();
+            agent.vision = agent.touch = 0;
+            Check(scene.AddAgents(agent) == 1, "one infant");
+            scene.AddModel("cup", new Vector3(1, 0.5, 0.5), xml: cup);
+            scene.Weld("cup");
+            scene.Lock("robot:left_elbow", -0.5);
+            scene.SetPose("robot:right_elbow", -0.7);
+            using (var env = new Env(scene))
+            {
+                env.Reset(1);
+                var angles = new double[2];
+                env.Get(Quantity.JointPosition, new[] { env.Find(Kind.Joint, "robot:left_elbow"), env.Find(Kind.Joint, "robot:right_elbow") }, angles);
+                Check(angles[0] == -0.5 && angles[1] == -0.7, "poses");
+                env.Find(Kind.Geom, "cup/side");
+                for (var i = 0; i < 50; ++i) env.Step(null);
+                var place = new double[3];
+                env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "cup") }, place);
+                Check(place[2] > 0.45, "it fell to " + place[2]);
+            }
+        }
+    }
+
+    private static void FacesShow()
+    {
+        Check(Faces.Names.Count == 7 && Faces.Names.Contains("fear"), "no emotion, and the six basic ones");
+        using (var scene = Room())
+        using (var env = new Env(scene))
+        {
+            Check(env.Face() == "sadness", env.Face());
+            var head = new double[3];
+            env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "head") }, head);
+            var close = new PictureOptions
+            {
+                Width = 64, Height = 64, LookAt = new Vector3(head[0], head[1], head[2] + 0.07), Distance = 0.3, Azimuth = 180
+            };
+            byte[] sad = new byte[64 * 64 * 4], afraid = new byte[64 * 64 * 4];
+            env.Draw(close, sad);
+            env.SetFace("fear");
+            env.Draw(close, afraid);
+            Check(!sad.SequenceEqual(afraid), "it looks the same");
+            Check(Refused(() => env.SetFace("boredom")).StatusName == "MIMO_E_NOT_FOUND", "another status");
+        }
+    }
+
+    /// <summary>The eyes' centres are 49 mm apart: 2 atan(0.0245 m / d) is the vergence at a distance d straight ahead.</summary>
+    private static void LinesOfSightMeet()
+    {
+        using (var scene = Room())
+        using (var env = new Env(scene))
+        {
+            var before = env.Gaze();
+            var point = new Vector3((before.LeftPosition.X + before.RightPosition.X) / 2 + 0.4,
+                (before.LeftPosition.Y + before.RightPosition.Y) / 2, before.LeftPosition.Z);
+            var planned = env.LookAngles(point, Look.Head);
+            Check(planned.Joints.Length == 8 && planned.Angles.Length == 8, "head and eyes");
+            Check(env.LookAngles(point).Joints.Length == 6, "eyes alone");
+            Check(env.LookAt(point, Look.Head).All(error => Math.Abs(error) < 1e-6), "in range");
+            var angles = new double[8];
+            env.Get(Quantity.JointPosition, planned.Joints, angles);
+            for (var i = 0; i < 8; ++i) Near(planned.Angles[i], angles[i], 1e-12, "angle");
+            var gaze = env.Gaze();
+            Near(point.X, gaze.Point.Value.X, 1e-6, "x");
+            Near(point.Y, gaze.Point.Value.Y, 1e-6, "y");
+            Near(point.Z, gaze.Point.Value.Z, 1e-6, "z");
+            Near(2 * Math.Atan(0.0245 / 0.4), gaze.Vergence, 0.02, "vergence");
+        }
+    }
+
+    private static void CamerasAreFieldsAndPictures()
+    {
+        using (var scene = Room())
+        {
+            scene.AddCamera(new CameraOptions
+            {
+                Name = "wall", Width = 32, Height = 24, Outputs = Vision.Rgb | Vision.Segmentation,
+                Position = new Vector3(1.5, 0, 0.8), LookAt = new Vector3(0, 0, 0.4)
+            });
+            scene.AddCamera(new CameraOptions { Name = "palm", Width = 8, Height = 8, Body = "left_hand", LookAt = new Vector3(0, 0, 1) });
+            scene.AddCamera(new CameraOptions { Name = "eye_left", Width = 16, Height = 8 });
+            scene.SetTouch(0, "left_hand", 0.01);
+            var options = new EnvOptions { Render = Render.Shadows | Render.Sky, Samples = 4, RenderThreads = 2 };
+            using (var env = new Env(scene, options))
+            {
+                env.Reset(1);
+                Check(env.FindField("vision/eye_left").Shape.SequenceEqual(new[] { 8, 16, 3 }), "rows first");
+                Check(env.FindField("vision/palm").Bytes == 8 * 8 * 3, "palm");
+                var geoms = new int[32 * 24];
+                env.Read(env.FindField("vision/wall_segmentation"), geoms);
+                Check(geoms.Contains(env.Find(Kind.Geom, "floor")), "no floor");
+                byte[] seen = new byte[32 * 24 * 4], drawn = new byte[32 * 24 * 4];
+                env.ReadRgba(env.FindField("vision/wall"), seen, true);
+                env.Draw(new PictureOptions { Camera = "wall", Width = 32, Height = 24, BottomUp = true }, drawn);
+                Check(seen.SequenceEqual(drawn), "the field and the picture differ");
+            }
+            Check(Refused(() => new Env(scene, new EnvOptions { Samples = 3 })).Message.Contains("samples is 3"), "another message");
+        }
+    }
+
+    /// <summary>Options that this binding always sets have the library's defaults.</summary>
+    private static void DefaultsAreTheLibrarys()
+    {
+        ObjectConfigStruct thing;
+        CameraConfigStruct camera;
+        PictureConfigStruct picture;
+        BatchConfigStruct batch;
+        EnvConfigStruct env;
+        MimoException.Check(Native.mimo_object_config_init(out thing, Structs.Size<ObjectConfigStruct>()));
+        MimoException.Check(Native.mimo_camera_config_init(out camera, Structs.Size<CameraConfigStruct>()));
+        MimoException.Check(Native.mimo_picture_config_init(out picture, Structs.Size<PictureConfigStruct>()));
+        MimoException.Check(Native.mimo_batch_config_init(out batch, Structs.Size<BatchConfigStruct>()));
+        MimoException.Check(Native.mimo_env_config_init(out env, Structs.Size<EnvConfigStruct>()));
+        var ball = new ObjectOptions();
+        Check(thing.shape == (int)ball.Shape && thing.size.X == ball.Size.X && thing.mass == ball.Mass, "object");
+        Check(thing.orientation.W == 1 && thing.@fixed == 0 && thing.position.X == 0, "place");
+        var eye = new CameraOptions();
+        Check(camera.outputs == (uint)eye.Outputs && camera.width == eye.Width && camera.height == eye.Height && camera.fovy == 0, "camera");
+        var photo = new PictureOptions();
+        Check(picture.width == photo.Width && picture.height == photo.Height && picture.fovy == 0, "picture");
+        Check(batch.threads == 0 && batch.autoreset == 0 && batch.restart_failed == 0, "batch");
+        Check(env.frame_skip == 0 && env.max_steps == 0 && env.samples == 0 && env.render_threads == new EnvOptions().RenderThreads, "env");
+    }
+}

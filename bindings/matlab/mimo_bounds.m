@@ -1,0 +1,4 @@
+function [low, high] = mimo_bounds(world)
+% MIMO_BOUNDS  Lowest and highest actions, one row per motor.
+[low, high] = mimo_mex('bounds', world);
+end

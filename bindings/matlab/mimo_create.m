@@ -1,0 +1,20 @@
+function world = mimo_create(scene, varargin)
+% MIMO_CREATE  A simulated world, or many of them that are stepped together.
+%   world = mimo_create('reach') gives a number for the other functions. It stays good after "clear"; close it by
+%   mimo_close. Scenes: "benchmark", "reach", "standup", "selfbody", "free", or the path of an MJCF file, "room.xml".
+%   Errors have identifiers: mimo:NOT_FOUND, mimo:INVALID_ARGUMENT, mimo:BAD_HANDLE, ...
+%
+%   mimo_create('reach', name, value, ...) changes what the scene gives by itself. Options have the names and values
+%   of mimo.h's structs, where all are explained:
+%     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_width, vision_height, vision_fovy, touch (1
+%                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception,
+%                  vestibular, limit_threshold, actuation (1: by angles), acts, normalize_actions, body, face, position,
+%                  orientation (w x y z); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
+%     no infant    root (with body "scene": a body of the MJCF file, with all below it), vestibular_at
+%     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable
+%     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
+%     the room     objects and cameras: struct arrays with the members of mimo_object_config and mimo_camera_config;
+%                  a camera with look_at is a new one
+%     many worlds  worlds, threads, autoreset (0, 1 or 2), restart_failed. They are the last dimension of all arrays.
+world = mimo_mex('create', char(scene), varargin{:});
+end

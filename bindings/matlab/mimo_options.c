@@ -1,0 +1,251 @@
+/* mimo_create's options, by the names that the members of mimo.h's structs have. */
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "mimo_gateway.h"
+
+typedef enum kind { kUnsigned, kSigned, kNumber, kThree, kFour, kText } kind;
+
+typedef struct option {
+  const char* name;
+  kind kind;
+  size_t offset;
+} option;
+
+#define OPTION(type, member, kind) \
+  { #member, kind, offsetof(type, member) }
+
+static const option agent_options[] = {
+    OPTION(mimo_agent_config, body, kText),
+    OPTION(mimo_agent_config, face, kText),
+    OPTION(mimo_agent_config, root, kText),
+    OPTION(mimo_agent_config, vestibular_at, kText),
+    OPTION(mimo_agent_config, position, kThree),
+    OPTION(mimo_agent_config, orientation, kFour),
+    OPTION(mimo_agent_config, proprioception, kUnsigned),
+    OPTION(mimo_agent_config, vestibular, kUnsigned),
+    OPTION(mimo_agent_config, limit_threshold, kNumber),
+    OPTION(mimo_agent_config, vision, kUnsigned),
+    OPTION(mimo_agent_config, vision_width, kUnsigned),
+    OPTION(mimo_agent_config, vision_height, kUnsigned),
+    OPTION(mimo_agent_config, vision_fovy, kNumber),
+    OPTION(mimo_agent_config, actuation, kUnsigned),
+    OPTION(mimo_agent_config, acts, kUnsigned),
+    OPTION(mimo_agent_config, normalize_actions, kUnsigned),
+    OPTION(mimo_agent_config, touch, kUnsigned),
+    OPTION(mimo_agent_config, touch_response, kSigned),
+    OPTION(mimo_agent_config, touch_frame, kSigned),
+    OPTION(mimo_agent_config, touch_scale, kNumber),
+    OPTION(mimo_agent_config, touch_slip_threshold, kNumber),
+    {NULL, kText, 0},
+};
+
+static const option env_options[] = {
+    OPTION(mimo_env_config, frame_skip, kUnsigned),     OPTION(mimo_env_config, jacobian, kSigned),
+    OPTION(mimo_env_config, disable, kUnsigned),        OPTION(mimo_env_config, renderer, kText),
+    OPTION(mimo_env_config, max_steps, kUnsigned),      OPTION(mimo_env_config, task, kText),
+    OPTION(mimo_env_config, render, kUnsigned),         OPTION(mimo_env_config, samples, kUnsigned),
+    OPTION(mimo_env_config, render_threads, kUnsigned), {NULL, kText, 0},
+};
+
+static const option batch_options[] = {
+    OPTION(mimo_batch_config, worlds, kUnsigned),
+    OPTION(mimo_batch_config, threads, kUnsigned),
+    OPTION(mimo_batch_config, autoreset, kSigned),
+    OPTION(mimo_batch_config, restart_failed, kUnsigned),
+    {NULL, kText, 0},
+};
+
+static const option object_options[] = {
+    OPTION(mimo_object_config, shape, kSigned),
+    OPTION(mimo_object_config, name, kText),
+    OPTION(mimo_object_config, size, kThree),
+    OPTION(mimo_object_config, position, kThree),
+    OPTION(mimo_object_config, orientation, kFour),
+    OPTION(mimo_object_config, mass, kNumber),
+    OPTION(mimo_object_config, rgba, kFour),
+    OPTION(mimo_object_config, fixed, kUnsigned),
+    {NULL, kText, 0},
+};
+
+static const option camera_options[] = {
+    OPTION(mimo_camera_config, outputs, kUnsigned), OPTION(mimo_camera_config, name, kText),
+    OPTION(mimo_camera_config, width, kUnsigned),   OPTION(mimo_camera_config, height, kUnsigned),
+    OPTION(mimo_camera_config, fovy, kNumber),      OPTION(mimo_camera_config, placed, kUnsigned),
+    OPTION(mimo_camera_config, body, kText),        OPTION(mimo_camera_config, position, kThree),
+    OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
+};
+
+static const option limit_options[] = {
+    OPTION(mimo_limits, delay, kUnsigned),
+    OPTION(mimo_limits, gain, kNumber),
+    OPTION(mimo_limits, noise, kNumber),
+    OPTION(mimo_limits, blur, kNumber),
+    {NULL, kText, 0},
+};
+
+static const option* find_option(const option* options, const char* name) {
+  for (; options->name != NULL; ++options)
+    if (strcmp(options->name, name) == 0) return options;
+  return NULL;
+}
+
+static void refuse(const char* name, const char* expected) {
+  mimo_making(NULL);
+  mexErrMsgIdAndTxt("mimo:INVALID_ARGUMENT", "%s: expected %s", name, expected);
+}
+
+static void read_numbers(double* to, size_t count, const char* name, const mxArray* value) {
+  if (!mxIsDouble(value) || mxIsComplex(value) || mxGetNumberOfElements(value) != count)
+    refuse(name, count == 3 ? "three numbers" : "four numbers");
+  memcpy(to, mxGetPr(value), count * sizeof *to);
+}
+
+/* Whole numbers of C that would not survive a conversion are refused here; ranges are the library's business. */
+static double whole(const char* name, const mxArray* value, double low, double high) {
+  const double number = mimo_number(value, name);
+  if (!(number >= low && number <= high) || number != floor(number)) refuse(name, "a whole number");
+  return number;
+}
+
+static void set_option(void* config, const option* option, const mxArray* value) {
+  char* member = (char*)config + option->offset;
+  switch (option->kind) {
+    case kUnsigned: *(uint32_t*)member = (uint32_t)whole(option->name, value, 0, 4294967295.0); break;
+    case kSigned: *(int32_t*)member = (int32_t)whole(option->name, value, -2147483648.0, 2147483647.0); break;
+    case kNumber: *(double*)member = mimo_number(value, option->name); break;
+    case kThree: read_numbers((double*)member, 3, option->name, value); break;
+    case kFour: read_numbers((double*)member, 4, option->name, value); break;
+    default: *(const char**)member = mimo_text(value, option->name); break;
+  }
+}
+
+/* The members of one struct of MATLAB's, which may leave out any. */
+static void set_members(void* config, const option* options, const mxArray* things, size_t index) {
+  int i;
+  for (i = 0; i < mxGetNumberOfFields(things); ++i) {
+    const char* name = mxGetFieldNameByNumber(things, i);
+    const option* found = find_option(options, name);
+    const mxArray* value = mxGetFieldByNumber(things, index, i);
+    if (strcmp(name, "path") == 0 && options == limit_options) continue;
+    if (found == NULL) refuse(name, "a member of mimo.h's struct");
+    if (value != NULL && !mxIsEmpty(value)) set_option(config, found, value);
+  }
+}
+
+static void add_objects(mimo_scene* scene, const mxArray* things) {
+  mimo_object_config config;
+  size_t i;
+  if (!mxIsStruct(things)) refuse("objects", "a struct array");
+  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
+    mimo_check(mimo_object_config_init(&config, sizeof config));
+    set_members(&config, object_options, things, i);
+    mimo_check(mimo_scene_add_object(scene, &config));
+  }
+}
+
+static void add_cameras(mimo_scene* scene, const mxArray* things) {
+  mimo_camera_config config;
+  size_t i;
+  if (!mxIsStruct(things)) refuse("cameras", "a struct array");
+  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
+    const mxArray* place = mxGetField(things, i, "look_at");
+    mimo_check(mimo_camera_config_init(&config, sizeof config));
+    config.placed = place != NULL && !mxIsEmpty(place);
+    set_members(&config, camera_options, things, i);
+    mimo_check(mimo_scene_add_camera(scene, &config));
+  }
+}
+
+/* struct('path', 'touch', 'noise', 0.1), one or an array of them */
+static void limit_senses(mimo_scene* scene, const mxArray* things) {
+  mimo_limits limits;
+  size_t i;
+  if (!mxIsStruct(things) || mxGetFieldNumber(things, "path") < 0)
+    refuse("limits", "a struct array with the member path");
+  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
+    mimo_check(mimo_limits_init(&limits, sizeof limits));
+    set_members(&limits, limit_options, things, i);
+    mimo_check(mimo_scene_limit_sense(scene, 0, mimo_text(mxGetField(things, i, "path"), "path"), &limits));
+  }
+}
+
+/* {'reach/success_reward', 5; ...} */
+static void set_parameters(mimo_scene* scene, const mxArray* pairs) {
+  const size_t count = mxGetM(pairs);
+  size_t i;
+  if (!mxIsCell(pairs) || mxGetN(pairs) != 2) refuse("parameters", "a cell array of names and values, two columns");
+  for (i = 0; i < count; ++i)
+    mimo_check(mimo_scene_set_parameter(scene, mimo_text(mxGetCell(pairs, i), "parameters"),
+                                        mimo_number(mxGetCell(pairs, count + i), "parameters")));
+}
+
+/* What the call asks for, in the order in which a scene takes it. */
+typedef struct request {
+  mimo_agent_config agent;
+  mimo_env_config env;
+  mimo_batch_config batch;
+  const mxArray *objects, *cameras, *limits, *parameters;
+} request;
+
+static void read_option(request* all, const char* name, const mxArray* value) {
+  const option* found = find_option(agent_options, name);
+  if (found != NULL) {
+    set_option(&all->agent, found, value);
+    if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->agent.place_given = 1;
+  } else if ((found = find_option(env_options, name)) != NULL) {
+    set_option(&all->env, found, value);
+  } else if ((found = find_option(batch_options, name)) != NULL) {
+    set_option(&all->batch, found, value);
+  } else if (strcmp(name, "objects") == 0) {
+    all->objects = value;
+  } else if (strcmp(name, "cameras") == 0) {
+    all->cameras = value;
+  } else if (strcmp(name, "limits") == 0) {
+    all->limits = value;
+  } else if (strcmp(name, "parameters") == 0) {
+    all->parameters = value;
+  } else {
+    mimo_making(NULL);
+    mexErrMsgIdAndTxt("mimo:INVALID_ARGUMENT", "no option %s; see help mimo_create", name);
+  }
+}
+
+/* "reach", or "room.xml" for a file of one's own. */
+static mimo_scene* open_scene(const char* name) {
+  const size_t length = strlen(name);
+  const int is_file = length > 4 && strcmp(name + length - 4, ".xml") == 0;
+  mimo_scene_config config;
+  mimo_scene* scene = NULL;
+  mimo_check(mimo_scene_config_init(&config, sizeof config));
+  if (is_file)
+    config.file = name;
+  else
+    config.name = name;
+  mimo_check(mimo_scene_create(&config, &scene));
+  mimo_making(scene);
+  return scene;
+}
+
+mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
+  request all;
+  mimo_scene* scene;
+  mimo_batch* batch = NULL;
+  int i;
+  mimo_need(nin % 2 == 1, "expected the name of a scene, then names and values of options");
+  scene = open_scene(mimo_text(in[0], "scene"));
+  memset(&all, 0, sizeof all);
+  mimo_check(mimo_scene_default_agent(scene, &all.agent, sizeof all.agent));
+  mimo_check(mimo_env_config_init(&all.env, sizeof all.env));
+  mimo_check(mimo_batch_config_init(&all.batch, sizeof all.batch));
+  for (i = 1; i < nin; i += 2) read_option(&all, mimo_text(in[i], "option"), in[i + 1]);
+  if (all.parameters != NULL) set_parameters(scene, all.parameters);
+  mimo_check(mimo_scene_add_agents(scene, &all.agent, NULL));
+  if (all.limits != NULL) limit_senses(scene, all.limits);
+  if (all.objects != NULL) add_objects(scene, all.objects);
+  if (all.cameras != NULL) add_cameras(scene, all.cameras);
+  mimo_check(mimo_batch_create(scene, &all.env, &all.batch, &batch));
+  mimo_making(NULL);
+  return batch;
+}

@@ -1,0 +1,4 @@
+function seconds = mimo_time(world)
+% MIMO_TIME  Simulated seconds since the reset, one number for each world.
+seconds = mimo_mex('time', world);
+end

@@ -1,0 +1,126 @@
+//! Memory for observations, and typed views of it.
+use crate::error::{Error, Kind, Result};
+use crate::field::{Field, Type};
+use std::sync::Arc;
+
+/// Blocks are made of these, so that fields lie at multiples of 64 bytes in memory too.
+#[derive(Clone, Copy)]
+#[repr(C, align(64))]
+struct Line([u8; 64]);
+
+/// Memory for the observations of one world, or of all worlds of a batch. It knows where the fields are.
+#[derive(Clone)]
+pub struct Block {
+    lines: Vec<Line>,
+    world_bytes: usize,
+    fields: Arc<[Field]>,
+}
+
+impl Block {
+    pub(crate) fn new(world_bytes: usize, worlds: usize, fields: Arc<[Field]>) -> Block {
+        // The library's sizes are multiples of 64; a field's view would not fit in anything less.
+        let lines = vec![Line([0; 64]); world_bytes / 64 * worlds];
+        Block { lines, world_bytes, fields }
+    }
+
+    /// All bytes, worlds one after the other.
+    pub fn as_bytes(&self) -> &[u8] {
+        unsafe { std::slice::from_raw_parts(self.lines.as_ptr() as *const u8, self.lines.len() * 64) }
+    }
+
+    /// All bytes, for writing, for example to normalise them; every step writes every byte anew.
+    pub fn as_bytes_mut(&mut self) -> &mut [u8] {
+        unsafe { std::slice::from_raw_parts_mut(self.lines.as_mut_ptr() as *mut u8, self.lines.len() * 64) }
+    }
+
+    /// How many worlds' observations it holds.
+    pub fn worlds(&self) -> usize {
+        self.as_bytes().len() / self.world_bytes.max(1)
+    }
+
+    /// What one world observed. Panics if there is no such world, as an index does.
+    pub fn world(&self, world: usize) -> Observation<'_> {
+        let start = world * self.world_bytes;
+        Observation { bytes: &self.as_bytes()[start..start + self.world_bytes], fields: &self.fields }
+    }
+
+    /// The fields, in the order of the block.
+    pub fn fields(&self) -> &[Field] {
+        &self.fields
+    }
+
+    /// A `u8` field of the first world; see [`Observation::u8`].
+    pub fn u8(&self, name: &str) -> Result<&[u8]> {
+        self.world(0).u8(name)
+    }
+
+    /// An `i32` field of the first world; see [`Observation::i32`].
+    pub fn i32(&self, name: &str) -> Result<&[i32]> {
+        self.world(0).i32(name)
+    }
+
+    /// An `f32` field of the first world; see [`Observation::f32`].
+    pub fn f32(&self, name: &str) -> Result<&[f32]> {
+        self.world(0).f32(name)
+    }
+
+    /// An `f64` field of the first world; see [`Observation::f64`].
+    pub fn f64(&self, name: &str) -> Result<&[f64]> {
+        self.world(0).f64(name)
+    }
+}
+
+/// What one world observed: its part of a block.
+#[derive(Clone, Copy)]
+pub struct Observation<'a> {
+    bytes: &'a [u8],
+    fields: &'a [Field],
+}
+
+impl<'a> Observation<'a> {
+    /// All its bytes.
+    pub fn as_bytes(&self) -> &'a [u8] {
+        self.bytes
+    }
+
+    /// A field of bytes: colour pictures, height x width x 3, row 0 is the top. No copy.
+    pub fn u8(&self, name: &str) -> Result<&'a [u8]> {
+        self.view(name, Type::U8)
+    }
+
+    /// A field of integers: segmentation, height x width. No copy.
+    pub fn i32(&self, name: &str) -> Result<&'a [i32]> {
+        self.view(name, Type::I32)
+    }
+
+    /// A field of single precision numbers: all senses but colour and segmentation. No copy.
+    pub fn f32(&self, name: &str) -> Result<&'a [f32]> {
+        self.view(name, Type::F32)
+    }
+
+    /// A field of double precision numbers. No copy.
+    pub fn f64(&self, name: &str) -> Result<&'a [f64]> {
+        self.view(name, Type::F64)
+    }
+
+    /// `T` is the type of `dtype`, for which all bit patterns are values.
+    fn view<T>(&self, name: &str, dtype: Type) -> Result<&'a [T]> {
+        let field = self.find(name)?;
+        if field.dtype != dtype {
+            let message = format!("the field \"{}\" is of type {:?}, not {:?}", name, field.dtype, dtype);
+            return Err(Error::new(Kind::InvalidArgument, message));
+        }
+        let bytes = &self.bytes[field.bytes.clone()];
+        assert_eq!(bytes.as_ptr().align_offset(std::mem::align_of::<T>()), 0);
+        let count = bytes.len() / std::mem::size_of::<T>();
+        Ok(unsafe { std::slice::from_raw_parts(bytes.as_ptr() as *const T, count) })
+    }
+
+    fn find(&self, name: &str) -> Result<&'a Field> {
+        self.fields.iter().find(|field| field.name == name).ok_or_else(|| {
+            let names: Vec<&str> = self.fields.iter().map(|field| field.name.as_str()).collect();
+            let message = format!("no field named \"{}\"; there are: {}", name, names.join(", "));
+            Error::new(Kind::NotFound, message)
+        })
+    }
+}

@@ -1,0 +1,107 @@
+//! Where an infant looks, and making it look.
+use crate::error::{check, Result};
+use crate::sys;
+use crate::world::World;
+
+/// One eye's line of sight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sightline {
+    /// Of the eye's camera, world, m.
+    pub position: [f64; 3],
+    /// Unit vector, world.
+    pub direction: [f64; 3],
+}
+
+/// Where both eyes look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gaze {
+    /// Of the left eye.
+    pub left: Sightline,
+    /// Of the right eye.
+    pub right: Sightline,
+    /// Angle between the lines of sight, rad; negative where they lead apart.
+    pub vergence: f64,
+    /// Where they come closest to each other, world, m; None where they lead apart.
+    pub point: Option<[f64; 3]>,
+    /// How far they pass each other there, m.
+    pub miss: f64,
+}
+
+/// What turns to look at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// The eyes alone; they reach 45 degrees to the sides, 33 up and 47 down.
+    Eyes,
+    /// The head first, so that the eyes have to turn little.
+    Head,
+}
+
+impl Look {
+    fn number(self) -> i32 {
+        (match self {
+            Look::Eyes => sys::MIMO_LOOK_EYES,
+            Look::Head => sys::MIMO_LOOK_HEAD,
+        }) as i32
+    }
+}
+
+/// Joints that make an infant look at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LookAngles {
+    /// Ids: pan, tilt and torsion of the left eye, then of the right one; before them swivel and tilt of the head with
+    /// [`Look::Head`].
+    pub joints: Vec<i32>,
+    /// Their angles, rad, within the joints' ranges.
+    pub angles: Vec<f64>,
+    /// By how much the left and the right eye miss the point because of their range, rad.
+    pub errors: [f64; 2],
+}
+
+impl World {
+    /// Where an infant looks, by the poses of its eyes' cameras as they are.
+    pub fn gaze(&self, agent: usize) -> Result<Gaze> {
+        let mut raw: sys::mimo_gaze = unsafe { std::mem::zeroed() };
+        raw.struct_size = std::mem::size_of_val(&raw) as u32;
+        check(unsafe { sys::mimo_env_gaze(self.handle(), agent, &mut raw) })?;
+        Ok(Gaze {
+            left: Sightline { position: raw.left_position, direction: raw.left_direction },
+            right: Sightline { position: raw.right_position, direction: raw.right_direction },
+            vergence: raw.vergence,
+            point: if raw.meets == 1 { Some(raw.point) } else { None },
+            miss: raw.miss,
+        })
+    }
+
+    /// Angles of the joints that make an infant look at a point (world, m); nothing moves.
+    pub fn look_angles(&mut self, agent: usize, point: [f64; 3], how: Look) -> Result<LookAngles> {
+        const MOST: usize = sys::MIMO_LOOK_JOINTS as usize;
+        let (mut joints, mut angles, mut errors) = (vec![0; MOST], vec![0.0; MOST], [0.0; 2]);
+        let mut count = 0;
+        check(unsafe {
+            sys::mimo_env_look_angles(
+                self.handle(),
+                agent,
+                point.as_ptr(),
+                how.number(),
+                joints.as_mut_ptr(),
+                angles.as_mut_ptr(),
+                MOST,
+                &mut count,
+                errors.as_mut_ptr(),
+            )
+        })?;
+        joints.truncate(count);
+        angles.truncate(count);
+        Ok(LookAngles { joints, angles, errors })
+    }
+
+    /// Makes an infant look at a point (world, m) at once; springs and motors go on moving its joints in the next
+    /// step. Gives the angles by which the left and the right eye miss it, rad.
+    pub fn look_at(&mut self, agent: usize, point: [f64; 3], how: Look) -> Result<[f64; 2]> {
+        let mut errors = [0.0; 2];
+        check(unsafe {
+            sys::mimo_env_look_at(self.handle(), agent, point.as_ptr(), how.number(), errors.as_mut_ptr())
+        })?;
+        Ok(errors)
+    }
+}

@@ -1,0 +1,135 @@
+//! Cameras: pictures for people, and further fields of observations.
+use crate::config::{defaults, pointer};
+use crate::error::{c_string, check, Result};
+use crate::sys;
+use crate::world::World;
+use std::ffi::CString;
+use std::ptr::null_mut;
+
+/// A camera whose pictures are fields of the observation: "vision/NAME", "vision/NAME_depth",
+/// "vision/NAME_segmentation".
+#[derive(Clone)]
+pub struct Camera {
+    raw: sys::mimo_camera_config,
+    name: CString,
+    body: Option<CString>,
+}
+
+// The pointers inside are set for the length of a call only.
+unsafe impl Send for Camera {}
+unsafe impl Sync for Camera {}
+
+impl Camera {
+    /// A camera that is there already: one of the scene's MJCF, or of an infant, "anna/eye_left".
+    pub fn of_scene(name: &str) -> Result<Camera> {
+        Ok(Camera { raw: defaults(sys::mimo_camera_config_init)?, name: c_string(name)?, body: None })
+    }
+
+    /// A new one that stands still in the world: where it is, and the point in the middle of its picture, m.
+    pub fn new(name: &str, position: [f64; 3], look_at: [f64; 3]) -> Result<Camera> {
+        let mut camera = Camera::of_scene(name)?;
+        camera.raw.placed = 1;
+        camera.raw.position = position;
+        camera.raw.look_at = look_at;
+        Ok(camera)
+    }
+
+    pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_camera_config) -> R) -> R {
+        let (name, body) = (self.name.as_ptr(), pointer(&self.body));
+        use_it(&sys::mimo_camera_config { name, body, ..self.raw })
+    }
+
+    /// The body that carries a new camera; its places are then in the frame of that body.
+    pub fn body(&mut self, name: &str) -> Result<&mut Self> {
+        self.body = Some(c_string(name)?);
+        Ok(self)
+    }
+
+    /// `MIMO_VISION_` bits; colour unless set.
+    pub fn outputs(&mut self, bits: u32) -> &mut Self {
+        self.raw.outputs = bits;
+        self
+    }
+
+    /// Pixels, 1 to 4096; 256 x 256 unless set.
+    pub fn size(&mut self, width: u32, height: u32) -> &mut Self {
+        self.raw.width = width;
+        self.raw.height = height;
+        self
+    }
+
+    /// Vertical field of view in degrees, 1 to 170.
+    pub fn fovy(&mut self, degrees: f64) -> &mut Self {
+        self.raw.fovy = degrees;
+        self
+    }
+}
+
+/// What to draw for people: by default a free camera that sees the infant from the front.
+#[derive(Clone)]
+pub struct Picture {
+    raw: sys::mimo_picture_config,
+    camera: Option<CString>,
+}
+
+// The pointer inside is set for the length of a call only.
+unsafe impl Send for Picture {}
+unsafe impl Sync for Picture {}
+
+impl Picture {
+    /// Width and height in pixels, 1 to 4096.
+    pub fn new(width: u32, height: u32) -> Result<Picture> {
+        let mut raw = defaults(sys::mimo_picture_config_init)?;
+        raw.width = width;
+        raw.height = height;
+        Ok(Picture { raw, camera: None })
+    }
+
+    /// From a camera of the model.
+    pub fn camera(&mut self, name: &str) -> Result<&mut Self> {
+        self.camera = Some(c_string(name)?);
+        Ok(self)
+    }
+
+    /// From a free camera: the point in the middle (m), the distance from it (m), azimuth and elevation (degrees; 0
+    /// looks along x, 90 along y; negative looks down).
+    pub fn free(&mut self, look_at: [f64; 3], distance: f64, azimuth: f64, elevation: f64) -> &mut Self {
+        self.camera = None;
+        self.raw.look_at = look_at;
+        self.raw.distance = distance;
+        self.raw.azimuth = azimuth;
+        self.raw.elevation = elevation;
+        self
+    }
+
+    /// Vertical field of view, degrees; 0: the camera's own.
+    pub fn fovy(&mut self, degrees: f64) -> &mut Self {
+        self.raw.fovy = degrees;
+        self
+    }
+
+    /// `MIMO_PICTURE_` bits: four bytes a pixel, bottom row first. Otherwise RGB, row 0 is the top.
+    pub fn format(&mut self, bits: u32) -> &mut Self {
+        self.raw.format = bits;
+        self
+    }
+
+    fn colors(&self) -> usize {
+        let channels = if self.raw.format & sys::MIMO_PICTURE_RGBA != 0 { 4 } else { 3 };
+        self.raw.width as usize * self.raw.height as usize * channels
+    }
+}
+
+impl World {
+    /// Draws the current state: height x width x 3 bytes, or 4.
+    pub fn render(&mut self, picture: &Picture) -> Result<Vec<u8>> {
+        let mut colors = vec![0; picture.colors()];
+        let camera = pointer(&picture.camera);
+        check(unsafe {
+            let raw = sys::mimo_picture_config { camera, ..picture.raw };
+            let (to, bytes) = (colors.as_mut_ptr(), colors.len());
+            sys::mimo_env_render(self.handle(), &raw, to, bytes, null_mut(), 0, null_mut(), 0)
+        })?;
+        Ok(colors)
+    }
+}

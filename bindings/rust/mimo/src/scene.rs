@@ -1,0 +1,223 @@
+//! Scenes: rooms, objects and infants.
+use crate::config::{defaults, pointer, AgentConfig, Model, Object};
+use crate::error::{c_string, check, text, Result};
+use crate::limits::Limits;
+use crate::picture::Camera;
+use crate::sys;
+use crate::task::{self, Shared, Task};
+use std::ptr::{null, null_mut, NonNull};
+
+/// A description of what is to be simulated. Worlds that were made of it live on without it.
+pub struct Scene {
+    handle: NonNull<sys::mimo_scene>,
+    // Worlds made of it take a share.
+    pub(crate) task: Option<Shared>,
+}
+
+// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+unsafe impl Send for Scene {}
+unsafe impl Sync for Scene {}
+
+/// Where a scene comes from; at most one of them is given.
+#[derive(Default)]
+struct Source<'a> {
+    name: Option<&'a str>,
+    file: Option<&'a str>,
+    xml: Option<&'a str>,
+}
+
+impl Scene {
+    /// An empty world.
+    pub fn empty() -> Result<Scene> {
+        Scene::create(Source::default())
+    }
+
+    /// A built-in scene: "reach", "benchmark", ...; see [`builtin_scenes`].
+    pub fn builtin(name: &str) -> Result<Scene> {
+        Scene::create(Source { name: Some(name), ..Source::default() })
+    }
+
+    /// An MJCF file. Its includes may name built-in files as "mimo/mitten.xml".
+    pub fn file(path: &str) -> Result<Scene> {
+        Scene::create(Source { file: Some(path), ..Source::default() })
+    }
+
+    /// MJCF text; relative paths in it start from the working directory.
+    pub fn xml(text: &str) -> Result<Scene> {
+        Scene::create(Source { xml: Some(text), ..Source::default() })
+    }
+
+    fn create(source: Source) -> Result<Scene> {
+        let name = source.name.map(c_string).transpose()?;
+        let file = source.file.map(c_string).transpose()?;
+        let xml = source.xml.map(c_string).transpose()?;
+        let mut config = defaults(sys::mimo_scene_config_init)?;
+        config.name = pointer(&name);
+        config.file = pointer(&file);
+        config.xml = pointer(&xml);
+        let mut handle = null_mut();
+        check(unsafe { sys::mimo_scene_create(&config, &mut handle) })?;
+        Ok(Scene { handle: NonNull::new(handle).expect("a handle"), task: None })
+    }
+
+    pub(crate) fn handle(&self) -> *mut sys::mimo_scene {
+        self.handle.as_ptr()
+    }
+
+    /// What the scene gives its infant by itself.
+    pub fn default_agent(&self) -> Result<AgentConfig> {
+        let mut raw = defaults(sys::mimo_agent_config_init)?;
+        let size = std::mem::size_of_val(&raw);
+        check(unsafe { sys::mimo_scene_default_agent(self.handle(), &mut raw, size) })?;
+        AgentConfig::of(raw)
+    }
+
+    /// Adds an infant and gives its number, 0 for the first.
+    pub fn add_agent(&mut self, agent: &AgentConfig) -> Result<usize> {
+        let mut number = 0;
+        agent.with_raw(|raw| check(unsafe { sys::mimo_scene_add_agent(self.handle(), raw, &mut number) }))?;
+        Ok(number as usize)
+    }
+
+    /// Adds all infants that the scene names, each at a place of its own; in a scene that names none a single one.
+    /// `agent` is what they have in common; None: the scene's own. Gives how many they are.
+    pub fn add_agents(&mut self, agent: Option<&AgentConfig>) -> Result<usize> {
+        let mut count = 0;
+        let mut add = |raw| check(unsafe { sys::mimo_scene_add_agents(self.handle(), raw, &mut count) });
+        match agent {
+            Some(agent) => agent.with_raw(|raw| add(raw))?,
+            None => add(null())?,
+        }
+        Ok(count)
+    }
+
+    /// Gives a scene that has none a room, see [`rooms`].
+    pub fn set_room(&mut self, name: &str) -> Result<()> {
+        let name = c_string(name)?;
+        check(unsafe { sys::mimo_scene_set_room(self.handle(), name.as_ptr()) })
+    }
+
+    /// Adds an MJCF document with one body as an object.
+    pub fn add_model(&mut self, model: &Model) -> Result<()> {
+        model.with_raw(|raw| check(unsafe { sys::mimo_scene_add_model(self.handle(), raw) }))
+    }
+
+    /// Fastens a body softly to another one, or to the world: in a pose (position, quaternion w x y z) in its frame, or as
+    /// they are to each other where the scene starts.
+    pub fn weld(&mut self, body: &str, other: Option<&str>, pose: Option<&[f64; 7]>) -> Result<()> {
+        let (body, other) = (c_string(body)?, other.map(c_string).transpose()?);
+        let pose = pose.map_or(null(), |pose| pose.as_ptr());
+        check(unsafe { sys::mimo_scene_weld(self.handle(), body.as_ptr(), pointer(&other), pose) })
+    }
+
+    /// Holds a hinge or slide softly, and starts it there, rad or m.
+    pub fn lock(&mut self, joint: &str, value: f64) -> Result<()> {
+        let joint = c_string(joint)?;
+        check(unsafe { sys::mimo_scene_lock(self.handle(), joint.as_ptr(), value) })
+    }
+
+    /// Sets where a hinge or slide starts, rad or m.
+    pub fn set_pose(&mut self, joint: &str, value: f64) -> Result<()> {
+        let joint = c_string(joint)?;
+        check(unsafe { sys::mimo_scene_set_pose(self.handle(), joint.as_ptr(), value) })
+    }
+
+    /// Adds an object.
+    pub fn add_object(&mut self, object: &Object) -> Result<()> {
+        object.with_raw(|raw| check(unsafe { sys::mimo_scene_add_object(self.handle(), raw) }))
+    }
+
+    /// Has an agent's proprioception read this hinge or slide; the first call takes away all others.
+    pub fn read_joint(&mut self, agent: usize, joint: &str) -> Result<()> {
+        let joint = c_string(joint)?;
+        check(unsafe { sys::mimo_scene_read_joint(self.handle(), number_of(agent), joint.as_ptr()) })
+    }
+
+    /// Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on.
+    pub fn limit_sense(&mut self, agent: usize, path: &str, limits: &Limits) -> Result<()> {
+        let (path, limits) = (c_string(path)?, limits.raw()?);
+        check(unsafe { sys::mimo_scene_limit_sense(self.handle(), number_of(agent), path.as_ptr(), &limits) })
+    }
+
+    /// Has a camera observed; its fields come after those of all infants.
+    pub fn add_camera(&mut self, camera: &Camera) -> Result<()> {
+        camera.with_raw(|raw| check(unsafe { sys::mimo_scene_add_camera(self.handle(), raw) }))
+    }
+
+    /// Gives all worlds made from now on a task of one's own, in place of the scene's.
+    pub fn set_task(&mut self, task: impl Task + 'static) -> Result<()> {
+        let task = task::shared(task);
+        let raw = task::raw(&task)?;
+        check(unsafe { sys::mimo_scene_set_task(self.handle(), &raw) })?;
+        self.task = Some(task);
+        Ok(())
+    }
+
+    /// Takes it away again.
+    pub fn clear_task(&mut self) -> Result<()> {
+        check(unsafe { sys::mimo_scene_set_task(self.handle(), null()) })?;
+        self.task = None;
+        Ok(())
+    }
+
+    /// Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there.
+    pub fn set_touch(&mut self, agent: usize, body: &str, spacing: f64) -> Result<()> {
+        let body = c_string(body)?;
+        check(unsafe { sys::mimo_scene_set_touch(self.handle(), number_of(agent), body.as_ptr(), spacing) })
+    }
+
+    /// Sets a parameter of a task, "reach/success_reward", for worlds made from now on.
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<()> {
+        let name = c_string(name)?;
+        check(unsafe { sys::mimo_scene_set_parameter(self.handle(), name.as_ptr(), value) })
+    }
+
+    /// The value that a parameter has in this scene.
+    pub fn parameter(&self, name: &str) -> Result<f64> {
+        let name = c_string(name)?;
+        let mut value = 0.0;
+        check(unsafe { sys::mimo_scene_get_parameter(self.handle(), name.as_ptr(), &mut value) })?;
+        Ok(value)
+    }
+
+    /// The scene as one MJCF document, as MuJoCo will compile it.
+    pub fn to_xml(&self) -> Result<String> {
+        let mut length = 0;
+        check(unsafe { sys::mimo_scene_xml(self.handle(), null_mut(), 0, &mut length) })?;
+        let mut bytes = vec![0u8; length + 1];
+        check(unsafe {
+            sys::mimo_scene_xml(self.handle(), bytes.as_mut_ptr() as *mut _, bytes.len(), null_mut())
+        })?;
+        Ok(text(bytes.as_ptr() as *const _))
+    }
+}
+
+/// C's number of an agent; one that is too large for it is none there either.
+fn number_of(agent: usize) -> i32 {
+    i32::try_from(agent).unwrap_or(i32::MAX)
+}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        unsafe { sys::mimo_scene_destroy(self.handle()) }
+    }
+}
+
+/// Names of the built-in scenes.
+pub fn builtin_scenes() -> Vec<String> {
+    names(sys::mimo_scene_builtin)
+}
+
+/// Names of the rooms for [`Scene::set_room`].
+pub fn rooms() -> Vec<String> {
+    names(sys::mimo_scene_room)
+}
+
+/// Names of the faces of the built-in bodies.
+pub fn faces() -> Vec<String> {
+    names(sys::mimo_face_name)
+}
+
+fn names(by_index: unsafe extern "C" fn(usize) -> *const std::os::raw::c_char) -> Vec<String> {
+    (0..).map(|index| text(unsafe { by_index(index) })).take_while(|name| !name.is_empty()).collect()
+}

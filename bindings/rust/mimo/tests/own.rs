@@ -1,0 +1,205 @@
+//! Tasks of one's own, locks, gravity, random numbers.
+use mimo::sys::*;
+use mimo::{Batch, BatchConfig, Env, EnvConfig, Error, Judgement, Kind, Result, Scene, Task, Whom, World};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::Arc;
+
+/// Counts its steps in its memory, and ends the episode well at the third.
+struct Counter {
+    dropped: Arc<AtomicUsize>,
+}
+
+impl Drop for Counter {
+    fn drop(&mut self) {
+        self.dropped.fetch_add(1, Ordering::SeqCst);
+    }
+}
+
+impl Task for Counter {
+    fn memory(&self) -> usize {
+        2
+    }
+
+    fn reset(&self, world: &mut World, whom: Whom, memory: &mut [f64]) -> Result<()> {
+        assert_eq!(memory, [0.0, 0.0]);
+        world.random(&mut memory[1..])?;
+        let joint = world.find(MIMO_JOINT, "robot:left_elbow")?;
+        world.set(MIMO_JOINT_POSITION, &[joint], &[-0.5 - 0.1 * whom.world as f64])
+    }
+
+    fn evaluate(&self, world: &World, whom: Whom, memory: &mut [f64]) -> Result<Judgement> {
+        assert!(world.time()? > 0.0 && whom.agent == 0 && memory[1] > 0.0);
+        memory[0] += 1.0;
+        Ok(Judgement { reward: memory[0], success: if memory[0] == 3.0 { Some(true) } else { None } })
+    }
+}
+
+fn scene(task: impl Task + 'static) -> Scene {
+    let mut scene = Scene::builtin("free").unwrap();
+    let mut agent = scene.default_agent().unwrap();
+    agent.vision(0, 8, 8).touch(0, 1.0);
+    scene.add_agent(&agent).unwrap();
+    scene.set_task(task).unwrap();
+    scene
+}
+
+#[test]
+fn own_task_rewards_and_ends() {
+    let dropped = Arc::new(AtomicUsize::new(0));
+    let scene = scene(Counter { dropped: dropped.clone() });
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let mut config = BatchConfig::new(2).unwrap();
+    config.threads(2);
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
+    drop(scene);
+    env.reset(Some(1), None).unwrap();
+    env.step(&[], None).unwrap();
+    let mut twin = env.try_clone().unwrap();
+    drop(env);
+    assert_eq!(dropped.load(Ordering::SeqCst), 0);
+    let step = twin.step(&[], None).unwrap();
+    assert_eq!((step.reward, step.terminated), (2.0, false));
+    let step = twin.step(&[], None).unwrap();
+    assert_eq!((step.reward, step.terminated), (3.0, true));
+
+    batch.reset(Some(&[1, 2]), None).unwrap();
+    let joint = batch.world(0).unwrap().find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    let mut angles = [0.0; 2];
+    batch.get_into(MIMO_JOINT_POSITION, &[joint], &mut angles).unwrap();
+    assert_eq!(angles, [-0.5, -0.6]);
+    let mut results = batch.new_results().unwrap();
+    let meanwhile = batch.step_while(&[], None, &mut results, || 41 + 1).unwrap();
+    assert_eq!((meanwhile, results.reward.as_slice()), (42, &[1.0, 1.0][..]));
+    drop((twin, batch));
+    assert_eq!(dropped.load(Ordering::SeqCst), 1);
+}
+
+/// A room, a cup in it, and a handle that is fastened to the cup.
+#[test]
+fn scenes_are_built() {
+    const CUP: &str = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
+    assert!(mimo::rooms().contains(&"playroom".to_string()));
+    let mut scene = Scene::empty().unwrap();
+    scene.set_room("playroom").unwrap();
+    assert!(scene.set_room("playroom").is_err());
+    let mut agent = scene.default_agent().unwrap();
+    agent.vision(0, 8, 8).touch(0, 1.0);
+    assert_eq!(scene.add_agents(Some(&agent)), Ok(1));
+    let mut cup = mimo::Model::xml("cup", CUP).unwrap();
+    scene.add_model(cup.place([1.0, 0.5, 0.5], [1.0, 0.0, 0.0, 0.0])).unwrap();
+    scene.weld("cup", None, None).unwrap();
+    scene.lock("robot:left_elbow", -0.5).unwrap();
+    scene.set_pose("robot:right_elbow", -0.7).unwrap();
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    env.reset(Some(1), None).unwrap();
+    let joints = ["robot:left_elbow", "robot:right_elbow"].map(|name| env.find(MIMO_JOINT, name).unwrap());
+    assert_eq!(env.get(MIMO_JOINT_POSITION, &joints).unwrap(), [-0.5, -0.7]);
+    assert_eq!(env.locked(joints[0]).unwrap(), Some(-0.5));
+    assert_eq!(env.body_of(MIMO_GEOM, env.find(MIMO_GEOM, "cup/side").unwrap()), env.find(MIMO_BODY, "cup"));
+    for _ in 0..50 {
+        env.step(&[], None).unwrap();
+    }
+    let cup = env.find(MIMO_BODY, "cup").unwrap();
+    assert!(env.get(MIMO_BODY_POSITION, &[cup]).unwrap()[2] > 0.45); // it would be on the floor otherwise
+}
+
+/// A perfect sense times two, and half a second later.
+#[test]
+fn limited_senses() {
+    let build = |limits: Option<mimo::Limits>| {
+        let mut scene = Scene::builtin("reach").unwrap();
+        let agent = scene.default_agent().unwrap();
+        scene.add_agent(&agent).unwrap();
+        if let Some(limits) = limits {
+            scene.limit_sense(0, "proprioception/velocity", &limits).unwrap();
+        }
+        scene.read_joint(0, "robot:right_elbow").unwrap();
+        let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+        let mut block = env.new_block().unwrap();
+        env.reset(Some(1), Some(&mut block)).unwrap();
+        let speed = |block: &mimo::Block| block.f32("proprioception/velocity").unwrap().to_vec();
+        let mut seen = vec![speed(&block)];
+        for _ in 0..4 {
+            env.step(&[], Some(&mut block)).unwrap();
+            seen.push(speed(&block));
+        }
+        seen
+    };
+    let plain = build(None);
+    assert_eq!(plain[0].len(), 1);
+    let twice = build(Some(mimo::Limits { gain: 2.0, delay: 2, ..mimo::Limits::default() }));
+    assert_eq!(twice[4][0], 2.0 * plain[2][0]);
+    assert_ne!(plain[2], plain[4]);
+    let error =
+        Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::default()).unwrap_err();
+    assert_eq!(error.kind(), Kind::InvalidArgument);
+}
+
+/// No MuJoCo is linked here, so only refusals can be tested; tests/capi attaches senses to a model.
+#[test]
+fn senses_refuse_what_is_no_model() {
+    let mut scene = Scene::empty().unwrap();
+    let mut agent = mimo::AgentConfig::new().unwrap();
+    agent.body("scene").unwrap().root("world").unwrap().vestibular_at("head").unwrap().vision(0, 8, 8);
+    scene.add_agent(&agent).unwrap();
+    let config = EnvConfig::new().unwrap();
+    let attach =
+        |version| unsafe { mimo::Senses::attach(&scene, &config, std::ptr::null(), version, [0, 0]) };
+    assert_eq!(attach(222).err().unwrap().kind(), Kind::InvalidArgument);
+    assert_eq!(attach(999).err().unwrap().kind(), Kind::Unsupported);
+}
+
+/// Fails or panics, as its number says.
+struct Broken(u32);
+
+impl Task for Broken {
+    fn evaluate(&self, _: &World, _: Whom, _: &mut [f64]) -> Result<Judgement> {
+        match self.0 {
+            0 => Err(Error::new(Kind::Unsupported, "not today")),
+            _ => panic!("dropped at the border"),
+        }
+    }
+}
+
+#[test]
+fn errors_and_panics_of_tasks_are_errors_of_the_step() {
+    for (number, kind) in [(0, Kind::Unsupported), (1, Kind::Internal)] {
+        let mut env = Env::new(&scene(Broken(number)), &EnvConfig::new().unwrap()).unwrap();
+        assert_eq!(env.step(&[], None).unwrap_err().kind(), kind);
+    }
+    let mut scene = scene(Broken(1));
+    scene.clear_task().unwrap();
+    Env::new(&scene, &EnvConfig::new().unwrap()).unwrap().step(&[], None).unwrap();
+}
+
+/// A panic between send and receive must not leave the library writing into arrays that are gone.
+#[test]
+fn panic_while_stepping_receives() {
+    let dropped = Arc::new(AtomicUsize::new(0));
+    let scene = scene(Counter { dropped });
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(2).unwrap()).unwrap();
+    batch.reset(Some(&[1, 2]), None).unwrap();
+    let mut results = batch.new_results().unwrap();
+    let panicked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        batch.step_while(&[], None, &mut results, || panic!("meanwhile")).unwrap()
+    }));
+    assert!(panicked.is_err());
+    assert_eq!(results.reward, [1.0, 1.0]);
+    batch.step(&[], None, &mut results).unwrap();
+}
+
+#[test]
+fn locks_and_gravity_are_of_one_world() {
+    let mut env = Env::make("benchmark").unwrap();
+    let elbow = env.find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    assert_eq!(env.locked(elbow).unwrap(), None);
+    env.lock(elbow, -0.5).unwrap();
+    env.set_gravity([0.0, 0.0, -1.6]).unwrap();
+    let twin = env.try_clone().unwrap();
+    assert_eq!(twin.locked(elbow).unwrap(), Some(-0.5));
+    assert_eq!(twin.gravity().unwrap(), [0.0, 0.0, -1.6]);
+    env.unlock(elbow).unwrap();
+    assert_eq!(env.locked(elbow).unwrap(), None);
+    assert_eq!(twin.locked(elbow).unwrap(), Some(-0.5));
+    assert!(env.lock(elbow, 99.0).unwrap_err().message().contains("angle"));
+}

@@ -1,0 +1,100 @@
+//! Faces, gaze, cameras and pictures.
+use mimo::sys::*;
+use mimo::{Camera, Env, EnvConfig, Kind, Look, Picture, Scene};
+
+/// The scene "free" with a small infant that sees nothing by itself.
+fn room() -> Scene {
+    let mut scene = Scene::builtin("free").unwrap();
+    let mut agent = scene.default_agent().unwrap();
+    agent.vision(0, 8, 8).touch(0, 1.0).face("sadness").unwrap();
+    scene.add_agent(&agent).unwrap();
+    scene
+}
+
+fn world(scene: &Scene) -> Env {
+    Env::new(scene, &EnvConfig::new().unwrap()).unwrap()
+}
+
+#[test]
+fn faces_show_in_pictures() {
+    assert_eq!(mimo::faces().len(), 7); // no emotion, and the six basic ones
+    let mut env = world(&room());
+    assert_eq!(env.face(0).unwrap(), "sadness");
+    let mut close = Picture::new(64, 64).unwrap();
+    let head = env.find(MIMO_BODY, "head").unwrap();
+    let place = env.get(MIMO_BODY_POSITION, &[head]).unwrap();
+    close.free([place[0], place[1], place[2] + 0.07], 0.3, 180.0, 0.0);
+    let sad = env.render(&close).unwrap();
+    env.set_face(0, "fear").unwrap();
+    assert_eq!(env.face(0).unwrap(), "fear");
+    assert_ne!(sad, env.render(&close).unwrap());
+    let error = env.set_face(0, "boredom").unwrap_err();
+    assert_eq!(error.kind(), Kind::NotFound);
+    assert!(error.message().contains("boredom") && error.message().contains("surprise"), "{}", error);
+}
+
+/// The eyes' centres are 49 mm apart: 2 atan(0.0245 m / d) is the vergence at a distance d straight ahead.
+#[test]
+fn lines_of_sight_meet_where_it_looks() {
+    let mut env = world(&room());
+    let before = env.gaze(0).unwrap();
+    let eyes: Vec<f64> = (0..3).map(|i| (before.left.position[i] + before.right.position[i]) / 2.0).collect();
+    let point = [eyes[0] + 0.4, eyes[1], eyes[2]];
+    let planned = env.look_angles(0, point, Look::Head).unwrap();
+    assert_eq!((planned.joints.len(), planned.angles.len()), (8, 8));
+    let missed = env.look_at(0, point, Look::Head).unwrap();
+    assert!(missed.iter().all(|angle| angle.abs() < 1e-6), "{:?}", missed);
+    let now = env.get(MIMO_JOINT_POSITION, &planned.joints).unwrap();
+    assert!(now.iter().zip(&planned.angles).all(|(now, angle)| (now - angle).abs() < 1e-12));
+    let gaze = env.gaze(0).unwrap();
+    let met = gaze.point.unwrap();
+    assert!((0..3).all(|i| (met[i] - point[i]).abs() < 1e-6), "{:?} {:?}", met, point);
+    assert!((gaze.vergence - 2.0 * (0.0245f64 / 0.4).atan()).abs() < 0.02, "{}", gaze.vergence);
+}
+
+#[test]
+fn cameras_are_fields_and_pictures() {
+    let mut scene = room();
+    let mut wall = Camera::new("wall", [1.5, 0.0, 0.8], [0.0, 0.0, 0.4]).unwrap();
+    wall.size(32, 24).outputs(MIMO_VISION_RGB | MIMO_VISION_SEGMENTATION);
+    scene.add_camera(&wall).unwrap();
+    assert!(scene.add_camera(&wall).unwrap_err().message().contains("wall"));
+    let mut palm = Camera::new("palm", [0.0, 0.0, 0.1], [0.0, 0.0, 1.0]).unwrap();
+    palm.size(8, 8).body("left_hand").unwrap();
+    scene.add_camera(&palm).unwrap();
+    let mut nowhere = Camera::of_scene("periscope").unwrap();
+    nowhere.size(8, 8);
+    let mut config = EnvConfig::new().unwrap();
+    config.render(MIMO_RENDER_SHADOWS).samples(4).render_threads(2);
+
+    let mut env = Env::new(&scene, &config).unwrap();
+    let mut block = env.new_block().unwrap();
+    env.reset(Some(1), Some(&mut block)).unwrap();
+    assert_eq!(block.u8("vision/palm").unwrap().len(), 8 * 8 * 3);
+    let floor = env.find(MIMO_GEOM, "floor").unwrap();
+    assert!(block.i32("vision/wall_segmentation").unwrap().contains(&floor));
+
+    let mut picture = Picture::new(32, 24).unwrap();
+    picture.camera("wall").unwrap();
+    let plain = env.render(&picture).unwrap();
+    assert_eq!(plain, block.u8("vision/wall").unwrap());
+    let flipped = env.render(picture.format(MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP)).unwrap();
+    assert_eq!(flipped[..3], plain[23 * 32 * 3..][..3]);
+    assert_eq!((flipped.len(), flipped[3]), (32 * 24 * 4, 255));
+
+    scene.add_camera(&nowhere).unwrap();
+    assert_eq!(Env::new(&scene, &config).err().unwrap().kind(), Kind::NotFound);
+}
+
+#[test]
+fn skin_is_where_touch_is() {
+    let mut env = Env::make("benchmark").unwrap();
+    let sensors = env.touch_sensors(0).unwrap();
+    assert_eq!(sensors.len(), 5685); // docs/guide/touch.md
+    let on_the_body = |id| env.body_of(MIMO_GEOM, id).unwrap();
+    assert!(sensors.iter().all(|sensor| on_the_body(sensor.geom) == sensor.body));
+    let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    assert!(sensors.iter().all(|sensor| (length(&sensor.frame[..3]) - 1.0).abs() < 1e-12));
+    env.update().unwrap();
+    assert!(env.touch_sensors(1).is_err());
+}

@@ -1,0 +1,177 @@
+//! One world, driven as a user drives it.
+use mimo::sys::*;
+use mimo::{AgentConfig, Env, EnvConfig, Kind, Level, Object, Scene};
+use std::sync::{Arc, Mutex};
+
+/// An empty world with one ball at a height of 2 m: physics that can be computed by hand.
+fn ball() -> Env {
+    let mut scene = Scene::empty().unwrap();
+    scene.add_object(Object::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
+    Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
+}
+
+/// The original's infant weighs 10.905 kg; MIMo's bodies hang on mimo_location.
+#[test]
+fn body_is_that_of_the_paper() {
+    assert!(mimo::builtin_scenes().contains(&"benchmark".to_string()));
+    let env = Env::make("benchmark").unwrap();
+    let root = env.find(MIMO_BODY, "mimo_location").unwrap();
+    let infant: Vec<i32> =
+        (1..env.count(MIMO_BODY).unwrap() as i32).filter(|&id| hangs_on(&env, id, root)).collect();
+    let mass: f64 = env.get(MIMO_BODY_MASS, &infant).unwrap().iter().sum();
+    assert!((mass - 10.905).abs() < 5e-4, "{}", mass);
+}
+
+fn hangs_on(env: &Env, mut body: i32, root: i32) -> bool {
+    while body > 0 && body != root {
+        let child = body;
+        assert_eq!(unsafe { mimo_env_body_of(env.handle(), MIMO_BODY as i32, child, &mut body) }, 0);
+    }
+    body == root
+}
+
+/// Semi-implicit Euler with h = 5 ms: after n steps a ball has fallen by g h^2 n (n + 1) / 2.
+#[test]
+fn ball_falls_as_calculated() {
+    let mut env = ball();
+    let id = env.find(MIMO_BODY, "ball").unwrap();
+    env.reset(Some(1), None).unwrap();
+    for _ in 0..10 {
+        env.step_agents(&[], None, &mut []).unwrap(); // nobody to be rewarded
+    }
+    let n = (env.time().unwrap() / 0.005).round();
+    assert!(n >= 10.0);
+    unsafe { mimo_env_update(env.handle()) };
+    let height = env.get(MIMO_BODY_POSITION, &[id]).unwrap()[2];
+    let expected = 2.0 - 9.81 * 0.005 * 0.005 * n * (n + 1.0) / 2.0;
+    assert!((height - expected).abs() < 1e-12, "{} {}", height, expected);
+}
+
+#[test]
+fn fields_are_views_of_the_block() {
+    let mut env = Env::make("benchmark").unwrap();
+    let mut block = env.new_block().unwrap();
+    env.reset(Some(7), Some(&mut block)).unwrap();
+    let picture = block.u8("vision/eye_left").unwrap();
+    assert_eq!(picture.len(), 256 * 256 * 3); // the default size
+    assert!(block.as_bytes().as_ptr_range().contains(&picture.as_ptr()));
+    assert_eq!(block.as_bytes().as_ptr() as usize % 64, 0);
+    assert_eq!(block.f32("vestibular/acceleration").unwrap().len(), 3);
+
+    let joint = env.find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    let angle = env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[0] as f32;
+    assert!(block.f32("proprioception/position").unwrap().contains(&angle));
+}
+
+#[test]
+fn errors_carry_kind_and_message() {
+    let error = Env::make("benchmarc").err().unwrap();
+    assert_eq!(error.kind(), Kind::NotFound);
+    assert!(error.message().contains("\"benchmarc\"") && error.message().contains("benchmark"), "{}", error);
+
+    let mut env = Env::make("reach").unwrap();
+    let mut action = vec![0.0; env.action_size().unwrap()];
+    action[1] = f32::NAN;
+    let error = env.step(&action, None).unwrap_err();
+    assert_eq!((error.kind(), error.message()), (Kind::InvalidArgument, "action[1] is not a number"));
+
+    let block = env.new_block().unwrap();
+    assert_eq!(block.f32("touch/farce").unwrap_err().kind(), Kind::NotFound);
+    let name = block.fields()[0].name.clone();
+    assert!(block.u8(&name).unwrap_err().message().contains("F32"));
+    assert_eq!(Scene::builtin("a\0b").err().unwrap().kind(), Kind::InvalidArgument);
+}
+
+#[test]
+fn block_of_another_world_is_refused() {
+    let mut small = Env::make("reach").unwrap();
+    let mut block = small.new_block().unwrap();
+    small.reset(Some(1), Some(&mut block)).unwrap();
+    let before = block.as_bytes().to_vec();
+    let error = Env::make("benchmark").unwrap().reset(Some(1), Some(&mut block)).unwrap_err();
+    assert_eq!(error.kind(), Kind::BufferTooSmall);
+    assert_eq!(before, block.as_bytes());
+}
+
+#[test]
+fn saved_state_continues_to_the_bit() {
+    let mut env = Env::make("reach").unwrap();
+    let (mut first, mut second) = (env.new_block().unwrap(), env.new_block().unwrap());
+    let action = vec![0.5; env.action_size().unwrap()];
+    env.reset(Some(3), None).unwrap();
+    env.step(&action, None).unwrap();
+    let state = env.save().unwrap();
+    let mut clone = env.try_clone().unwrap();
+    env.step(&action, Some(&mut first)).unwrap();
+    clone.step(&action, Some(&mut second)).unwrap();
+    assert_eq!(first.as_bytes(), second.as_bytes());
+    env.load(&state).unwrap();
+    env.step(&action, Some(&mut second)).unwrap();
+    assert_eq!(first.as_bytes(), second.as_bytes());
+}
+
+#[test]
+fn agent_config_reaches_the_world() {
+    let mut scene = Scene::builtin("benchmark").unwrap();
+    let mut agent = AgentConfig::new().unwrap();
+    agent.name("anna").unwrap().vision(MIMO_VISION_DEPTH, 32, 16).acts(MIMO_ACT_RIGHT_ARM);
+    assert_eq!(scene.add_agent(&agent), Ok(0));
+    scene.set_parameter("reach/success_reward", 5.0).unwrap();
+    assert_eq!(scene.parameter("reach/success_reward"), Ok(5.0));
+    assert!(scene.to_xml().unwrap().starts_with('<'));
+    let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    assert_eq!(env.action_size(), Ok(4)); // shoulder (three) and elbow
+    assert_eq!(env.new_block().unwrap().f32("anna/vision/eye_left_depth").unwrap().len(), 32 * 16);
+}
+
+/// A panic in the callback must not unwind through the library.
+#[test]
+fn log_panics_stay_inside() {
+    let heard = Arc::new(Mutex::new(Vec::new()));
+    let copy = heard.clone();
+    let mut config = EnvConfig::new().unwrap();
+    config.log(move |level, message| {
+        if let Ok(mut heard) = copy.lock() {
+            heard.push((level, message.to_string()));
+        }
+        panic!("dropped at the border");
+    });
+    let scene = Scene::xml(CROWDED).unwrap();
+    let mut env = Env::new(&scene, &config).unwrap();
+    env.step_agents(&[], None, &mut []).unwrap();
+    let heard = heard.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    assert!(
+        heard.iter().any(|(level, message)| *level == Level::Warning && !message.is_empty()),
+        "{:?}",
+        heard
+    );
+}
+
+/// Two boxes on each other with room for a single contact: MuJoCo warns.
+const CROWDED: &str = r#"<mujoco><size nconmax="1"/><worldbody>
+  <geom type="plane" size="1 1 1"/>
+  <body pos="0 0 0.05"><freejoint/><geom type="box" size="0.1 0.1 0.1"/></body>
+</worldbody></mujoco>"#;
+
+#[test]
+fn handles_move_between_threads() {
+    fn needs<T: Send + Sync>() {}
+    needs::<Scene>();
+    needs::<Env>();
+    needs::<mimo::Batch>();
+    needs::<mimo::Block>();
+    let env = Env::make("reach").unwrap();
+    let count = env.action_size().unwrap();
+    let env = std::thread::spawn(move || {
+        let mut env = env;
+        env.step(&vec![0.0; count], None).unwrap();
+        env
+    })
+    .join()
+    .unwrap();
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| assert!(env.time().unwrap() > 0.0));
+        }
+    });
+}

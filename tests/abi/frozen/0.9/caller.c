@@ -1,0 +1,298 @@
+/*
+ * A program from the days of version 0.9 of the interface. It is compiled against the header of those days, which lies
+ * beside it, and runs on the library of today. Neither it nor that header ever changes: it shows that programs which
+ * were built then go on working. It asks for what such programs rely on: functions, structs and their sizes,
+ * constants, errors, and that what they did not know of is as if it were not there.
+ */
+#include <mimo/mimo.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failed = 0;
+
+#define CHECK(condition)                                                                                       \
+  do {                                                                                                         \
+    if (!(condition)) {                                                                                        \
+      ++failed;                                                                                                \
+      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error());             \
+    }                                                                                                          \
+  } while (0)
+#define OK(call) CHECK((call) == MIMO_OK)
+
+static int messages = 0;
+
+static void count_message(void *user, int32_t level, const char *message) {
+  CHECK(user == &messages && level >= MIMO_LOG_WARNING && message != NULL);
+  ++messages;
+}
+
+static void versions(void) {
+  mimo_env *none = NULL;
+  CHECK(mimo_abi_version() == MIMO_ABI_VERSION);
+  CHECK(strcmp(mimo_status_name(MIMO_E_NOT_FOUND), "MIMO_E_NOT_FOUND") == 0);
+  CHECK(mimo_version()[0] != '\0' && mimo_mujoco_version()[0] != '\0');
+  CHECK(mimo_env_make("nowhere", &none) == MIMO_E_NOT_FOUND && none == NULL);
+  CHECK(strstr(mimo_last_error(), "nowhere") != NULL);
+  CHECK(strcmp(mimo_face_name(0), "neutral") == 0 && mimo_scene_builtin(0) != NULL && mimo_task_name(0) != NULL);
+}
+
+/* An infant with small eyes, a ball and a camera in the room "free". What follows a struct in memory stays as it is. */
+static mimo_scene *make_scene(void) {
+  struct {
+    mimo_agent_config config;
+    uint64_t after;
+  } agent;
+  mimo_scene_config room;
+  mimo_object_config ball;
+  mimo_camera_config wall;
+  mimo_limits limits;
+  mimo_senses *senses = NULL;
+  mimo_scene *scene = NULL;
+  int32_t number = -1;
+  double value = 0;
+  OK(mimo_scene_config_init(&room, sizeof room));
+  CHECK(room.struct_size == sizeof room && room.name == NULL && room.log == NULL);
+  room.name = "free";
+  room.log = count_message;
+  room.log_user = &messages;
+  OK(mimo_scene_create(&room, &scene));
+
+  agent.after = 0x1234567890abcdefu;
+  OK(mimo_agent_config_init(&agent.config, sizeof agent.config));
+  CHECK(agent.after == 0x1234567890abcdefu && agent.config.struct_size == sizeof agent.config);
+  CHECK(agent.config.vision == MIMO_VISION_RGB && agent.config.vision_width == 256);
+  CHECK(agent.config.touch == MIMO_TOUCH_FORCE && agent.config.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
+  OK(mimo_scene_default_agent(scene, &agent.config, sizeof agent.config));
+  CHECK(agent.after == 0x1234567890abcdefu);
+  agent.config.vision_width = agent.config.vision_height = 16;
+  agent.config.vision = MIMO_VISION_RGB | MIMO_VISION_DEPTH;
+  agent.config.touch_scale = 0.5;
+  agent.config.acts = MIMO_ACT_ALL;
+  agent.config.face = "enjoyment";
+  OK(mimo_scene_add_agent(scene, &agent.config, &number));
+  CHECK(number == 0);
+  OK(mimo_scene_set_touch(scene, 0, "left_hand", 0.01));
+
+  OK(mimo_limits_init(&limits, sizeof limits));
+  CHECK(limits.gain == 1 && limits.delay == 0);
+  OK(mimo_scene_limit_sense(scene, 0, "touch", &limits));
+  CHECK(mimo_senses_attach(scene, NULL, NULL, 222, 0, 0, &senses) == MIMO_E_INVALID_ARGUMENT && senses == NULL);
+  mimo_senses_destroy(senses);
+
+  OK(mimo_object_config_init(&ball, sizeof ball));
+  ball.name = "toy";
+  ball.shape = MIMO_SHAPE_SPHERE;
+  ball.position[0] = 1;
+  ball.position[2] = 2;
+  OK(mimo_scene_add_object(scene, &ball));
+  OK(mimo_camera_config_init(&wall, sizeof wall));
+  wall.name = "wall";
+  wall.placed = 1;
+  wall.width = wall.height = 8;
+  OK(mimo_scene_add_camera(scene, &wall));
+  OK(mimo_scene_set_parameter(scene, "reach/success_reward", 5));
+  OK(mimo_scene_get_parameter(scene, "reach/success_reward", &value));
+  CHECK(value == 5);
+  return scene;
+}
+
+static mimo_field field_named(const mimo_env *env, const char *name) {
+  mimo_field field;
+  size_t count = 0, i;
+  memset(&field, 0, sizeof field);
+  OK(mimo_env_observation_size(env, NULL, &count));
+  for (i = 0; i < count; ++i) {
+    field.struct_size = sizeof field;
+    OK(mimo_env_observation_field(env, i, &field));
+    if (strcmp(field.name, name) == 0) return field;
+  }
+  fprintf(stderr, "there is no field %s\n", name);
+  exit(1);
+}
+
+static void check_fields(const mimo_env *env) {
+  const mimo_field eye = field_named(env, "vision/eye_left"), depth = field_named(env, "vision/eye_left_depth"),
+                   joints = field_named(env, "proprioception/position"), touch = field_named(env, "touch/force"),
+                   wall = field_named(env, "vision/wall");
+  const char *label = NULL;
+  CHECK(eye.dtype == MIMO_U8 && eye.ndim == 3 && eye.shape[0] == 16 && eye.shape[2] == 3 && eye.bytes == 768);
+  CHECK(depth.dtype == MIMO_F32 && depth.ndim == 2 && strcmp(depth.unit, "m") == 0);
+  CHECK(joints.dtype == MIMO_F32 && joints.time == MIMO_AT_END && joints.offset % 64 == 0);
+  CHECK(touch.ndim == 2 && touch.shape[1] == 3 && touch.time == MIMO_AT_LAST_START);
+  CHECK(wall.bytes == 8 * 8 * 3);
+  OK(mimo_env_observation_label(env, 0, 0, &label));
+}
+
+/* Steps, states, names. A ball falls by g h^2 n (n + 1) / 2 in n steps of h = 5 ms. */
+static void live(mimo_env *env) {
+  const uint64_t seed = 7;
+  size_t bytes = 0, count = 0, agents = 0, state_bytes = 0, i;
+  double reward = 9, seconds = 0, place[3], xyz[3];
+  uint8_t terminated = 9, truncated = 9, held = 9;
+  int32_t toy = -1, elbow = -1, body = -1;
+  mimo_agent_info infant;
+  uint8_t *block, *again, *state;
+  float *action, *low;
+  mimo_env *twin = NULL;
+  OK(mimo_env_observation_size(env, &bytes, NULL));
+  OK(mimo_env_action_size(env, &count));
+  OK(mimo_env_agent_count(env, &agents));
+  CHECK(agents == 1 && bytes % 64 == 0 && count > 0);
+  memset(&infant, 0, sizeof infant);
+  infant.struct_size = sizeof infant;
+  OK(mimo_env_agent(env, 0, &infant));
+  CHECK(infant.action_count == count && fabs(infant.mass - 10.905) < 1e-3);
+  block = malloc(bytes);
+  again = malloc(bytes);
+  action = calloc(count, sizeof *action);
+  low = calloc(count, sizeof *low);
+  OK(mimo_env_action_bounds(env, low, NULL, count));
+  OK(mimo_env_reset(env, &seed, block, bytes));
+  OK(mimo_env_state_size(env, &state_bytes));
+  state = malloc(state_bytes);
+  OK(mimo_env_state_save(env, state, state_bytes));
+  for (i = 0; i < 10; ++i) {
+    action[0] = 0.5f;
+    OK(mimo_env_step(env, action, count, block, bytes, &reward, &terminated, &truncated, 1));
+  }
+  CHECK(reward == 0 && terminated == 0 && truncated == 0);
+  OK(mimo_env_time(env, &seconds));
+  CHECK(fabs(seconds - 0.1) < 1e-12);
+
+  OK(mimo_env_find(env, MIMO_BODY, "toy", &toy));
+  OK(mimo_env_update(env));
+  OK(mimo_env_get(env, MIMO_BODY_POSITION, &toy, 1, place, 3));
+  CHECK(fabs(place[2] - (2 - 9.81 * 0.005 * 0.005 * 20 * 21 / 2)) < 1e-12);
+  OK(mimo_env_clone(env, &twin));
+  OK(mimo_env_state_load(env, state, state_bytes));
+  for (i = 0; i < 10; ++i) OK(mimo_env_step(env, action, count, again, bytes, NULL, NULL, NULL, 0));
+  CHECK(memcmp(block, again, bytes) == 0);
+
+  OK(mimo_env_find(env, MIMO_JOINT, "robot:left_elbow", &elbow));
+  OK(mimo_env_body_of(env, MIMO_JOINT, elbow, &body));
+  OK(mimo_env_lock(twin, elbow, -0.5));
+  OK(mimo_env_lock_state(twin, elbow, &held, NULL));
+  CHECK(held == 1);
+  OK(mimo_env_lock_state(env, elbow, &held, NULL));
+  CHECK(held == 0);
+  OK(mimo_env_set_gravity(twin, 0, 0, -1.6));
+  OK(mimo_env_gravity(twin, xyz, 3));
+  CHECK(xyz[2] == -1.6);
+  mimo_env_destroy(twin);
+  CHECK(mimo_env_time(twin, &seconds) == MIMO_E_BAD_HANDLE);
+  free(state);
+  free(low);
+  free(action);
+  free(again);
+  free(block);
+}
+
+static void see(mimo_env *env) {
+  static uint8_t rgb[8 * 8 * 4];
+  const double point[3] = {1, 0, 0.5};
+  double errors[2], pixels[3];
+  const char *face = NULL;
+  size_t sensors = 0, contacts = 0, terms = 9;
+  mimo_gaze gaze;
+  mimo_timing timing;
+  mimo_picture_config picture;
+  CHECK(mimo_env_face(env, 0, &face) == MIMO_OK && strcmp(face, "enjoyment") == 0);
+  OK(mimo_env_set_face(env, 0, "fear"));
+  memset(&gaze, 0, sizeof gaze);
+  gaze.struct_size = sizeof gaze;
+  OK(mimo_env_look_at(env, 0, point, MIMO_LOOK_HEAD, errors));
+  OK(mimo_env_gaze(env, 0, &gaze));
+  CHECK(gaze.meets == 1 && fabs(gaze.point[0] - 1) < 1e-6);
+  OK(mimo_picture_config_init(&picture, sizeof picture));
+  picture.camera = "wall";
+  picture.width = picture.height = 8;
+  picture.format = MIMO_PICTURE_RGBA;
+  OK(mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0));
+  CHECK(rgb[3] == 255);
+  OK(mimo_env_project(env, &picture, point, 1, pixels));
+  OK(mimo_env_touch_sensors(env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
+  CHECK(sensors > 100);
+  OK(mimo_env_contacts(env, NULL, NULL, 0, &contacts));
+  OK(mimo_env_reward_term_count(env, 0, &terms));
+  memset(&timing, 0, sizeof timing);
+  timing.struct_size = sizeof timing;
+  OK(mimo_env_timing(env, &timing));
+  CHECK(timing.steps == 20);
+}
+
+static mimo_status evaluate(void *user, const mimo_env *env, size_t world, size_t agent, void *memory, double *reward,
+                            int32_t *outcome) {
+  double *steps = memory;
+  (void)env;
+  *steps += 1;
+  *reward = *steps + 10 * (double)world + 100 * (double)agent + *(const double *)user;
+  *outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
+  return MIMO_OK;
+}
+
+/* Two worlds with a task of their own. */
+static void live_together(mimo_scene *scene) {
+  static double thousand = 1000;
+  const uint64_t seeds[2] = {1, 2};
+  double reward[2] = {0, 0};
+  uint8_t terminated[2] = {9, 9}, was_reset[2] = {9, 9};
+  mimo_status status[2] = {9, 9};
+  size_t worlds = 0;
+  mimo_task task;
+  mimo_batch_config config;
+  mimo_batch_results results;
+  mimo_batch *batch = NULL;
+  OK(mimo_task_init(&task, sizeof task));
+  task.user = &thousand;
+  task.memory_bytes = sizeof(double);
+  task.evaluate = evaluate;
+  OK(mimo_scene_set_task(scene, &task));
+  OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = 2;
+  config.threads = 2;
+  config.autoreset = MIMO_AUTORESET_NEXT_STEP;
+  OK(mimo_batch_create(scene, NULL, &config, &batch));
+  OK(mimo_batch_size(batch, &worlds, NULL));
+  CHECK(worlds == 2);
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.reward = reward;
+  results.terminated = terminated;
+  results.agents = 2;
+  results.status = status;
+  results.was_reset = was_reset;
+  results.worlds = 2;
+  OK(mimo_batch_reset(batch, seeds, NULL, 2, NULL, 0));
+  OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
+  CHECK(reward[0] == 1001 && reward[1] == 1011 && terminated[1] == 0 && status[1] == MIMO_OK);
+  OK(mimo_batch_send(batch, NULL, 0, NULL, 0, &results));
+  OK(mimo_batch_receive(batch));
+  CHECK(reward[1] == 1012 && terminated[1] == 1 && was_reset[1] == 0);
+  OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
+  CHECK(reward[1] == 0 && was_reset[1] == 1);
+  OK(mimo_batch_set_face(batch, 0, "anger", NULL, 0));
+  mimo_batch_destroy(batch);
+}
+
+int main(void) {
+  mimo_env_config config;
+  mimo_scene *scene;
+  mimo_env *env = NULL;
+  versions();
+  scene = make_scene();
+  OK(mimo_env_config_init(&config, sizeof config));
+  CHECK(config.struct_size == sizeof config && config.jacobian == MIMO_JACOBIAN_MODEL);
+  CHECK(config.render == MIMO_RENDER_DEFAULT && config.render_threads == 1);
+  config.timing = 1;
+  OK(mimo_env_create(scene, &config, &env));
+  if (env == NULL) return 1;
+  check_fields(env);
+  live(env);
+  see(env);
+  live_together(scene);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+  return failed == 0 ? 0 : 1;
+}
