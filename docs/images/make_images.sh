@@ -22,6 +22,24 @@ for renderer in ray osmesa; do
 done
 montage "$work/body_ray.png" "$work/body_osmesa.png" -resize 40% -tile 2x1 -geometry +3+3 -depth 8 body.png
 
+# Hands with five fingers around a ball, and the nursery with its toys.
+"$mimo" render --scene catch --touch off --look-at 0.1 -0.07 0.64 --distance 0.85 --azimuth 150 --elevation -15 \
+  --width 1280 --height 960 --seed 2 --out "$work/catch.png"
+"$mimo" render --scene showroom --touch off --look-at 0.05 -0.08 0.35 --distance 1.9 --azimuth 120 --elevation -22 \
+  --width 1280 --height 960 --out "$work/showroom.png"
+montage "$work/catch.png" "$work/showroom.png" -resize 50% -tile 2x1 -geometry +3+3 -depth 8 fingers.png
+
+# Both renderers side by side: OSMesa with one sample a pixel, rays with sixteen; the infant, and its shadow from near.
+pair() {
+  name=$1
+  shift
+  "$mimo" render --touch off --renderer osmesa "$@" --out "$work/osmesa.png"
+  "$mimo" render --touch off --renderer ray --samples 16 "$@" --out "$work/ray.png"
+  montage "$work/osmesa.png" "$work/ray.png" -tile 2x1 -geometry +1+0 -depth 8 "$name.png"
+}
+pair renderers --scene free --look-at 0 0 0.42 --distance 1.3 --azimuth 150 --elevation -12 --width 480 --height 480
+pair renderers-close --scene free --look-at 0.02 -0.06 0 --distance 0.4 --azimuth 150 --elevation -40 --width 480 --height 480
+
 # A model that is no infant, after it has fallen, and what it feels where it feels most.
 "$mimo" run --scene ../../tests/models/humanoid.xml --seconds 2 --seed 1 --out "$work/own" >/dev/null
 montage "$work/own/outside.png" "$work/own/touch.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 own-model.png

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -24,20 +25,36 @@ class Film {
  public:
   virtual ~Film() {}
   virtual void add(const std::vector<std::uint8_t>& frame) = 0;
+  virtual void finish() {}
 };
+
+// As one word for the shell, whatever is in it.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
 
 class FfmpegFilm : public Film {
  public:
   explicit FfmpegFilm(const std::string& path) {
     const std::string command = "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s " + std::to_string(kWidth) +
                                 "x" + std::to_string(kSide) + " -r " + std::to_string(kRate) +
-                                " -i - -pix_fmt yuv420p '" + path + "'";
+                                " -i - -pix_fmt yuv420p " + quoted(path);
     pipe_ = popen(command.c_str(), "w");
     if (pipe_ == nullptr) throw std::runtime_error("cannot start ffmpeg");
+    std::signal(SIGPIPE, SIG_IGN);  // where ffmpeg stops, writing to it shall fail
   }
-  ~FfmpegFilm() override { pclose(pipe_); }
+  ~FfmpegFilm() override {
+    if (pipe_ != nullptr) pclose(pipe_);
+  }
   void add(const std::vector<std::uint8_t>& frame) override {
     if (std::fwrite(frame.data(), 1, frame.size(), pipe_) != frame.size()) throw std::runtime_error("ffmpeg stopped");
+  }
+  void finish() override {
+    const int result = pclose(pipe_);
+    pipe_ = nullptr;
+    if (result != 0) throw std::runtime_error("ffmpeg failed");
   }
 
  private:
@@ -81,9 +98,9 @@ mimo::Env make_world() {
   mimo_camera_config outside = mimo::camera_config();
   outside.name = "outside";
   outside.placed = 1;
-  outside.position[0] = 1.4;
-  outside.position[1] = -0.9;
-  outside.position[2] = 0.8;
+  outside.position[0] = 1.1;
+  outside.position[1] = -0.7;
+  outside.position[2] = 0.75;
   outside.look_at[2] = 0.35;
   scene.add_camera(outside);
   mimo_env_config config = mimo::env_config();
@@ -126,6 +143,7 @@ int main(int argc, char** argv) try {
     for (std::size_t i = 0; i < 3; ++i) paste(block, pictures[i], i, frame);
     film->add(frame);
   }
+  film->finish();
   std::printf("%d frames of %zu x %zu pixels\n", seconds * kRate, kWidth, kSide);
   return 0;
 } catch (const mimo::Exception& error) {

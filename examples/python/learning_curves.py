@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-NAMES = {"reach": "reaching", "standup": "standing up", "selfbody": "self-body"}
+NAMES = {"reach": "reaching", "standup": "standing up", "selfbody": "self-body", "catch": "catching"}
 
 
 def read(folder, value):

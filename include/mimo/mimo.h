@@ -156,11 +156,12 @@ MIMO_API mimo_status mimo_scene_set_room(mimo_scene *scene, const char *name) MI
 #define MIMO_PROPRIOCEPTION_VELOCITY 0x01u     /**< Joint velocities, rad/s. */
 #define MIMO_PROPRIOCEPTION_TORQUE 0x02u       /**< Three-axis torque sensors at the joints, Nm. */
 #define MIMO_PROPRIOCEPTION_LIMIT 0x04u        /**< Limit sensors, 1 at a joint's limit. */
-#define MIMO_PROPRIOCEPTION_ACTUATION 0x08u    /**< Control inputs and motor torques. */
+#define MIMO_PROPRIOCEPTION_ACTUATION 0x08u    /**< Control inputs and motor torques; under position control targets; of muscles activations and forces. */
 #define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
 #define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
-#define MIMO_PROPRIOCEPTION_DEFAULT 0x2fu      /**< All but JOINT_TORQUE, as the original. */
-#define MIMO_PROPRIOCEPTION_ALL 0x3fu          /**< Everything. */
+#define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, one number: sum of (command^2 * strength) over count and sum of strengths, 0 to 1. */
+#define MIMO_PROPRIOCEPTION_DEFAULT 0x2fu      /**< All but JOINT_TORQUE and EFFORT, as the original. */
+#define MIMO_PROPRIOCEPTION_ALL 0x7fu          /**< Everything. */
 
 #define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
@@ -168,17 +169,29 @@ MIMO_API mimo_status mimo_scene_set_room(mimo_scene *scene, const char *name) MI
 
 #define MIMO_ACTUATION_TORQUE 0   /**< An action is a motor's share of its largest torque. */
 #define MIMO_ACTUATION_POSITION 1 /**< An action is the angle at which a joint is to be, rad; a soft lock takes it there. */
+/**
+ * Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first all
+ * muscles that pull to the negative side, "act:.../negative", then all that pull to the positive side. Joints lose their
+ * springs and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their activation
+ * towards the action and pull; the motor's control input then is torque over gear, and a world's own gear makes them
+ * stronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see models/README.md.
+ *
+ * Fields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with
+ * which it would pull now.
+ */
+#define MIMO_ACTUATION_MUSCLE 2
+#define MIMO_ACTUATION_MUJOCO_MUSCLE 3 /**< The same with MuJoCo's own muscle model: activation rises in 0.01 s and falls in 0.04 s. */
 
 #define MIMO_ACT_TRUNK 0x01u       /**< Three motors. */
 #define MIMO_ACT_HEAD 0x02u        /**< Three. */
 #define MIMO_ACT_EYES 0x04u        /**< Three an eye. */
 #define MIMO_ACT_RIGHT_ARM 0x08u   /**< Shoulder (three) and elbow. */
 #define MIMO_ACT_LEFT_ARM 0x10u    /**< The same on the left. */
-#define MIMO_ACT_RIGHT_HAND 0x20u  /**< Wrist (three) and fingers. */
+#define MIMO_ACT_RIGHT_HAND 0x20u  /**< Wrist (three) and fingers: one motor of a mitten, 22 of five fingers. */
 #define MIMO_ACT_LEFT_HAND 0x40u   /**< The same on the left. */
 #define MIMO_ACT_RIGHT_LEG 0x80u   /**< Hip (three) and knee. */
 #define MIMO_ACT_LEFT_LEG 0x100u   /**< The same on the left. */
-#define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes. */
+#define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes; a big toe has a motor of its own. */
 #define MIMO_ACT_LEFT_FOOT 0x400u  /**< The same on the left. */
 #define MIMO_ACT_ALL 0x7ffu        /**< Everything. */
 #define MIMO_ACT_NONE 0x80000000u  /**< No motor at all; excludes the other bits. */
@@ -216,7 +229,7 @@ typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
   uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
   const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
-  const char *body;            /**< "mitten"; or "scene": the body is already part of the scene's MJCF. */
+  const char *body;            /**< "mitten", "fingers" (hands with five fingers, feet with a big toe); or "scene": the body is part of the scene's MJCF. */
   double position[3];          /**< Of the root body mimo_location, metres, world frame. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
@@ -247,8 +260,8 @@ typedef struct mimo_agent_config {
 MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Fills a config with what the scene gives its infant by itself: in reach, standup and selfbody the senses of the
- * paper's experiments, and no eyes; elsewhere the same as mimo_agent_config_init.
+ * Fills a config with what the scene gives its infant by itself: its body (static string), and in reach, standup,
+ * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agent_config *config,
@@ -258,8 +271,8 @@ MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agen
  * Adds an infant.
  * @param config NULL means the scene's own, see mimo_scene_default_agent.
  * @param agent  receives its number, 0 for the first; may be NULL.
- * Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a name in use, or no name where there are
- * several agents, or when the scene has no place left and none is given.
+ * Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five
+ * fingers in standup), for a name in use, or no name where there are several agents, or when the scene has no place left and none is given.
  */
 MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
                                           int32_t *agent) MIMO_NOEXCEPT;

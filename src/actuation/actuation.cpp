@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "actuation/muscle.h"
 #include "actuation/position.h"
 #include "actuation/torque.h"
 
@@ -14,7 +15,7 @@ void Actuation::add(std::string name, double low, double high) {
   names_.push_back(std::move(name));
 }
 
-void Actuation::apply(Span<const float> actions, engine::Physics& physics) const {
+void Actuation::apply(Span<const float> actions, engine::Physics& physics) {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     double value = static_cast<double>(std::clamp(actions[i], low_[i], high_[i]));
     if (normalize_) value = ranges_[i].low + (value + 1) / 2 * (ranges_[i].high - ranges_[i].low);
@@ -25,8 +26,12 @@ void Actuation::apply(Span<const float> actions, engine::Physics& physics) const
 std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& agent, const Options& options) {
   body::Body body = agent;
   if (options.none) body.actuators.clear();
-  if (options.mode == Mode::kPosition) return std::make_unique<Position>(model, body, options.normalize);
-  return std::make_unique<Torque>(model, body, options.normalize);
+  switch (options.mode) {
+    case Mode::kPosition: return std::make_unique<Position>(model, body, options.normalize);
+    case Mode::kMuscle: return std::make_unique<MimoMuscle>(model, body, options.normalize);
+    case Mode::kMujocoMuscle: return std::make_unique<MujocoMuscle>(model, body, options.normalize);
+    default: return std::make_unique<Torque>(model, body, options.normalize);
+  }
 }
 
 }  // namespace mimo::actuation

@@ -8,11 +8,15 @@
 #include "base/bytes.h"
 #include "base/span.h"
 #include "body/body.h"
+#include "senses/sense.h"
 
 namespace mimo::actuation {
 
 // As mimo.h numbers them (MIMO_ACTUATION_...).
-enum class Mode : int { kTorque = 0, kPosition = 1 };
+enum class Mode : int { kTorque = 0, kPosition = 1, kMuscle = 2, kMujocoMuscle = 3 };
+
+// Muscles have fields of their own, see Actuation::fields.
+inline bool is_muscle(Mode mode) { return mode == Mode::kMuscle || mode == Mode::kMujocoMuscle; }
 
 struct Options {
   Mode mode = Mode::kTorque;
@@ -33,9 +37,17 @@ class Actuation {
   // Whether its actions move this lock.
   virtual bool holds(int) const { return false; }
   // The world has been reset to its start.
-  virtual void reset(engine::Physics&) const {}
+  virtual void reset(engine::Physics&) {}
   // Sets the commands for the coming step; actions are finite.
-  void apply(Span<const float> actions, engine::Physics& physics) const;
+  void apply(Span<const float> actions, engine::Physics& physics);
+  // Before each physics step, for what goes on by itself.
+  virtual void advance(engine::Physics&) {}
+
+  // What the present commands cost, 0 to 1: their squares, weighted by the strength of the motors.
+  virtual double effort(const mjModel& model, const mjData& data) const = 0;
+  // What the infant feels of its commands beyond what physics tells: fields, and their values now.
+  virtual std::vector<senses::Field> fields(const mjModel&) const { return {}; }
+  virtual void feel(const mjData&, std::size_t /*field*/, float* /*out*/) const {}
 
   // What it remembers beside the physics: always the same number of bytes. A load that throws may leave it half
   // loaded; the world then loads what was there before.
@@ -48,7 +60,7 @@ class Actuation {
   void add(std::string name, double low, double high);
 
  private:
-  virtual void command(std::size_t index, double value, engine::Physics& physics) const = 0;
+  virtual void command(std::size_t index, double value, engine::Physics& physics) = 0;
 
   struct Range {
     double low, high;

@@ -25,7 +25,7 @@ Position::Position(const mjModel& model, const body::Body& body, bool normalize)
   }
 }
 
-void Position::reset(engine::Physics& physics) const {
+void Position::reset(engine::Physics& physics) {
   for (const body::Motor& motor : motors_) physics.hold(motor.lock, physics.start()[motor.joint.qpos]);
 }
 
@@ -33,7 +33,7 @@ bool Position::holds(int lock) const {
   return std::any_of(motors_.begin(), motors_.end(), [=](const body::Motor& motor) { return motor.lock == lock; });
 }
 
-void Position::command(std::size_t index, double value, engine::Physics& physics) const {
+void Position::command(std::size_t index, double value, engine::Physics& physics) {
   physics.hold(motors_[index].lock, value);
 }
 

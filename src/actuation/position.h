@@ -11,11 +11,13 @@ class Position : public Actuation {
   // Ranges are the joints' ranges of motion. Throws Status::kUnsupported for a joint without a lock.
   Position(const mjModel& model, const body::Body& body, bool normalize);
   // Holds every joint where the world starts.
-  void reset(engine::Physics& physics) const override;
+  void reset(engine::Physics& physics) override;
   bool holds(int lock) const override;
+  // Locks cost nothing.
+  double effort(const mjModel&, const mjData&) const override { return 0; }
 
  private:
-  void command(std::size_t index, double value, engine::Physics& physics) const override;
+  void command(std::size_t index, double value, engine::Physics& physics) override;
 
   std::vector<body::Motor> motors_;
 };

@@ -35,8 +35,18 @@ Torque::Torque(const mjModel& model, const body::Body& body, bool normalize)
   }
 }
 
-void Torque::command(std::size_t index, double value, engine::Physics& physics) const {
+void Torque::command(std::size_t index, double value, engine::Physics& physics) {
   physics.data().ctrl[actuators_[index]] = value;
+}
+
+double Torque::effort(const mjModel& model, const mjData& data) const {
+  double spent = 0, most = 0;
+  for (const int id : actuators_) {
+    const double strength = std::abs(model.actuator_gear[6 * id]);
+    spent += data.ctrl[id] * data.ctrl[id] * strength;
+    most += strength;
+  }
+  return most > 0 ? spent / (static_cast<double>(size()) * most) : 0;
 }
 
 }  // namespace mimo::actuation

@@ -10,9 +10,10 @@ class Torque : public Actuation {
  public:
   // Ranges are the motors' force ranges: a motor may be weaker to one side.
   Torque(const mjModel& model, const body::Body& body, bool normalize);
+  double effort(const mjModel& model, const mjData& data) const override;
 
  private:
-  void command(std::size_t index, double value, engine::Physics& physics) const override;
+  void command(std::size_t index, double value, engine::Physics& physics) override;
 
   std::vector<int> actuators_;
 };

@@ -76,6 +76,13 @@ std::vector<int> subtree(const mjModel& model, int root) {
   return bodies;
 }
 
+std::vector<int> right_fingers(const mjModel& model, const Body& body) {
+  std::vector<int> bodies = subtree(model, engine::find_or_fail(model, Kind::kBody, body.prefix + "right_hand"));
+  bodies.erase(bodies.begin());  // the hand itself
+  if (bodies.empty()) fail(Status::kNotFound, "body {}right_hand has no fingers", body.prefix);
+  return bodies;
+}
+
 int free_joint_address(const mjModel& model, int body) {
   const int joint = model.body_jntadr[body];
   if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {

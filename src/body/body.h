@@ -54,6 +54,10 @@ Sensor sensor(const mjModel& model, int id);
 // A body and all bodies below it, in model order.
 std::vector<int> subtree(const mjModel& model, int root);
 
+// The right hand's fingers: one body of a mitten hand, all bones of a hand with five. Throws Status::kNotFound for an
+// infant without a right hand.
+std::vector<int> right_fingers(const mjModel& model, const Body& body);
+
 // Where the position of a body with a free joint starts in qpos. Throws Status::kModel for a body without.
 int free_joint_address(const mjModel& model, int body);
 

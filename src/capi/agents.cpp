@@ -20,6 +20,7 @@ senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   options.limit = has(MIMO_PROPRIOCEPTION_LIMIT);
   options.actuation = has(MIMO_PROPRIOCEPTION_ACTUATION);
   options.joint_torque = has(MIMO_PROPRIOCEPTION_JOINT_TORQUE);
+  options.effort = has(MIMO_PROPRIOCEPTION_EFFORT);
   options.limit_threshold = config.limit_threshold;
   return options;
 }
@@ -55,8 +56,8 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
 }
 
 actuation::Options actuation(const mimo_agent_config& config) {
-  require(config.actuation <= MIMO_ACTUATION_POSITION, "actuation is {}, expected a MIMO_ACTUATION_ constant, 0 or 1",
-          config.actuation);
+  require(config.actuation <= MIMO_ACTUATION_MUJOCO_MUSCLE,
+          "actuation is {}, expected a MIMO_ACTUATION_ constant, 0 to 3", config.actuation);
   check_flag(config.normalize_actions, "normalize_actions");
   return {static_cast<actuation::Mode>(config.actuation), config.normalize_actions != 0};
 }
@@ -103,6 +104,8 @@ mimo_agent_config default_agent_config() {
 // Where the scene says nothing, everything is on.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {
   mimo_agent_config config = default_agent_config();
+  config.body = scene.usual_body();
+  if (scene.actuation() == "muscle") config.actuation = MIMO_ACTUATION_MUSCLE;
   const std::string senses = " " + scene.senses() + " ";
   if (senses == "  ") return config;
   const auto has = [&](const char* word) { return senses.find(" " + std::string(word) + " ") != std::string::npos; };

@@ -156,6 +156,7 @@ void add_bench(CLI::App& program) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command = program.add_subcommand("bench", "Measure how fast the world steps");
   add_scene_options(*command, options->world);
+  options->world.actuation = "torque";  // the twin without senses repeats the motors' commands
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
   command->add_option("--steps", options->steps, "Steps to measure, of two physics steps (10 ms) each")
@@ -192,7 +193,7 @@ void add_bench(CLI::App& program) {
       "  mimo bench --scene reach --worlds 64 --threads 2\n"
       "  mimo bench --paper --short --csv paper.csv");
   command->callback([options] {
-    if (options->paper) return run_paper({options->world.renderer, options->brief, options->csv});
+    if (options->paper) return run_paper({options->world, options->brief, options->csv});
     const Json result = options->worlds > 1 || options->threads > 1 ? run_many(*options) : run_one(*options);
     if (options->json) {
       std::cout << result.dump(2) << '\n';

@@ -31,7 +31,7 @@ Json describe(const Env& env) {
                {"geoms", env.count(MIMO_GEOM)},
                {"cameras", env.count(MIMO_CAMERA)},
                {"touch_sensors", env.touch_sensors()},
-               {"infants", agents.size()},
+               {"agents", agents.size()},
                {"mass_kg", agents.empty() ? Json() : Json(agents[0].mass)},
                {"height_m", agents.empty() ? Json() : Json(agents[0].height)}};
   info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
@@ -71,14 +71,14 @@ void add_info(CLI::App& program) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand("info", "Count what a scene holds and list what its infant senses");
   add_scene_options(*command, options->world);
+  add_actuation_option(*command, options->world);
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
-      "motors. mass_kg and height_m are the (first) infant's. Fields of time 'end' belong to the end of a step, those "
-      "of time\n"
-      "'last_start' to the start of its last physics step.\n"
+      "motors. mass_kg and height_m are the first agent's. Fields of time 'end' belong to the end of a step, those of\n"
+      "time 'last_start' to the start of its last physics step.\n"
       "Examples:\n"
       "  mimo info\n"
       "  mimo info --scene my_room.xml --json");

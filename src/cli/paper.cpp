@@ -35,10 +35,9 @@ struct Row {
 
 Row measure(const Cell& cell, const PaperOptions& options, Progress& progress, std::size_t done) {
   const std::size_t episodes = options.brief ? 1 : kEpisodes;
-  WorldOptions world;
+  WorldOptions world = options.world;
   world.vision = cell.vision;
   world.touch = cell.touch;
-  world.renderer = options.renderer;
   FullWorld full(world, episodes * kSteps);
   BareWorld reference(reference_world(0), MIMO_JACOBIAN_DENSE, episodes * kSteps / kTurn * kReferenceTurn);
   RandomActions actions(full.env(), 0), reference_actions(reference.env(), 0);

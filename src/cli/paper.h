@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "world.h"
+
 namespace cli {
 
 struct PaperOptions {
-  std::string renderer;
-  bool brief;       // one episode instead of sixty
-  std::string csv;  // a file, or "" for none
+  WorldOptions world;  // vision and touch are those of the paper
+  bool brief;          // one episode instead of sixty
+  std::string csv;     // a file, or "" for none
 };
 
 // Measures, and prints the table.

@@ -154,6 +154,7 @@ void add_rollout(CLI::App& program) {
   auto options = std::make_shared<RolloutOptions>();
   CLI::App* command = program.add_subcommand("rollout", "Apply stored motor commands and write down the states");
   add_scene_options(*command, options->world);
+  options->world.actuation = "torque";  // controls are the motors' own
   command
       ->add_option("--controls", options->controls,
                    "A header of actuator names, then a row of numbers a physics step;\n"

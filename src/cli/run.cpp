@@ -174,6 +174,7 @@ void add_run(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = program.add_subcommand("run", "Move at random with all senses on; write pictures and a report");
   add_scene_options(*command, options->world);
+  add_actuation_option(*command, options->world);
   command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
       ->type_name("S")
       ->check(CLI::Range(0.01, 1e6).description(""))

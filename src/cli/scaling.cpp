@@ -16,7 +16,7 @@ constexpr std::size_t kBareTurn = 100;  // steps of each bare world in a turn
 
 std::unique_ptr<mimo_batch, void (*)(mimo_batch*)> open_batch(const WorldOptions& options, int worlds, int threads) {
   auto env = make_env_config();
-  env.renderer = options.renderer.c_str();
+  set_renderer(options, env);
   env.timing = 1;
   auto config = defaults(mimo_batch_config_init);
   config.worlds = static_cast<std::uint32_t>(worlds);

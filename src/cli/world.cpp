@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <optional>
 
 namespace cli {
 namespace {
@@ -48,6 +49,20 @@ void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
   if (world.count(MIMO_CAMERA) == 0) agent.vision = 0;
 }
 
+// "scene" where the infant is part of the scene's file, "" where there is none: then everything in it is one agent.
+std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& usual) {
+  if (is_file(options.scene) && !bare_file(options).infants().empty()) return "scene";
+  return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
+}
+
+// Words for MIMO_ACTUATION_ constants, in their order.
+const std::vector<std::string> kActuations = {"torque", "position", "muscle", "mujoco-muscle"};
+
+std::uint32_t actuation(const WorldOptions& options, const mimo_agent_config& usual) {
+  const auto found = std::find(kActuations.begin(), kActuations.end(), options.actuation);
+  return found == kActuations.end() ? usual.actuation : static_cast<std::uint32_t>(found - kActuations.begin());
+}
+
 std::uint32_t pixels(const WorldOptions& options) {
   if (options.vision == "off") return 0;
   return options.vision.empty() ? 256 : static_cast<std::uint32_t>(std::stoul(options.vision));
@@ -76,6 +91,41 @@ std::string check_seed(const std::string& text) {
   return good ? "" : "expected a whole number from 0 to 18446744073709551615, not '" + text + "'";
 }
 
+constexpr struct {
+  const char* name;
+  std::uint32_t bit;
+} kEffects[] = {{"shadows", MIMO_RENDER_SHADOWS},
+                {"reflections", MIMO_RENDER_REFLECTIONS},
+                {"sky", MIMO_RENDER_SKY},
+                {"haze", MIMO_RENDER_HAZE},
+                {"fog", MIMO_RENDER_FOG}};
+
+std::uint32_t effect_bit(const std::string& name) {
+  for (const auto& effect : kEffects) {
+    if (name == effect.name) return effect.bit;
+  }
+  return 0;
+}
+
+// The bits of a list of effects; nothing where one is unknown.
+std::optional<std::uint32_t> effect_bits(const std::string& list) {
+  std::uint32_t bits = 0;
+  if (list == "none") return bits;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    const std::uint32_t bit = effect_bit(list.substr(start, end - start));
+    if (bit == 0) return std::nullopt;
+    bits |= bit;
+    start = end + 1;
+  }
+  return bits;
+}
+
+std::string check_effects(const std::string& list) {
+  if (effect_bits(list)) return "";
+  return "expected 'none' or a list of shadows, reflections, sky, haze and fog with commas between, not '" + list + "'";
+}
+
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses) {
   auto agent = defaults(mimo_agent_config_init);
   const std::uint32_t size = senses == Senses::kAll ? pixels(options) : 0;
@@ -102,8 +152,8 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
   command
       .add_option("--body", options.body,
-                  "Body of the infant: mitten. A file that holds an infant keeps that\n"
-                  "one; a file without gets one only if this is given")
+                  "Body of the infant: mitten or fingers. A file that holds an infant\n"
+                  "keeps that one; a file without gets one only if this is given")
       ->type_name("BODY");
 }
 
@@ -130,6 +180,29 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
   command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray or osmesa")
       ->type_name("NAME")
       ->capture_default_str();
+  command
+      .add_option(
+          "--samples", options.samples,
+          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, what the scene says with OSMesa")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 4, 16, 64}).description(""));
+  command
+      .add_option("--effects", options.effects,
+                  "What pictures show: none, or a list of shadows,reflections,sky,haze,fog.\nDefault: all but fog")
+      ->type_name("LIST")
+      ->check(CLI::Validator(check_effects, ""));
+  command.add_option("--render-threads", options.render_threads, "Threads that draw one picture, with rays: 1 to 64")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64).description(""))
+      ->capture_default_str();
+}
+
+void add_actuation_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--actuation", options.actuation,
+                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: the scene's own")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(kActuations));
 }
 
 void add_face_option(CLI::App& command, WorldOptions& options) {
@@ -145,18 +218,14 @@ void add_seed_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
-std::string body_of_scene(const WorldOptions& options) {
-  if (is_file(options.scene)) {
-    return bare_file(options).infants().empty() ? options.body : "scene";
-  }
-  return options.body.empty() ? "mitten" : options.body;
-}
-
 Scene make_scene(const WorldOptions& options, Senses senses) {
   constexpr double kSpacing = 0.05;  // of touch sensors on what is no infant, m
   Scene scene = load_scene(options);
-  const std::string body = body_of_scene(options);
+  auto usual = defaults(mimo_agent_config_init);
+  check(mimo_scene_default_agent(scene.get(), &usual, sizeof usual));
+  const std::string body = body_of_scene(options, usual);
   mimo_agent_config agent = agent_config(options, senses);
+  agent.actuation = actuation(options, usual);
   if (body.empty()) {
     make_agent_of_all(options, agent);
     scene.add_agent(agent);
@@ -174,8 +243,15 @@ mimo_env_config make_env_config() {
   return config;
 }
 
-Env open_world(const WorldOptions& options, mimo_env_config config) {
+void set_renderer(const WorldOptions& options, mimo_env_config& config) {
   config.renderer = options.renderer.c_str();
+  config.samples = options.samples;
+  config.render_threads = options.render_threads;
+  if (!options.effects.empty()) config.render = effect_bits(options.effects).value_or(MIMO_RENDER_DEFAULT);
+}
+
+Env open_world(const WorldOptions& options, mimo_env_config config) {
+  set_renderer(options, config);
   try {
     return Env(make_scene(options, Senses::kAll), config);
   } catch (const MimoError& error) {

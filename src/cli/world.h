@@ -13,9 +13,13 @@ struct WorldOptions {
   std::string scene = "benchmark";  // a built-in name or a file
   std::string body;                 // "" means the default of the scene
   std::string renderer = "auto";
-  std::string vision;       // "off", pixels, or "" for 256 where a renderer works
-  std::string touch = "1";  // "off", or the scale
-  std::string face;         // "" means the model's own
+  std::uint32_t samples = 0;         // a pixel; 0: the renderer's own
+  std::uint32_t render_threads = 1;  // that draw one picture
+  std::string effects;               // comma-separated, or "none"; "" for the usual ones
+  std::string vision;                // "off", pixels, or "" for 256 where a renderer works
+  std::string touch = "1";           // "off", or the scale
+  std::string face;                  // "" means the model's own
+  std::string actuation;             // "" means the scene's own
   std::uint64_t seed = 0;
 };
 
@@ -23,13 +27,10 @@ struct WorldOptions {
 void add_scene_options(CLI::App& command, WorldOptions& options);
 void add_vision_options(CLI::App& command, WorldOptions& options);  // with add_renderer_option
 void add_touch_option(CLI::App& command, WorldOptions& options);
-void add_renderer_option(CLI::App& command, WorldOptions& options);
+void add_renderer_option(CLI::App& command, WorldOptions& options);  // and those for how pictures are made
+void add_actuation_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
-
-// The infant's body: "mitten", or "scene" where it is part of the scene's file, or "" where there is none: then
-// everything in the file is one agent.
-std::string body_of_scene(const WorldOptions& options);
 
 enum class Senses { kAll, kAllButVision, kNone };
 
@@ -38,6 +39,9 @@ Scene make_scene(const WorldOptions& options, Senses senses);
 
 // An env_config with defaults and the log on stderr.
 mimo_env_config make_env_config();
+
+// What draws pictures, and how. The config refers to the options.
+void set_renderer(const WorldOptions& options, mimo_env_config& config);
 
 // A world with all its senses. Where eyes were not asked for by name and nothing can draw their pictures here, it
 // says so on stderr and has no eyes.

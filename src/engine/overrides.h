@@ -1,6 +1,6 @@
-// How one world's model differs from the model that it shares with others: locked joints, gears, faces. The first
-// change of a kind copies the arrays it concerns; everything else stays shared. (Gravity lies in the struct itself,
-// which every world has for its own.)
+// How one world's model differs from the model that it shares with others: locked joints, gears, faces, balls. The
+// first change of a kind copies the arrays it concerns; everything else stays shared. (Gravity lies in the struct
+// itself, which every world has for its own.)
 #pragma once
 
 #include <mujoco/mjmodel.h>
@@ -23,6 +23,12 @@ class Overrides {
   void release(mjModel& model, int lock);
   double& gear(mjModel& model, int actuator);
   void paint(mjModel& model, int geom, int material);
+  // Size (m) and mass (kg) of a ball, with everything that follows from them.
+  void shape_ball(mjModel& model, int body, double radius, double mass);
+  // Takes a hinge's spring away and sets its damper. Frees a motor from its limits. Neither is part of a state: a world
+  // does it when it is made.
+  void slacken(mjModel& model, int joint, int dof, double damping);
+  void unlimit(mjModel& model, int actuator);
 
   // Everything in which a world's model may differ, gravity included.
   static void save(const mjModel& model, ByteWriter& to);
@@ -34,8 +40,16 @@ class Overrides {
   std::vector<mjtByte> active_;
   std::vector<mjtNum> data_;
   std::vector<mjtNum> gear_;
+  void own_balls(mjModel& model);
+
   std::vector<int> material_;
+  std::vector<mjtNum> size_, bound_, mass_, subtree_mass_, inertia_, body_weight_, dof_weight_, dof_inertia_;
+  std::vector<mjtNum> stiffness_, damping_;
+  std::vector<mjtByte> control_limited_, force_limited_;
 };
+
+// Whether a body is a ball that flies by itself: a free joint, and nothing but one sphere.
+bool is_ball(const mjModel& model, int body);
 
 // The equality that can hold a joint; -1 if the model has none.
 int find_lock(const mjModel& model, int joint);

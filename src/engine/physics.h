@@ -58,6 +58,9 @@ class Physics {
   void release(int lock) { overrides_.release(model_, lock); }
   double& gear(int actuator) { return overrides_.gear(model_, actuator); }
   void paint(int geom, int material) { overrides_.paint(model_, geom, material); }
+  void slacken(int joint, int dof, double damping) { overrides_.slacken(model_, joint, dof, damping); }
+  void unlimit(int actuator) { overrides_.unlimit(model_, actuator); }
+  void shape_ball(int body, double radius, double mass) { overrides_.shape_ball(model_, body, radius, mass); }
   double* gravity() { return model_.opt.gravity; }
 
   bool failed() const { return failed_; }

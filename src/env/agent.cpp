@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "actuation/feedback.h"
 #include "base/fail.h"
 
 namespace mimo::env {
@@ -33,6 +34,13 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.height = body::height(model, physics.data(), agent.body);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
   agent.task = make_task(model, agent.body, number);
+  const bool own_fields = options.proprioception.actuation;
+  auto feedback =
+      std::make_unique<actuation::Feedback>(model, *agent.actuation, own_fields, options.proprioception.effort);
+  if (!feedback->fields().empty()) {
+    name_fields(options, *feedback);
+    agent.senses.push_back(std::move(feedback));
+  }
   if (auto sense = agent.task->make_sense(model)) {
     name_fields(options, *sense);
     agent.senses.push_back(std::move(sense));

@@ -14,6 +14,9 @@ Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agen
       fail(Status::kUnsupported, "limits of \"{}\": attached senses have no past and no random numbers",
            agent.limits.front().path);
     }
+    if (agent.proprioception.effort || actuation::is_muscle(agent.actuation.mode)) {
+      fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
+    }
     agents_.push_back(perceive(*model_, agent, renderer_.get()));
   }
   for (const Perception& agent : agents_) {

@@ -53,6 +53,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
   if (any(options.proprioception)) {
     senses::ProprioceptionOptions proprioception = options.proprioception;
     proprioception.position_control = options.actuation.mode == actuation::Mode::kPosition;
+    if (actuation::is_muscle(options.actuation.mode)) proprioception.actuation = false;  // muscles tell by themselves
     agent.senses.push_back(std::make_unique<senses::Proprioception>(
         model, chosen_joints(model, agent.body, options.joints), proprioception));
   }

@@ -137,7 +137,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   for (int i = 0; i < options_.frame_skip; ++i) {
     {
       const Stopwatch watch(options_.timing, timing_.physics);
-      physics_.step(1, i + 1 == options_.frame_skip);
+      step_once(i + 1 == options_.frame_skip);
     }
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
@@ -151,7 +151,13 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
 
 void World::step_physics(int count) {
   require_outside_task();
-  physics_.step(count);
+  physics_.require_usable();
+  for (int i = 0; i < count; ++i) step_once(i + 1 == count);
+}
+
+void World::step_once(bool sensors) {
+  for (const Agent& agent : agents_) agent.actuation->advance(physics_);
+  physics_.step(1, sensors);
 }
 
 void World::observe(std::uint8_t* block) {
@@ -175,7 +181,10 @@ void World::sense(std::uint8_t* block, Moment moment) {
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
 void World::evaluate() {
   const Flag at_work(in_task_);
-  for (const Agent& agent : agents_) agent.task->evaluate(physics_);
+  for (const Agent& agent : agents_) {
+    agent.task->spend(agent.actuation->effort(model(), data()));
+    agent.task->evaluate(physics_);
+  }
   for (const Agent& agent : agents_) agent.task->follow(physics_);
 }
 

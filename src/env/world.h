@@ -78,6 +78,7 @@ class World {
   void add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes);
   TaskMaker task_maker() const;
   void start();
+  void step_once(bool sensors);
   enum class Moment { kStart, kStep, kBetween };
   // Without a block only where senses are late, and what they give now is for later.
   void sense(std::uint8_t* block, Moment moment);

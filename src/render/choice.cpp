@@ -9,15 +9,15 @@ namespace mimo::render {
 
 class Shelf {
  public:
-  std::shared_ptr<const ray::Textures> textures(const engine::ModelPtr& model) {
+  std::shared_ptr<const ray::Assets> assets(const engine::ModelPtr& model) {
     const std::lock_guard lock(mutex_);
-    if (textures_ == nullptr) textures_ = make_ray_textures(model);
-    return textures_;
+    if (assets_ == nullptr) assets_ = make_ray_assets(model);
+    return assets_;
   }
 
  private:
   std::mutex mutex_;
-  std::shared_ptr<const ray::Textures> textures_;
+  std::shared_ptr<const ray::Assets> assets_;
 };
 
 std::shared_ptr<Shelf> make_shelf() { return std::make_shared<Shelf>(); }
@@ -26,9 +26,8 @@ std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::M
                                         const std::shared_ptr<Shelf>& shelf, const LogSink& log) {
   if (name == "osmesa") return make_osmesa_renderer(model, quality, log);
   try {
-    require_ray_model(*model);
     RayOptions options{quality};
-    if (shelf != nullptr) options.textures = shelf->textures(model);
+    if (shelf != nullptr) options.assets = shelf->assets(model);
     return make_ray_renderer(model, options);
   } catch (const Error& error) {
     if (name != "auto" || error.status() != Status::kUnsupported) throw;

@@ -6,7 +6,7 @@
 namespace mimo::scene {
 
 // Room for contacts, constraints and the solver, where there are infants and the author has not decided.
-void size_buffers(pugi::xml_node root, int infants, int objects);
+void size_buffers(pugi::xml_node root, int mittens, int fingers, int objects);
 
 // Nothing nearer than znear * extent is drawn. MuJoCo's own choice, a hundredth of the size of all that there is, would
 // hide an infant's hands from its eyes. Where the author has set both, it is so; else they become 5 mm and, for want of

@@ -104,4 +104,14 @@ bool has_names_with(pugi::xml_node root, const std::string& prefix) {
               .empty();
 }
 
+void prefix_classes(pugi::xml_node root, const std::string& prefix) {
+  if (prefix.empty()) return;
+  walk(root, [&](pugi::xml_node node) {
+    for (const char* name : {"class", "childclass"}) {
+      const pugi::xml_attribute attribute = node.attribute(name);
+      if (!attribute.empty()) set(node, name, prefix + attribute.value());
+    }
+  });
+}
+
 }  // namespace mimo::scene

@@ -25,5 +25,7 @@ std::string some_names(pugi::xml_node root, std::initializer_list<const char*> e
 
 // Whether anything has a name that starts so.
 bool has_names_with(pugi::xml_node root, const std::string& prefix);
+// Prefixes the default classes of a body's document and all uses of them, for a scene that has classes of these names.
+void prefix_classes(pugi::xml_node root, const std::string& prefix);
 
 }  // namespace mimo::scene

@@ -1,6 +1,9 @@
 #include "scene/recipe.h"
 
 #include <cstring>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 #include "base/fail.h"
 #include "scene/groups.h"
@@ -14,6 +17,9 @@ namespace {
 constexpr const char* kRecipe = "mimo:infant";
 constexpr const char* kActs = "mimo:acts";
 constexpr const char* kSenses = "mimo:senses";
+constexpr const char* kActuation = "mimo:actuation";
+constexpr const char* kStill = "mimo:still";
+constexpr const char* kBodies = "mimo:bodies";
 constexpr const char* kRootJoint = "mimo:root_joint";
 constexpr const char* kRootPose = "mimo:root";
 constexpr const char* kRootBody = "mimo_location";
@@ -26,15 +32,50 @@ pugi::xml_node find_named(pugi::xml_node root, const char* section, const char* 
   return {};
 }
 
+// "body hip", "joint robot:left_elbow", ...: what a recipe may refer to.
+std::set<std::string> parts_of(pugi::xml_node root) {
+  std::set<std::string> parts;
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    walk(world,
+         [&](pugi::xml_node node) { parts.insert(std::string(node.name()) + " " + node.attribute("name").value()); });
+  }
+  return parts;
+}
+
+// Whether a constraint or an entry of a tuple refers to what is not there.
+bool is_about_missing(pugi::xml_node element, const std::set<std::string>& parts) {
+  const auto missing = [&](const std::string& kind, const char* attribute) {
+    const std::string name = element.attribute(attribute).value();
+    return !name.empty() && parts.count(kind + " " + name) == 0;
+  };
+  const std::string objects = element.attribute("objtype").value();
+  return missing("body", "body1") || missing("body", "body2") || missing("joint", "joint1") ||
+         missing("joint", "joint2") || missing(objects, "objname");
+}
+
+void drop_missing(pugi::xml_node own, const std::set<std::string>& parts) {
+  for (const char* name : {"equality", "custom"}) {
+    for (const pugi::xml_node section : own.children(name)) {
+      std::vector<pugi::xml_node> missing;
+      walk(section, [&](pugi::xml_node node) {
+        if (is_about_missing(node, parts)) missing.push_back(node);
+      });
+      for (pugi::xml_node node : missing) node.parent().remove_child(node);
+    }
+  }
+}
+
 // An element of a name that the section has already gives its attributes to that one: so a recipe switches locks on.
+// Which joint a lock holds, only the infant says; a lock of a recipe that finds none is for another body.
 void merge(pugi::xml_node root, pugi::xml_node part) {
   pugi::xml_node added = append(root, part.name());
   for (const pugi::xml_node element : part.children()) {
     if (element.type() != pugi::node_element) continue;
     const std::string name = element.attribute("name").value();
     const pugi::xml_node there = name.empty() ? pugi::xml_node() : find_named(root, part.name(), element.name(), name);
+    const bool switches = std::strcmp(element.name(), "joint") == 0 && element.attribute("joint1").empty();
     if (there.empty()) {
-      copy_into(added, element);
+      if (!switches) copy_into(added, element);
       continue;
     }
     for (const pugi::xml_attribute attribute : element.attributes()) set(there, attribute.name(), attribute.value());
@@ -72,6 +113,15 @@ unsigned Recipe::acts() const {
 
 std::string Recipe::senses() const { return custom_text(document_.document_element(), kSenses); }
 
+std::string Recipe::still() const { return custom_text(document_.document_element(), kStill); }
+
+std::string Recipe::actuation() const { return custom_text(document_.document_element(), kActuation); }
+
+std::vector<std::string> Recipe::bodies() const {
+  std::istringstream words(custom_text(document_.document_element(), kBodies));
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_root) {
   const pugi::xml_node own = document_.document_element();
   name_root_joint(root, prefix, custom_text(own, kRootJoint));
@@ -80,19 +130,22 @@ void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_roo
     if (!pose.empty()) pose.parent().remove_child(pose);
   }
   prefix_names(own, prefix);
+  drop_missing(own, parts_of(root));
   for (const pugi::xml_node part : own.children()) {
     if (part.type() == pugi::node_element) merge(root, part);
   }
 }
 
-void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups) {
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still) {
+  const std::string resting = prefix + "act:" + still;
   for (pugi::xml_node section : root.children("actuator")) {
     for (pugi::xml_node motor = section.first_child(); motor;) {
       const pugi::xml_node next = motor.next_sibling();
       const std::string name = motor.attribute("name").value();
       if (name.compare(0, prefix.size(), prefix) == 0) {
         const unsigned group = group_of(name.substr(prefix.size()));
-        if (group != 0 && (group & groups) == 0) section.remove_child(motor);
+        const bool rests = !still.empty() && name.compare(0, resting.size(), resting) == 0;
+        if (rests || (group != 0 && (group & groups) == 0)) section.remove_child(motor);
       }
       motor = next;
     }

@@ -4,6 +4,7 @@
 
 #include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 #include "scene/library.h"
 
@@ -16,9 +17,16 @@ class Recipe {
 
   // Groups whose motors act; all of them if the recipe does not say.
   unsigned acts() const;
+  // How the names of motors begin that do not act although their group does, "right_thumb_"; "" if none.
+  std::string still() const;
   // Words: "proprioception vestibular"; "" if the recipe does not say.
   std::string senses() const;
-  // Puts its content into the document that holds the infant. With `keep_root` the infant stays where it was put.
+  // One word: "muscle"; "" if the recipe does not say.
+  std::string actuation() const;
+  // Bodies that it is made for, the usual one first; none if it does for all.
+  std::vector<std::string> bodies() const;
+  // Puts its content into the document that holds the infant, but for what concerns parts that the infant does not
+  // have: one recipe does for several bodies. With `keep_root` the infant stays where it was put.
   void apply(pugi::xml_node root, const std::string& prefix, bool keep_root);
 
  private:
@@ -28,7 +36,7 @@ class Recipe {
 // A custom text of a document; "" if there is none.
 std::string custom_text(pugi::xml_node root, const std::string& name);
 
-// Takes the infant's motors of all groups but these out of the document.
-void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups);
+// Takes the infant's motors of all groups but these out of the document, and those whose names begin with `still`.
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still = "");
 
 }  // namespace mimo::scene

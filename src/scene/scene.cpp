@@ -20,9 +20,10 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "playdate"};
+constexpr const char* kScenes[] = {"benchmark", "free",  "reach",    "standup",
+                                   "selfbody",  "catch", "showroom", "playdate"};
 constexpr const char* kRooms[] = {"playroom"};
-constexpr const char* kBodies[] = {"mitten"};
+constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kPlaces = "mimo:place";     // custom number of a room: 7 values a place
 constexpr const char* kInfants = "mimo:infants";  // custom text: names of those whom the scene is made for
@@ -92,6 +93,22 @@ std::array<double, 6> picture_axes(const Camera& camera) {
   return {right[0], right[1], right[2], up[0], up[1], up[2]};
 }
 
+// Textures and materials are the same for all kinds where they have the same name.
+void add_assets(pugi::xml_node root, pugi::xml_node assets) {
+  std::set<std::string> there;
+  for (const pugi::xml_node section : root.children("asset")) {
+    for (const pugi::xml_node asset : section.children()) {
+      there.insert(std::string(asset.name()) + " " + asset.attribute("name").value());
+    }
+  }
+  const pugi::xml_node added = append(root, "asset");
+  for (const pugi::xml_node asset : assets.children()) {
+    const bool is_new = there.count(std::string(asset.name()) + " " + asset.attribute("name").value()) == 0;
+    if (asset.type() == pugi::node_element && is_new) copy_into(added, asset);
+  }
+  if (added.first_child().empty()) root.remove_child(added);
+}
+
 // Calls visit(node, attribute) for every reference to a built-in file.
 template <typename Visit>
 void visit_built_in_files(pugi::xml_node root, Visit&& visit) {
@@ -149,10 +166,7 @@ const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
 const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
 const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
-Scene::Scene(const Source& source)
-    : library_(source.model_dir),
-      document_(load(library_, source)),
-      body_assets_added_(has_class(document_.document_element(), kBodyClass)) {}
+Scene::Scene(const Source& source) : library_(source.model_dir), document_(load(library_, source)) {}
 
 Scene::Scene(const Scene& other)
     : library_(other.library_),
@@ -160,7 +174,7 @@ Scene::Scene(const Scene& other)
       bodies_(other.bodies_),
       objects_(other.objects_),
       start_welds_(other.start_welds_),
-      body_assets_added_(other.body_assets_added_) {}
+      kinds_(other.kinds_) {}
 
 void Scene::set_room(const std::string& room) {
   require_known("room", kRooms, room);
@@ -189,6 +203,10 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   const std::string root_name = prefix + kRootBody;
   require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
   const Pose place = pose != nullptr ? *pose : next_place();
+  Recipe recipe = Recipe::of_room(document_.document_element(), library_);
+  const std::vector<std::string> fit = recipe.bodies();
+  require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
+          "body \"{}\": the scene is made for {} only", body, fmt::join(fit, ", "));
 
   const pugi::xml_document guest = Loader(library_).built_in(body + ".xml");
   const pugi::xml_node guest_root = guest.document_element();
@@ -196,22 +214,31 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   const pugi::xml_node root = changed.document_element();
   prefix_names(guest_root, prefix);
   if (in_radians(root)) convert_to_radians(guest_root);
+  const bool known = kinds_.count(body) > 0;
+  const std::string classes = known ? kinds_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
+  prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
-    const bool shared = name == "default" || name == "asset";
     if (name == "compiler" || part.type() != pugi::node_element) continue;
-    if (shared && body_assets_added_) continue;
-    copy_into(root, part);
+    if (name == "asset") {
+      add_assets(root, part);
+    } else if (name != "default" || !known) {
+      copy_into(root, part);
+    }
   }
   for (const pugi::xml_node world : root.children("worldbody")) {
     const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
     if (!added.empty()) set_pose(added, place);
   }
-  Recipe recipe = Recipe::of_room(root, library_);
-  keep_motors(root, prefix, groups != 0 ? groups : recipe.acts());
+  if (groups != 0) {
+    keep_motors(root, prefix, groups);
+  } else {
+    keep_motors(root, prefix, recipe.acts(), recipe.still());
+  }
   recipe.apply(root, prefix, pose != nullptr);
+  Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
   document_ = std::move(changed);
-  body_assets_added_ = true;
+  ++kind.count;
   ++bodies_;
 }
 
@@ -228,6 +255,15 @@ std::vector<std::string> Scene::infants() const {
 }
 
 std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }
+
+std::string Scene::actuation() const { return Recipe::of_room(document_.document_element(), library_).actuation(); }
+
+const char* Scene::usual_body() const {
+  const std::vector<std::string> fit = Recipe::of_room(document_.document_element(), library_).bodies();
+  const auto* const found =
+      fit.empty() ? std::begin(kBodies) : std::find(std::begin(kBodies), std::end(kBodies), fit.front());
+  return found != std::end(kBodies) ? *found : kBodies[0];
+}
 
 void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
@@ -315,7 +351,8 @@ void Scene::add_camera(const Camera& camera) {
 pugi::xml_document Scene::finished() const {
   pugi::xml_document document = copy(document_);
   const pugi::xml_node root = document.document_element();
-  size_buffers(root, bodies_, objects_);
+  const auto count = [&](const char* body) { return kinds_.count(body) > 0 ? kinds_.at(body).count : 0; };
+  size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", kRootBody);
   if (infants) keep_hands_in_sight(root);
   // Keyframes are positions of all joints that the document had by itself.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -62,8 +63,8 @@ class Scene {
   // Gives a scene without one floor, sky and light. What it says itself of solver and pictures stays.
   void set_room(const std::string& room);
 
-  // Adds the body of an infant ("mitten"). Its model names get the prefix; no pose means the scene's own place; only
-  // motors of the groups act, 0 means the scene's own choice.
+  // Adds the body of an infant ("mitten", "fingers"). Its model names get the prefix; no pose means the scene's own
+  // place; only motors of the groups act, 0 means the scene's own choice.
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
@@ -71,6 +72,10 @@ class Scene {
   std::string senses() const;
   // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
   std::vector<std::string> infants() const;
+  // How infants of this scene usually act, "muscle"; "" if it does not say.
+  std::string actuation() const;
+  // The body that infants of this scene usually have; static.
+  const char* usual_body() const;
   void add_object(const Object& object);
   void add_model(const Model& model);
   void add_camera(const Camera& camera);
@@ -99,7 +104,12 @@ class Scene {
   int bodies_ = 0;
   int objects_ = 0;
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last
-  bool body_assets_added_ = false;
+  // How many infants of a body were added, and what the names of their default classes begin with.
+  struct Kind {
+    int count = 0;
+    std::string classes;
+  };
+  std::map<std::string, Kind> kinds_;
 };
 
 // Names of the built-in scenes, rooms and bodies; nullptr past the last.

@@ -15,6 +15,7 @@ struct ProprioceptionOptions {
   bool joint_torque = false;       // about each joint's own axis
   double limit_threshold = 0.035;  // rad
   bool position_control = false;   // actuation means target angles then
+  bool effort = false;             // what the commands cost; the actuation writes it
 };
 
 class Proprioception : public Sense {

@@ -45,7 +45,8 @@ class Reach : public Task {
   void place_target(engine::Physics& physics, Random& random);
   bool reached(const engine::Physics& physics) const;
 
-  int target_, fingers_;
+  int target_;
+  std::vector<int> fingers_;
   int target_address_;  // in qpos
   std::vector<int> arm_;
   std::vector<int> motors_;
@@ -62,7 +63,7 @@ class Reach : public Task {
 Reach::Reach(const mjModel& model, const body::Body& body, const Settings& settings)
     : Task({{"distance", 0}, {"success", 0}}),
       target_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
-      fingers_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_fingers")),
+      fingers_(body::right_fingers(model, body)),
       target_address_(body::free_joint_address(model, target_)),
       arm_(body::subtree(model, engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_upper_arm"))),
       motors_(body.actuators),
@@ -130,7 +131,7 @@ bool Reach::reached(const engine::Physics& physics) const {
 void Reach::evaluate(const engine::Physics& physics) {
   success_ = reached(physics);
   touched_ = false;
-  const double distance = (position(physics, fingers_) - position(physics, target_)).norm();
+  const double distance = (center(physics, fingers_) - position(physics, target_)).norm();
   terms_[kDistance].value = success_ && !original_rules_ ? 0 : -distance_weight_ * distance;
   terms_[kSuccess].value = success_ ? success_reward_ : 0;
 }

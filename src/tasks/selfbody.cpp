@@ -79,7 +79,7 @@ class Selfbody : public Task {
 
   void settle(engine::Physics& physics);
 
-  int fingers_;
+  std::vector<int> fingers_;
   std::vector<int> skin_;
   std::vector<std::size_t> candidates_;  // places in skin_
   double success_reward_, distance_weight_, no_touch_reward_;
@@ -92,7 +92,7 @@ class Selfbody : public Task {
 
 Selfbody::Selfbody(const mjModel& model, const body::Body& body, const Settings& settings)
     : Task({{"success", 0}, {"distance", 0}, {"no_touch", 0}}),
-      fingers_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_fingers")),
+      fingers_(body::right_fingers(model, body)),
       skin_(skin_of(model, body)),
       settled_(static_cast<std::size_t>(model.nq)) {
   // The arm that touches has skin, but is no target.
@@ -145,13 +145,14 @@ void Selfbody::settle(engine::Physics& physics) {
 
 void Selfbody::watch(const engine::Physics& physics) {
   target_felt_ = target_felt_ || feels(physics, skin_[target_]);
-  fingers_felt_ = fingers_felt_ || feels(physics, fingers_);
+  fingers_felt_ =
+      fingers_felt_ || std::any_of(fingers_.begin(), fingers_.end(), [&](int body) { return feels(physics, body); });
 }
 
 void Selfbody::evaluate(const engine::Physics& physics) {
   success_ = target_felt_;
   const bool near = !success_ && fingers_felt_;
-  const double distance = (position(physics, fingers_) - position(physics, skin_[target_])).norm();
+  const double distance = (center(physics, fingers_) - position(physics, skin_[target_])).norm();
   terms_[kSuccess].value = success_ ? success_reward_ : 0;
   terms_[kDistance].value = near ? -distance_weight_ * distance : 0;
   terms_[kNoTouch].value = success_ || near ? 0 : no_touch_reward_;

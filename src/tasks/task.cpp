@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "tasks/catch.h"
 #include "tasks/reach.h"
 #include "tasks/selfbody.h"
 #include "tasks/standup.h"
@@ -19,7 +20,7 @@ constexpr Definition kNone = {
     "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> {
       return std::make_unique<None>();
     }};
-constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody};
+constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody, &kCatch};
 
 }  // namespace
 

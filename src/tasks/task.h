@@ -28,6 +28,8 @@ class Task {
   virtual void reset(engine::Physics&, Random&) {}
   // After each physics step of an environment step, for what may be over when the last one is done.
   virtual void watch(const engine::Physics&) {}
+  // Before the evaluation: what the step's commands cost (actuation::Actuation::effort).
+  void spend(double effort) { effort_ = effort; }
   // After the last physics step: terms and outcome. Positions of bodies are those of that step's start, as in the
   // original.
   virtual void evaluate(const engine::Physics&) {}
@@ -58,6 +60,7 @@ class Task {
   std::vector<Term> terms_;
   std::uint64_t episode_steps_ = 0;
   bool ends_ = false;
+  double effort_ = 0;
   bool success_ = false;
   bool failure_ = false;
 };
@@ -69,7 +72,7 @@ struct Definition {
   std::unique_ptr<Task> (*make)(const mjModel& model, const body::Body& body, const Settings& settings);
 };
 
-// All there are: none, reach, standup, selfbody.
+// All there are: none, reach, standup, selfbody, catch.
 Span<const Definition* const> definitions();
 
 // Throws Status::kNotFound for a name that is none; "" is none.

@@ -30,8 +30,9 @@ static void check_sources(void) {
   CHECK_TEXT("benchmark", mimo_scene_builtin(0));
   CHECK_TEXT("free", mimo_scene_builtin(1));
   CHECK_TEXT("selfbody", mimo_scene_builtin(4));
-  CHECK_TEXT("playdate", mimo_scene_builtin(5));
-  CHECK(mimo_scene_builtin(6) == NULL);
+  CHECK_TEXT("showroom", mimo_scene_builtin(6));
+  CHECK_TEXT("playdate", mimo_scene_builtin(7));
+  CHECK(mimo_scene_builtin(8) == NULL);
   CHECK(mimo_scene_builtin((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);
@@ -83,9 +84,9 @@ static void check_agents(void) {
     CHECK_FAILS(status, part, mimo_scene_add_agent(scene, &config, &agent)); \
     config.field = (good);                                                   \
   } while (0)
-  REFUSED(MIMO_E_NOT_FOUND, "no body named \"octopus\"; there are: mitten", body, "octopus", "mitten");
+  REFUSED(MIMO_E_NOT_FOUND, "no body named \"octopus\"; there are: mitten, fingers", body, "octopus", "mitten");
   REFUSED(MIMO_E_INVALID_ARGUMENT, "name is \"a/b\"", name, "a/b", "anna");
-  REFUSED(MIMO_E_INVALID_ARGUMENT, "proprioception is 0x40", proprioception, 0x40, defaults);
+  REFUSED(MIMO_E_INVALID_ARGUMENT, "proprioception is 0x80", proprioception, 0x80, defaults);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vestibular is 2", vestibular, 2, 1);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is 0", limit_threshold, 0, 0.035);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is nan", limit_threshold, (double)NAN, 0.035);

@@ -44,7 +44,8 @@ static void check_parameters(void) {
               mimo_scene_set_parameter(scene, "reach/original_rules", 3));
   mimo_scene_destroy(scene);
   CHECK_TEXT("none", mimo_task_name(0));
-  CHECK(mimo_task_name(4) == NULL);
+  CHECK_TEXT("catch", mimo_task_name(4));
+  CHECK(mimo_task_name(5) == NULL);
 }
 
 static void check_episode(const char* name, int limit, int frame_skip, int actions) {
@@ -107,8 +108,8 @@ static void check_agents(void) {
   agent.acts = 0x800;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
   agent.acts = MIMO_ACT_RIGHT_LEG | MIMO_ACT_LEFT_LEG;
-  agent.actuation = 2;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 2", mimo_scene_add_agent(scene, &agent, NULL));
+  agent.actuation = 4;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 4", mimo_scene_add_agent(scene, &agent, NULL));
   agent.actuation = MIMO_ACTUATION_POSITION;
   agent.normalize_actions = 1;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
@@ -119,9 +120,20 @@ static void check_agents(void) {
   CHECK(low[3] == -1 && high[3] == 1);
   mimo_env_destroy(env);
 
+  scene = scene_named("catch");
+  CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
+  CHECK(strcmp(agent.body, "fingers") == 0 && agent.actuation == MIMO_ACTUATION_MUSCLE && agent.vision == 0);
+  agent.body = "mitten";
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "made for fingers only", mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_scene_add_agent(scene, NULL, NULL));
+  env = env_of(scene);
+  CHECK_OK(mimo_env_action_size(env, &count));
+  CHECK(count == 40);
+  mimo_env_destroy(env);
+
   scene = scene_named("free");
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
-  CHECK(agent.vision == MIMO_VISION_RGB);
+  CHECK(agent.vision == MIMO_VISION_RGB && strcmp(agent.body, "mitten") == 0);
   agent.vision = 0;
   agent.acts = MIMO_ACT_NONE;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));

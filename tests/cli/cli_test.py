@@ -189,16 +189,28 @@ class Info(Case):
 
     def test_several_infants(self):
         info = self.info("--scene", "playdate")
-        self.assertEqual((info["infants"], info["nu"], info["touch_sensors"]), (2, 50, 2 * 5685))
+        self.assertEqual((info["agents"], info["nu"], info["touch_sensors"]), (2, 50, 2 * 5685))
         self.assertAlmostEqual(info["mass_kg"], 10.90487, places=5)
         room = self.write("room.xml", '<mujoco><custom><text name="mimo:infants" data="a b c"/><numeric name="mimo:place" '
                           'data="0 0 1 1 0 0 0 1 0 1 1 0 0 0 2 0 1 1 0 0 0"/></custom></mujoco>')
         self.assertEqual(self.info("--scene", room, "--body", "mitten")["nu"], 3 * 44)
 
+    def test_five_fingers(self):
+        info = self.info("--body", "fingers")
+        # Counts and mass: the original's tables (tests/golden/v2_benchmark); touch: its 5299 sensors (touch_counts.json).
+        self.assertEqual((info["nq"], info["nv"], info["nu"]), (112, 109, 88))
+        self.assertEqual((info["bodies"], info["joints"], info["geoms"]), (58, 94, 77))
+        self.assertAlmostEqual(info["mass_kg"], 10.8999078, places=6)
+        self.assertAlmostEqual(info["height_m"], 0.7781, places=6)
+        self.assertAlmostEqual(info["touch_sensors"], 5299, delta=0.015 * 5299)
+
+    def test_a_body_that_the_scene_is_not_made_for(self):
+        self.assertIn("made for mitten only", self.mimo("info", "--scene", "standup", "--body", "fingers", code=1))
+
     def test_files(self):
         room = self.write("room.xml", '<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>')
         empty = self.info("--scene", room)
-        self.assertEqual((empty["nq"], empty["bodies"], empty["mass_kg"]), (0, 1, None))
+        self.assertEqual((empty["nq"], empty["bodies"], empty["mass_kg"]), (0, 1, 0))  # all in it is an agent
         self.assertEqual(empty["observation_fields"], [])
         furnished = self.info("--scene", room, "--body", "mitten")
         self.assertEqual((furnished["nq"], furnished["nu"]), (54, 44))
@@ -389,7 +401,23 @@ class Render(Case):
         self.assertNotEqual(a, b)
         self.assertNotEqual(b, d)
 
+    def test_how_pictures_are_made(self):
+        view = ("render", "--width", "64", "--height", "48", "--renderer", "ray")
+        quality = {"plain": (), "smooth": ("--samples", "16"), "threads": ("--render-threads", "3"), "all": ("--effects", "shadows,reflections,sky,haze"),
+                   "bare": ("--effects", "none"), "fog": ("--effects", "fog,shadows,reflections,sky,haze")}
+        for name, options in quality.items():
+            self.mimo(*view, *options, "--out", name + ".png")
+        pictures = {name: read_png(self.folder / (name + ".png"))[4] for name in quality}
+        self.assertEqual(pictures["plain"], pictures["threads"])
+        self.assertEqual(pictures["plain"], pictures["all"])
+        for name in ("smooth", "bare", "fog"):
+            self.assertNotEqual(pictures["plain"], pictures[name], name)
+        self.assertNotEqual(pictures["plain"][0][:3], bytes(3))
+        self.assertEqual(pictures["bare"][0][:3], bytes(3))  # no sky
+
     def test_errors(self):
+        for option, value in (("--samples", "3"), ("--effects", "shadows,glitter"), ("--effects", ","), ("--render-threads", "0")):
+            self.assertIn(option, self.mimo("render", option, value, "--out", "a.png", code=2))
         self.assertIn("eye_third", self.mimo("render", "--camera", "eye_third", "--out", "a.png", code=1))
         self.assertIn("no/a.png", self.mimo("render", "--out", "no/a.png", code=1))
         self.assertIn("crayon", self.mimo("render", "--renderer", "crayon", "--out", "a.png", code=1))

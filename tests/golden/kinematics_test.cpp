@@ -1,4 +1,4 @@
-// Poses, masses and passive forces in recorded joint positions (kinematics_v1.json).
+// Poses, masses and passive forces in recorded joint positions (kinematics_*.json).
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -30,10 +30,10 @@ void expect_poses(const mjModel& model, const mjData& data, const Json& recorded
   }
 }
 
-TEST(GoldenKinematics, RecordedPoses) {
-  const Json poses = read_json("kinematics_v1.json");
+void expect_recorded_poses(const std::string& body, const std::string& file) {
+  const Json poses = read_json(file);
   ASSERT_EQ(poses.size(), 7u);
-  engine::Physics physics(benchmark_model(), {});
+  engine::Physics physics(benchmark_model(body), {});
   const mjModel& model = physics.model();
   mjData& data = physics.data();
   const int root = engine::find_or_fail(model, Kind::kBody, "mimo_location");
@@ -51,6 +51,9 @@ TEST(GoldenKinematics, RecordedPoses) {
     expect_dofs("passive force", model, poses[i].at("passive_force"), data.qfrc_passive);
   }
 }
+
+TEST(GoldenKinematics, Mitten) { expect_recorded_poses("mitten", "kinematics_v1.json"); }
+TEST(GoldenKinematics, Fingers) { expect_recorded_poses("fingers", "kinematics_v2.json"); }
 
 }  // namespace
 }  // namespace mimo::test

@@ -16,25 +16,25 @@ namespace {
 
 using engine::Kind;
 
-// Each test runs for each scene, the one named here.
+// Each test runs for each folder of tables, the one named here.
 std::string tested;
 
 const mjModel& model() {
   static std::map<std::string, engine::ModelPtr> compiled;
   engine::ModelPtr& found = compiled[tested];
-  if (found == nullptr) found = room_with_infant(tested);
+  if (found == nullptr) found = golden_model(tested);
   return *found;
 }
 
-std::string tables() {
-  return std::string(MIMO_TEST_DATA) + "/" + (tested == "benchmark" ? "v1_benchmark" : tested) + "/";
-}
+std::string tables() { return std::string(MIMO_TEST_DATA) + "/" + tested + "/"; }
 
 class GoldenModel : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override { tested = GetParam(); }
 };
-INSTANTIATE_TEST_SUITE_P(Scenes, GoldenModel, ::testing::Values("benchmark", "reach", "standup", "selfbody"),
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenModel,
+                         ::testing::Values("v1_benchmark", "v2_benchmark", "reach", "standup", "selfbody", "catch",
+                                           "showroom"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 std::string body_name(int body) { return engine::name(model(), Kind::kBody, body); }

@@ -1,4 +1,4 @@
-// One motor at a time at full strength for ten steps, without gravity and contacts (torque_response_v1.json).
+// One motor at a time at full strength for ten steps, without gravity and contacts (torque_response_*.json).
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -24,22 +24,32 @@ void expect_response(engine::Physics& physics, const std::string& actuator, doub
   expect_dofs("velocity", model, recorded.at("all_qvel"), data.qvel);
 }
 
-void expect_all_responses(engine::Jacobian jacobian) {
-  const Json responses = read_json("torque_response_v1.json");
-  ASSERT_EQ(responses.size(), 22u);
+struct Recording {
+  const char* body;
+  const char* file;
+  std::size_t motors;
+};
+constexpr Recording kMitten = {"mitten", "torque_response_v1.json", 22};
+constexpr Recording kFingers = {"fingers", "torque_response_v2.json", 44};
+
+void expect_all_responses(const Recording& recording, engine::Jacobian jacobian) {
+  const Json responses = read_json(recording.file);
+  ASSERT_EQ(responses.size(), recording.motors);
   engine::PhysicsOptions options;
   options.jacobian = jacobian;
   options.contacts = false;
   options.gravity = false;
-  engine::Physics physics(benchmark_model(), options);
+  engine::Physics physics(benchmark_model(recording.body), options);
   for (const auto& [actuator, response] : responses.items()) {
     expect_response(physics, actuator, 1, response.at("plus"));
     expect_response(physics, actuator, -1, response.at("minus"));
   }
 }
 
-TEST(GoldenTorqueResponse, Dense) { expect_all_responses(engine::Jacobian::kDense); }
-TEST(GoldenTorqueResponse, Sparse) { expect_all_responses(engine::Jacobian::kSparse); }
+TEST(GoldenTorqueResponse, MittenDense) { expect_all_responses(kMitten, engine::Jacobian::kDense); }
+TEST(GoldenTorqueResponse, MittenSparse) { expect_all_responses(kMitten, engine::Jacobian::kSparse); }
+TEST(GoldenTorqueResponse, FingersDense) { expect_all_responses(kFingers, engine::Jacobian::kDense); }
+TEST(GoldenTorqueResponse, FingersSparse) { expect_all_responses(kFingers, engine::Jacobian::kSparse); }
 
 }  // namespace
 }  // namespace mimo::test

@@ -19,16 +19,16 @@ using engine::Kind;
 using senses::touch::Sensor;
 using senses::touch::Skin;
 
-Skin mitten_skin(double scale) {
+Skin skin(const std::string& body, double scale) {
   senses::TouchOptions options;
   options.scale = scale;
-  const mjModel& model = *benchmark_model();
+  const mjModel& model = *benchmark_model(body);
   return Skin(model, senses::spacings(model, body::find_body(model, ""), options));
 }
 
-std::map<std::string, int> counts_by_body(const Skin& skin) {
+std::map<std::string, int> counts_by_body(const mjModel& model, const Skin& skin) {
   std::map<std::string, int> counts;
-  for (const Sensor& sensor : skin.sensors()) ++counts[engine::name(*benchmark_model(), Kind::kBody, sensor.body)];
+  for (const Sensor& sensor : skin.sensors()) ++counts[engine::name(model, Kind::kBody, sensor.body)];
   return counts;
 }
 
@@ -73,9 +73,9 @@ bool among(const std::vector<Vec3>& points, const Vec3& place) {
 // Ours and the original's are the same but for points at seams, where the original tests against meshes that are
 // inscribed in the geoms, and we against the geoms.
 TEST(GoldenTouch, PlacesAreThoseOfTheOriginal) {
-  const Skin skin = mitten_skin(0.25);
+  const Skin mitten = skin("mitten", 0.25);
   std::map<std::string, std::vector<Vec3>> ours;
-  for (const Sensor& sensor : skin.sensors()) {
+  for (const Sensor& sensor : mitten.sensors()) {
     ours[engine::name(*benchmark_model(), Kind::kBody, sensor.body)].push_back(sensor.position);
   }
   std::size_t common = 0;
@@ -97,6 +97,7 @@ TEST(GoldenTouch, PlacesAreThoseOfTheOriginal) {
 
 struct CountCase {
   const char* key;
+  const char* body;
   double scale;
   std::map<std::string, int> ours;  // where they differ; docs/differences.md lists them
 };
@@ -106,13 +107,14 @@ class GoldenTouchCounts : public testing::TestWithParam<CountCase> {};
 
 TEST_P(GoldenTouchCounts, AreNearlyThoseOfTheOriginal) {
   const Json recorded = read_json("touch_counts.json").at(GetParam().key);
-  const auto counts = counts_by_body(mitten_skin(GetParam().scale));
+  const std::string body = GetParam().body;
+  const auto counts = counts_by_body(*benchmark_model(body), skin(body, GetParam().scale));
   int total = 0;
-  for (const auto& [body, count] : counts) {
+  for (const auto& [name, count] : counts) {
     total += count;
-    const auto without_side = body.substr(body.find("right_") == 0 ? 6 : body.find("left_") == 0 ? 5 : 0);
+    const auto without_side = name.substr(name.find("right_") == 0 ? 6 : name.find("left_") == 0 ? 5 : 0);
     const auto different = GetParam().ours.find(without_side);
-    EXPECT_EQ(count, different != GetParam().ours.end() ? different->second : recorded.at(body).get<int>()) << body;
+    EXPECT_EQ(count, different != GetParam().ours.end() ? different->second : recorded.at(name).get<int>()) << name;
   }
   EXPECT_EQ(counts.size() + 1, recorded.size());
   EXPECT_NEAR(total, recorded.at("TOTAL").get<int>(), 0.015 * recorded.at("TOTAL").get<int>());
@@ -120,11 +122,35 @@ TEST_P(GoldenTouchCounts, AreNearlyThoseOfTheOriginal) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scales, GoldenTouchCounts,
-    testing::Values(
-        CountCase{"v1_T0.5", 0.5, {{"upper_body", 54}, {"hand", 36}, {"foot", 14}, {"toes", 13}}},
-        CountCase{"v1_T1.0", 1, {{"upper_body", 160}, {"hand", 160}, {"lower_leg", 34}, {"foot", 83}, {"toes", 38}}},
-        CountCase{
-            "v1_T2.0", 2, {{"upper_body", 565}, {"hand", 726}, {"lower_leg", 111}, {"foot", 266}, {"toes", 165}}}));
+    testing::Values(CountCase{"v1_T0.5", "mitten", 0.5, {{"upper_body", 54}, {"hand", 36}, {"foot", 14}, {"toes", 13}}},
+                    CountCase{"v1_T1.0",
+                              "mitten",
+                              1,
+                              {{"upper_body", 160}, {"hand", 160}, {"lower_leg", 34}, {"foot", 83}, {"toes", 38}}},
+                    CountCase{"v1_T2.0",
+                              "mitten",
+                              2,
+                              {{"upper_body", 565}, {"hand", 726}, {"lower_leg", 111}, {"foot", 266}, {"toes", 165}}},
+                    CountCase{"v2_T1.0",
+                              "fingers",
+                              1,
+                              {{"upper_body", 160},
+                               {"hand", 142},
+                               {"lfmetacarpal", 27},
+                               {"lower_leg", 34},
+                               {"foot", 79},
+                               {"toes", 33},
+                               {"big_toe", 23}}},
+                    CountCase{"v2_T2.0",
+                              "fingers",
+                              2,
+                              {{"upper_body", 565},
+                               {"hand", 609},
+                               {"lfmetacarpal", 114},
+                               {"lower_leg", 111},
+                               {"foot", 236},
+                               {"toes", 144},
+                               {"big_toe", 84}}}));
 
 // The benchmark scene with the infant held and a ball that can slide up and down.
 engine::ModelPtr held_under_a_ball(const Json& recorded) {

@@ -1,4 +1,4 @@
-// Recorded trajectories (trajectories_v1.json): a fall, and floating under random control.
+// Recorded trajectories (trajectories_*.json): a fall, and floating under random control.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -27,8 +27,8 @@ engine::PhysicsOptions falling(Jacobian jacobian) {
 // Actions for each step, in the order of the model's actuators; none for a passive body.
 using Controls = std::vector<std::vector<double>>;
 
-Controls recorded_controls(const mjModel& model) {
-  const Table table(std::string(MIMO_TEST_DATA) + "/controls_v1.csv");
+Controls recorded_controls(const mjModel& model, const std::string& version) {
+  const Table table(std::string(MIMO_TEST_DATA) + "/controls_" + version + ".csv");
   EXPECT_EQ(static_cast<int>(table.columns().size()), model.nu);
   Controls controls;
   for (const Table::Row& row : table.rows()) {
@@ -61,30 +61,46 @@ void expect_trajectory(const Json& states, engine::Physics& physics, const Contr
   EXPECT_EQ(step, last_step);
 }
 
-// With a dense Jacobian, as the original solves, every state agrees; the last ones lie deep in the contacts.
-TEST(GoldenTrajectories, PassiveFallDense) {
-  engine::Physics physics(benchmark_model(), falling(Jacobian::kDense));
-  expect_trajectory(read_json("trajectories_v1.json").at("passive_fall"), physics, {}, 200);
+struct Recording {
+  const char* body;
+  const char* version;
+};
+constexpr Recording kMitten = {"mitten", "v1"};
+constexpr Recording kFingers = {"fingers", "v2"};
+
+Json recorded(const Recording& recording, const char* which) {
+  return read_json(std::string("trajectories_") + recording.version + ".json").at(which);
 }
+
+void expect_passive_fall(const Recording& recording, Jacobian jacobian, int last_step,
+                         const Tolerance& tolerance = {}) {
+  engine::Physics physics(benchmark_model(recording.body), falling(jacobian));
+  expect_trajectory(recorded(recording, "passive_fall"), physics, {}, last_step, tolerance);
+}
+
+void expect_floating(const Recording& recording, Jacobian jacobian) {
+  engine::Physics physics(benchmark_model(recording.body), floating(jacobian));
+  expect_trajectory(recorded(recording, "floating_no_contact_no_gravity_random_control"), physics,
+                    recorded_controls(physics.model(), recording.version), 200);
+}
+
+// With a dense Jacobian, as the original solves, every state agrees; the last ones lie deep in the contacts.
+TEST(GoldenTrajectories, MittenFallsDense) { expect_passive_fall(kMitten, Jacobian::kDense, 200); }
+TEST(GoldenTrajectories, FingersFallDense) { expect_passive_fall(kFingers, Jacobian::kDense, 200); }
 
 // The sparse solution differs by rounding, which contacts amplify: compared up to step 120. Velocities near zero agree
 // to 3e-11, hence the larger floor.
-TEST(GoldenTrajectories, PassiveFallSparse) {
-  engine::Physics physics(benchmark_model(), falling(Jacobian::kSparse));
-  expect_trajectory(read_json("trajectories_v1.json").at("passive_fall"), physics, {}, 120, {kRelative, 1e-10});
+TEST(GoldenTrajectories, MittenFallsSparse) {
+  expect_passive_fall(kMitten, Jacobian::kSparse, 120, {kRelative, 1e-10});
+}
+TEST(GoldenTrajectories, FingersFallSparse) {
+  expect_passive_fall(kFingers, Jacobian::kSparse, 120, {kRelative, 1e-10});
 }
 
-TEST(GoldenTrajectories, FloatingDense) {
-  engine::Physics physics(benchmark_model(), floating(Jacobian::kDense));
-  expect_trajectory(read_json("trajectories_v1.json").at("floating_no_contact_no_gravity_random_control"), physics,
-                    recorded_controls(physics.model()), 200);
-}
-
-TEST(GoldenTrajectories, FloatingSparse) {
-  engine::Physics physics(benchmark_model(), floating(Jacobian::kSparse));
-  expect_trajectory(read_json("trajectories_v1.json").at("floating_no_contact_no_gravity_random_control"), physics,
-                    recorded_controls(physics.model()), 200);
-}
+TEST(GoldenTrajectories, MittenFloatsDense) { expect_floating(kMitten, Jacobian::kDense); }
+TEST(GoldenTrajectories, MittenFloatsSparse) { expect_floating(kMitten, Jacobian::kSparse); }
+TEST(GoldenTrajectories, FingersFloatDense) { expect_floating(kFingers, Jacobian::kDense); }
+TEST(GoldenTrajectories, FingersFloatSparse) { expect_floating(kFingers, Jacobian::kSparse); }
 
 }  // namespace
 }  // namespace mimo::test

@@ -18,25 +18,24 @@ namespace {
 
 using engine::Kind;
 
-// Each test runs for each scene, the one named here.
+// Each test runs for each folder of tables, the one named here.
 std::string tested;
 
 const mjModel& model() {
   static std::map<std::string, engine::ModelPtr> compiled;
   engine::ModelPtr& found = compiled[tested];
-  if (found == nullptr) found = room_with_infant(tested);
+  if (found == nullptr) found = golden_model(tested);
   return *found;
 }
 
-std::string tables() {
-  return std::string(MIMO_TEST_DATA) + "/" + (tested == "benchmark" ? "v1_benchmark" : tested) + "/";
-}
+std::string tables() { return std::string(MIMO_TEST_DATA) + "/" + tested + "/"; }
 
 class GoldenWiring : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override { tested = GetParam(); }
 };
-INSTANTIATE_TEST_SUITE_P(Scenes, GoldenWiring, ::testing::Values("benchmark", "reach", "standup", "selfbody"),
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenWiring,
+                         ::testing::Values("v1_benchmark", "v2_benchmark", "reach", "standup", "selfbody"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 std::string name_of(mjtObj type, int id) {
@@ -44,7 +43,7 @@ std::string name_of(mjtObj type, int id) {
   return text == nullptr ? "" : text;
 }
 
-TEST_P(GoldenWiring, Actuators) {
+void expect_actuators() {
   const Table table(tables() + "actuators.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.nu);
@@ -84,7 +83,7 @@ std::map<std::string, double> coefficients(const std::string& text) {
   return result;
 }
 
-TEST_P(GoldenWiring, Tendons) {
+void expect_tendons() {
   const Table table(tables() + "tendons.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.ntendon);
@@ -108,6 +107,16 @@ TEST_P(GoldenWiring, Tendons) {
     EXPECT_TRUE(close(row.numbers("solref_lim"), m.tendon_solref_lim + mjNREF * id));
     EXPECT_TRUE(close(row.numbers("solimp_lim"), m.tendon_solimp_lim + mjNIMP * id));
   }
+}
+
+TEST_P(GoldenWiring, Actuators) { expect_actuators(); }
+TEST_P(GoldenWiring, Tendons) { expect_tendons(); }
+
+// The original's room has the right hand's locks and sensors only; our infant keeps all that it has.
+TEST(GoldenWiringOfCatch, ActuatorsAndTendons) {
+  tested = "catch";
+  expect_actuators();
+  expect_tendons();
 }
 
 TEST_P(GoldenWiring, Equalities) {
@@ -186,8 +195,7 @@ TEST(GoldenSelfbody, SitsLocked) {
 }
 
 // The infant always has its two excludes (eyeballs and collar); the original's task scenes lack them.
-TEST(GoldenWiringOfBenchmark, ContactExcludes) {
-  tested = "benchmark";
+void expect_excludes() {
   const Table table(tables() + "contact_excludes.csv");
   const mjModel& m = model();
   ASSERT_EQ(static_cast<int>(table.size()), m.nexclude);
@@ -199,6 +207,13 @@ TEST(GoldenWiringOfBenchmark, ContactExcludes) {
     // Both ids plus one, in one number.
     EXPECT_EQ(name_of(mjOBJ_BODY, (signature >> 16) - 1), row.text("body1"));
     EXPECT_EQ(name_of(mjOBJ_BODY, (signature & 0xffff) - 1), row.text("body2"));
+  }
+}
+
+TEST(GoldenWiringOfBenchmark, ContactExcludes) {
+  for (const char* version : {"v1_benchmark", "v2_benchmark"}) {
+    tested = version;
+    expect_excludes();
   }
 }
 
@@ -254,6 +269,7 @@ TEST_P(GoldenWiring, Options) {
   const std::set<std::string> skipped = {"integrator_name", "cone_name", "solver_name",  "size_ntex",
                                          "size_nmat",       "jacobian",  "jacobian_name"};
   const std::set<std::string> benchmark_only = {"size_nlight", "size_nexclude"};  // light is art; see ContactExcludes
+  const bool task = tested.find("benchmark") == std::string::npos;
   const Table table(tables() + "options.csv");
   const auto actual = options_of(model());
   std::size_t compared = 0;
@@ -261,14 +277,14 @@ TEST_P(GoldenWiring, Options) {
     SCOPED_TRACE(row.label());
     const std::string option = row.text("option");
     if (skipped.count(option) > 0) continue;
-    if (tested != "benchmark" && benchmark_only.count(option) > 0) continue;
+    if (task && benchmark_only.count(option) > 0) continue;
     ASSERT_EQ(actual.count(option), 1u) << option << " is not compared with anything";
     const std::vector<double> expected = row.numbers("value");
     ASSERT_EQ(expected.size(), actual.at(option).size()) << option;
     EXPECT_TRUE(close(expected, actual.at(option).data())) << option;
     ++compared;
   }
-  EXPECT_EQ(compared, actual.size() - (tested == "benchmark" ? 0 : benchmark_only.size()));
+  EXPECT_EQ(compared, actual.size() - (task ? benchmark_only.size() : 0));
   EXPECT_EQ(model().opt.jacobian, mjJAC_SPARSE) << "built-in scenes solve with a sparse Jacobian";
 }
 

@@ -10,7 +10,15 @@ from gymnasium.utils.env_checker import check_env
 import mimo
 import mimo.plot
 
-NAMES = ["mimo/Reach-v0", "mimo/Standup-v0", "mimo/SelfBody-v0", "mimo/Benchmark-v0", "mimo/Free-v0"]
+NAMES = [
+    "mimo/Reach-v0",
+    "mimo/Standup-v0",
+    "mimo/SelfBody-v0",
+    "mimo/Catch-v0",
+    "mimo/Benchmark-v0",
+    "mimo/Free-v0",
+    "mimo/Showroom-v0",
+]
 SMALL = {"vision_width": 16, "vision_height": 16, "touch_scale": 0.25}
 
 # What the checker warns of, and why it may: velocities, torques and forces have no bounds in nature, and torques of

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 EXAMPLES = {
+    "muscles.py": [],
     "own_experiment.py": ["--worlds", "2", "--steps", "20"],
     "own_scene.py": [],
     "overhead.py": ["--steps", "20", "--worlds", "4"],

@@ -80,3 +80,16 @@ def test_playdate_has_two():
     assert mimo.World("free", name="carl", vision=False, touch=False).agents[0].name == "carl"
     with pytest.raises(ValueError, match="ParallelEnv"):
         mimo.make("playdate")
+
+
+def test_a_model_can_be_an_agent():
+    scene = mimo.Scene("free")
+    scene.add_agent(name="anna", vision=False)
+    scene.add_model("red", xml=CUP, position=[1, 0, 0.2])
+    scene.add_agent(name="red", body="scene", root="red/cup", vision=False, vestibular=False)
+    scene.set_touch(None, 0.02, agent=1)
+    world = mimo.World(scene)
+    assert [agent.name for agent in world.agents] == ["anna", "red"]
+    observation = world.reset(seed=1)
+    assert observation["red/proprioception/position"].shape[0] >= 1
+    assert len(observation["red/touch/force"]) > 10

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -36,16 +37,26 @@ inline engine::ModelPtr compile(const scene::Scene& scene) {
 }
 
 // A built-in room with one infant at the room's own place.
-inline engine::ModelPtr room_with_infant(const std::string& room) {
+inline engine::ModelPtr room_with_infant(const std::string& room, const std::string& body = "mitten") {
   scene::Scene scene(named(room));
-  scene.add_body("mitten", "", nullptr);
+  scene.add_body(body, "", nullptr);
   return compile(scene);
 }
 
 // Compiled once for all tests of a program.
-inline engine::ModelPtr benchmark_model() {
-  static const engine::ModelPtr model = room_with_infant("benchmark");
+inline engine::ModelPtr benchmark_model(const std::string& body = "mitten") {
+  static std::map<std::string, engine::ModelPtr> models;
+  engine::ModelPtr& model = models[body];
+  if (model == nullptr) model = room_with_infant("benchmark", body);
   return model;
+}
+
+// What a folder of tables in tests/golden is about: v1 is the original's mitten-handed infant, v2 the five-fingered
+// one.
+inline engine::ModelPtr golden_model(const std::string& tables) {
+  if (tables == "v1_benchmark") return benchmark_model();
+  if (tables == "v2_benchmark") return benchmark_model("fingers");
+  return room_with_infant(tables, tables == "catch" || tables == "showroom" ? "fingers" : "mitten");
 }
 
 // An infant held still 1 m above the origin: its root hangs on a stiff weld, all joints are locked at 0, no floor.

@@ -104,7 +104,7 @@ TEST(RaySame, ThreadsOfAFrame) {
 TEST(RaySame, SixtyFourRenderersOnEightThreads) {
   const engine::ModelPtr model = benchmark_model();
   render::RayOptions options;
-  options.textures = render::make_ray_textures(model);
+  options.assets = render::make_ray_assets(model);
   std::vector<std::unique_ptr<Studio>> studios;
   for (int i = 0; i < 64; ++i) studios.push_back(std::make_unique<Studio>(model, options));
   const render::View view = render::orbit_view({0, 0, 0.4}, 1.5, 150, -20, 45);
@@ -128,7 +128,7 @@ TEST(RaySame, SixtyFourRenderersOnEightThreads) {
 TEST(RaySame, NoAllocationAFrameAndLittleMemory) {
   const engine::ModelPtr model = benchmark_model();
   render::RayOptions options;
-  options.textures = render::make_ray_textures(model);
+  options.assets = render::make_ray_assets(model);
   Studio studio(model, options);
   Shot shot(256, 256);
   const render::View view = render::orbit_view({0, 0, 0.4}, 1.5, 150, -20, 45);

@@ -172,21 +172,5 @@ TEST(RaySolids, WhatIsShown) {
   EXPECT_EQ(id_of(fmt::format(fmt::runtime(site), 3)), 0);
 }
 
-TEST(RaySolids, MeshesAreRefused) {
-  const std::string mesh =
-      "<mesh name='tetra' vertex='0 0 0  1 0 0  0 1 0  0 0 1'/><hfield name='hills' nrow='2' ncol='2' size='1 1 1 1'/>";
-  for (const char* geom :
-       {"<geom name='thing' type='mesh' mesh='tetra'/>", "<geom name='thing' type='hfield' hfield='hills'/>"}) {
-    try {
-      Studio studio(world(geom, mesh));
-      FAIL() << geom;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.status(), Status::kUnsupported);
-      EXPECT_NE(error.message().find("thing"), std::string::npos) << error.message();
-    }
-  }
-  EXPECT_NO_THROW(Studio(world("<geom type='mesh' mesh='tetra' group='4'/>", mesh)));
-}
-
 }  // namespace
 }  // namespace mimo::test

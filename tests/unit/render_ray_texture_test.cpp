@@ -138,9 +138,9 @@ TEST(RayTextures, SharedByRenderers) {
   const auto model =
       engine::compile(textured("<geom type='box' size='1 1 1' material='painted'/>", "texture='flat'"), {}, {});
   render::RayOptions options;
-  options.textures = render::make_ray_textures(model);
+  options.assets = render::make_ray_assets(model);
   Studio one(model, options), two(model, options), own(model, {});
-  EXPECT_EQ(options.textures.use_count(), 3);
+  EXPECT_EQ(options.assets.use_count(), 3);
   EXPECT_EQ(one.shoot(from_above(3)).rgb, own.shoot(from_above(3)).rgb);
   EXPECT_EQ(two.shoot(from_above(3)).rgb, own.shoot(from_above(3)).rgb);
 }

@@ -20,10 +20,10 @@ namespace {
 using engine::Kind;
 using env::World;
 
-engine::ModelPtr model_of(const std::string& scene) {
+engine::ModelPtr model_of(const std::string& scene, const std::string& body = "mitten") {
   static std::map<std::string, engine::ModelPtr> compiled;
-  engine::ModelPtr& found = compiled[scene];
-  if (found == nullptr) found = room_with_infant(scene);
+  engine::ModelPtr& found = compiled[scene + " " + body];
+  if (found == nullptr) found = room_with_infant(scene, body);
   return found;
 }
 
@@ -33,6 +33,11 @@ std::unique_ptr<World> world_of(const std::string& scene, const std::map<std::st
   options.task = task;
   for (const auto& [name, value] : parameters) options.parameters.set(name, value);
   return std::make_unique<World>(model_of(scene), std::vector<env::AgentOptions>{blind()}, options);
+}
+
+std::unique_ptr<World> five_fingered(const std::string& scene) {
+  return std::make_unique<World>(model_of(scene, "fingers"), std::vector<env::AgentOptions>{blind()},
+                                 without_renderer());
 }
 
 tasks::Task& task_of(const World& world) { return *world.agents()[0].task; }
@@ -88,9 +93,10 @@ std::vector<float> nothing(const World& world) { return std::vector<float>(world
 std::vector<float> pull(const World& world, const Eigen::Vector3d& point) {
   const mjModel& model = world.model();
   std::vector<double> jacobian(static_cast<std::size_t>(3 * model.nv));
-  const int fingers = id_of(world, Kind::kBody, "right_fingers");
-  mj_jacBody(&model, &world.data(), jacobian.data(), nullptr, fingers);
-  const Eigen::Vector3d force = 25 * (point - place_of(world, "right_fingers")).normalized();
+  const bool mitten = engine::find(model, Kind::kBody, "right_fingers") >= 0;
+  const std::string fingers = mitten ? "right_fingers" : "right_mfknuckle";
+  mj_jacBody(&model, &world.data(), jacobian.data(), nullptr, id_of(world, Kind::kBody, fingers));
+  const Eigen::Vector3d force = 25 * (point - place_of(world, fingers)).normalized();
   std::vector<float> actions;
   for (const int motor : world.agents()[0].body.actuators) {
     const int dof = model.jnt_dofadr[model.actuator_trnid[2 * motor]];
@@ -172,18 +178,37 @@ TEST(Reach, DoingNothingEarnsTheDistanceUntilTimeIsUp) {
   EXPECT_NEAR(episode.total, -1000 * distance, 10) << "the arm hangs";
 }
 
-TEST(Reach, AHandDrivenToTheBallSucceeds) {
-  const auto world = world_of("reach");
+void expect_driven_hand_to_succeed(World& world) {
   int successes = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const Episode episode = play(*world, seed, [](const World& w) { return pull(w, place_of(w, "target")); });
+    const Episode episode = play(world, seed, [](const World& w) { return pull(w, place_of(w, "target")); });
     if (!episode.last.terminated) continue;
     ++successes;
-    EXPECT_TRUE(task_of(*world).success());
+    EXPECT_TRUE(task_of(world).success());
     EXPECT_EQ(episode.last.reward, 100) << "the paper's reward: 100, and no distance";
     EXPECT_GT(episode.total, 0);
   }
   EXPECT_GE(successes, 9);
+}
+
+TEST(Reach, AHandDrivenToTheBallSucceeds) { expect_driven_hand_to_succeed(*world_of("reach")); }
+TEST(Reach, AHandWithFiveFingersSucceeds) { expect_driven_hand_to_succeed(*five_fingered("reach")); }
+
+// The distance is that of the fingers' middle: of all 16 bones of a hand with five.
+TEST(Reach, FiveFingersHaveAMiddle) {
+  const auto world = five_fingered("reach");
+  const std::uint64_t seed = 3;
+  world->reset(&seed, nullptr);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const char* finger : {"ff", "mf", "rf", "lf"}) {
+    for (const char* bone : {"knuckle", "middle", "distal"})
+      sum += place_of(*world, std::string("right_") + finger + bone);
+  }
+  for (const char* bone : {"lfmetacarpal", "thbase", "thhub", "thdistal"}) {
+    sum += place_of(*world, std::string("right_") + bone);
+  }
+  task_of(*world).evaluate(world->physics());
+  EXPECT_NEAR(task_of(*world).reward(), -(sum / 16 - place_of(*world, "target")).norm(), 1e-12);
 }
 
 TEST(Reach, OriginalRulesWantTheTargetMoved) {
@@ -318,24 +343,39 @@ TEST(Selfbody, SitsStillWithoutTouchingTheTarget) {
   }
 }
 
-TEST(Selfbody, AHandDrivenToItsTargetSucceeds) {
-  const auto world = world_of("selfbody");
-  Observation observation(*world);
+void expect_targets_to_be_touched(World& world) {
+  Observation observation(world);
   std::set<std::string> touched;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    world->reset(&seed, nullptr);
-    const std::string target = target_of(*world, observation);
-    const int geom = world->model().body_geomadr[id_of(*world, Kind::kBody, target)];
-    const Episode episode = play(*world, seed, [&](const World& w) {
+    world.reset(&seed, nullptr);
+    const std::string target = target_of(world, observation);
+    const int geom = world.model().body_geomadr[id_of(world, Kind::kBody, target)];
+    const Episode episode = play(world, seed, [&](const World& w) {
       return pull(w, Eigen::Map<const Eigen::Vector3d>(w.data().geom_xpos + 3 * geom));
     });
     if (!episode.last.terminated) continue;
     touched.insert(target);
     EXPECT_EQ(episode.last.reward, 500);
-    EXPECT_TRUE(task_of(*world).success());
+    EXPECT_TRUE(task_of(world).success());
   }
   // The straight way to the other targets is blocked by the body itself.
   EXPECT_GE(touched.size(), 3u) << fmt::format("{}", fmt::join(touched, ", "));
+}
+
+TEST(Selfbody, AHandDrivenToItsTargetSucceeds) { expect_targets_to_be_touched(*world_of("selfbody")); }
+TEST(Selfbody, AHandWithFiveFingersSucceeds) { expect_targets_to_be_touched(*five_fingered("selfbody")); }
+
+// Of the bodies with skin 15 are bones of five fingers, in place of the mitten; targets are the same.
+TEST(Selfbody, FiveFingersAreNoTargets) {
+  const auto world = five_fingered("selfbody");
+  Observation observation(*world);
+  std::set<std::string> drawn;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    world->reset(&seed, observation.data());
+    drawn.insert(target_of(*world, observation));
+  }
+  EXPECT_EQ(observation["task/target"].size(), 12u + 15u);
+  EXPECT_EQ(drawn.size(), 12u);
 }
 
 // A fingertip on something else earns minus the distance to the target, not -1.

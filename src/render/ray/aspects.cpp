@@ -76,7 +76,8 @@ class Bounds {
 };
 
 // The direction from a point of a solid's surface to `eye`, such that the solid lies behind the plane through that
-// point across it; zero if the eye is inside. All in the solid's frame. (For a plane, which has no inside: zero.)
+// point across it; zero if the eye is inside. All in the solid's frame. (For a plane, which has no inside, and a mesh,
+// which need not be convex: zero.)
 Vec away_from(const Solid& solid, const Vec& eye) {
   const double s0 = solid.size[0];
   const double s1 = solid.size[1];
@@ -101,6 +102,7 @@ Vec away_from(const Solid& solid, const Vec& eye) {
     case Kind::kBox:
       return {eye[0] - std::clamp(eye[0], -s0, s0), eye[1] - std::clamp(eye[1], -s1, s1),
               eye[2] - std::clamp(eye[2], -s2, s2)};
+    case Kind::kMesh: return none;
   }
   return none;
 }
@@ -149,6 +151,7 @@ void add_bounds(const Solid& solid, const Vec& c, const Vec (&axis)[3], Bounds& 
       break;
     }
     case Kind::kBox:
+    case Kind::kMesh:
       for (int k = 0; k < 8; ++k) {
         bounds.add(plus(plus(plus(c, axis[0], k & 1 ? s0 : -s0), axis[1], k & 2 ? s1 : -s1), axis[2], k & 4 ? s2 : -s2),
                    0, 0, 0, 0, 0);
@@ -192,7 +195,7 @@ void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
   const Vec right = to_local(solid, eye.axes[0]);
   const Vec up = to_local(solid, eye.axes[1]);
   const Vec ahead = to_local(solid, eye.axes[2]);
-  if (eye.rays == Rays::kPerspective && bounds.cut() && solid.kind != Kind::kPlane) {
+  if (eye.rays == Rays::kPerspective && bounds.cut() && solid.kind != Kind::kPlane && solid.kind != Kind::kMesh) {
     const Vec away = away_from(solid, from_solid);
     if (dot(away, away) == 0) return;  // seen from inside: not at all
     const double middle = dot(away, ahead);

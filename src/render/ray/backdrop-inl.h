@@ -29,7 +29,12 @@ void PaintSky(const Scene& scene, const Tile& tile, const std::int32_t* id, Canv
     const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
     if (None(empty)) continue;
     const V3 d = Set(scene.sky_a) + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
-    const V3 color = SampleCube(scene.texels, *scene.sky, d, stretch);
+    V3 color = SampleCube(scene.texels, *scene.sky, d, stretch);
+    if (scene.fog) {
+      // The sky is a cylinder as high as wide.
+      const V across = hn::Max(hn::Sqrt(d.x * d.x + d.z * d.z), hn::Abs(d.y));
+      color = Fogged(scene, color, Set(scene.sky_limit) / hn::Max(across, Set(1e-20F)));
+    }
     Store(Pick(empty, color.x, Load(canvas.r + i)), canvas.r + i);
     Store(Pick(empty, color.y, Load(canvas.g + i)), canvas.g + i);
     Store(Pick(empty, color.z, Load(canvas.b + i)), canvas.b + i);
@@ -61,22 +66,24 @@ void PaintHaze(const Scene& scene, const Tile& tile, Canvas& canvas) {
     if (None(here)) continue;
     alpha = hn::IfThenElseZero(here, hn::Min(alpha, one));
     const V rest = one - alpha;
-    Store(Load(canvas.r + i) * rest + Set(scene.haze_rgb[0]) * alpha, canvas.r + i);
-    Store(Load(canvas.g + i) * rest + Set(scene.haze_rgb[1]) * alpha, canvas.g + i);
-    Store(Load(canvas.b + i) * rest + Set(scene.haze_rgb[2]) * alpha, canvas.b + i);
+    V3 haze = Set(scene.haze_rgb);
+    if (scene.fog) haze = Fogged(scene, haze, distance * Set(scene.sky_limit) / hn::Max(level, Set(1e-20F)));
+    Store(Load(canvas.r + i) * rest + haze.x * alpha, canvas.r + i);
+    Store(Load(canvas.g + i) * rest + haze.y * alpha, canvas.g + i);
+    Store(Load(canvas.b + i) * rest + haze.z * alpha, canvas.b + i);
   }
 }
 
+// Fog before what the tile shows; what is added or blended later brings its own.
 void PaintFog(const Scene& scene, const Tile& tile, const std::int32_t* id, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
-  const V one = Set(1.0F);
   for (int i = 0; i < kRays; i += lanes) {
     const M solid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), id + i), SetI(-1)));
-    const V part = (Load(tile.t + i) - Set(scene.fog_start)) * Set(scene.fog_scale);
-    const V f = hn::IfThenElseZero(solid, hn::Min(hn::Max(part, Zero()), one));
-    Store(Load(canvas.r + i) * (one - f) + Set(scene.fog_rgb[0]) * f, canvas.r + i);
-    Store(Load(canvas.g + i) * (one - f) + Set(scene.fog_rgb[1]) * f, canvas.g + i);
-    Store(Load(canvas.b + i) * (one - f) + Set(scene.fog_rgb[2]) * f, canvas.b + i);
+    const V3 old = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
+    const V3 color = Pick(solid, Fogged(scene, old, Load(tile.t + i)), old);
+    Store(color.x, canvas.r + i);
+    Store(color.y, canvas.g + i);
+    Store(color.z, canvas.b + i);
   }
 }
 

@@ -30,6 +30,7 @@ void PaintMirror(const Scene& scene, const Tile& tile, const std::int32_t* shown
   if (IsEmpty(all)) return;
   alignas(64) float t[kRays];
   alignas(64) std::int32_t id[kRays];
+  alignas(64) std::int32_t face[kRays];
   bool any = false;
   for (int k = 0; k < scene.mirrored.count; ++k) {
     const Window w = WindowOf(scene.mirrored.aspects[k], tile);
@@ -38,8 +39,9 @@ void PaintMirror(const Scene& scene, const Tile& tile, const std::int32_t* shown
       any = true;
       std::fill_n(t, kRays, kMiss);
       std::fill_n(id, kRays, -1);
+      if (scene.meshes) std::fill_n(face, kRays, 0);
     }
-    Cast<true>(scene, scene.mirrored, k, tile, w, tile.t, t, id);
+    Cast<true>(scene, scene.mirrored, k, tile, w, tile.t, t, id, face);
   }
   if (!any) return;
   // Of a box, only the upper face mirrors.
@@ -56,7 +58,7 @@ void PaintMirror(const Scene& scene, const Tile& tile, const std::int32_t* shown
   for (int k = 0; k < scene.mirrored.count; ++k) {
     const Window w = WindowOf(scene.mirrored.aspects[k], tile);
     if (IsEmpty(w)) continue;
-    Paint<Brush::kAdd>({&scene, &scene.mirrored, k, &tile, t, id, nullptr, scene.reflectance}, w, canvas);
+    Paint<Brush::kAdd>({&scene, &scene.mirrored, k, &tile, t, id, face, nullptr, scene.reflectance}, w, canvas);
   }
 }
 
@@ -69,19 +71,21 @@ void PaintTransparent(const Scene& scene, const Tile& tile, Canvas& canvas) {
     if (IsEmpty(w)) continue;
     alignas(64) float t[kRays];
     alignas(64) std::int32_t id[kRays];
+    alignas(64) std::int32_t face[kRays];
     std::copy_n(tile.t, kRays, t);
     std::fill_n(id, kRays, -1);
-    Cast<false>(scene, scene.camera, index, tile, w, &scene.near_plane, t, id);
-    Paint<Brush::kBlend>({&scene, &scene.camera, index, &tile, t, id, nullptr, 1.0F}, w, canvas);
+    if (scene.meshes) std::fill_n(face, kRays, 0);
+    Cast<false>(scene, scene.camera, index, tile, w, &scene.near_plane, t, id, face);
+    Paint<Brush::kBlend>({&scene, &scene.camera, index, &tile, t, id, face, nullptr, 1.0F}, w, canvas);
   }
 }
 
-// Colours of all rays of a tile, as 0x00BBGGRR.
+// Colours of all rays of a tile: bytes red, green, blue, and one that does not count.
 void ColorTile(const Scene& scene, const Tile& tile, std::uint32_t* out) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
 
   Shade shades[kMaxLights];
-  for (int k = 0; k < scene.caster_count; ++k) {
+  for (int k = 0; k < scene.caster_count && tile.nearest <= tile.farthest; ++k) {
     switch (scene.casters[k].rays) {
       case Rays::kPerspective: CastShadows<Rays::kPerspective>(scene, scene.casters[k], tile, shades[k]); break;
       case Rays::kParallel: CastShadows<Rays::kParallel>(scene, scene.casters[k], tile, shades[k]); break;
@@ -121,10 +125,10 @@ void ColorTile(const Scene& scene, const Tile& tile, std::uint32_t* out) {
       if (scene.solids[aspect.solid].transparent) continue;
       const Window w = WindowOf(aspect, tile);
       if (IsEmpty(w)) continue;
-      Paint<Brush::kPut>({&scene, &scene.camera, k, &tile, tile.t, shown, shades, 1.0F}, w, canvas);
+      Paint<Brush::kPut>({&scene, &scene.camera, k, &tile, tile.t, shown, tile.face, shades, 1.0F}, w, canvas);
     }
-    if (scene.mirror >= 0) PaintMirror(scene, tile, shown, canvas);
     if (scene.fog) PaintFog(scene, tile, shown, canvas);
+    if (scene.mirror >= 0) PaintMirror(scene, tile, shown, canvas);
   }
   if (empty && scene.sky != nullptr) PaintSky(scene, tile, shown, canvas);
   if (scene.haze) PaintHaze(scene, tile, canvas);
@@ -132,11 +136,10 @@ void ColorTile(const Scene& scene, const Tile& tile, std::uint32_t* out) {
 
   const V one = Set(1.0F);
   const V scale = Set(255.0F);
-  const V half = Set(0.5F);
   for (int i = 0; i < kRays; i += lanes) {
-    const VI r = Whole(hn::Min(Load(canvas.r + i), one) * scale + half);
-    const VI g = Whole(hn::Min(Load(canvas.g + i), one) * scale + half);
-    const VI b = Whole(hn::Min(Load(canvas.b + i), one) * scale + half);
+    const VI r = Low16(hn::Min(Load(canvas.r + i), one) * scale);
+    const VI g = Low16(hn::Min(Load(canvas.g + i), one) * scale);
+    const VI b = Low16(hn::Min(Load(canvas.b + i), one) * scale);
     hn::Store(hn::Or(r, hn::Or(hn::ShiftLeft<8>(g), hn::ShiftLeft<16>(b))), DI(),
               reinterpret_cast<std::int32_t*>(out) + i);
   }

@@ -8,21 +8,20 @@
 #endif
 
 #include "render/ray/lanes-inl.h"
+#include "render/ray/mesh-inl.h"
 #include "render/ray/scene.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mimo::render::ray {
 namespace HWY_NAMESPACE {
 
-struct Ray {
-  V3 o, d;
-};
-
-// Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids are convex, and what is seen
-// from inside is not drawn: the entry is all there is to know.
+// Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids but meshes are
+// convex, and what is seen from inside is not drawn: the entry is all there is to know. Of a mesh it is where it is met
+// first, from either side.
 template <Kind kKind>
 HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
   const V miss = Set(kMiss);
+  if (kKind == Kind::kMesh) return MeetMesh<true>(*solid.mesh, ray, Set(-kMiss), miss).t;
   V3 o = ray.o;
   V3 d = ray.d;
   if (kKind == Kind::kPlane) {

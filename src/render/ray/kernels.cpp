@@ -39,6 +39,26 @@ HWY_INLINE std::uint32_t Average(const std::uint32_t* color, int samples) {
   return mean;
 }
 
+// Leaves out every fourth byte. What is written too much is overwritten next, and the last pixel writes none.
+HWY_INLINE void PackOneByOne(const std::uint32_t* from, int count, std::uint8_t* to) {
+  for (int k = 0; k + 1 < count; ++k) std::memcpy(to + 3 * k, from + k, 4);
+  std::memcpy(to + 3 * (count - 1), from + count - 1, 3);
+}
+
+HWY_INLINE void Pack(const std::uint32_t* from, int count, std::uint8_t* to) {
+  int done = 0;
+#if HWY_TARGET != HWY_SCALAR
+  const hn::Full128<std::uint8_t> d;
+  alignas(16) static constexpr std::uint8_t kOrder[16] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
+  const auto order = hn::Load(d, kOrder);
+  for (; done + 8 <= count; done += 4) {
+    const auto four = hn::Load(hn::Full128<std::uint32_t>(), from + done);
+    hn::StoreU(hn::TableLookupBytes(hn::BitCast(d, four), order), d, to + 3 * done);
+  }
+#endif
+  PackOneByOne(from + done, count - done, to + 3 * done);
+}
+
 void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32_t* color) {
   const int n = job.samples;
   const int size = kTile / n;
@@ -48,9 +68,7 @@ void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32
     std::uint8_t* to = job.rgb + 3 * (static_cast<std::size_t>(tile_row * size + row) * job.width + tile_column * size);
     const std::uint32_t* from = color + row * n * kTile;
     if (n == 1) {
-      // Four bytes at a time where the fourth is overwritten by the next pixel anyway.
-      for (int column = 0; column + 1 < width; ++column) std::memcpy(to + 3 * column, from + column, 4);
-      std::memcpy(to + 3 * (width - 1), from + width - 1, 3);
+      Pack(from, width, to);
     } else {
       for (int column = 0; column < width; ++column) {
         const std::uint32_t mean = Average(from + column * n, n);
@@ -63,7 +81,7 @@ void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32
 // Where the rays of a tile meet the solid that one of the camera's aspects shows.
 void Meet(const Scene& scene, int index, Tile& tile) {
   const Window w = WindowOf(scene.camera.aspects[index], tile);
-  if (!IsEmpty(w)) Cast<false>(scene, scene.camera, index, tile, w, &scene.near_plane, tile.t, tile.id);
+  if (!IsEmpty(w)) Cast<false>(scene, scene.camera, index, tile, w, &scene.near_plane, tile.t, tile.id, tile.face);
 }
 
 void WriteShapes(const Job& job, int tile_row, int tile_column, const Tile& tile) {
@@ -96,10 +114,12 @@ void DrawOneTile(const Job& job, int index) {
   }
   std::fill_n(tile.t, kRays, kMiss);
   std::fill_n(tile.id, kRays, -1);
+  if (scene.meshes) std::fill_n(tile.face, kRays, 0);
   for (int k = 0; k < scene.camera.count; ++k) {
     if (!scene.solids[scene.camera.aspects[k].solid].transparent) Meet(scene, k, tile);
   }
   if (job.rgb != nullptr) {
+    FindDepths(tile);
     alignas(64) std::uint32_t color[kRays];
     ColorTile(scene, tile, color);
     WriteColor(job, tile_row, tile_column, color);

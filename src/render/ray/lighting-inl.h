@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "render/ray/lanes-inl.h"
+#include "render/ray/mesh-inl.h"
 #include "render/ray/sampling-inl.h"
 #include "render/ray/scene.h"
 #include "render/ray/shadows-inl.h"
@@ -25,6 +26,13 @@ namespace HWY_NAMESPACE {
 template <Kind kKind>
 HWY_INLINE V Along(const V3& n, const V3& v) {
   return kKind == Kind::kPlane ? v.z : Dot(n, v);
+}
+
+// A colour behind so much fog.
+HWY_INLINE V3 Fogged(const Scene& scene, const V3& color, V depth) {
+  const V part = (depth - Set(scene.fog_start)) * Set(scene.fog_scale);
+  const V f = hn::Min(hn::Max(part, Zero()), Set(1.0F));
+  return color * (Set(1.0F) - f) + Set(scene.fog_rgb) * f;
 }
 
 // The colours of a tile's rays.
@@ -44,9 +52,10 @@ struct Subject {
   const Tile* tile;
   const float* t;
   const std::int32_t* id;
-  const Shade* shades;  // one a caster; null where no shadows are wanted
-  float dim;            // what the colour is multiplied by
-  float sharp = 0;      // of a textured plane: up to this t no pixel spans more than a texel
+  const std::int32_t* face;  // triangles of meshes
+  const Shade* shades;       // one a caster; null where no shadows are wanted
+  float dim;                 // what the colour is multiplied by
+  float sharp = 0;           // of a textured plane: up to this t no pixel spans more than a texel
 };
 
 // The normal of a solid at a point of its surface, in its frame.
@@ -85,6 +94,86 @@ HWY_INLINE V3 Normal(const Solid& solid, const V3& p) {
   }
 }
 
+// A point of a solid as light sees it, in the solid's frame.
+struct Spot {
+  V3 p, n;
+  V3 to_eye;    // unit length where the solid is shiny
+  V along_eye;  // the part of that along the normal
+};
+
+template <Kind kKind>
+HWY_INLINE Spot SpotAt(const Material& material, const V3& ray, const V3& p, const V3& n) {
+  V3 to_eye = ray;
+  if (material.specular > 0) to_eye = ray * (Zero() - Rsqrt(Dot(ray, ray)));
+  return {p, n, to_eye, Along<kKind>(n, to_eye)};
+}
+
+// What one light gives a point, before its colours.
+struct Beam {
+  V strength;  // after attenuation and within the cone
+  V facing;    // cosine of the angle at which it falls in, 0 from behind
+  V glint;     // what is mirrored
+};
+
+// Whether any point is within the light's cone; where not, there is no beam.
+template <Kind kKind>
+HWY_INLINE bool Shine(const Light& light, const LocalLight& place, const Material& material, const Spot& at,
+                      Beam& beam) {
+  const V one = Set(1.0F);
+  V3 to_light = Set(place.position);
+  beam.strength = one;
+  if (!light.directional) {
+    to_light = to_light - at.p;
+    const V square = Dot(to_light, to_light);
+    const V over = Rsqrt(square);
+    to_light = to_light * over;
+    if (light.attenuated) {
+      const V length = square * over;
+      beam.strength =
+          one / (Set(light.attenuation[0]) + Set(light.attenuation[1]) * length + Set(light.attenuation[2]) * square);
+    }
+    if (light.spot) {
+      const V cosine = Zero() - Dot(to_light, Set(place.direction));
+      const M inside = hn::Ge(cosine, Set(light.cos_cutoff));
+      if (None(inside)) return false;
+      beam.strength = hn::IfThenElseZero(inside, beam.strength * Pow(light.exponent, hn::Max(cosine, Zero())));
+    }
+  }
+  const V along_light = Along<kKind>(at.n, to_light);
+  beam.facing = hn::Max(along_light, Zero());
+  beam.glint = Zero();
+  if (material.specular > 0 && light.bright) {
+    // Between the normal and the vector half-way between light and eye, whose square is 2 + 2 light . eye.
+    const V square = Set(2.0F) + Dot(to_light, at.to_eye) * Set(2.0F);
+    const V cosine = hn::Max(along_light + at.along_eye, Zero()) * Rsqrt(hn::Max(square, Set(1e-6F)));
+    beam.glint = hn::IfThenElseZero(hn::Gt(beam.facing, Zero()), Pow(material.shininess, hn::Min(cosine, one)));
+    beam.glint = beam.glint * Set(material.specular);
+  }
+  return true;
+}
+
+HWY_INLINE const LocalLight& PlaceOf(const Scene& scene, const Aspect& aspect, int light) {
+  return scene.local[static_cast<std::size_t>(aspect.solid) * kMaxLights + light];
+}
+
+HWY_INLINE V3 AtMostWhite(const V3& color) {
+  const V one = Set(1.0F);
+  return {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
+}
+
+// Colour that one light gives a solid of colour rgb. Of grey light, only x is looked at.
+template <bool kGray>
+HWY_INLINE V3 Reflected(const Light& light, const Beam& beam, const V3& rgb) {
+  if (kGray) {
+    const V d = beam.strength * (Set(light.ambient[0]) + beam.facing * Set(light.diffuse[0]));
+    const V s = beam.strength * beam.glint * Set(light.specular[0]);
+    return {rgb.x * d + s, rgb.y * d + s, rgb.z * d + s};
+  }
+  const V3 d = (Set(light.ambient) + Set(light.diffuse) * beam.facing) * beam.strength;
+  const V3 s = Set(light.specular) * (beam.glint * beam.strength);
+  return {rgb.x * d.x + s.x, rgb.y * d.y + s.y, rgb.z * d.z + s.z};
+}
+
 // The light that falls on a solid, scattered and mirrored towards the eye: its colour without the texture. A light
 // with shadows is added after what all others give is cut at white, and cut by itself, as OpenGL does, which draws
 // it in a pass of its own.
@@ -92,128 +181,105 @@ template <Kind kKind, bool kGray>
 HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, int i) {
   const Scene& scene = *subject.scene;
   const Material& material = scene.solids[aspect.solid].material;
-  const V one = Set(1.0F);
-  const bool shiny = material.specular > 0;
-  V3 to_eye = ray;
-  if (shiny) to_eye = ray * (Zero() - Rsqrt(Dot(ray, ray)));
-  const V along_eye = Along<kKind>(n, to_eye);
-
+  const Spot at = SpotAt<kKind>(material, ray, p, n);
   const V dim = Set(subject.dim);
   const V3 rgb = Set(material.rgb) * dim;
-  // Light that falls in: what the colour scatters and what it mirrors (y and z only where light is coloured).
-  V3 diffuse = {Set(scene.ambient), Set(scene.ambient), Set(scene.ambient)};
-  V3 mirrored = {Zero(), Zero(), Zero()};
+  V3 color = rgb * Set(scene.ambient) + Set(material.emission) * dim;
   V3 extra = {Zero(), Zero(), Zero()};  // of lights with shadows
   for (int k = 0; k < scene.light_count; ++k) {
     const Light& light = scene.lights[k];
-    const LocalLight& place = scene.local[static_cast<std::size_t>(aspect.solid) * kMaxLights + k];
     const bool separate = subject.shades != nullptr && light.caster >= 0;
-    V lit = one;
+    V lit = Set(1.0F);
     if (separate) {
-      lit = Load(subject.shades[light.caster].lit + i);
+      lit = LitAt(subject.shades[light.caster], i);
       if (All(hn::Eq(lit, Zero()))) continue;
     }
-    V3 to_light = Set(place.position);
-    V strength = one;
-    if (!light.directional) {
-      to_light = to_light - p;
-      const V square = Dot(to_light, to_light);
-      const V over = Rsqrt(square);
-      to_light = to_light * over;
-      if (light.attenuated) {
-        const V length = square * over;
-        strength =
-            one / (Set(light.attenuation[0]) + Set(light.attenuation[1]) * length + Set(light.attenuation[2]) * square);
-      }
-      if (light.spot) {
-        const V cosine = Zero() - Dot(to_light, Set(place.direction));
-        const M inside = hn::Ge(cosine, Set(light.cos_cutoff));
-        if (None(inside)) continue;
-        strength = hn::IfThenElseZero(inside, strength * Pow(light.exponent, hn::Max(cosine, Zero())));
-      }
-    }
-    const V along_light = Along<kKind>(n, to_light);
-    const V facing = hn::Max(along_light, Zero());
-    V glint = Zero();
-    if (shiny && light.bright) {
-      // Between the normal and the vector half-way between light and eye, whose square is 2 + 2 light . eye.
-      const V square = Set(2.0F) + Dot(to_light, to_eye) * Set(2.0F);
-      const V cosine = hn::Max(along_light + along_eye, Zero()) * Rsqrt(hn::Max(square, Set(1e-6F)));
-      glint = hn::IfThenElseZero(hn::Gt(facing, Zero()), Pow(material.shininess, hn::Min(cosine, one)));
-      glint = glint * Set(material.specular);
-    }
-    // It does not reach faces that look away from it either, not even with its ambient part.
+    Beam beam;
+    if (!Shine<kKind>(light, PlaceOf(scene, aspect, k), material, at, beam)) continue;
+    const V3 reflected = Reflected<kGray>(light, beam, rgb);
     if (separate) {
-      const V on = hn::IfThenElseZero(hn::Gt(facing, Zero()), lit);
-      if (kGray) {
-        const V d = strength * (Set(light.ambient[0]) + facing * Set(light.diffuse[0]));
-        const V s = strength * glint * Set(light.specular[0]);
-        extra.x = extra.x + on * hn::Min(rgb.x * d + s, one);
-        extra.y = extra.y + on * hn::Min(rgb.y * d + s, one);
-        extra.z = extra.z + on * hn::Min(rgb.z * d + s, one);
-      } else {
-        const V3 d = (Set(light.ambient) + Set(light.diffuse) * facing) * strength;
-        const V3 s = Set(light.specular) * (glint * strength);
-        extra.x = extra.x + on * hn::Min(rgb.x * d.x + s.x, one);
-        extra.y = extra.y + on * hn::Min(rgb.y * d.y + s.y, one);
-        extra.z = extra.z + on * hn::Min(rgb.z * d.z + s.z, one);
-      }
-    } else if (kGray) {
-      diffuse.x = diffuse.x + strength * (Set(light.ambient[0]) + facing * Set(light.diffuse[0]));
-      mirrored.x = mirrored.x + strength * glint * Set(light.specular[0]);
+      // It does not reach faces that look away from it either, not even with its ambient part.
+      const V on = hn::IfThenElseZero(hn::Gt(beam.facing, Zero()), lit);
+      extra = extra + AtMostWhite(reflected) * on;
     } else {
-      diffuse = diffuse + (Set(light.ambient) + Set(light.diffuse) * facing) * strength;
-      mirrored = mirrored + Set(light.specular) * (glint * strength);
+      color = color + reflected;
     }
   }
-  V3 color;
-  if (kGray) {
-    color = rgb * diffuse.x + V3{mirrored.x, mirrored.x, mirrored.x};
-  } else {
-    color = {rgb.x * diffuse.x + mirrored.x, rgb.y * diffuse.y + mirrored.y, rgb.z * diffuse.z + mirrored.z};
+  return AtMostWhite(color) + extra;
+}
+
+// Where a flat texture shows at a point, 0..1.
+HWY_INLINE V Repeated(V s) { return s - hn::Floor(s); }
+
+// How a point moves on its tangent plane from pixel to pixel.
+struct Steps {
+  V3 x, y;
+};
+
+template <Kind kKind>
+HWY_INLINE Steps StepsAt(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& n, V t) {
+  const V3 bx = Set(aspect.bx);
+  const V3 by = Set(aspect.by);
+  // (Of a plane, t says how far away it is across.)
+  const V over = kKind == Kind::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
+  return {(bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx)),
+          (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy))};
+}
+
+// The square of the texels that a pixel spans, of a flat texture, and of a cube's in texture space.
+template <Kind kKind>
+HWY_INLINE V Spread(const Subject& subject, const Aspect& aspect, const Material& material, const V3& ray, const V3& n,
+                    V t, bool cube) {
+  const auto [along_x, along_y] = StepsAt<kKind>(subject, aspect, ray, n, t);
+  if (!cube) {
+    const V wide = Set(material.scale[0] * static_cast<float>(material.texture->width));
+    const V high = Set(material.scale[1] * static_cast<float>(material.texture->height));
+    const V spread_x = (along_x.x * wide) * (along_x.x * wide) + (along_x.y * high) * (along_x.y * high);
+    const V spread_y = (along_y.x * wide) * (along_y.x * wide) + (along_y.y * high) * (along_y.y * high);
+    return hn::Max(spread_x, spread_y);
   }
-  color = color + Set(material.emission) * dim;
-  return {hn::Min(color.x, one) + extra.x, hn::Min(color.y, one) + extra.y, hn::Min(color.z, one) + extra.z};
+  const V3 scale = {Set(material.scale[0]), Set(material.scale[1]), Set(material.scale[2])};
+  const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
+  const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
+  return hn::Max(Dot(gx, gx), Dot(gy, gy));
 }
 
 // The colour of a solid's texture.
 template <Kind kKind>
-HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, V t) {
+HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, V t,
+                       int i) {
   const Scene& scene = *subject.scene;
   const Material& material = scene.solids[aspect.solid].material;
   const Texture& texture = *material.texture;
-  V u = Zero();
-  V v = Zero();
-  if (material.mapping == Mapping::kFlat) {
-    u = p.x * Set(material.scale[0]) - Set(0.5F);
-    v = p.y * Set(material.scale[1]) - Set(0.5F);
-    u = u - hn::Floor(u);
-    v = v - hn::Floor(v);
+  const bool cube = material.mapping == Mapping::kCube;
+  if (kKind == Kind::kMesh && material.mapping == Mapping::kGiven) {
+    const SkinAt skin(*scene.solids[aspect.solid].mesh, hn::Load(DI(), subject.face + i), p);
+    const Steps steps = StepsAt<kKind>(subject, aspect, ray, n, t);
+    const V wide = Set(static_cast<float>(texture.width));
+    const V high = Set(static_cast<float>(texture.height));
+    const auto spread = [&](const V3& step) {
+      const V x = skin.change(0, step) * wide;
+      const V y = skin.change(1, step) * high;
+      return x * x + y * y;
+    };
+    return Sample<false>(scene.texels, texture, hn::Zero(DI()), Repeated(skin.texture(0)), Repeated(skin.texture(1)),
+                         LevelOf(hn::Max(spread(steps.x), spread(steps.y))));
+  }
+  if (!cube) {
+    const V u = Repeated(p.x * Set(material.scale[0]) - Set(0.5F));
+    const V v = Repeated(p.y * Set(material.scale[1]) - Set(0.5F));
     // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
     if (kKind == Kind::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
       return SampleLarge<false>(scene.texels, texture, hn::Zero(DI()), u, v);
     }
-  }
-  const V3 bx = Set(aspect.bx);
-  const V3 by = Set(aspect.by);
-  // How the point moves on its tangent plane from pixel to pixel. (Of a plane, t says how far away it is across.)
-  const V over = kKind == Kind::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
-  const V3 along_x = (bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx));
-  const V3 along_y = (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy));
-  if (material.mapping == Mapping::kFlat) {
-    const V wide = Set(material.scale[0] * static_cast<float>(texture.width));
-    const V high = Set(material.scale[1] * static_cast<float>(texture.height));
-    const V spread_x = (along_x.x * wide) * (along_x.x * wide) + (along_x.y * high) * (along_x.y * high);
-    const V spread_y = (along_y.x * wide) * (along_y.x * wide) + (along_y.y * high) * (along_y.y * high);
-    return Sample<false>(scene.texels, texture, hn::Zero(DI()), u, v, hn::Max(spread_x, spread_y));
+    const V spread = Spread<kKind>(subject, aspect, material, ray, n, t, false);
+    return Sample<false>(scene.texels, texture, hn::Zero(DI()), u, v, LevelOf(spread));
   }
   const V fold = Set(material.fold);
   const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
-  const V3 scale = {Set(material.scale[0]), Set(material.scale[1]), Set(material.scale[2])};
-  const V3 q = {p.x * scale.x, p.y * scale.y, z * scale.z + (p.z - z) * Set(material.scale[3])};
-  const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
-  const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
-  return SampleCube(scene.texels, texture, q, hn::Max(Dot(gx, gx), Dot(gy, gy)));
+  const V3 q = {p.x * Set(material.scale[0]), p.y * Set(material.scale[1]),
+                z * Set(material.scale[2]) + (p.z - z) * Set(material.scale[3])};
+  return SampleCube(scene.texels, texture, q, Spread<kKind>(subject, aspect, material, ray, n, t, true));
 }
 
 // On a plane at height h, neighbouring rays meet at most t |ray|^2 / h * t * dx apart.

@@ -9,12 +9,12 @@
 namespace mimo::render::ray {
 namespace {
 
-// OpenGL's object coordinates are those of a unit shape that is then scaled, except for planes of the model.
-void map_texture(const mjModel& model, int id, Kind kind, const std::array<float, 3>& size, bool is_plane_geom,
-                 Material& material) {
+// OpenGL's object coordinates are those of a unit shape that is then scaled, except for prescaled ones.
+void map_texture(const mjModel& model, int id, const Shape& shape, Material& material) {
+  const std::array<float, 3>& size = shape.size;
   const bool uniform = model.mat_texuniform[id] != 0;
   float scale[3];  // what the unit shape is scaled by
-  switch (kind) {
+  switch (shape.kind) {
     case Kind::kSphere: scale[0] = scale[1] = scale[2] = size[0]; break;
     case Kind::kCapsule:
     case Kind::kCylinder:
@@ -24,22 +24,28 @@ void map_texture(const mjModel& model, int id, Kind kind, const std::array<float
     default: std::copy(size.begin(), size.end(), scale); break;
   }
   const auto over = [](float a, float b) { return b > 0 ? a / b : 0.0F; };
-  if (!material.texture->cube) {
+  if (shape.given) {
+    // Only a flat texture can be laid on them.
+    if (material.texture->cube)
+      material.texture = nullptr;
+    else
+      material.mapping = Mapping::kGiven;
+  } else if (!material.texture->cube) {
     material.mapping = Mapping::kFlat;
     for (int k = 0; k < 2; ++k) {
       float repeat = model.mat_texrepeat[2 * id + k];
-      if (is_plane_geom && size[k] > 0) repeat /= size[k];
+      if (shape.prescaled && size[k] > 0) repeat /= size[k];
       if (uniform && scale[k] > 0) repeat *= scale[k];
-      material.scale[k] = (k == 0 ? 0.5F : -0.5F) * (is_plane_geom ? repeat : over(repeat, scale[k]));
+      material.scale[k] = (k == 0 ? 0.5F : -0.5F) * (shape.prescaled ? repeat : over(repeat, scale[k]));
     }
   } else {
     material.mapping = Mapping::kCube;
     for (int k = 0; k < 3; ++k) {
       const float factor = uniform ? scale[k] : 1.0F;
-      material.scale[k] = is_plane_geom ? factor : over(factor, scale[k]);
+      material.scale[k] = shape.prescaled ? factor : over(factor, scale[k]);
     }
     material.fold = std::numeric_limits<float>::max();
-    if (kind == Kind::kCapsule) {
+    if (shape.kind == Kind::kCapsule) {
       material.fold = size[1];
       material.scale[3] = over(uniform ? scale[2] : 1.0F, size[0]);
     }
@@ -57,8 +63,7 @@ Power power(double exponent) {
   return p;
 }
 
-Material material_of(const mjModel& model, int id, const float* rgba, Kind kind, const std::array<float, 3>& size,
-                     bool is_plane_geom, const Textures& textures) {
+Material material_of(const mjModel& model, int id, const float* rgba, const Shape& shape, const Textures& textures) {
   Material material;
   const float* color = rgba;
   // MuJoCo takes an element's own colour only where it differs from the default.
@@ -77,7 +82,7 @@ Material material_of(const mjModel& model, int id, const float* rgba, Kind kind,
   material.alpha = color[3];
   for (int k = 0; k < 3; ++k) material.emission[k] = emission * color[k];
   material.shininess = power(128 * shininess);
-  if (material.texture != nullptr) map_texture(model, id, kind, size, is_plane_geom, material);
+  if (material.texture != nullptr) map_texture(model, id, shape, material);
   return material;
 }
 

@@ -9,8 +9,15 @@ namespace mimo::render::ray {
 
 Power power(double exponent);
 
+// What a texture is laid on.
+struct Shape {
+  Kind kind;
+  std::array<float, 3> size;  // as the model has it
+  bool prescaled;             // drawn at its size, not as a unit shape that is scaled: planes and meshes of the model
+  bool given;                 // has texture coordinates of its own
+};
+
 // Of a geom or site: its material (-1 for none) and its own colour.
-Material material_of(const mjModel& model, int id, const float* rgba, Kind kind, const std::array<float, 3>& size,
-                     bool is_plane_geom, const Textures& textures);
+Material material_of(const mjModel& model, int id, const float* rgba, const Shape& shape, const Textures& textures);
 
 }  // namespace mimo::render::ray

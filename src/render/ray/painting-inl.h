@@ -10,52 +10,163 @@
 #include "render/ray/lanes-inl.h"
 #include "render/ray/lighting-inl.h"
 #include "render/ray/scene.h"
+#include "render/ray/smooth-inl.h"
 #include "render/ray/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mimo::render::ray {
 namespace HWY_NAMESPACE {
 
+// The rays that met what is painted.
+HWY_INLINE M Mine(const Subject& subject, int i) {
+  return hn::RebindMask(D(), hn::Eq(hn::Load(DI(), subject.id + i), SetI(subject.index)));
+}
+
+// Puts colour where `mine` holds.
+template <Brush kBrush>
+HWY_INLINE void Put(const V3& color, M mine, float alpha, int i, Canvas& canvas) {
+  if (kBrush == Brush::kPut && All(mine)) {
+    Store(color.x, canvas.r + i);
+    Store(color.y, canvas.g + i);
+    Store(color.z, canvas.b + i);
+    return;
+  }
+  const V3 old = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
+  V3 mixed = color;
+  if (kBrush == Brush::kAdd) mixed = color + old;
+  if (kBrush == Brush::kBlend) mixed = old * (Set(1.0F) - Set(alpha)) + color * Set(alpha);
+  Store(Pick(mine, mixed.x, old.x), canvas.r + i);
+  Store(Pick(mine, mixed.y, old.y), canvas.g + i);
+  Store(Pick(mine, mixed.z, old.z), canvas.b + i);
+}
+
 template <Kind kKind, bool kGray, Brush kBrush>
 HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const Aspect& aspect = subject.eye->aspects[subject.index];
-  const Solid& solid = subject.scene->solids[aspect.solid];
-  const V one = Set(1.0F);
+  const Scene& scene = *subject.scene;
+  const Solid& solid = scene.solids[aspect.solid];
   if (kKind == Kind::kPlane) subject.sharp = SharpUpTo(subject, aspect);
   for (int row = w.row0; row <= w.row1; ++row) {
     for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
       const int i = row * kTile + column;
-      const M mine = hn::RebindMask(D(), hn::Eq(hn::Load(DI(), subject.id + i), SetI(subject.index)));
+      const M mine = Mine(subject, i);
       if (None(mine)) continue;
       const V t = Load(subject.t + i);
       const V3 ray =
           Set(aspect.a) + Set(aspect.by) * Set(subject.tile->y[row]) + Set(aspect.bx) * Load(subject.tile->x + column);
       const V3 p = Set(aspect.o) + ray * t;
-      const V3 n = Normal<kKind>(solid, p);
+      V3 n;
+      if constexpr (kKind == Kind::kMesh) {
+        n = SkinAt(*solid.mesh, hn::Load(DI(), subject.face + i), p).normal();
+      } else {
+        n = Normal<kKind>(solid, p);
+      }
       V3 color = Lit<kKind, kGray>(subject, aspect, ray, p, n, i);
       if (solid.material.mapping != Mapping::kNone) {
-        const V3 texel = Textured<kKind>(subject, aspect, ray, p, n, t);
+        const V3 texel = Textured<kKind>(subject, aspect, ray, p, n, t, i);
         color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
       }
-      color = {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
-      if (kBrush == Brush::kPut && All(mine)) {
-        Store(color.x, canvas.r + i);
-        Store(color.y, canvas.g + i);
-        Store(color.z, canvas.b + i);
-        continue;
-      }
-      const V3 old = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
-      if (kBrush == Brush::kAdd) color = color + old;
-      if (kBrush == Brush::kBlend) {
-        const V alpha = Set(solid.material.alpha);
-        color = old * (one - alpha) + color * alpha;
-      }
-      Store(Pick(mine, color.x, old.x), canvas.r + i);
-      Store(Pick(mine, color.y, old.y), canvas.g + i);
-      Store(Pick(mine, color.z, old.z), canvas.b + i);
+      color = AtMostWhite(color);
+      if (kBrush != Brush::kPut && scene.fog) color = Fogged(scene, color, t);
+      Put<kBrush>(color, mine, solid.material.alpha, i, canvas);
     }
   }
+}
+
+// The light of a plane in a tile where it is smooth. Shadows are those of each ray.
+HWY_NOINLINE void PaintSmoothLight(const Subject& subject, const Smooth& smooth, const Window& w, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const Scene& scene = *subject.scene;
+  for (int row = w.row0; row <= w.row1; ++row) {
+    for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
+      const int i = row * kTile + column;
+      const M mine = Mine(subject, i);
+      if (None(mine)) continue;
+      const V x = AcrossTile(column);
+      V3 color = ColorAt(smooth.color, smooth.channels, row, x);
+      for (int k = 0; k < scene.caster_count; ++k) {
+        if (!smooth.reached[k]) continue;
+        color = color + ColorAt(smooth.extra[k], smooth.channels, row, x) * LitAt(subject.shades[k], i);
+      }
+      Put<Brush::kPut>(color, mine, 1.0F, i, canvas);
+    }
+  }
+}
+
+// Its flat texture, by which what is there is multiplied.
+HWY_NOINLINE void PaintSmoothTexture(const Subject& subject, const Smooth& smooth, const Window& w, Canvas& canvas) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const Aspect& aspect = subject.eye->aspects[subject.index];
+  const Material& material = subject.scene->solids[aspect.solid].material;
+  const Texture& texture = *material.texture;
+  const std::uint32_t* const texels = subject.scene->texels;
+  const VI face = hn::Zero(DI());
+  const int first = w.column0 / lanes * lanes;
+  TapStore fine;
+  TapStore coarse;
+  alignas(64) std::int32_t mix[kRays];
+  bool large[kTile];
+  for (int row = w.row0; row <= w.row1; ++row) {
+    const V y = Set(subject.tile->y[row]);
+    large[row] = true;
+    for (int column = first; column <= w.column1 && large[row]; column += lanes) {
+      large[row] = texture.levels == 1 || All(hn::Le(At(smooth.level, row, AcrossTile(column)), Zero()));
+    }
+    for (int column = first; column <= w.column1; column += lanes) {
+      const int i = row * kTile + column;
+      if (None(Mine(subject, i))) continue;
+      const V x = Load(subject.tile->x + column);
+      const V t = Load(subject.t + i);
+      const V px = Set(aspect.o[0]) + (Set(aspect.a[0]) + Set(aspect.by[0]) * y + Set(aspect.bx[0]) * x) * t;
+      const V py = Set(aspect.o[1]) + (Set(aspect.a[1]) + Set(aspect.by[1]) * y + Set(aspect.bx[1]) * x) * t;
+      const V u = Repeated(px * Set(material.scale[0]) - Set(0.5F));
+      const V v = Repeated(py * Set(material.scale[1]) - Set(0.5F));
+      if (large[row]) {
+        fine.put(AimLarge<false>(texture, face, u, v), i);
+      } else {
+        const Taps taps = AimBetween<false>(texture, face, u, v, At(smooth.level, row, AcrossTile(column)));
+        fine.put(taps.fine, i);
+        coarse.put(taps.coarse, i);
+        hn::Store(taps.mix, DI(), mix + i);
+      }
+    }
+  }
+  for (int row = w.row0; row <= w.row1; ++row) {
+    for (int column = first; column <= w.column1; column += lanes) {
+      const int i = row * kTile + column;
+      const M mine = Mine(subject, i);
+      if (None(mine)) continue;
+      Texel filtered = fine.fetch(texels, i);
+      if (!large[row]) filtered = Mix(filtered, coarse.fetch(texels, i), hn::Load(DI(), mix + i));
+      const V3 texel = Unpacked(filtered);
+      const V3 light = {Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)};
+      const V3 color = AtMostWhite({light.x * texel.x, light.y * texel.y, light.z * texel.z});
+      Put<Brush::kPut>(color, mine, 1.0F, i, canvas);
+    }
+  }
+}
+
+HWY_INLINE std::size_t CountMine(const Subject& subject) {
+  std::size_t count = 0;
+  for (int i = 0; i < kRays; i += static_cast<int>(hn::Lanes(D()))) count += hn::CountTrue(D(), Mine(subject, i));
+  return count;
+}
+
+// Whether that was all there is to do. For few rays it is not worth while.
+inline bool PaintSmoothPlane(const Subject& subject, const Window& w, Canvas& canvas) {
+  const Aspect& aspect = subject.eye->aspects[subject.index];
+  const Material& material = subject.scene->solids[aspect.solid].material;
+  const std::size_t count = CountMine(subject);
+  if (count < kRays / 8) return count == 0;
+  Probes probes;
+  Smooth smooth;
+  if (!Probe(aspect, *subject.tile, probes) || !SmoothLight(subject, aspect, probes, smooth)) return false;
+  if (material.mapping == Mapping::kCube) return false;
+  if (material.mapping == Mapping::kFlat && !SmoothLevel(subject, aspect, probes, smooth)) return false;
+  PaintSmoothLight(subject, smooth, w, canvas);
+  if (material.mapping == Mapping::kFlat) PaintSmoothTexture(subject, smooth, w, canvas);
+  return true;
 }
 
 template <Kind kKind, Brush kBrush>
@@ -70,12 +181,16 @@ HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& 
 template <Brush kBrush>
 void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
   switch (subject.scene->solids[subject.eye->aspects[subject.index].solid].kind) {
-    case Kind::kPlane: PaintGrayOrNot<Kind::kPlane, kBrush>(subject, w, canvas); break;
+    case Kind::kPlane:
+      if (kBrush == Brush::kPut && PaintSmoothPlane(subject, w, canvas)) break;
+      PaintGrayOrNot<Kind::kPlane, kBrush>(subject, w, canvas);
+      break;
     case Kind::kSphere: PaintGrayOrNot<Kind::kSphere, kBrush>(subject, w, canvas); break;
     case Kind::kCapsule: PaintGrayOrNot<Kind::kCapsule, kBrush>(subject, w, canvas); break;
     case Kind::kEllipsoid: PaintGrayOrNot<Kind::kEllipsoid, kBrush>(subject, w, canvas); break;
     case Kind::kCylinder: PaintGrayOrNot<Kind::kCylinder, kBrush>(subject, w, canvas); break;
     case Kind::kBox: PaintGrayOrNot<Kind::kBox, kBrush>(subject, w, canvas); break;
+    case Kind::kMesh: PaintGrayOrNot<Kind::kMesh, kBrush>(subject, w, canvas); break;
   }
 }
 

@@ -8,9 +8,9 @@
 
 #include "base/fail.h"
 #include "base/pool.h"
+#include "render/ray/assets.h"
 #include "render/ray/kernels.h"
 #include "render/ray/scene.h"
-#include "render/ray/textures.h"
 
 namespace mimo::render {
 namespace {
@@ -53,7 +53,7 @@ class RayRenderer : public Renderer {
  public:
   RayRenderer(engine::ModelPtr model, const RayOptions& options)
       : model_(std::move(model)),
-        textures_(options.textures ? options.textures : make_ray_textures(model_)),
+        assets_(options.assets ? options.assets : make_ray_assets(model_)),
         samples_(rays_along_an_edge(options.samples)),
         draw_(path_for(ray::paths(), options.simd).draw),
         scene_(*model_) {
@@ -65,7 +65,7 @@ class RayRenderer : public Renderer {
     if (picture.width < 1 || picture.height < 1) {
       fail(Status::kRender, "a picture of {} x {} pixels was asked for", picture.width, picture.height);
     }
-    scene_.prepare(model, data, view, static_cast<double>(picture.width) / picture.height, *textures_, settings_);
+    scene_.prepare(model, data, view, static_cast<double>(picture.width) / picture.height, *assets_, settings_);
     const bool one_pass = samples_ == 1 || picture.rgb == nullptr;
     if (one_pass || picture.depth != nullptr || picture.segmentation != nullptr) {
       ray::Job job = job_for(view, picture, 1);
@@ -106,7 +106,7 @@ class RayRenderer : public Renderer {
   }
 
   engine::ModelPtr model_;
-  std::shared_ptr<const ray::Textures> textures_;
+  std::shared_ptr<const ray::Assets> assets_;
   int samples_;  // rays along a pixel's edge
   ray::DrawTile draw_;
   Quality settings_;
@@ -122,19 +122,11 @@ std::vector<std::string> ray_simd_paths() {
   return names;
 }
 
-std::shared_ptr<const ray::Textures> make_ray_textures(const engine::ModelPtr& model) {
-  return std::make_shared<const ray::Textures>(*model);
-}
-
-void require_ray_model(const mjModel& model) {
-  const int geom = ray::unsupported_geom(model);
-  if (geom < 0) return;
-  fail(Status::kUnsupported, "geom {} (\"{}\") is a mesh or a height field, which the ray renderer cannot draw", geom,
-       model.names + model.name_geomadr[geom]);
+std::shared_ptr<const ray::Assets> make_ray_assets(const engine::ModelPtr& model) {
+  return std::make_shared<const ray::Assets>(*model);
 }
 
 std::unique_ptr<Renderer> make_ray_renderer(engine::ModelPtr model, const RayOptions& options) {
-  require_ray_model(*model);
   return std::make_unique<RayRenderer>(std::move(model), options);
 }
 

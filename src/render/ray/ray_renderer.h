@@ -12,7 +12,7 @@
 namespace mimo::render {
 
 namespace ray {
-class Textures;
+struct Assets;
 }
 
 // With several samples colours are averaged; depth and segmentation are those of the middle of the pixel.
@@ -20,20 +20,18 @@ struct RayOptions : Quality {
   RayOptions() = default;
   explicit RayOptions(const Quality& quality) : Quality(quality) {}
 
-  std::string simd;                               // one of ray_simd_paths(); empty: the best that the machine has
-  std::shared_ptr<const ray::Textures> textures;  // of another renderer of the same model; null: made anew
+  std::string simd;                           // one of ray_simd_paths(); empty: the best that the machine has
+  std::shared_ptr<const ray::Assets> assets;  // of another renderer of the same model; null: made anew
 };
 
 // The instruction sets that this build and this machine share, best first, e.g. "AVX2".
 std::vector<std::string> ray_simd_paths();
 
-// The textures of a model with their mipmaps: what renderers of one model share.
-std::shared_ptr<const ray::Textures> make_ray_textures(const engine::ModelPtr& model);
+// What renderers of one model share: its textures with their mipmaps, its meshes and height fields. Throws
+// Status::kUnsupported where textures are too large.
+std::shared_ptr<const ray::Assets> make_ray_assets(const engine::ModelPtr& model);
 
-// Throws Status::kUnsupported, naming the geom, where the model has something that this renderer cannot draw.
-void require_ray_model(const mjModel& model);
-
-// Throws as require_ray_model, and Status::kInvalidArgument for a number of samples that it does not know.
+// Throws as make_ray_assets, and Status::kInvalidArgument for a number of samples that it does not know.
 std::unique_ptr<Renderer> make_ray_renderer(engine::ModelPtr model, const RayOptions& options);
 
 }  // namespace mimo::render

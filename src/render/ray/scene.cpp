@@ -31,6 +31,7 @@ struct Element {
   int material;
   const float* rgba;
   bool is_geom;
+  int data;  // of a geom: its mesh or height field
 };
 
 bool kind_of(int type, Kind& kind) {
@@ -41,23 +42,26 @@ bool kind_of(int type, Kind& kind) {
     case mjGEOM_ELLIPSOID: kind = Kind::kEllipsoid; return true;
     case mjGEOM_CYLINDER: kind = Kind::kCylinder; return true;
     case mjGEOM_BOX: kind = Kind::kBox; return true;
+    case mjGEOM_MESH:
+    case mjGEOM_HFIELD: kind = Kind::kMesh; return true;
     default: return false;
   }
 }
 
-double bounding_radius(Kind kind, const double* size) {
+double bounding_radius(Kind kind, const std::array<float, 3>& size) {
   switch (kind) {
     case Kind::kPlane: return 0;
     case Kind::kSphere: return size[0];
-    case Kind::kCapsule: return size[0] + size[1];
+    case Kind::kCapsule: return static_cast<double>(size[0]) + size[1];
     case Kind::kEllipsoid: return std::max({size[0], size[1], size[2]});
     case Kind::kCylinder: return std::hypot(size[0], size[1]);
-    case Kind::kBox: return std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
+    case Kind::kBox:
+    case Kind::kMesh: return std::hypot(size[0], size[1], size[2]);
   }
   return 0;
 }
 
-void add_solid(const mjModel& model, const Textures& textures, const Element& element, Scene& scene) {
+void add_solid(const mjModel& model, const Assets& assets, const Element& element, Scene& scene) {
   Solid solid;
   if (!kind_of(element.type, solid.kind)) return;
   solid.id = element.id;
@@ -65,10 +69,18 @@ void add_solid(const mjModel& model, const Textures& textures, const Element& el
   std::copy_n(element.position, 3, solid.position.begin());
   std::copy_n(element.rotation, 9, solid.rotation.begin());
   const bool plane = solid.kind == Kind::kPlane;
+  const bool prescaled = element.is_geom && (plane || solid.kind == Kind::kMesh);
+  solid.mesh = assets.meshes.find(element.type, element.data);
+  const bool given = solid.mesh != nullptr && solid.mesh->textured;
   solid.material =
-      material_of(model, element.material, element.rgba, solid.kind, solid.size, plane && element.is_geom, textures);
+      material_of(model, element.material, element.rgba, {solid.kind, solid.size, prescaled, given}, assets.textures);
   if (solid.material.alpha == 0) return;
-  solid.radius = bounding_radius(solid.kind, element.size);
+  if (solid.kind == Kind::kMesh) {
+    if (solid.mesh == nullptr || solid.mesh->nodes.empty()) return;
+    solid.size = solid.mesh->half;
+    scene.meshes = true;
+  }
+  solid.radius = bounding_radius(solid.kind, solid.size);
   const Vec offset = minus(solid.position, scene.camera.position);
   const bool behind = plane && dot(offset, column(solid.rotation, 2)) > 0;
   solid.transparent = solid.material.alpha < 0.995F || behind;
@@ -86,22 +98,23 @@ void add_solid(const mjModel& model, const Textures& textures, const Element& el
 }
 
 // Geoms and sites of the groups that MuJoCo shows by default.
-void gather_solids(const mjModel& model, const mjData& data, const Textures& textures, Scene& scene) {
+void gather_solids(const mjModel& model, const mjData& data, const Assets& assets, Scene& scene) {
   scene.solid_count = 0;
+  scene.meshes = false;
   scene.mirror = -1;
   scene.haze_plane = -1;
   for (int i = 0; i < model.ngeom; ++i) {
     if (std::clamp(model.geom_group[i], 0, 5) > 2) continue;
-    add_solid(model, textures,
+    add_solid(model, assets,
               {model.geom_type[i], i, model.geom_size + 3 * i, data.geom_xpos + 3 * i, data.geom_xmat + 9 * i,
-               model.geom_matid[i], model.geom_rgba + 4 * i, true},
+               model.geom_matid[i], model.geom_rgba + 4 * i, true, model.geom_dataid[i]},
               scene);
   }
   for (int i = 0; i < model.nsite; ++i) {
     if (std::clamp(model.site_group[i], 0, 5) > 2) continue;
-    add_solid(model, textures,
+    add_solid(model, assets,
               {model.site_type[i], -1, model.site_size + 3 * i, data.site_xpos + 3 * i, data.site_xmat + 9 * i,
-               model.site_matid[i], model.site_rgba + 4 * i, false},
+               model.site_matid[i], model.site_rgba + 4 * i, false, -1},
               scene);
   }
 }
@@ -195,22 +208,6 @@ void spread_fog(const mjModel& model, bool fog, Scene& scene) {
 
 }  // namespace
 
-int unsupported_geom(const mjModel& model) {
-  for (int i = 0; i < model.ngeom; ++i) {
-    if (std::clamp(model.geom_group[i], 0, 5) > 2) continue;
-    switch (model.geom_type[i]) {
-      case mjGEOM_PLANE:
-      case mjGEOM_SPHERE:
-      case mjGEOM_CAPSULE:
-      case mjGEOM_ELLIPSOID:
-      case mjGEOM_CYLINDER:
-      case mjGEOM_BOX: break;
-      default: return i;
-    }
-  }
-  return -1;
-}
-
 Scene::Scene(const mjModel& model) {
   const std::size_t room = static_cast<std::size_t>(model.ngeom + model.nsite);
   solids.resize(room);
@@ -225,17 +222,17 @@ Scene::Scene(const mjModel& model) {
 }
 
 void Scene::prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio,
-                    const Textures& textures, const Quality& settings) {
-  texels = textures.texels();
+                    const Assets& assets, const Quality& settings) {
+  texels = assets.textures.texels();
   near_plane = static_cast<float>(model.vis.map.znear * model.stat.extent);
   far_plane = static_cast<float>(model.vis.map.zfar * model.stat.extent);
   place_camera(view, aspect_ratio, *this);
-  gather_solids(model, data, textures, *this);
+  gather_solids(model, data, assets, *this);
   look_around(*this);
   gather_lights(model, data, settings.shadows, *this);
   cast_shadows(*this);
   hold_mirror(settings.reflections, *this);
-  hang_backdrop(model, textures, settings, *this);
+  hang_backdrop(model, assets.textures, settings, *this);
   spread_fog(model, settings.fog, *this);
 }
 

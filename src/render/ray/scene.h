@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/ray/textures.h"
+#include "render/ray/assets.h"
 #include "render/renderer.h"
 
 namespace mimo::render::ray {
@@ -21,9 +21,9 @@ namespace mimo::render::ray {
 constexpr int kMaxLights = 8;  // as many as fixed-function OpenGL has
 constexpr int kTile = 16;      // a tile is kTile x kTile rays
 
-enum class Kind : std::int32_t { kPlane, kSphere, kCapsule, kEllipsoid, kCylinder, kBox };
+enum class Kind : std::int32_t { kPlane, kSphere, kCapsule, kEllipsoid, kCylinder, kBox, kMesh };
 
-enum class Mapping : std::int32_t { kNone, kFlat, kCube };
+enum class Mapping : std::int32_t { kNone, kFlat, kCube, kGiven };  // kGiven: coordinates of a mesh
 
 // x^exponent for x in 0..1: by repeated squaring where the exponent is whole or so large that it may be rounded, which
 // changes the result by less than 1 / 40.
@@ -48,8 +48,9 @@ struct Material {
 
 struct Solid {
   Kind kind = Kind::kSphere;
-  std::int32_t id = -1;  // what segmentation shows
-  std::array<float, 3> size{};
+  std::int32_t id = -1;         // what segmentation shows
+  std::array<float, 3> size{};  // of a mesh: half of the box around it
+  const Mesh* mesh = nullptr;
   std::array<double, 3> position{};
   std::array<double, 9> rotation{};
   double radius = 0;  // of the bounding sphere; 0 for planes
@@ -109,6 +110,7 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<int> seen;  // index of a solid's aspect for the camera, -2 if it has none
   int solid_count = 0;
+  bool meshes = false;  // whether there are any among them
   std::array<Light, kMaxLights> lights;
   int light_count = 0;
   bool gray = false;              // all lights are without colour
@@ -150,11 +152,8 @@ struct Scene {
   const std::uint32_t* texels = nullptr;
 
   explicit Scene(const mjModel& model);
-  void prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio,
-               const Textures& textures, const Quality& settings);
+  void prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio, const Assets& assets,
+               const Quality& settings);
 };
-
-// The geom that this renderer cannot draw, -1 if it can draw them all.
-int unsupported_geom(const mjModel& model);
 
 }  // namespace mimo::render::ray

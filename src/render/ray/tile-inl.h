@@ -23,9 +23,24 @@ struct Tile {
   alignas(64) float x[kTile];  // slopes
   float y[kTile];
   float dx, dy;
-  alignas(64) float t[kRays];          // depth of the nearest solid, kMiss for none
-  alignas(64) std::int32_t id[kRays];  // its aspect, -1 for none
+  alignas(64) float t[kRays];            // depth of the nearest solid, kMiss for none
+  alignas(64) std::int32_t id[kRays];    // its aspect, -1 for none
+  alignas(64) std::int32_t face[kRays];  // its triangle, if it is a mesh
+  float nearest, farthest;               // depths of what the tile shows; nearest > farthest if that is nothing
 };
+
+void FindDepths(Tile& tile) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  V least = Set(kMiss);
+  V most = Set(-kMiss);
+  for (int i = 0; i < kRays; i += lanes) {
+    const V t = Load(tile.t + i);
+    least = hn::Min(least, t);
+    most = hn::Max(most, Pick(hn::Lt(t, Set(kMiss)), t, Set(-kMiss)));
+  }
+  tile.nearest = hn::GetLane(hn::MinOfLanes(D(), least));
+  tile.farthest = hn::GetLane(hn::MaxOfLanes(D(), most));
+}
 
 // The rows and columns of a tile that an aspect may touch; empty if first > last.
 struct Window {
@@ -58,7 +73,8 @@ HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
 // Casts the tile's rays at one solid. `from` is the depth from which on it is seen: for all rays, or for each.
 template <Kind kKind, bool kFromEach>
 HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, const Tile& tile, const Window& w,
-                         const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id) {
+                         const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id,
+                         std::int32_t* HWY_RESTRICT face) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const int first = w.column0 / lanes * lanes;
   const V3 bx = Set(aspect.bx);
@@ -72,10 +88,23 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
     for (int column = first; column <= w.column1; column += lanes) {
       const int i = row * kTile + column;
       ray.d = base + bx * Load(tile.x + column);
-      const V t = Enter<kKind>(solid, ray);
       const V old = Load(best + i);
-      const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, kFromEach ? Load(from + i) : Set(*from)));
+      const V start = kFromEach ? Load(from + i) : Set(*from);
+      V t;
+      VI triangle;
+      if constexpr (kKind == Kind::kMesh) {
+        const Encounter met = MeetMesh<false>(*solid.mesh, ray, start, old);
+        t = met.t;
+        triangle = met.face;
+      } else {
+        t = Enter<kKind>(solid, ray);
+      }
+      const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, start));
       if (None(seen)) continue;
+      if (kKind == Kind::kMesh) {
+        const VI old_face = hn::Load(DI(), face + i);
+        hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), triangle, old_face), DI(), face + i);
+      }
       Store(Pick(seen, t, old), best + i);
       const VI old_id = hn::Load(DI(), id + i);
       hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), index_v, old_id), DI(), id + i);
@@ -85,16 +114,21 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
 
 template <bool kFromEach>
 void Cast(const Scene& scene, const Eye& eye, int index, const Tile& tile, const Window& w, const float* from,
-          float* best, std::int32_t* id) {
+          float* best, std::int32_t* id, std::int32_t* face) {
   const Aspect& aspect = eye.aspects[index];
   const Solid& solid = scene.solids[aspect.solid];
   switch (solid.kind) {
-    case Kind::kPlane: CastAt<Kind::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Kind::kSphere: CastAt<Kind::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Kind::kCapsule: CastAt<Kind::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Kind::kEllipsoid: CastAt<Kind::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Kind::kCylinder: CastAt<Kind::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Kind::kBox: CastAt<Kind::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Kind::kPlane: CastAt<Kind::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kSphere: CastAt<Kind::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kCapsule: CastAt<Kind::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kEllipsoid:
+      CastAt<Kind::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
+      break;
+    case Kind::kCylinder:
+      CastAt<Kind::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
+      break;
+    case Kind::kBox: CastAt<Kind::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kMesh: CastAt<Kind::kMesh, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
   }
 }
 

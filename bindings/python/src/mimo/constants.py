@@ -14,8 +14,9 @@ class Proprioception(IntFlag):
     ACTUATION = 0x08
     JOINT_TORQUE = 0x10
     POSITION = 0x20
+    EFFORT = 0x40
     DEFAULT = 0x2F
-    ALL = 0x3F
+    ALL = 0x7F
 
 
 class Vision(IntFlag):
@@ -27,10 +28,12 @@ class Vision(IntFlag):
 
 
 class Actuation(IntEnum):
-    """What an action is: a motor's share of its largest torque, or the angle at which a joint is to be."""
+    """What an action is: a motor's share of its largest torque, the angle at which a joint is to be, or a muscle's activation."""
 
     TORQUE = 0
     POSITION = 1
+    MUSCLE = 2
+    MUJOCO_MUSCLE = 3
 
 
 class Act(IntFlag):

@@ -144,8 +144,10 @@ ENVIRONMENTS: List[Tuple[str, str]] = [
     ("mimo/Reach-v0", "reach"),
     ("mimo/Standup-v0", "standup"),
     ("mimo/SelfBody-v0", "selfbody"),
+    ("mimo/Catch-v0", "catch"),
     ("mimo/Benchmark-v0", "benchmark"),
     ("mimo/Free-v0", "free"),
+    ("mimo/Showroom-v0", "showroom"),
 ]
 
 

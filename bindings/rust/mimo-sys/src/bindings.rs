@@ -50,16 +50,18 @@ pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 pub const MIMO_PROPRIOCEPTION_TORQUE: u32 = 2;
 #[doc = "Limit sensors, 1 at a joint's limit."]
 pub const MIMO_PROPRIOCEPTION_LIMIT: u32 = 4;
-#[doc = "Control inputs and motor torques."]
+#[doc = "Control inputs and motor torques; under position control targets; of muscles activations and forces."]
 pub const MIMO_PROPRIOCEPTION_ACTUATION: u32 = 8;
 #[doc = "Torque about each joint's own axis, Nm."]
 pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
 #[doc = "Joint angles, rad."]
 pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
-#[doc = "All but JOINT_TORQUE, as the original."]
+#[doc = "proprioception/effort, one number: sum of (command^2 * strength) over count and sum of strengths, 0 to 1."]
+pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
+#[doc = "All but JOINT_TORQUE and EFFORT, as the original."]
 pub const MIMO_PROPRIOCEPTION_DEFAULT: u32 = 47;
 #[doc = "Everything."]
-pub const MIMO_PROPRIOCEPTION_ALL: u32 = 63;
+pub const MIMO_PROPRIOCEPTION_ALL: u32 = 127;
 #[doc = "Colour, uint8 H x W x 3, row 0 is the top."]
 pub const MIMO_VISION_RGB: u32 = 1;
 #[doc = "Depth along the camera's axis, float32 H x W, metres."]
@@ -70,6 +72,10 @@ pub const MIMO_VISION_SEGMENTATION: u32 = 4;
 pub const MIMO_ACTUATION_TORQUE: u32 = 0;
 #[doc = "An action is the angle at which a joint is to be, rad; a soft lock takes it there."]
 pub const MIMO_ACTUATION_POSITION: u32 = 1;
+#[doc = "Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first all\nmuscles that pull to the negative side, \"act:.../negative\", then all that pull to the positive side. Joints lose their\nsprings and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their activation\ntowards the action and pull; the motor's control input then is torque over gear, and a world's own gear makes them\nstronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see models/README.md.\n\nFields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with\nwhich it would pull now."]
+pub const MIMO_ACTUATION_MUSCLE: u32 = 2;
+#[doc = "The same with MuJoCo's own muscle model: activation rises in 0.01 s and falls in 0.04 s."]
+pub const MIMO_ACTUATION_MUJOCO_MUSCLE: u32 = 3;
 #[doc = "Three motors."]
 pub const MIMO_ACT_TRUNK: u32 = 1;
 #[doc = "Three."]
@@ -80,7 +86,7 @@ pub const MIMO_ACT_EYES: u32 = 4;
 pub const MIMO_ACT_RIGHT_ARM: u32 = 8;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_ARM: u32 = 16;
-#[doc = "Wrist (three) and fingers."]
+#[doc = "Wrist (three) and fingers: one motor of a mitten, 22 of five fingers."]
 pub const MIMO_ACT_RIGHT_HAND: u32 = 32;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_HAND: u32 = 64;
@@ -88,7 +94,7 @@ pub const MIMO_ACT_LEFT_HAND: u32 = 64;
 pub const MIMO_ACT_RIGHT_LEG: u32 = 128;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_LEG: u32 = 256;
-#[doc = "Ankle (three) and toes."]
+#[doc = "Ankle (three) and toes; a big toe has a motor of its own."]
 pub const MIMO_ACT_RIGHT_FOOT: u32 = 512;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_FOOT: u32 = 1024;
@@ -356,7 +362,7 @@ pub struct mimo_agent_config {
     pub place_given: u32,
     #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "\"mitten\"; or \"scene\": the body is already part of the scene's MJCF."]
+    #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the body is part of the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
     #[doc = "Of the root body mimo_location, metres, world frame."]
     pub position: [f64; 3usize],
@@ -407,8 +413,8 @@ extern "C" {
     pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills a config with what the scene gives its infant by itself: in reach, standup and selfbody the senses of the"]
-    #[doc = "paper's experiments, and no eyes; elsewhere the same as mimo_agent_config_init."]
+    #[doc = "Fills a config with what the scene gives its infant by itself: its body (static string), and in reach, standup,"]
+    #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(
         scene: *const mimo_scene,
@@ -420,8 +426,8 @@ extern "C" {
     #[doc = "Adds an infant."]
     #[doc = "@param config NULL means the scene's own, see mimo_scene_default_agent."]
     #[doc = "@param agent  receives its number, 0 for the first; may be NULL."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a name in use, or no name where there are"]
-    #[doc = "several agents, or when the scene has no place left and none is given."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five"]
+    #[doc = "fingers in standup), for a name in use, or no name where there are several agents, or when the scene has no place left and none is given."]
     pub fn mimo_scene_add_agent(
         scene: *mut mimo_scene,
         config: *const mimo_agent_config,

@@ -1,0 +1,195 @@
+// Catching: a ball of random size and mass falls into the right hand, which is to hold it for a second.
+#include "tasks/catch.h"
+
+#include <algorithm>
+
+#include "base/fail.h"
+#include "engine/custom.h"
+#include "tasks/contacts.h"
+#include "tasks/gaze.h"
+#include "tasks/vectors.h"
+
+namespace mimo::tasks {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"catch/episode_steps", 800, 0, 1e9, "Steps after which an episode is cut off; 0: never"},
+    {"catch/ends", 1, 0, 1, "1: success and failure end the episode"},
+    {"catch/hold_steps", 100, 1, 1e9, "Success is a ball that was touched in so many steps in a row"},
+    {"catch/lost_below", 0.1, -1e3, 1e3, "Failure is a ball that is lower than the palm by more than this, m"},
+    {"catch/lost_beyond", 0.5, 0, 1e3, "or farther from the palm than this, m"},
+    {"catch/contact_reward", 1, -1e9, 1e9, "Reward of a step in which the skin touches the ball"},
+    {"catch/success_reward", 100, -1e9, 1e9, "Reward of success"},
+    {"catch/failure_reward", -100, -1e9, 1e9, "Reward of failure"},
+    {"catch/effort_weight", 40, -1e9, 1e9, "Times the effort of the actuation, 0 to 1, is subtracted"},
+    {"catch/radius_low", 0.005, 1e-3, 0.1, "The ball's radius is drawn anew for each episode: smallest, m"},
+    {"catch/radius_high", 0.025, 1e-3, 0.1, "largest, m"},
+    {"catch/mass_low", 0.05, 1e-3, 10, "And its mass: smallest, kg"},
+    {"catch/mass_high", 0.5, 1e-3, 10, "largest, kg"},
+    {"catch/x_spread", 0.01, 0, 1, "The ball starts so far from the scene's place at most, to the front and back, m"},
+    {"catch/y_spread", 0.01, 0, 1, "to the sides, m"},
+    {"catch/z_spread", 0.08, 0, 1, "up and down, m"},
+    {"catch/settle_steps", 50, 0, 10000, "Physics steps without gravity and without commands before the ball falls"},
+    {"catch/track_target", 1, 0, 1, "1: head and eyes follow the ball"},
+    {"catch/gaze_error", 0, 0, 1, "They look this far beside it at most, along each axis; drawn for each episode, m"},
+};
+
+// The infant knows how large the ball is.
+class RadiusSense : public senses::Sense {
+ public:
+  explicit RadiusSense(int geom) : geom_(geom) {
+    senses::Field field;
+    field.name = "task/ball_radius";
+    field.shape = {1};
+    field.unit = "m";
+    field.time = senses::Time::kEnd;
+    field.low = 0;
+    field.labels = {"radius"};
+    fields_.push_back(std::move(field));
+  }
+  senses::Part part() const override { return senses::Part::kTask; }
+  void write(const mjModel& model, const mjData&, std::uint8_t* block) override {
+    *at<float>(block, 0) = static_cast<float>(model.geom_size[3 * geom_]);
+  }
+
+ private:
+  int geom_;
+};
+
+class Catch : public Task {
+ public:
+  Catch(const mjModel& model, const body::Body& body, const Settings& settings);
+  void reset(engine::Physics& physics, Random& random) override;
+  void watch(const engine::Physics& physics) override { touched_ = touched_ || touches(physics, skin_, ball_); }
+  void evaluate(const engine::Physics& physics) override;
+  void follow(engine::Physics& physics) override;
+  void save(ByteWriter& to) const override;
+  void load(ByteReader& from) override;
+  std::unique_ptr<senses::Sense> make_sense(const mjModel& model) override {
+    return std::make_unique<RadiusSense>(model.body_geomadr[ball_]);
+  }
+
+ private:
+  enum { kContact, kEffort, kFailure, kSuccess };
+
+  void settle(engine::Physics& physics) const;
+  bool lost(const engine::Physics& physics) const;
+
+  int ball_, palm_;
+  int ball_address_;  // in qpos
+  std::vector<int> skin_;
+  Gaze gaze_;
+  std::uint64_t hold_steps_;
+  double lost_below_, lost_beyond_, contact_reward_, success_reward_, failure_reward_, effort_weight_;
+  double radius_low_, radius_high_, mass_low_, mass_high_, gaze_error_;
+  Eigen::Vector3d spread_;
+  int settle_steps_;
+  bool track_;
+  // State of the episode.
+  bool touched_ = false;
+  std::uint64_t held_ = 0;  // steps in a row
+  Eigen::Vector3d gaze_offset_ = Eigen::Vector3d::Zero();
+};
+
+Catch::Catch(const mjModel& model, const body::Body& body, const Settings& settings)
+    : Task({{"contact", 0}, {"effort", 0}, {"failure", 0}, {"success", 0}}),
+      ball_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
+      palm_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_hand")),
+      ball_address_(body::free_joint_address(model, ball_)),
+      gaze_(model, body) {
+  if (!engine::is_ball(model, ball_)) {
+    fail(Status::kModel, "body {}target: catch needs a ball, a free body of one sphere", body.prefix);
+  }
+  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", engine::Kind::kBody)) {
+    skin_.push_back(entry.id);
+  }
+  if (skin_.empty()) skin_ = body.bodies;
+  const auto get = [&](const char* name) { return settings[std::string("catch/") + name]; };
+  episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));
+  ends_ = get("ends") != 0;
+  hold_steps_ = static_cast<std::uint64_t>(get("hold_steps"));
+  lost_below_ = get("lost_below");
+  lost_beyond_ = get("lost_beyond");
+  contact_reward_ = get("contact_reward");
+  success_reward_ = get("success_reward");
+  failure_reward_ = get("failure_reward");
+  effort_weight_ = get("effort_weight");
+  radius_low_ = get("radius_low");
+  radius_high_ = get("radius_high");
+  mass_low_ = get("mass_low");
+  mass_high_ = get("mass_high");
+  spread_ = {get("x_spread"), get("y_spread"), get("z_spread")};
+  settle_steps_ = static_cast<int>(get("settle_steps"));
+  track_ = get("track_target") != 0;
+  gaze_error_ = get("gaze_error");
+}
+
+void Catch::reset(engine::Physics& physics, Random& random) {
+  const double radius = random.uniform(radius_low_, radius_high_);
+  const double mass = random.uniform(mass_low_, mass_high_);
+  physics.shape_ball(ball_, radius, mass);
+  double* place = physics.data().qpos + ball_address_;
+  for (int axis = 0; axis < 3; ++axis) place[axis] += random.uniform(-spread_[axis], spread_[axis]);
+  for (double& offset : gaze_offset_) offset = random.uniform(-gaze_error_, gaze_error_);
+  settle(physics);
+  physics.update_poses();
+  if (track_) gaze_.look_at(position(physics, ball_) + gaze_offset_, physics);
+  touched_ = false;
+  held_ = 0;
+}
+
+// The pose is a sketch: weightless, it comes to rest where welds and locks want it.
+void Catch::settle(engine::Physics& physics) const {
+  double* gravity = physics.gravity();
+  const Eigen::Vector3d own = Eigen::Map<Eigen::Vector3d>(gravity);
+  std::fill_n(gravity, 3, 0.0);
+  physics.step(settle_steps_);
+  Eigen::Map<Eigen::Vector3d>{gravity} = own;
+}
+
+bool Catch::lost(const engine::Physics& physics) const {
+  const Eigen::Vector3d from_palm = position(physics, ball_) - position(physics, palm_);
+  return from_palm.z() < -lost_below_ || from_palm.norm() > lost_beyond_;
+}
+
+void Catch::evaluate(const engine::Physics& physics) {
+  held_ = touched_ ? held_ + 1 : 0;
+  success_ = held_ >= hold_steps_;
+  failure_ = !success_ && lost(physics);
+  terms_[kContact].value = touched_ ? contact_reward_ : 0;
+  terms_[kEffort].value = 0 - effort_weight_ * effort_;  // not -0 where nothing is done
+  terms_[kFailure].value = failure_ ? failure_reward_ : 0;
+  terms_[kSuccess].value = success_ ? success_reward_ : 0;
+  touched_ = false;
+}
+
+void Catch::follow(engine::Physics& physics) {
+  if (!track_) return;
+  gaze_.look_at(position(physics, ball_) + gaze_offset_, physics);
+  physics.update_poses_at_last_start(gaze_.joints());
+}
+
+void Catch::save(ByteWriter& to) const {
+  Task::save(to);
+  to.put(touched_);
+  to.put(held_);
+  to.put(Span<const double>(gaze_offset_.data(), 3));
+}
+
+void Catch::load(ByteReader& from) {
+  Task::load(from);
+  touched_ = from.take_flag();
+  held_ = from.take<std::uint64_t>();
+  for (double& offset : gaze_offset_) offset = from.take_finite("the gaze's error");
+}
+
+}  // namespace
+
+const Definition kCatch = {
+    "catch",
+    {kParameters, std::size(kParameters)},
+    [](const mjModel& model, const body::Body& body, const Settings& settings) -> std::unique_ptr<Task> {
+      return std::make_unique<Catch>(model, body, settings);
+    }};
+
+}  // namespace mimo::tasks
