@@ -1,4 +1,4 @@
-"""Muscles: their curves, as the infant's elbow measures them, and one movement under torque, position and muscle control.
+"""Muscles: their curves, as the infant's elbow measures them, and a movement under torque, position and muscle control.
 
 python muscles.py [FOLDER]        # pictures go there, by default to the current folder
 """
@@ -19,8 +19,9 @@ PEAK, FASTEST = 35.43, 1.566  # of the muscle that bends the elbow, as the model
 
 
 def weightless(actuation):
-    world = mimo.World("free", vision=False, touch=False, actuation=actuation,
-                       disable=mimo.Disable.GRAVITY | mimo.Disable.CONTACT)
+    world = mimo.World(
+        "free", vision=False, touch=False, actuation=actuation, disable=mimo.Disable.GRAVITY | mimo.Disable.CONTACT
+    )
     world.reset(seed=0)
     return world
 
@@ -46,8 +47,10 @@ for name, model in MODELS.items():
     rise = [world.step(np.ones(len(world.action_names))).observation["proprioception/activation"][0] for _ in range(15)]
     total = np.array([forces(world, angle)[0] for angle in angles]) / PEAK
     moving = np.array([forces(world, best, FASTEST * v / slope)[0] for v in velocities]) / PEAK
-    fall = [world.step(np.zeros(len(world.action_names))).observation["proprioception/activation"][0] for _ in range(35)]
-    line, = axes[0].plot(lengths, total - passive, label=f"{name}, active")
+    fall = [
+        world.step(np.zeros(len(world.action_names))).observation["proprioception/activation"][0] for _ in range(35)
+    ]
+    (line,) = axes[0].plot(lengths, total - passive, label=f"{name}, active")
     axes[0].plot(lengths, passive, ":", color=line.get_color(), label=f"{name}, passive")
     axes[1].plot(velocities, moving, label=name)
     axes[2].plot(np.arange(1, 51) * 0.01, rise + fall, label=name)

@@ -28,7 +28,7 @@ class Vision(IntFlag):
 
 
 class Actuation(IntEnum):
-    """What an action is: a motor's share of its largest torque, the angle at which a joint is to be, or a muscle's activation."""
+    """What an action is: a motor's share of its largest torque, a joint's angle, or a muscle's activation."""
 
     TORQUE = 0
     POSITION = 1
