@@ -1219,7 +1219,8 @@ typedef struct mimo_senses mimo_senses;
  * @param model_size  sizeof(mjModel) as the host's compiler knows it; 0 where the host cannot know, as in Python.
  * @param data_size   sizeof(mjData), likewise.
  * @param senses      receives the handle; destroy it with mimo_senses_destroy.
- * Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version; MIMO_E_INVALID_ARGUMENT for what is no mjModel;
+ * Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version, and for effort, muscles and limits, which only worlds of
+ *         the library know of; MIMO_E_INVALID_ARGUMENT for what is no mjModel;
  *         MIMO_E_NOT_FOUND for what the model lacks, with a list of what it has.
  */
 MIMO_API mimo_status mimo_senses_attach(const mimo_scene *scene, const mimo_env_config *config, const void *model,

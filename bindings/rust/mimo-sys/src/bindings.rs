@@ -1623,7 +1623,8 @@ extern "C" {
     #[doc = "@param model_size  sizeof(mjModel) as the host's compiler knows it; 0 where the host cannot know, as in Python."]
     #[doc = "@param data_size   sizeof(mjData), likewise."]
     #[doc = "@param senses      receives the handle; destroy it with mimo_senses_destroy."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version; MIMO_E_INVALID_ARGUMENT for what is no mjModel;"]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version, and for effort, muscles and limits, which only worlds of"]
+    #[doc = "        the library know of; MIMO_E_INVALID_ARGUMENT for what is no mjModel;"]
     #[doc = "        MIMO_E_NOT_FOUND for what the model lacks, with a list of what it has."]
     pub fn mimo_senses_attach(
         scene: *const mimo_scene,
