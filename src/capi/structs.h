@@ -5,14 +5,24 @@
 #include <cstring>
 
 #include "base/fail.h"
+#include "mimo/mimo.h"
 
 namespace mimo::capi {
 
-// The size that a struct had in the first release; smaller ones never existed.
+// The size that a struct had in the first version of the interface that is kept; smaller ones never existed. For
+// structs of that version it stands in first_sizes.h, so that they may grow; later ones name theirs there when they do.
 template <typename T>
 struct FirstSize {
   static constexpr std::size_t kBytes = sizeof(T);
 };
+#define MIMO_FIRST_SIZE(type, bytes)                               \
+  template <>                                                      \
+  struct FirstSize<type> {                                         \
+    static_assert(bytes <= sizeof(type), #type " became smaller"); \
+    static constexpr std::size_t kBytes = bytes;                   \
+  }
+#include "capi/first_sizes.h"
+#undef MIMO_FIRST_SIZE
 
 template <typename T>
 void check_struct_size(std::size_t size, const char* argument) {

@@ -72,6 +72,7 @@ pub const MIMO_VISION_SEGMENTATION: u32 = 4;
 pub const MIMO_ACTUATION_TORQUE: u32 = 0;
 #[doc = "An action is the angle at which a joint is to be, rad; a soft lock takes it there."]
 pub const MIMO_ACTUATION_POSITION: u32 = 1;
+#[doc = "Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first all\nmuscles that pull to the negative side, \"act:.../negative\", then all that pull to the positive side. Joints lose their\nsprings and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their activation\ntowards the action and pull; the motor's control input then is torque over gear, and a world's own gear makes them\nstronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see models/README.md.\n\nFields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with\nwhich it would pull now."]
 pub const MIMO_ACTUATION_MUSCLE: u32 = 2;
 #[doc = "The same with MuJoCo's own muscle model: activation rises in 0.01 s and falls in 0.04 s."]
 pub const MIMO_ACTUATION_MUJOCO_MUSCLE: u32 = 3;
