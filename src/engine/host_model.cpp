@@ -37,9 +37,15 @@ class BufferWalk {
   bool sound_;
 };
 
+// Sizes from which MuJoCo's own formulas for the lengths of arrays do not overflow. The buffer itself may be larger.
+bool is_size(const mjModel& model, const int& size) {
+  constexpr int kMost = (1 << 29) - 1;
+  return size >= 0 && (size <= kMost || &size == &model.nbuffer);
+}
+
 bool is_sound(const mjModel& model) {
 #define X(n) \
-  if (model.n < 0) return false;
+  if (!is_size(model, model.n)) return false;
   MJMODEL_INTS
 #undef X
   const mjModel* m = &model;

@@ -295,13 +295,15 @@ static void count_warnings(void* user, int32_t level, const char* message) {
   ++warnings;
 }
 
-static void name_of(int i, char* prefix) { sprintf(prefix, "i%d/", i); }
+enum { PREFIX = 16 };
+
+static void name_of(int i, char* prefix) { snprintf(prefix, PREFIX, "i%d/", i); }
 
 static mimo_env* ten_infants(void) {
   mimo_scene* scene = room("free", NULL);
   mimo_env_config config;
   mimo_env* env = NULL;
-  char prefix[8];
+  char prefix[PREFIX];
   int i;
   for (i = 0; i < TEN; ++i) { /* two rows that touch each other while they fall */
     name_of(i, prefix);
@@ -338,7 +340,7 @@ static void check_ten_run(mimo_env* env) {
 static void pose_arms(mimo_env* env, const double* angles) {
   static const char* const joints[7] = {
       "shoulder_horizontal", "shoulder_ad_ab", "shoulder_rotation", "elbow", "hand1", "hand2", "hand3"};
-  char prefix[8], name[64];
+  char prefix[PREFIX], name[64];
   int32_t ids[7];
   int i, j;
   for (i = 0; i < TEN; ++i) {
@@ -357,7 +359,7 @@ static void check_sees(mimo_env* env, int i, const char* eye, int other) {
   static int32_t geoms[PIXELS];
   const int middle = PIXELS / 2;
   mimo_picture_config config;
-  char prefix[8], camera[64];
+  char prefix[PREFIX], camera[64];
   int32_t body = -1;
   name_of(i, prefix);
   snprintf(camera, sizeof camera, "%s%s", prefix, eye);
@@ -374,7 +376,7 @@ static void check_sees(mimo_env* env, int i, const char* eye, int other) {
 }
 
 static void place_infants(mimo_env* env, const double* step) {
-  char prefix[8];
+  char prefix[PREFIX];
   int i;
   for (i = 0; i < TEN; ++i) {
     double place[7] = {0, 0, 0.4, 1, 0, 0, 0};
