@@ -182,6 +182,24 @@ inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
 inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
 inline void destroy_batch(mimo_batch *batch) { mimo_batch_destroy(batch); }
 inline void destroy_senses(mimo_senses *senses) { mimo_senses_destroy(senses); }
+template <typename T>
+Block block_of(const T *handle, mimo_status (*size)(const T *, std::size_t *, std::size_t *)) {
+  std::size_t bytes = 0;
+  check(size(handle, &bytes, nullptr));
+  return Block(bytes);
+}
+template <typename T>
+std::vector<mimo_field> fields_of(const T *handle, mimo_status (*size)(const T *, std::size_t *, std::size_t *),
+                                  mimo_status (*describe)(const T *, std::size_t, mimo_field *)) {
+  std::size_t count = 0;
+  check(size(handle, nullptr, &count));
+  std::vector<mimo_field> all(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    all[i].struct_size = sizeof(mimo_field);
+    check(describe(handle, i, &all[i]));
+  }
+  return all;
+}
 inline mimo_field field_named(const std::vector<mimo_field> &fields, const std::string &name) {
   for (const mimo_field &candidate : fields) {
     if (name == candidate.name) return candidate;
@@ -272,20 +290,9 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return count;
   }
 
-  Block make_block() const {
-    std::size_t bytes = 0;
-    check(mimo_env_observation_size(get(), &bytes, nullptr));
-    return Block(bytes);
-  }
+  Block make_block() const { return detail::block_of<mimo_env>(get(), mimo_env_observation_size); }
   std::vector<mimo_field> fields() const {
-    std::size_t count = 0;
-    check(mimo_env_observation_size(get(), nullptr, &count));
-    std::vector<mimo_field> all(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      all[i].struct_size = sizeof(mimo_field);
-      check(mimo_env_observation_field(get(), i, &all[i]));
-    }
-    return all;
+    return detail::fields_of<mimo_env>(get(), mimo_env_observation_size, mimo_env_observation_field);
   }
   /// The field of that name; throws std::out_of_range when there is none.
   mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
@@ -390,20 +397,9 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
          const mimo_env_config &config = env_config())
       : Handle(attach(scene, model, mujoco_version, model_size, data_size, config)) {}
 
-  Block make_block() const {
-    std::size_t bytes = 0;
-    check(mimo_senses_observation_size(get(), &bytes, nullptr));
-    return Block(bytes);
-  }
+  Block make_block() const { return detail::block_of<mimo_senses>(get(), mimo_senses_observation_size); }
   std::vector<mimo_field> fields() const {
-    std::size_t count = 0;
-    check(mimo_senses_observation_size(get(), nullptr, &count));
-    std::vector<mimo_field> all(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      all[i].struct_size = sizeof(mimo_field);
-      check(mimo_senses_observation_field(get(), i, &all[i]));
-    }
-    return all;
+    return detail::fields_of<mimo_senses>(get(), mimo_senses_observation_size, mimo_senses_observation_field);
   }
   /// The field of that name; throws std::out_of_range when there is none.
   mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }

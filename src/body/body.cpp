@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "engine/joints.h"
 
 namespace mimo::body {
 namespace {
@@ -83,14 +84,6 @@ std::vector<int> right_fingers(const mjModel& model, const Body& body) {
   return bodies;
 }
 
-int free_joint_address(const mjModel& model, int body) {
-  const int joint = model.body_jntadr[body];
-  if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {
-    fail(Status::kModel, "body {} has no free joint", engine::name(model, Kind::kBody, body));
-  }
-  return model.jnt_qposadr[joint];
-}
-
 Body find_body(const mjModel& model, const std::string& prefix) {
   Body body;
   body.prefix = prefix;
@@ -116,7 +109,7 @@ std::vector<Motor> motors(const mjModel& model, const Body& body) {
       fail(Status::kUnsupported, "{} does not turn a joint", engine::name(model, Kind::kActuator, id));
     }
     const int turned = model.actuator_trnid[2 * id];
-    if (model.jnt_type[turned] != mjJNT_HINGE && model.jnt_type[turned] != mjJNT_SLIDE) {
+    if (!engine::has_one_axis(model, turned)) {
       fail(Status::kUnsupported, "{} turns joint {}, which has more than one axis",
            engine::name(model, Kind::kActuator, id), engine::name(model, Kind::kJoint, turned));
     }

@@ -58,9 +58,6 @@ std::vector<int> subtree(const mjModel& model, int root);
 // infant without a right hand.
 std::vector<int> right_fingers(const mjModel& model, const Body& body);
 
-// Where the position of a body with a free joint starts in qpos. Throws Status::kModel for a body without.
-int free_joint_address(const mjModel& model, int body);
-
 // Throws Status::kNotFound when the model has no such infant.
 Body find_body(const mjModel& model, const std::string& prefix);
 

@@ -3,6 +3,7 @@
 
 #include "base/fail.h"
 #include "body/body.h"
+#include "engine/joints.h"
 
 namespace mimo::body {
 namespace {
@@ -32,10 +33,6 @@ int body_of_actuator(const mjModel& model, int actuator) {
   }
 }
 
-bool has_one_axis(const mjModel& model, int joint) {
-  return model.jnt_type[joint] == mjJNT_HINGE || model.jnt_type[joint] == mjJNT_SLIDE;
-}
-
 }  // namespace
 
 Body find_part(const mjModel& model, const std::string& root) {
@@ -45,7 +42,7 @@ Body find_part(const mjModel& model, const std::string& root) {
   body.bodies = subtree(model, body.root);
   if (body.root == 0) body.bodies.erase(body.bodies.begin());
   for (int id = 0; id < model.njnt; ++id) {
-    if (has_one_axis(model, id) && body.has(model.jnt_bodyid[id])) body.joints.push_back(joint(model, id));
+    if (engine::has_one_axis(model, id) && body.has(model.jnt_bodyid[id])) body.joints.push_back(joint(model, id));
   }
   for (int id = 0; id < model.nu; ++id) {
     if (body.has(body_of_actuator(model, id))) body.actuators.push_back(id);

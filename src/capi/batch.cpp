@@ -239,7 +239,7 @@ mimo_status mimo_batch_set_face(mimo_batch* batch, size_t agent, const char* nam
   return guard([&] {
     batch::Batch& inner = open(batch).batch;
     check_per_world(inner, worlds, mask != nullptr);
-    check_agent(inner.world(0), agent);
+    check_agent(inner.world(0).agents(), agent);
     require(name != nullptr, "name is NULL");
     inner.set_face(agent, name, mask);
   });

@@ -16,7 +16,7 @@ const char* mimo_face_name(size_t index) noexcept {
 mimo_status mimo_env_set_face(mimo_env* env, size_t agent, const char* name) noexcept {
   return guard([&] {
     env::World& world = open(env).world;
-    check_agent(world, agent);
+    check_agent(world.agents(), agent);
     require(name != nullptr, "name is NULL");
     world.set_face(agent, name);
   });
@@ -25,7 +25,7 @@ mimo_status mimo_env_set_face(mimo_env* env, size_t agent, const char* name) noe
 mimo_status mimo_env_face(const mimo_env* env, size_t agent, const char** name) noexcept {
   return guard([&] {
     const env::World& world = open(env).world;
-    check_agent(world, agent);
+    check_agent(world.agents(), agent);
     out(name, "name") = world.face(agent).c_str();
   });
 }

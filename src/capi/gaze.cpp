@@ -11,7 +11,7 @@ namespace mimo::capi {
 namespace {
 
 body::Eyes eyes_of(const env::World& world, std::size_t agent) {
-  check_agent(world, agent);
+  check_agent(world.agents(), agent);
   return body::Eyes(world.model(), world.agents()[agent].body);
 }
 

@@ -54,8 +54,10 @@ struct EnvObject {
   std::size_t number = 0;
 };
 
-inline void check_agent(const env::World& world, std::size_t agent) {
-  require(agent < world.agents().size(), "agent is {}, but there are {} agents", agent, world.agents().size());
+// For a number that is none of a world's or of attached senses' agents.
+template <typename Agents>
+void check_agent(const Agents& agents, std::size_t agent) {
+  require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());
 }
 
 mimo_env* wrap_env(std::unique_ptr<EnvObject> object);

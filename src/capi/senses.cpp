@@ -44,7 +44,7 @@ mimo_status mimo_senses_touch_sensors(const mimo_senses* senses, size_t agent, i
                                       double* positions, double* frames, size_t capacity, size_t* count) noexcept {
   return guard([&] {
     const auto& agents = open(senses).attached.agents();
-    require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());
+    check_agent(agents, agent);
     describe_skin(agents[agent].skin.get(), {bodies, geoms, positions, frames}, capacity, count);
   });
 }

@@ -12,7 +12,7 @@ namespace {
 
 const tasks::Task& task_of(const mimo_env* env, std::size_t agent) {
   const auto& agents = open(env).world.agents();
-  require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());
+  check_agent(agents, agent);
   return *agents[agent].task;
 }
 

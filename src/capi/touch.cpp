@@ -39,7 +39,7 @@ extern "C" mimo_status mimo_env_touch_sensors(const mimo_env* env, size_t agent,
                                               size_t* count) noexcept {
   return guard([&] {
     const env::World& world = open(env).world;
-    check_agent(world, agent);
+    check_agent(world.agents(), agent);
     describe_skin(world.agents()[agent].skin.get(), {bodies, geoms, positions, frames}, capacity, count);
   });
 }

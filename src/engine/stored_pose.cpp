@@ -7,6 +7,7 @@
 
 #include "base/fail.h"
 #include "engine/custom.h"
+#include "engine/joints.h"
 
 namespace mimo::engine {
 namespace {
@@ -26,11 +27,7 @@ void visit_named(const mjModel& model, mjtObj kind, int count, const std::string
 }
 
 void place_root(const mjModel& model, int body, Span<const double> pose, Span<double> qpos) {
-  const int joint = model.body_jntadr[body];
-  if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {
-    fail(Status::kModel, "body {} has no free joint", name(model, Kind::kBody, body));
-  }
-  double* start = &qpos[static_cast<std::size_t>(model.jnt_qposadr[joint])];
+  double* start = &qpos[static_cast<std::size_t>(free_joint_address(model, body))];
   std::copy(pose.begin(), pose.end(), start);
   mju_normalize4(start + 3);
 }
@@ -46,8 +43,7 @@ void read_stored_pose(const mjModel& model, Span<double> qpos) {
               });
   visit_named(model, mjOBJ_TUPLE, model.ntuple, "mimo:pose", [&](const std::string& name, const std::string&) {
     for (const TupleEntry& entry : custom_tuple(model, name, Kind::kJoint)) {
-      const int type = model.jnt_type[entry.id];
-      if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
+      if (!has_one_axis(model, entry.id)) {
         fail(Status::kModel, "{}: joint {} is no hinge or slide", name, engine::name(model, Kind::kJoint, entry.id));
       }
       qpos[static_cast<std::size_t>(model.jnt_qposadr[entry.id])] = entry.value;

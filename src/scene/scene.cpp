@@ -166,10 +166,10 @@ const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
 const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
 const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
-Scene::Scene(const Source& source) : library_(source.model_dir), document_(load(library_, source)) {}
+Scene::Scene(const Source& source) : models_(source.model_dir), document_(load(models_, source)) {}
 
 Scene::Scene(const Scene& other)
-    : library_(other.library_),
+    : models_(other.models_),
       document_(copy(other.document_)),
       bodies_(other.bodies_),
       objects_(other.objects_),
@@ -178,7 +178,7 @@ Scene::Scene(const Scene& other)
 
 void Scene::set_room(const std::string& room) {
   require_known("room", kRooms, room);
-  const pugi::xml_document guest = Loader(library_).built_in("free.xml");
+  const pugi::xml_document guest = Loader(models_).built_in("free.xml");
   pugi::xml_document changed = copy(document_);
   const pugi::xml_node root = changed.document_element();
   require(!has_class(root, kRoomClass), "room \"{}\": the scene has a room already", room);
@@ -203,12 +203,12 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   const std::string root_name = prefix + kRootBody;
   require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
   const Pose place = pose != nullptr ? *pose : next_place();
-  Recipe recipe = Recipe::of_room(document_.document_element(), library_);
+  Recipe recipe = Recipe::of_room(document_.document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
   require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
           "body \"{}\": the scene is made for {} only", body, fmt::join(fit, ", "));
 
-  const pugi::xml_document guest = Loader(library_).built_in(body + ".xml");
+  const pugi::xml_document guest = Loader(models_).built_in(body + ".xml");
   const pugi::xml_node guest_root = guest.document_element();
   pugi::xml_document changed = copy(document_);  // what fails half-way must leave the scene as it is
   const pugi::xml_node root = changed.document_element();
@@ -254,12 +254,12 @@ std::vector<std::string> Scene::infants() const {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), library_).senses(); }
+std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), models_).senses(); }
 
-std::string Scene::actuation() const { return Recipe::of_room(document_.document_element(), library_).actuation(); }
+std::string Scene::actuation() const { return Recipe::of_room(document_.document_element(), models_).actuation(); }
 
 const char* Scene::usual_body() const {
-  const std::vector<std::string> fit = Recipe::of_room(document_.document_element(), library_).bodies();
+  const std::vector<std::string> fit = Recipe::of_room(document_.document_element(), models_).bodies();
   const auto* const found =
       fit.empty() ? std::begin(kBodies) : std::find(std::begin(kBodies), std::end(kBodies), fit.front());
   return found != std::end(kBodies) ? *found : kBodies[0];
@@ -299,7 +299,7 @@ void Scene::add_model(const Model& model) {
               !has_names_with(document_.document_element(), model.name + "/"),
           "model name \"{}\": the scene already has something of that name", model.name);
   require_local_coordinates(document_.document_element(), "the scene");
-  Loader loader(library_);
+  Loader loader(models_);
   pugi::xml_document guest = model.file.empty() ? loader.text(model.xml) : loader.file(model.file);
   pugi::xml_document changed = copy(document_);
   const pugi::xml_node root = changed.document_element();

@@ -99,7 +99,7 @@ class Scene {
   bool has_name(const char* element, const std::string& name) const;
   Pose next_place() const;
 
-  Library library_;
+  Library models_;
   pugi::xml_document document_;
   int bodies_ = 0;
   int objects_ = 0;

@@ -5,6 +5,7 @@
 
 #include "base/fail.h"
 #include "engine/custom.h"
+#include "engine/joints.h"
 #include "tasks/contacts.h"
 #include "tasks/gaze.h"
 #include "tasks/vectors.h"
@@ -95,7 +96,7 @@ Catch::Catch(const mjModel& model, const body::Body& body, const Settings& setti
     : Task({{"contact", 0}, {"effort", 0}, {"failure", 0}, {"success", 0}}),
       ball_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
       palm_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_hand")),
-      ball_address_(body::free_joint_address(model, ball_)),
+      ball_address_(engine::free_joint_address(model, ball_)),
       gaze_(model, body) {
   if (!engine::is_ball(model, ball_)) {
     fail(Status::kModel, "body {}target: catch needs a ball, a free body of one sphere", body.prefix);

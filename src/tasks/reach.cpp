@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/joints.h"
 #include "tasks/contacts.h"
 #include "tasks/gaze.h"
 #include "tasks/vectors.h"
@@ -64,7 +65,7 @@ Reach::Reach(const mjModel& model, const body::Body& body, const Settings& setti
     : Task({{"distance", 0}, {"success", 0}}),
       target_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
       fingers_(body::right_fingers(model, body)),
-      target_address_(body::free_joint_address(model, target_)),
+      target_address_(engine::free_joint_address(model, target_)),
       arm_(body::subtree(model, engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_upper_arm"))),
       motors_(body.actuators),
       gaze_(model, body) {

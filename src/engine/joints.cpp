@@ -1,0 +1,19 @@
+#include "engine/joints.h"
+
+#include "base/fail.h"
+
+namespace mimo::engine {
+
+bool has_one_axis(const mjModel& model, int joint) {
+  return model.jnt_type[joint] == mjJNT_HINGE || model.jnt_type[joint] == mjJNT_SLIDE;
+}
+
+int free_joint_address(const mjModel& model, int body) {
+  const int joint = model.body_jntadr[body];
+  if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {
+    fail(Status::kModel, "body {} has no free joint", name(model, Kind::kBody, body));
+  }
+  return model.jnt_qposadr[joint];
+}
+
+}  // namespace mimo::engine
