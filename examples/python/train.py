@@ -8,8 +8,12 @@ Started again, it goes on from the checkpoint. learning_curves.py draws the curv
 
 import argparse
 import csv
+import os
 import time
 from pathlib import Path
+
+# Else OpenBLAS starts a thread a core behind torch's back, which makes products as small as these slower.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 import torch
@@ -29,8 +33,9 @@ def make_model(options, envs, folder):
     if options.algorithm == "ppo":
         # As many steps between two updates as by default, whose 2048 are those of a single environment.
         return PPO("MultiInputPolicy", envs, n_steps=max(1, options.rollout // options.worlds), **common)
-    # An update a step, as by default. The default's memory of a million steps, as far as it can be filled.
-    return SAC("MultiInputPolicy", envs, gradient_steps=-1, buffer_size=min(1_000_000, options.steps), **common)
+    # The default's memory of a million steps, as far as it can be filled.
+    memory = min(1_000_000, options.steps)
+    return SAC("MultiInputPolicy", envs, gradient_steps=options.updates, buffer_size=memory, **common)
 
 
 def load_model(options, envs, folder):
@@ -126,6 +131,7 @@ def parse():
     parser.add_argument("--evaluation-episodes", type=int, default=16)
     parser.add_argument("--max-steps", type=int, default=0, help="of an episode; 0: the task's own")
     parser.add_argument("--rollout", type=int, default=2048, help="PPO: steps between updates")
+    parser.add_argument("--updates", type=int, default=1, help="SAC: after a step of all worlds; -1: as many as worlds")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args()
 
