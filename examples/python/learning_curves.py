@@ -1,6 +1,6 @@
 """Draws learning curves: for each task the mean over seeds of each algorithm, and the spread of one standard deviation.
 
-    python learning_curves.py runs --out curves.png [--value mean_return|success|length]
+    python learning_curves.py runs --out curves.png [--value mean_return success length]
 
 Reads the folders that train.py writes, and prints the last values.
 """
@@ -39,17 +39,30 @@ def over_seeds(runs):
     return grid, values.mean(axis=0), values.std(axis=0)
 
 
-def draw(curves, value):
-    figure, axes = plt.subplots(1, len(curves), figsize=(4 * len(curves), 3.2), squeeze=False, layout="constrained")
-    for place, (task, algorithms) in zip(axes[0], sorted(curves.items())):
-        for algorithm, runs in sorted(algorithms.items()):
-            steps, mean, spread = over_seeds(runs)
-            (line,) = place.plot(steps, mean, label=f"{algorithm.upper()} ({len(runs)} seeds)")
-            place.fill_between(steps, mean - spread, mean + spread, color=line.get_color(), alpha=0.2, linewidth=0)
-            print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
-        place.set(title=NAMES.get(task, task), xlabel="steps")
+def draw_curves(place, task, algorithms, value):
+    for algorithm, runs in sorted(algorithms.items()):
+        steps, mean, spread = over_seeds(runs)
+        (line,) = place.plot(steps, mean, label=f"{algorithm.upper()} ({len(runs)} seeds)")
+        place.fill_between(steps, mean - spread, mean + spread, color=line.get_color(), alpha=0.2, linewidth=0)
+        print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
+
+
+def draw(folder, values):
+    """A row for each value, a column for each task."""
+    rows = [sorted(read(folder, value).items()) for value in values]
+    if not rows[0]:
+        raise SystemExit(f"there are no curves in {folder}")
+    size = (4 * len(rows[0]), 0.4 + 2.8 * len(rows))
+    figure, axes = plt.subplots(len(rows), len(rows[0]), figsize=size, sharex="col", squeeze=False, layout="constrained")
+    for places, value, tasks in zip(axes, values, rows):
+        for place, (task, algorithms) in zip(places, tasks):
+            draw_curves(place, task, algorithms, value)
+        places[0].set_ylabel(f"{value.replace('_', ' ')} of an episode")
+    for place, (task, _) in zip(axes[0], rows[0]):
+        place.set_title(NAMES.get(task, task))
         place.legend(fontsize=8)
-    axes[0, 0].set_ylabel(f"{value.replace('_', ' ')} of an episode")
+    for place in axes[-1]:
+        place.set_xlabel("steps")
     return figure
 
 
@@ -57,9 +70,6 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("runs", type=Path)
     parser.add_argument("--out", type=Path, default=Path("curves.png"))
-    parser.add_argument("--value", default="mean_return", choices=["mean_return", "success", "length"])
+    parser.add_argument("--value", nargs="+", default=["mean_return"], choices=["mean_return", "success", "length"])
     options = parser.parse_args()
-    found = read(options.runs, options.value)
-    if not found:
-        raise SystemExit(f"there are no curves in {options.runs}")
-    draw(found, options.value).savefig(options.out, dpi=150)
+    draw(options.runs, options.value).savefig(options.out, dpi=150)

@@ -1,5 +1,7 @@
 #include "faults/scenarios.h"
 
+#include <mujoco/mujoco.h>
+
 #include "support/capi.h"
 
 enum { WORLDS = 3, ROOM = 1 << 20, PICTURE = 16 };
@@ -13,7 +15,13 @@ static mimo_scene *small_scene, *infant_scene, *scene;
 static mimo_env *infant, *env, *made_env;
 static mimo_batch *batch, *made_batch;
 static unsigned char block[ROOM], state[ROOM];
-static size_t block_bytes, batch_bytes, state_bytes;
+static size_t block_bytes, batch_bytes, state_bytes, senses_bytes;
+
+/* A model of the host's, and senses on its gripper. */
+static mjModel* host_model;
+static mjData* host_data;
+static mimo_scene* gripper_scene;
+static mimo_senses *senses, *made_senses;
 
 static mimo_status make_scene(const char* name, const char* xml) {
   mimo_scene_config config;
@@ -40,7 +48,35 @@ static void make_batch_of(const mimo_scene* of, mimo_batch** made) {
   CHECK_OK(mimo_batch_create(of, NULL, &config, made));
 }
 
+static mimo_status attach_to(mimo_senses** made) {
+  return mimo_senses_attach(gripper_scene, NULL, host_model, mj_version(), sizeof(mjModel), sizeof(mjData), made);
+}
+
+static void begin_host(void) {
+  mimo_agent_config agent;
+  char error[200] = "";
+  host_model = mj_loadXML(MIMO_TEST_MODELS "/gripper.xml", NULL, error, sizeof error);
+  if (host_model == NULL) {
+    fprintf(stderr, "%s\n", error);
+    exit(1);
+  }
+  host_data = mj_makeData(host_model);
+  mj_forward(host_model, host_data);
+  CHECK_OK(make_scene(NULL, NULL));
+  gripper_scene = scene;
+  scene = NULL;
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.body = "scene";
+  agent.root = "world";
+  agent.vestibular = agent.vision = 0;
+  CHECK_OK(mimo_scene_add_agent(gripper_scene, &agent, NULL));
+  CHECK_OK(attach_to(&senses));
+  CHECK_OK(mimo_senses_observation_size(senses, &senses_bytes, NULL));
+  CHECK(senses_bytes <= ROOM);
+}
+
 void scenarios_begin(void) {
+  begin_host();
   CHECK_OK(make_scene(NULL, kSmall));
   small_scene = scene;
   CHECK_OK(make_scene("free", NULL));
@@ -58,6 +94,10 @@ void scenarios_begin(void) {
 }
 
 void scenarios_end(void) {
+  mimo_senses_destroy(senses);
+  mimo_scene_destroy(gripper_scene);
+  mj_deleteData(host_data);
+  mj_deleteModel(host_model);
   mimo_env_destroy(infant);
   mimo_batch_destroy(batch);
   mimo_scene_destroy(small_scene);
@@ -73,7 +113,9 @@ static void clean(void) {
   mimo_env_destroy(env);
   mimo_env_destroy(made_env);
   mimo_batch_destroy(made_batch);
+  mimo_senses_destroy(made_senses);
   scene = NULL;
+  made_senses = NULL;
   env = made_env = NULL;
   made_batch = NULL;
 }
@@ -115,6 +157,17 @@ static void prepare_defaults(void) {
 static mimo_status weld(void) { return mimo_scene_weld(scene, "a", NULL, NULL); }
 static mimo_status lock_scene(void) { return mimo_scene_lock(scene, "j", 0.5); }
 
+static void prepare_infant(void) {
+  prepare_scene();
+  CHECK_OK(add_infant(scene));
+}
+static mimo_status limit_sense(void) {
+  mimo_limits limits;
+  CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+  limits.noise = 0.1;
+  return mimo_scene_limit_sense(scene, 0, "proprioception/position", &limits);
+}
+
 static mimo_status set_parameter(void) { return mimo_scene_set_parameter(scene, "reach/success_reward", 3); }
 static mimo_status set_touch(void) { return mimo_scene_set_touch(infant_scene, 0, "left_hand", 0.01); }
 static mimo_status print_scene(void) { return mimo_scene_xml(infant_scene, (char*)block, sizeof block, NULL); }
@@ -152,6 +205,9 @@ static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 
 static void prepare_batch(void) { make_batch_of(small_scene, &made_batch); }
 static mimo_status view_world(void) { return mimo_batch_world(made_batch, 1, &env); }
 
+static mimo_status attach(void) { return attach_to(&made_senses); }
+static mimo_status observe(void) { return mimo_senses_observe(senses, host_data, block, senses_bytes); }
+
 const scenario all_scenarios[] = {
     {"scene_create", nothing, create_scene, clean, 1, 0, 400},
     {"scene_add_agent", prepare_scene, add_agent, clean, 0, 0, 110},
@@ -162,6 +218,7 @@ const scenario all_scenarios[] = {
     {"scene_weld", prepare_defaults, weld, clean, 0, 0, 400},
     {"scene_lock", prepare_defaults, lock_scene, clean, 0, 0, 400},
     {"scene_set_parameter", prepare_scene, set_parameter, clean, 0, 0, 400},
+    {"scene_limit_sense", prepare_infant, limit_sense, clean, 0, 0, 400},
     {"scene_set_touch", nothing, set_touch, clean, 0, 0, 400},
     {"scene_xml", nothing, print_scene, clean, 0, 0, 400},
     {"env_create, small", nothing, create_small, clean, 1, 1, 3000},
@@ -179,5 +236,7 @@ const scenario all_scenarios[] = {
     {"batch_reset", nothing, reset_batch, clean, 0, 0, 0},
     {"batch_step", nothing, step_batch, clean, 0, 0, 0},
     {"batch_state_load", nothing, load_batch, clean, 0, 0, 0},
+    {"senses_attach", nothing, attach, clean, 1, 0, 600},
+    {"senses_observe", nothing, observe, clean, 0, 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 1},
 };
