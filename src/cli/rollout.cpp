@@ -30,7 +30,7 @@ mimo_env_config config_of(const RolloutOptions& options) {
   if (options.no_gravity) config.disable |= MIMO_DISABLE_GRAVITY;
   if (options.jacobian == "dense") config.jacobian = MIMO_JACOBIAN_DENSE;
   if (options.jacobian == "sparse") config.jacobian = MIMO_JACOBIAN_SPARSE;
-  config.frame_skip = 1;  // a row of controls each
+  config.frame_skip = 1;                                          // a row of controls each
   if (options.world.actuation != "torque") config.task = "none";  // which such a step would evaluate
   return config;
 }
@@ -229,9 +229,8 @@ void add_rollout(CLI::App& program) {
       "free:<body>.\n"
       "Example:\n"
       "  mimo rollout --controls controls.csv --every 20 --out states.json");
-  command->callback([options] {
-    options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<Actions>(*options);
-  });
+  command->callback(
+      [options] { options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<Actions>(*options); });
 }
 
 }  // namespace cli
