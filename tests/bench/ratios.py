@@ -135,8 +135,9 @@ def measurable():
     return [ratio for ratio in RATIOS if ratio[2] is not threads_lost]
 
 
-def run(command):
-    done = subprocess.run([PROGRAMS / command[0], *command[1:]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+def run(command, **environment):
+    done = subprocess.run([PROGRAMS / command[0], *command[1:]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          env={**os.environ, **environment})
     if done.returncode != 0 or done.stderr:
         sys.exit(f"ratios: {' '.join(command)}: {done.stderr or 'failed'}")
     return json.loads(done.stdout) if "--json" in command else done.stdout
