@@ -15,3 +15,5 @@ target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed
 set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
                       SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION}
                       INSTALL_RPATH_USE_LINK_PATH ON)
+# In the build folder, another build of the same MuJoCo beside libmimo.so takes the place of the system's: ./dev build --avx
+set_property(TARGET mimo PROPERTY BUILD_RPATH $ORIGIN)

@@ -45,7 +45,7 @@ class Pool {
  private:
   struct Worker {
     std::condition_variable wake;
-    bool invited = false;
+    std::atomic<bool> invited{false};
     std::thread thread;
   };
 
@@ -53,6 +53,7 @@ class Pool {
   void stop() noexcept;
   void open(Job& job, std::size_t count, std::size_t helpers);
   void close();
+  bool done() const;
   void work(std::size_t thread);
   void live(Worker& worker, std::size_t thread);
 
@@ -60,8 +61,8 @@ class Pool {
   std::mutex mutex_;
   std::condition_variable idle_;
   std::vector<std::unique_ptr<Worker>> workers_;  // threads - 1; one more once start() was called
-  bool stopping_ = false;
-  std::size_t inside_ = 0;  // workers that are working
+  std::atomic<bool> stopping_{false};
+  std::atomic<std::size_t> inside_{0};  // workers that are working
   Job* job_ = nullptr;
   std::size_t count_ = 0;
   std::atomic<std::size_t> next_{0};  // the first item that nobody has taken

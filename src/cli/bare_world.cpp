@@ -20,25 +20,31 @@ Actions draw(RandomActions& random, std::size_t count) {
 }
 
 BareWorld::BareWorld(const WorldOptions& world, std::int32_t jacobian, std::size_t steps)
-    : env_(open_bare_world(world, bare_config(jacobian))), times_(steps) {
-  for (const std::string& name : env_.action_names()) actuators_.push_back(env_.find(MIMO_ACTUATOR, name));
-  Block nothing(0);
-  env_.reset(world.seed, nothing);
+    : env_(open_bare_world(world, bare_config(jacobian))), motors_(world.actuation == "torque"), times_(steps) {
+  if (motors_) {
+    for (const std::string& name : env_.action_names()) actuators_.push_back(env_.find(MIMO_ACTUATOR, name));
+  }
+  env_.reset(world.seed, nothing_);
+}
+
+void BareWorld::step(const std::vector<float>& action) {
+  if (!motors_) return env_.step(action, nothing_);
+  for (std::size_t i = 0; i < env_.frame_skip(); ++i) env_.physics_step(1);  // each of them whole, with its sensors
 }
 
 void BareWorld::run(const Actions& actions) {
-  const std::size_t frame_skip = env_.frame_skip();
+  const double frame_skip = env_.frame_skip();
   for (const auto& action : actions) {
-    env_.set(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
+    if (motors_) env_.set(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
     const auto start = Clock::now();
-    for (std::size_t i = 0; i < frame_skip; ++i) env_.physics_step(1);  // each of them whole, with its sensors
-    times_.add(seconds_since(start) / static_cast<double>(frame_skip));
+    step(action);
+    times_.add(seconds_since(start) / frame_skip);
   }
 }
 
 void BareWorld::warm_up(const Actions& actions) {
   run(actions);
-  times_ = Samples(0);
+  forget();
 }
 
 }  // namespace cli

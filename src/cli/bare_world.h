@@ -19,6 +19,7 @@ class Samples {
  public:
   explicit Samples(std::size_t room) { seconds_.reserve(room); }
   void add(double seconds) { seconds_.push_back(seconds); }
+  const std::vector<double>& seconds() const { return seconds_; }
   double sum() const { return std::accumulate(seconds_.begin(), seconds_.end(), 0.0); }
   double mean() const { return seconds_.empty() ? 0 : sum() / static_cast<double>(seconds_.size()); }
   double median() const {
@@ -33,20 +34,26 @@ class Samples {
   std::vector<double> seconds_;
 };
 
-// Nothing but physics steps, with the same motor commands.
+// Nothing but physics steps, with the same motor commands. Muscles and targets are not commands of motors: under these
+// it is steps without senses, actuation included.
 class BareWorld {
  public:
   BareWorld(const WorldOptions& world, std::int32_t jacobian, std::size_t steps);
 
   void run(const Actions& actions);
   void warm_up(const Actions& actions);
+  void forget() { times_ = Samples(0); }  // what was measured so far
 
   const Env& env() const { return env_; }
   const Samples& times() const { return times_; }
 
  private:
+  void step(const std::vector<float>& action);
+
   Env env_;
+  bool motors_;  // actions are their commands
   std::vector<std::int32_t> actuators_;
+  Block nothing_{0};
   Samples times_;
 };
 

@@ -11,6 +11,7 @@
 #include "full_world.h"
 #include "paper.h"
 #include "progress.h"
+#include "reference.h"
 #include "scaling.h"
 #include "text.h"
 #include "timing.h"
@@ -27,6 +28,7 @@ struct BenchOptions {
   int worlds = 1, threads = 1;
   bool json = false;
   bool paper = false, brief = false;
+  bool serve = false;
   std::string csv;
 };
 
@@ -37,9 +39,8 @@ class Bench {
       : options_(options),
         full_(options.world, options.steps),
         raw_(options.world, MIMO_JACOBIAN_MODEL, options.steps),
-        reference_(reference_world(options.world.seed), MIMO_JACOBIAN_DENSE, options.steps),
-        actions_(full_.env(), options.world.seed),
-        reference_actions_(reference_.env(), options.world.seed) {}
+        reference_(options.world.seed, options.steps),
+        actions_(full_.env(), options.world.seed) {}
 
   void run();
   Json result() const;
@@ -54,15 +55,16 @@ class Bench {
 
   const BenchOptions& options_;
   FullWorld full_;
-  BareWorld raw_, reference_;
-  RandomActions actions_, reference_actions_;
+  BareWorld raw_;
+  Reference reference_;
+  RandomActions actions_;
 };
 
 void Bench::run() {
   const Actions first = draw(actions_, 1);
   full_.warm_up(first);
   raw_.warm_up(first);
-  reference_.warm_up(draw(reference_actions_, 1));
+  reference_.warm_up();
 
   Progress progress(options_.steps);
   for (std::size_t done = 0; done < options_.steps;) {
@@ -70,7 +72,7 @@ void Bench::run() {
     const Actions actions = draw(actions_, turn);
     full_.run(actions);
     raw_.run(actions);
-    reference_.run(draw(reference_actions_, turn));
+    reference_.run(turn);
     progress.show(done += turn);
   }
   // A task may move things as well: reach turns the head.
@@ -85,6 +87,19 @@ Json split_of(const Env& env, double step_ms) {
   return split;
 }
 
+// In microseconds; null where there was nothing to measure.
+Json microseconds(const Samples& samples, double (Samples::*average)() const) {
+  return samples.seconds().empty() ? Json() : Json((samples.*average)() * 1e6);
+}
+
+std::size_t pixels(const Env& env) {
+  std::size_t count = 0;
+  for (const Field& field : env.fields()) {
+    if (field.name.find("vision/") != std::string::npos) count += field.shape[0] * field.shape[1];
+  }
+  return count;
+}
+
 Json Bench::result() const {
   const Samples &full = full_.times(), &raw = raw_.times(), &reference = reference_.times();
   const double steps = static_cast<double>(options_.steps);
@@ -97,16 +112,20 @@ Json Bench::result() const {
           {"realtime_factor", simulated / full.sum()},
           {"ms_per_step", step_ms},
           {"split_ms", split_of(full_.env(), step_ms)},
+          {"agents", full_.env().agents().size()},
+          {"degrees_of_freedom", full_.env().width(MIMO_JOINT_VELOCITY, full_.env().ids(MIMO_JOINT))},
+          {"frame_skip", full_.env().frame_skip()},
+          {"pixels", pixels(full_.env())},
           {"touch_sensors", full_.env().touch_sensors()},
           {"mean_contacts", static_cast<double>(full_.contacts()) / steps},
           {"raw_physics_us", raw.mean() * 1e6},
-          {"reference_us", reference.mean() * 1e6},
+          {"reference_us", microseconds(reference, &Samples::mean)},
           {"step_vs_raw", full.mean() / (frame_skip * raw.mean())},
           {"allocations_per_step", Allocations::countable() ? Json(allocations) : Json()},
           {"median",
            {{"ms_per_step", full.median() * 1e3},
             {"raw_physics_us", raw.median() * 1e6},
-            {"reference_us", reference.median() * 1e6},
+            {"reference_us", microseconds(reference, &Samples::median)},
             {"step_vs_raw", full.median() / (frame_skip * raw.median())}}}};
 }
 
@@ -119,7 +138,7 @@ void print_for_people(const Json& result) {
   for (const char* group : {"split_ms", "median"}) {
     if (!result.contains(group)) continue;
     for (const auto& [key, value] : result[group].items()) {
-      table.add({std::string(group) + " " + key, text("%.4g", value.get<double>())});
+      table.add({std::string(group) + " " + key, value.is_null() ? "null" : text("%.4g", value.get<double>())});
     }
   }
   table.print(std::cout);
@@ -156,7 +175,8 @@ void add_bench(CLI::App& program) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command = program.add_subcommand("bench", "Measure how fast the world steps");
   add_scene_options(*command, options->world);
-  options->world.actuation = "torque";  // the twin without senses repeats the motors' commands
+  options->world.actuation = "torque";
+  add_actuation_option(*command, options->world);
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
   command->add_option("--steps", options->steps, "Steps to measure, of two physics steps (10 ms) each")
@@ -173,6 +193,7 @@ void add_bench(CLI::App& program) {
       ->capture_default_str();
   add_seed_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_flag("--serve-reference", options->serve)->group("");  // how the program calls itself
   CLI::Option* paper =
       command->add_flag("--paper", options->paper,
                         "The paper's Fig. 3: seven sizes of eyes and densities of touch, 60 episodes of a minute each");
@@ -183,7 +204,8 @@ void add_bench(CLI::App& program) {
   command->footer(
       "raw_physics_us is one bare physics step of a twin of the world that follows the same trajectory; reference_us "
       "is\n"
-      "one of the benchmark scene solved as the original does (dense Jacobian). All are measured in turns.\n"
+      "one of the benchmark scene solved as the original does (dense Jacobian), on Debian's build of MuJoCo: null "
+      "without it.\nAll are measured in turns.\n"
       "step_vs_raw is a step's time over that of its bare physics steps.\n"
       "With several worlds ms_per_step is the time of one world's step on its thread; with several threads scaling is\n"
       "throughput over that of one thread, and raw_scaling the same for threads that do nothing but physics.\n"
@@ -193,6 +215,7 @@ void add_bench(CLI::App& program) {
       "  mimo bench --scene reach --worlds 64 --threads 2\n"
       "  mimo bench --paper --short --csv paper.csv");
   command->callback([options] {
+    if (options->serve) return serve_reference(options->world.seed);
     if (options->paper) return run_paper({options->world, options->brief, options->csv});
     const Json result = options->worlds > 1 || options->threads > 1 ? run_many(*options) : run_one(*options);
     if (options->json) {

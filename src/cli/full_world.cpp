@@ -39,12 +39,4 @@ void FullWorld::run(const Actions& actions) {
 
 void FullWorld::reset(std::uint64_t seed) { env_.reset(seed, block_); }
 
-WorldOptions reference_world(std::uint64_t seed) {
-  WorldOptions world;
-  world.scene = "benchmark";
-  world.body = "mitten";
-  world.seed = seed;
-  return world;
-}
-
 }  // namespace cli

@@ -26,7 +26,4 @@ class FullWorld {
   std::size_t contacts_ = 0;
 };
 
-// The world in which the original was measured; for a BareWorld with a dense Jacobian.
-WorldOptions reference_world(std::uint64_t seed);
-
 }  // namespace cli

@@ -1,11 +1,13 @@
 #include "paper.h"
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 
 #include "full_world.h"
 #include "progress.h"
+#include "reference.h"
 #include "text.h"
 #include "timing.h"
 
@@ -30,7 +32,8 @@ struct Row {
   double step_ms, reference_us, realtime;
   std::vector<std::pair<std::string, double>> split;
 
-  double reference_steps() const { return step_ms * 1e3 / reference_us; }
+  // Not a number where there is no reference.
+  double reference_steps() const { return reference_us > 0 ? step_ms * 1e3 / reference_us : std::nan(""); }
 };
 
 Row measure(const Cell& cell, const PaperOptions& options, Progress& progress, std::size_t done) {
@@ -39,15 +42,15 @@ Row measure(const Cell& cell, const PaperOptions& options, Progress& progress, s
   world.vision = cell.vision;
   world.touch = cell.touch;
   FullWorld full(world, episodes * kSteps);
-  BareWorld reference(reference_world(0), MIMO_JACOBIAN_DENSE, episodes * kSteps / kTurn * kReferenceTurn);
-  RandomActions actions(full.env(), 0), reference_actions(reference.env(), 0);
+  Reference reference(0, episodes * kSteps / kTurn * kReferenceTurn);
+  RandomActions actions(full.env(), 0);
   full.warm_up(draw(actions, 1));
-  reference.warm_up(draw(reference_actions, 1));
+  reference.warm_up();
   for (std::size_t episode = 0; episode < episodes; ++episode) {
     full.reset(episode);
     for (std::size_t step = 0; step < kSteps; step += kTurn) {
       full.run(draw(actions, kTurn));
-      reference.run(draw(reference_actions, kReferenceTurn));
+      reference.run(kReferenceTurn);
       progress.show(done += kTurn);
     }
   }

@@ -1,5 +1,6 @@
 // mimo rollout: applies a stored control sequence and writes down the states.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -29,6 +30,8 @@ mimo_env_config config_of(const RolloutOptions& options) {
   if (options.no_gravity) config.disable |= MIMO_DISABLE_GRAVITY;
   if (options.jacobian == "dense") config.jacobian = MIMO_JACOBIAN_DENSE;
   if (options.jacobian == "sparse") config.jacobian = MIMO_JACOBIAN_SPARSE;
+  config.frame_skip = 1;                                          // a row of controls each
+  if (options.world.actuation != "torque") config.task = "none";  // which such a step would evaluate
   return config;
 }
 
@@ -117,34 +120,76 @@ class Recording {
   std::vector<State> states_;
 };
 
-// The actuators that the columns of a file are for.
-std::vector<std::int32_t> find_actuators(const Env& env, const ControlTable& controls, const std::string& path) {
-  std::vector<std::int32_t> actuators;
+// What the columns of a file are for.
+template <typename Find>
+auto find_columns(const ControlTable& controls, const std::string& path, Find&& find) {
+  std::vector<decltype(find(controls.names[0]))> columns;
   for (const std::string& name : controls.names) {
     try {
-      actuators.push_back(env.find(MIMO_ACTUATOR, name));
-    } catch (const MimoError& error) {
+      columns.push_back(find(name));
+    } catch (const Failure& error) {
       throw Failure(path + ", line 1: " + error.what());
     }
   }
-  return actuators;
+  return columns;
 }
 
+// Control inputs as they are, of any actuator.
+class Motors {
+ public:
+  Motors(const Env& env, const ControlTable& controls, const std::string& path)
+      : actuators_(find_columns(controls, path, [&](const auto& name) { return env.find(MIMO_ACTUATOR, name); })) {}
+
+  void step(Env& env, const std::vector<double>& row) {
+    env.set(MIMO_ACTUATOR_CONTROL, actuators_, row);
+    env.physics_step(1);
+  }
+
+ private:
+  std::vector<std::int32_t> actuators_;
+};
+
+// Targets of joints or activations of muscles, clipped to their bounds.
+class Actions {
+ public:
+  Actions(const Env& env, const ControlTable& controls, const std::string& path)
+      : names_(env.action_names()),
+        columns_(find_columns(controls, path, [&](const auto& name) { return index(name); })),
+        action_(names_.size()) {}
+
+  void step(Env& env, const std::vector<double>& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) action_[columns_[i]] = static_cast<float>(row[i]);
+    env.step(action_, nothing_);
+  }
+
+ private:
+  std::size_t index(const std::string& name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) throw Failure("no action is called '" + name + "'");
+    return static_cast<std::size_t>(found - names_.begin());
+  }
+
+  std::vector<std::string> names_;
+  std::vector<std::size_t> columns_;
+  std::vector<float> action_;
+  Block nothing_{0};
+};
+
+template <typename Controls>
 void roll_out(const RolloutOptions& options) {
-  const ControlTable controls = read_controls(options.controls);
+  const ControlTable table = read_controls(options.controls);
   Env env = open_bare_world(options.world, config_of(options));
-  const auto actuators = find_actuators(env, controls, options.controls);
+  Controls controls(env, table, options.controls);
   Recording recording(env);
   {
-    Progress progress(controls.rows.size());
-    for (std::size_t step = 0; step < controls.rows.size(); ++step) {
+    Progress progress(table.rows.size());
+    for (std::size_t step = 0; step < table.rows.size(); ++step) {
       if (step % options.every == 0) recording.add(env, step);
-      env.set(MIMO_ACTUATOR_CONTROL, actuators, controls.rows[step]);
-      env.physics_step(1);
+      controls.step(env, table.rows[step]);
       progress.show(step + 1);
     }
   }
-  recording.add(env, controls.rows.size());
+  recording.add(env, table.rows.size());
   recording.write(options.out);
 }
 
@@ -154,11 +199,13 @@ void add_rollout(CLI::App& program) {
   auto options = std::make_shared<RolloutOptions>();
   CLI::App* command = program.add_subcommand("rollout", "Apply stored motor commands and write down the states");
   add_scene_options(*command, options->world);
-  options->world.actuation = "torque";  // controls are the motors' own
+  options->world.actuation = "torque";
+  add_actuation_option(*command, options->world);
   command
       ->add_option("--controls", options->controls,
                    "A header of actuator names, then a row of numbers a physics step;\n"
-                   "actuators that are not named stay at 0")
+                   "actuators that are not named stay at 0. With another --actuation than\n"
+                   "torque: names of actions")
       ->type_name("FILE.csv")
       ->required();
   command->add_option("--out", options->out, "The states")->type_name("FILE.json")->required();
@@ -182,7 +229,8 @@ void add_rollout(CLI::App& program) {
       "free:<body>.\n"
       "Example:\n"
       "  mimo rollout --controls controls.csv --every 20 --out states.json");
-  command->callback([options] { roll_out(*options); });
+  command->callback(
+      [options] { options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<Actions>(*options); });
 }
 
 }  // namespace cli

@@ -11,8 +11,10 @@
 namespace cli {
 namespace {
 
-constexpr std::size_t kTurn = 5;        // steps of the batch between two looks at the others
-constexpr std::size_t kBareTurn = 100;  // steps of each bare world in a turn
+constexpr std::size_t kBareTurn = 100;  // steps of each bare world between two looks at the others
+
+// Steps of a batch in a turn: long enough for caches to be those of its worlds, short enough for turns to be many.
+constexpr std::size_t turn_of(std::size_t worlds) { return std::max<std::size_t>(5, 100 / worlds); }
 
 std::unique_ptr<mimo_batch, void (*)(mimo_batch*)> open_batch(const WorldOptions& options, int worlds, int threads) {
   auto env = make_env_config();
@@ -107,12 +109,13 @@ Scaling::Scaling(const WorldOptions& options, std::size_t steps, int worlds, int
 
 // Everything takes turns, so that a busy machine slows all alike; ratios are of medians.
 void Scaling::run() {
-  for (BatchWorld* batch : {&with_threads_, &with_one_}) batch->step(actions_.draw());
+  const auto first = actions_.draw();  // the same for both: they have to go the same way
+  for (BatchWorld* batch : {&with_threads_, &with_one_}) batch->step(first);
   for (const auto& bare : bare_) bare->warm_up(draw(actions_, kBareTurn));
   with_threads_.forget_times();
   Progress progress(steps_);
   for (std::size_t done = 0; done < steps_;) {
-    const std::size_t turn = std::min(kTurn, steps_ - done);
+    const std::size_t turn = std::min(turn_of(worlds_), steps_ - done);
     const Actions actions = draw(actions_, turn);
     run_batch(with_threads_, actions, step_with_threads_, true);
     if (threads_ > 1) {

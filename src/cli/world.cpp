@@ -200,7 +200,8 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
 void add_actuation_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--actuation", options.actuation,
-                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: the scene's own")
+                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: " +
+                      (options.actuation.empty() ? "the scene's own" : options.actuation))
       ->type_name("NAME")
       ->check(CLI::IsMember(kActuations));
 }

@@ -4,9 +4,12 @@
 // The world is the benchmark scene under random-like motor commands. In turns
 // are measured: the sense, one mj_step of the same scene with a dense Jacobian
 // (the reference step), and the plain zeroing of the sense's output.
+//
+//   bench_touch [steps, 2000 by default]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <vector>
@@ -47,7 +50,7 @@ void bench_setup(double scale) {
   std::printf("set-up at scale %g: %zu sensors in %.1f ms\n", scale, sensors, 1e3 * seconds);
 }
 
-void bench_step(double scale, bool all_outputs) {
+void bench_step(double scale, bool all_outputs, int steps) {
   senses::TouchOptions options;
   options.slip = options.friction_use = all_outputs;
   senses::Touch sense(make_skin(scale), options);
@@ -64,7 +67,7 @@ void bench_step(double scale, bool all_outputs) {
   engine::Physics reference(benchmark_model(), dense);
   std::vector<double> sensing, zeroing, stepping;
   double contacts = 0;
-  for (int step = 0; step < 2000; ++step) {
+  for (int step = 0; step < steps; ++step) {
     const std::vector<float> actions = some_actions(*world, step / 10);
     world->step(actions, nullptr, {});
     std::copy_n(world->data().ctrl, world->model().nu, reference.data().ctrl);
@@ -79,16 +82,17 @@ void bench_step(double scale, bool all_outputs) {
       "scale %g%s: %.1f contacts, touch %.2f us, of which zeroing %.2f "
       "us; beyond that %.2f us = %.4f x two "
       "reference steps of %.1f us (medians)\n",
-      scale, all_outputs ? ", all outputs" : "", contacts / 2000, 1e6 * median(sensing), 1e6 * median(zeroing),
+      scale, all_outputs ? ", all outputs" : "", contacts / steps, 1e6 * median(sensing), 1e6 * median(zeroing),
       1e6 * felt, felt / (2 * median(stepping)), 1e6 * median(stepping));
 }
 
 }  // namespace
 }  // namespace mimo::test
 
-int main() {
+int main(int argc, char** argv) {
+  const int steps = argc > 1 ? std::max(1, std::atoi(argv[1])) : 2000;
   mimo::test::make_skin(0.1);  // compiles the model
   for (const double scale : {1.0, 2.0, 4.0}) mimo::test::bench_setup(scale);
-  for (const double scale : {1.0, 2.0, 4.0}) mimo::test::bench_step(scale, false);
-  mimo::test::bench_step(1, true);
+  for (const double scale : {1.0, 2.0, 4.0}) mimo::test::bench_step(scale, false, steps);
+  mimo::test::bench_step(1, true, steps);
 }

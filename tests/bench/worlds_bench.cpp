@@ -1,7 +1,7 @@
 // What a further world of a batch costs in resident memory, against its mjData and its block; and how long saving and
 // loading a state takes; and what a batch on one thread costs beyond stepping its worlds one after the other.
 //
-//   cmake --build build --target bench_worlds && build/bin/bench_worlds
+//   cmake --build build --target bench_worlds && build/bin/bench_worlds [SCENE...]
 #include <unistd.h>
 
 #include <algorithm>
@@ -109,8 +109,10 @@ void bench_overhead(const char* scene) {
 }  // namespace
 }  // namespace mimo::test
 
-int main() {
-  for (const char* scene : {"reach", "benchmark"}) {
+int main(int argc, char** argv) {
+  std::vector<const char*> scenes(argv + 1, argv + argc);
+  if (scenes.empty()) scenes = {"reach", "benchmark"};
+  for (const char* scene : scenes) {
     mimo::test::bench_memory(scene);
     mimo::test::bench_state(scene);
     mimo::test::bench_overhead(scene);

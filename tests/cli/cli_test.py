@@ -275,6 +275,20 @@ class Rollout(Case):
             self.assertEqual(state["xpos"]["mimo_location"], state["qpos"]["mimo_orientation"][:3])
             self.assertEqual(state["xpos"]["test_object1"], state["qpos"]["free:test_object1"][:3])
 
+    def test_targets_and_muscles(self):
+        # Without gravity and contacts the elbow goes where it is told to, and where the stronger muscle pulls it.
+        elbow, floating = "robot:left_elbow", ("--no-gravity", "--no-contact")
+        target = self.write("target.csv", "act:left_elbow\n" + "-1\n" * 300)
+        states = self.rollout(target, "--actuation", "position", *floating, "--every", "300")
+        self.assertAlmostEqual(states[-1]["qpos"][elbow][0], -1, delta=0.15)
+        ends = []
+        for side in ("negative", "positive"):
+            pull = self.write("pull.csv", "act:left_elbow/%s\n" % side + "1\n" * 40)
+            ends.append(self.rollout(pull, "--actuation", "muscle", *floating, "--every", "40")[-1]["qpos"][elbow][0])
+        self.assertLess(ends[0], ends[1] - 0.1)
+        self.assertIn("act:left_elbow", self.mimo("rollout", "--actuation", "muscle", "--controls", target, "--out",
+                                                  "a.json", code=1))
+
     def test_keeping_states_does_not_change_them(self):
         often = self.rollout(self.golden_controls(60))
         seldom = self.rollout(self.golden_controls(60), "--every", "30")
@@ -528,6 +542,19 @@ class Bench(Case):
         self.assertIn(result["allocations_per_step"], (0, None))
         one_thread = self.bench("--scene", "reach", "--vision", "off", "--steps", "3", "--worlds", "2")
         self.assertNotIn("scaling", one_thread)
+
+    def test_actuation(self):
+        # A warning would say that the twin without senses went another way.
+        for actuation in ("position", "muscle", "mujoco-muscle"):
+            result = self.bench("--vision", "off", "--steps", "120", "--actuation", actuation)
+            self.assertGreater(result["raw_physics_us"], 0)
+            self.assertIn(result["allocations_per_step"], (0, None))
+
+    def test_what_a_cost_depends_on(self):
+        result = self.bench("--vision", "off", "--steps", "2", "--scene", "playdate")
+        # Two infants, and no ball: 2 x (6 + 44), see test_several_infants for joints that do not act.
+        self.assertEqual((result["agents"], result["frame_skip"], result["pixels"]), (2, 2, 0))
+        self.assertEqual(self.bench("--vision", "off", "--steps", "2")["degrees_of_freedom"], 65)
 
     def test_more_threads_than_worlds(self):
         self.assertIn("--threads", self.mimo("bench", "--worlds", "2", "--threads", "3", code=1))
