@@ -237,6 +237,58 @@ TEST(Catch, StateHoldsTheBall) {
   EXPECT_EQ(copy(world->data().qpos, world->model().nq), copy(twin->data().qpos, twin->model().nq));
 }
 
+// What the muscles are told when they are told `action`, over some steps; muscles follow with 10 ms.
+std::vector<std::vector<double>> told(World& world, std::uint64_t seed, float action, int steps) {
+  Observation observation(world);
+  world.reset(&seed, nullptr);
+  std::vector<std::vector<double>> values;
+  for (int step = 0; step < steps; ++step) {
+    world.step(std::vector<float>(world.action_size(), action), observation.data(), {});
+    const auto activations = observation["proprioception/activation"];
+    values.emplace_back(activations.begin(), activations.end());
+  }
+  return values;
+}
+
+TEST(Catch, JitterMultipliesActions) {
+  const auto world = catching({{"jitter", 0.2}, {"ends", 0}}), twin = catching({{"jitter", 0.2}, {"ends", 0}});
+  const auto values = told(*world, 3, 0.5F, 200);
+  std::set<double> seen;
+  int changes = 0;
+  for (std::size_t step = 12; step < values.size(); ++step) {
+    for (const double value : values[step]) {
+      EXPECT_GE(value, 0.4 - 1e-3);
+      EXPECT_LE(value, 0.6 + 1e-3);
+    }
+    seen.insert(values[step].begin(), values[step].end());
+    const bool settled = std::abs(values[step][0] - values[step - 1][0]) < 0.2 * 0.5 * 1e-3;
+    const bool was = std::abs(values[step - 1][0] - values[step - 2][0]) < 0.2 * 0.5 * 1e-3;
+    changes += was && !settled;
+  }
+  EXPECT_LT(*seen.begin(), 0.42) << "of 40 factors, each a number of its own";
+  EXPECT_GT(*seen.rbegin(), 0.58);
+  EXPECT_GE(changes, 188 / 50 - 1) << "every 10 to 50 steps";
+  EXPECT_LE(changes, 188 / 10 + 1);
+  EXPECT_EQ(told(*twin, 3, 0.5F, 200), values) << "from the world's seed";
+  EXPECT_NE(told(*twin, 4, 0.5F, 200), values);
+  for (const auto& step : told(*world, 3, 1, 60)) {
+    EXPECT_LE(*std::max_element(step.begin(), step.end()), 1) << "clipped";
+  }
+}
+
+TEST(Catch, StateHoldsTheJitter) {
+  const auto world = catching({{"jitter", 0.2}, {"ends", 0}}), twin = catching({{"jitter", 0.2}, {"ends", 0}});
+  told(*world, 3, 0.5F, 25);
+  std::vector<std::uint8_t> state(world->state_bytes());
+  world->save(Span<std::uint8_t>(state));
+  twin->load(Span<const std::uint8_t>(state));
+  for (int i = 0; i < 60; ++i) {
+    world->step(closing(*world), nullptr, {});
+    twin->step(closing(*twin), nullptr, {});
+  }
+  EXPECT_EQ(copy(world->data().qpos, world->model().nq), copy(twin->data().qpos, twin->model().nq));
+}
+
 TEST(Catch, MotorsDoAsWellAsMuscles) {
   const auto world = catching({}, actuation::Mode::kTorque);
   EXPECT_EQ(world->action_size(), 20u);
