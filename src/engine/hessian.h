@@ -12,7 +12,7 @@ namespace mimo::engine {
 // Where two parts of one body touch that is all that moves both alike, which is most of it.
 struct Block {
   int row, rows, width;
-  const int* columns;    // ascending
+  const int* columns;    // ascending, as MuJoCo keeps them
   const double* values;  // rows x width
 };
 

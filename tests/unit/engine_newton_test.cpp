@@ -79,7 +79,7 @@ constexpr char kZoo[] = R"(<mujoco>
     <body name="hung" pos="-1 0 0.5"><freejoint/><geom size="0.05"/></body>
     <body name="slider" pos="0 1 0.2"><joint type="slide" name="slide" axis="1 0 0"/><geom size="0.05"/></body>
   </worldbody>
-  <tendon><fixed name="sum" limited="true" range="-0.2 0.2" frictionloss="0.05"><joint joint="b" coef="1"/><joint joint="c" coef="1"/></fixed></tendon>
+  <tendon><fixed name="sum" limited="true" range="-0.2 0.2" frictionloss="0.05"><joint joint="c" coef="1"/><joint joint="b" coef="1"/></fixed></tendon>
   <equality>
     <weld body1="welded"/>
     <connect body1="hung" anchor="0 0 0.2"/>
