@@ -8,8 +8,8 @@ function world = mimo_create(scene, varargin)
 %   of mimo.h's structs, where all are explained:
 %     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_width, vision_height, vision_fovy, touch (1
 %                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception,
-%                  vestibular, limit_threshold, actuation (1: by angles), acts, normalize_actions, body, face, position,
-%                  orientation (w x y z); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
+%                  vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts, normalize_actions, body,
+%                  face, position, orientation (w x y z); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
 %     no infant    root (with body "scene": a body of the MJCF file, with all below it), vestibular_at
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads

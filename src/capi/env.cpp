@@ -49,9 +49,10 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   require(config.jacobian >= MIMO_JACOBIAN_MODEL && config.jacobian <= MIMO_JACOBIAN_SPARSE,
           "jacobian is {}, expected a MIMO_JACOBIAN_ constant, 0 to 2", config.jacobian);
   options.physics.jacobian = static_cast<engine::Jacobian>(config.jacobian);
-  check_bits(config.disable, MIMO_DISABLE_CONTACT | MIMO_DISABLE_GRAVITY, "disable");
+  check_bits(config.disable, MIMO_DISABLE_CONTACT | MIMO_DISABLE_GRAVITY | MIMO_DISABLE_OWN_SOLVER, "disable");
   options.physics.contacts = (config.disable & MIMO_DISABLE_CONTACT) == 0;
   options.physics.gravity = (config.disable & MIMO_DISABLE_GRAVITY) == 0;
+  options.physics.own_solver = (config.disable & MIMO_DISABLE_OWN_SOLVER) == 0;
   options.renderer = text(config.renderer);
   const auto known = {"auto", "ray", "osmesa", "none"};
   require(std::find(known.begin(), known.end(), options.renderer) != known.end(),

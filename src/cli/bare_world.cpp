@@ -8,6 +8,7 @@ namespace {
 mimo_env_config bare_config(std::int32_t jacobian) {
   auto config = make_env_config();
   config.jacobian = jacobian;
+  config.disable = MIMO_DISABLE_OWN_SOLVER;  // bare means mj_step and nothing else
   return config;
 }
 
@@ -39,6 +40,13 @@ void BareWorld::run(const Actions& actions) {
     const auto start = Clock::now();
     step(action);
     times_.add(seconds_since(start) / frame_skip);
+  }
+}
+
+void BareWorld::go_to(const Env& other) {
+  const auto joints = env_.ids(MIMO_JOINT);
+  for (const std::int32_t quantity : {MIMO_JOINT_POSITION, MIMO_JOINT_VELOCITY}) {
+    env_.set(quantity, joints, other.get(quantity, joints));
   }
 }
 

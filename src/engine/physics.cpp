@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/newton.h"
 
 namespace mimo::engine {
 namespace {
@@ -47,6 +48,7 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
     : shared_(std::move(model)), model_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
   apply(options, model_.opt);
+  step_ = options.own_solver && newton_step_serves(model_) ? newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
   positions_.resize(static_cast<std::size_t>(model_.nq));
   start_.assign(model_.qpos0, model_.qpos0 + model_.nq);
@@ -74,7 +76,7 @@ void Physics::step(int count, bool sensors) {
     for (int i = 0; i < count && !diverged(*data_); ++i) {
       step_time_ = data_->time;
       model_.opt.disableflags = sensors && i + 1 == count ? flags : flags | mjDSBL_SENSOR;
-      mj_step(&model_, data_.get());
+      step_(&model_, data_.get());
     }
   });
   model_.opt.disableflags = flags;

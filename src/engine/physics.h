@@ -23,6 +23,7 @@ struct PhysicsOptions {
   Jacobian jacobian = Jacobian::kModel;
   bool contacts = true;
   bool gravity = true;
+  bool own_solver = true;  // where the model allows
 };
 
 class Physics {
@@ -99,6 +100,7 @@ class Physics {
   std::array<int, mjNWARNING> warned_{};
   std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
   double step_time_ = 0;  // when the step in progress started; MuJoCo sets a diverged world's time back
+  void (*step_)(const mjModel*, mjData*);  // mj_step, or the same with our own solver
   bool failed_ = false;
 };
 

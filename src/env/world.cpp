@@ -131,7 +131,8 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   const Stopwatch total(options_.timing, timing_.total);
   if (!actions.empty()) {
     for (const Agent& agent : agents_) {
-      agent.actuation->apply(actions.part(agent.action_offset, agent.actuation->size()), physics_);
+      const auto own = actions.part(agent.action_offset, agent.actuation->size());
+      agent.actuation->apply(agent.task->disturb(own, random_), physics_);
     }
   }
   for (int i = 0; i < options_.frame_skip; ++i) {

@@ -32,8 +32,13 @@ constexpr Parameter kParameters[] = {
     {"catch/z_spread", 0.08, 0, 1, "up and down, m"},
     {"catch/settle_steps", 50, 0, 10000, "Physics steps without gravity and without commands before the ball falls"},
     {"catch/track_target", 1, 0, 1, "1: head and eyes follow the ball"},
+    {"catch/jitter", 0, 0, 1,
+     "Each action is multiplied by 1 plus or minus this at most, drawn anew every 10 to 50 steps"},
     {"catch/gaze_error", 0, 0, 1, "They look this far beside it at most, along each axis; drawn for each episode, m"},
 };
+
+// Steps for which the factors of the actions stay.
+constexpr std::uint64_t kJitterShortest = 10, kJitterLongest = 50;
 
 // The infant knows how large the ball is.
 class RadiusSense : public senses::Sense {
@@ -61,6 +66,7 @@ class Catch : public Task {
  public:
   Catch(const mjModel& model, const body::Body& body, const Settings& settings);
   void reset(engine::Physics& physics, Random& random) override;
+  Span<const float> disturb(Span<const float> actions, Random& random) override;
   void watch(const engine::Physics& physics) override { touched_ = touched_ || touches(physics, skin_, ball_); }
   void evaluate(const engine::Physics& physics) override;
   void follow(engine::Physics& physics) override;
@@ -82,7 +88,7 @@ class Catch : public Task {
   Gaze gaze_;
   std::uint64_t hold_steps_;
   double lost_below_, lost_beyond_, contact_reward_, success_reward_, failure_reward_, effort_weight_;
-  double radius_low_, radius_high_, mass_low_, mass_high_, gaze_error_;
+  double radius_low_, radius_high_, mass_low_, mass_high_, gaze_error_, jitter_;
   Eigen::Vector3d spread_;
   int settle_steps_;
   bool track_;
@@ -90,6 +96,8 @@ class Catch : public Task {
   bool touched_ = false;
   std::uint64_t held_ = 0;  // steps in a row
   Eigen::Vector3d gaze_offset_ = Eigen::Vector3d::Zero();
+  std::uint64_t jitter_seed_ = 0, jitter_left_ = 0;  // where the present factors come from, and for how many steps
+  std::vector<float> disturbed_;
 };
 
 Catch::Catch(const mjModel& model, const body::Body& body, const Settings& settings)
@@ -123,6 +131,8 @@ Catch::Catch(const mjModel& model, const body::Body& body, const Settings& setti
   settle_steps_ = static_cast<int>(get("settle_steps"));
   track_ = get("track_target") != 0;
   gaze_error_ = get("gaze_error");
+  jitter_ = get("jitter");
+  disturbed_.reserve(2 * body.actuators.size());  // steps allocate nothing; a motor has two muscles at most
 }
 
 void Catch::reset(engine::Physics& physics, Random& random) {
@@ -137,6 +147,23 @@ void Catch::reset(engine::Physics& physics, Random& random) {
   if (track_) gaze_.look_at(position(physics, ball_) + gaze_offset_, physics);
   touched_ = false;
   held_ = 0;
+  jitter_left_ = 0;
+}
+
+// The factors are kept as the seed that they are drawn from.
+Span<const float> Catch::disturb(Span<const float> actions, Random& random) {
+  if (jitter_ == 0) return actions;
+  if (jitter_left_ == 0) {
+    jitter_seed_ = random.next();
+    jitter_left_ = kJitterShortest + random.next() % (kJitterLongest - kJitterShortest + 1);
+  }
+  --jitter_left_;
+  Random factors(jitter_seed_);
+  disturbed_.clear();
+  for (const float action : actions) {
+    disturbed_.push_back(action * static_cast<float>(factors.uniform(1 - jitter_, 1 + jitter_)));
+  }
+  return disturbed_;
 }
 
 // The pose is a sketch: weightless, it comes to rest where welds and locks want it.
@@ -175,6 +202,8 @@ void Catch::save(ByteWriter& to) const {
   to.put(touched_);
   to.put(held_);
   to.put(Span<const double>(gaze_offset_.data(), 3));
+  to.put(jitter_seed_);
+  to.put(jitter_left_);
 }
 
 void Catch::load(ByteReader& from) {
@@ -182,6 +211,8 @@ void Catch::load(ByteReader& from) {
   touched_ = from.take_flag();
   held_ = from.take<std::uint64_t>();
   for (double& offset : gaze_offset_) offset = from.take_finite("the gaze's error");
+  jitter_seed_ = from.take<std::uint64_t>();
+  jitter_left_ = from.take<std::uint64_t>();
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ class Task {
 
   // The world is at its start, at rest; whoever calls computes everything anew afterwards.
   virtual void reset(engine::Physics&, Random&) {}
+  // Before a step: what becomes of the infant's actions. What is returned lasts until the next call.
+  virtual Span<const float> disturb(Span<const float> actions, Random&) { return actions; }
   // After each physics step of an environment step, for what may be over when the last one is done.
   virtual void watch(const engine::Physics&) {}
   // Before the evaluation: what the step's commands cost (actuation::Actuation::effort).

@@ -50,7 +50,7 @@ static void check_making(void) {
   } while (0)
   NO_ENV("frame_skip is 1001, expected 1 to 1000, or 0", frame_skip, 1001, 0);
   NO_ENV("jacobian is 3", jacobian, 3, 0);
-  NO_ENV("disable is 0x4", disable, 4, 0);
+  NO_ENV("disable is 0x8", disable, 8, 0);
   NO_ENV("renderer is \"paper\"", renderer, "paper", "auto");
   NO_ENV("timing is 2", timing, 2, 0);
   config.task = "fly";

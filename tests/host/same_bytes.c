@@ -120,6 +120,7 @@ static void run(const char* name, uint32_t vision) {
   uint8_t *expected, *actual, *before;
   int step, changed = 0, pressed = 0;
   CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.disable = MIMO_DISABLE_OWN_SOLVER; /* the host calls mj_step */
   config.frame_skip = FRAME_SKIP;
   CHECK_OK(mimo_env_create(scene, &config, &env));
   CHECK_OK(mimo_senses_attach(scene, &config, model, mj_version(), sizeof(mjModel), sizeof(mjData), &senses));

@@ -138,7 +138,7 @@ ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_
 #define ENV(f, n) BAD_FIELD(env_config, mimo_env_config, f, n, #f)
 ROW(mimo_env_create, ON_SCENE, mimo_env_create(a->scene, a->env_config, a->made_env), NULL_OK(env_config),
     NO_NULL(made_env, "env"), CONFIG(env_config, mimo_env_config, "config"), ENV(frame_skip, 1001), ENV(frame_skip, -1),
-    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 4), ENV(disable, -1), ENV(timing, 2), ENV(render, 32),
+    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 8), ENV(disable, -1), ENV(timing, 2), ENV(render, 32),
     ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65), ENV(render_threads, -1), ENV(reserved, 1),
     DO(unknown_renderer, E_ARG, "crayons"), DO(unknown_task, MIMO_E_NOT_FOUND, "homework"),
     DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"), DO(no_renderer, E_ARG, "renderer"))

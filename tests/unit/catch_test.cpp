@@ -81,7 +81,8 @@ std::vector<float> closing(const World& world) {
 }
 
 struct Episode {
-  int steps = 0, contacts = 0;
+  int steps = 0;
+  int contacts = 0;  // in a row, up to the end
   double total = 0;
   bool terminated = false, truncated = false;
 };
@@ -95,7 +96,7 @@ Episode play(World& world, std::uint64_t seed, Policy&& policy) {
     std::uint8_t terminated = 2, truncated = 2;
     world.step(policy(world), nullptr, {{&reward, 1}, {&terminated, 1}, {&truncated, 1}});
     ++episode.steps;
-    episode.contacts += term(world, "contact") > 0;
+    episode.contacts = term(world, "contact") > 0 ? episode.contacts + 1 : 0;
     episode.total += reward;
     episode.terminated = terminated == 1;
     episode.truncated = truncated == 1;
@@ -125,7 +126,7 @@ TEST(Catch, AClosingHandCatchesAndHolds) {
     EXPECT_NE(task_of(*world).success(), task_of(*world).failure());
     if (!task_of(*world).success()) continue;
     ++caught;
-    EXPECT_GE(episode.contacts, 100) << "held for a second";
+    EXPECT_EQ(episode.contacts, 100) << "steps in a row: held for a second, and not for longer";
     EXPECT_GT(episode.total, 150) << "100 for success, 1 for each step with the ball, less the effort";
     EXPECT_LT((place_of(*world, "target") - place_of(*world, "right_hand")).norm(), 0.06);
   }
@@ -233,6 +234,58 @@ TEST(Catch, StateHoldsTheBall) {
     world->step(closing(*world), nullptr, {});
     twin->step(closing(*twin), nullptr, {});
     EXPECT_EQ(task_of(*world).reward(), task_of(*twin).reward());
+  }
+  EXPECT_EQ(copy(world->data().qpos, world->model().nq), copy(twin->data().qpos, twin->model().nq));
+}
+
+// What the muscles are told when they are told `action`, over some steps; muscles follow with 10 ms.
+std::vector<std::vector<double>> told(World& world, std::uint64_t seed, float action, int steps) {
+  Observation observation(world);
+  world.reset(&seed, nullptr);
+  std::vector<std::vector<double>> values;
+  for (int step = 0; step < steps; ++step) {
+    world.step(std::vector<float>(world.action_size(), action), observation.data(), {});
+    const auto activations = observation["proprioception/activation"];
+    values.emplace_back(activations.begin(), activations.end());
+  }
+  return values;
+}
+
+TEST(Catch, JitterMultipliesActions) {
+  const auto world = catching({{"jitter", 0.2}, {"ends", 0}}), twin = catching({{"jitter", 0.2}, {"ends", 0}});
+  const auto values = told(*world, 3, 0.5F, 200);
+  std::set<double> seen;
+  int changes = 0;
+  for (std::size_t step = 12; step < values.size(); ++step) {
+    for (const double value : values[step]) {
+      EXPECT_GE(value, 0.4 - 1e-3);
+      EXPECT_LE(value, 0.6 + 1e-3);
+    }
+    seen.insert(values[step].begin(), values[step].end());
+    const bool settled = std::abs(values[step][0] - values[step - 1][0]) < 0.2 * 0.5 * 1e-3;
+    const bool was = std::abs(values[step - 1][0] - values[step - 2][0]) < 0.2 * 0.5 * 1e-3;
+    changes += was && !settled;
+  }
+  EXPECT_LT(*seen.begin(), 0.42) << "of 40 factors, each a number of its own";
+  EXPECT_GT(*seen.rbegin(), 0.58);
+  EXPECT_GE(changes, 188 / 50 - 1) << "every 10 to 50 steps";
+  EXPECT_LE(changes, 188 / 10 + 1);
+  EXPECT_EQ(told(*twin, 3, 0.5F, 200), values) << "from the world's seed";
+  EXPECT_NE(told(*twin, 4, 0.5F, 200), values);
+  for (const auto& step : told(*world, 3, 1, 60)) {
+    EXPECT_LE(*std::max_element(step.begin(), step.end()), 1) << "clipped";
+  }
+}
+
+TEST(Catch, StateHoldsTheJitter) {
+  const auto world = catching({{"jitter", 0.2}, {"ends", 0}}), twin = catching({{"jitter", 0.2}, {"ends", 0}});
+  told(*world, 3, 0.5F, 25);
+  std::vector<std::uint8_t> state(world->state_bytes());
+  world->save(Span<std::uint8_t>(state));
+  twin->load(Span<const std::uint8_t>(state));
+  for (int i = 0; i < 60; ++i) {
+    world->step(closing(*world), nullptr, {});
+    twin->step(closing(*twin), nullptr, {});
   }
   EXPECT_EQ(copy(world->data().qpos, world->model().nq), copy(twin->data().qpos, twin->model().nq));
 }

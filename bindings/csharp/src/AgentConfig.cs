@@ -28,7 +28,7 @@ namespace Mimo
         public uint vision_width;
         /// <summary>Pixels, 1 to 4096.</summary>
         public uint vision_height;
-        /// <summary>0 torque, 1 position.</summary>
+        /// <summary>0 torque, 1 position, 2 muscles, 3 MuJoCo's muscles.</summary>
         public uint actuation;
         /// <summary>Vertical field of view, degrees; 0: the camera's own.</summary>
         public double vision_fovy;

@@ -102,6 +102,7 @@ class Disable(IntFlag):
 
     CONTACT = 0x1
     GRAVITY = 0x2
+    OWN_SOLVER = 0x4
 
 
 class Render(IntFlag):

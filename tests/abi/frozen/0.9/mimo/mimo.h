@@ -505,8 +505,9 @@ typedef struct mimo_env mimo_env;
 #define MIMO_JACOBIAN_DENSE 1  /**< As the original solves; for comparing trajectories to the last digit. */
 #define MIMO_JACOBIAN_SPARSE 2 /**< The same solution to rounding, about twice as fast. */
 
-#define MIMO_DISABLE_CONTACT 0x1u /**< No contacts. */
-#define MIMO_DISABLE_GRAVITY 0x2u /**< No gravity. */
+#define MIMO_DISABLE_CONTACT 0x1u    /**< No contacts. */
+#define MIMO_DISABLE_GRAVITY 0x2u    /**< No gravity. */
+#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< MuJoCo's mj_step as it is. Else constraints are solved by libmimo where the Jacobian is sparse: the same to rounding, and faster. */
 
 #define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
 #define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror what is before them. */

@@ -1,0 +1,136 @@
+#include "engine/newton.h"
+
+#include <mujoco/mujoco.h>
+
+#include "engine/hessian.h"
+#include "engine/line_search.h"
+#include "engine/solver_stack.h"
+
+namespace mimo::engine {
+namespace {
+
+// The search along a line ends at this part of the slope that ends the whole, as in MuJoCo.
+constexpr double kLineTolerance = 0.01;
+
+// What the search keeps besides data.qacc, which it moves.
+struct Search {
+  double* momentum;   // M qacc
+  double* violation;  // J qacc - aref
+  double* direction;
+  double* momentum_change;   // M direction
+  double* violation_change;  // J direction
+  double cost;               // Gauss's principle: half the square of M (qacc - qacc_smooth), and the constraints' part
+};
+
+void update_products(const mjModel& model, mjData& data, Search& search) {
+  mj_mulM(&model, &data, search.momentum, data.qacc);
+  mj_mulJacVec(&model, &data, search.violation, data.qacc);
+  mju_subFrom(search.violation, data.efc_aref, data.nefc);
+}
+
+// Forces, states and cost for where the search is.
+void update_constraints(const mjModel& model, mjData& data, Search& search) {
+  mj_constraintUpdate(&model, &data, search.violation, &search.cost, 1);
+  for (int i = 0; i < model.nv; ++i) {
+    search.cost += 0.5 * (search.momentum[i] - data.qfrc_smooth[i]) * (data.qacc[i] - data.qacc_smooth[i]);
+  }
+}
+
+// Starts from the last step's accelerations, or from those without constraints where these cost less.
+void choose_start(const mjModel& model, mjData& data, Search& search) {
+  double cold = 0;  // the part without constraints is then zero
+  mj_constraintUpdate(&model, &data, data.efc_b, &cold, 0);
+  const bool may_warm = (model.opt.disableflags & mjDSBL_WARMSTART) == 0;
+  mju_copy(data.qacc, may_warm ? data.qacc_warmstart : data.qacc_smooth, model.nv);
+  update_products(model, data, search);
+  update_constraints(model, data, search);
+  if (!(search.cost > cold)) return;
+  mju_copy(data.qacc, data.qacc_smooth, model.nv);
+  update_products(model, data, search);
+  update_constraints(model, data, search);
+}
+
+// Points the direction down the slope of the cost, and returns how steep that is.
+double descend(const mjModel& model, const mjData& data, const Search& search) {
+  for (int i = 0; i < model.nv; ++i) {
+    search.direction[i] = data.qfrc_smooth[i] + data.qfrc_constraint[i] - search.momentum[i];
+  }
+  return mju_norm(search.direction, model.nv);
+}
+
+// Goes along the direction as far as the cost falls. False if it does not.
+bool advance(const mjModel& model, mjData& data, const Hessian& hessian, Search& search, double scale) {
+  const double length = mju_norm(search.direction, model.nv);
+  if (length < mjMINVAL) return false;
+  multiply_inertia(hessian, search.direction, search.momentum_change);
+  mj_mulJacVec(&model, &data, search.violation_change, search.direction);
+  const Line line = {
+      search.violation, search.violation_change,
+      mju_dot(search.direction, search.momentum, model.nv) - mju_dot(search.direction, data.qfrc_smooth, model.nv),
+      mju_dot(search.direction, search.momentum_change, model.nv)};
+  const double tolerance = model.opt.tolerance * kLineTolerance * length / scale;
+  const double distance = find_least(data, line, tolerance);
+  if (distance == 0) return false;
+  mju_addToScl(data.qacc, search.direction, distance, model.nv);
+  mju_addToScl(search.momentum, search.momentum_change, distance, model.nv);
+  mju_addToScl(search.violation, search.violation_change, distance, data.nefc);
+  return true;
+}
+
+// Newton's method: each direction is the one that leads to the least cost if the states of constraints stay.
+void minimize(const mjModel& model, mjData& data, Search& search) {
+  const Blocks blocks = gather_blocks(data);
+  const Hessian hessian = make_hessian(model, data, blocks);
+  data.solver_nnz = hessian.starts[hessian.size];
+  const double scale = 1 / (model.stat.meaninertia * model.nv);
+  descend(model, data, search);
+  while (data.solver_iter < model.opt.iterations) {
+    factorize(hessian, data, blocks);
+    solve(hessian, search.direction);
+    if (!advance(model, data, hessian, search, scale)) return;
+    ++data.solver_iter;
+    const double before = search.cost;
+    update_constraints(model, data, search);
+    const double slope = scale * descend(model, data, search);
+    if (scale * (before - search.cost) < model.opt.tolerance || slope < model.opt.tolerance) return;
+  }
+}
+
+void solve_constraints(const mjModel& model, mjData& data) {
+  const int stack = data.pstack;
+  data.solver_iter = 0;
+  data.solver_nnz = 0;
+  if (data.nefc == 0) {
+    mju_copy(data.qacc, data.qacc_smooth, model.nv);
+    mju_zero(data.qfrc_constraint, model.nv);
+  } else {
+    mj_mulJacVec(&model, &data, data.efc_b, data.qacc_smooth);
+    mju_subFrom(data.efc_b, data.efc_aref, data.nefc);
+    Search search = {take<double>(data, model.nv), take<double>(data, data.nefc), take<double>(data, model.nv),
+                     take<double>(data, model.nv), take<double>(data, data.nefc), 0};
+    choose_start(model, data, search);
+    minimize(model, data, search);
+  }
+  mju_copy(data.qacc_warmstart, data.qacc, model.nv);
+  data.pstack = stack;
+}
+
+}  // namespace
+
+bool newton_step_serves(const mjModel& model) {
+  const mjOption& opt = model.opt;
+  return model.nv > 0 && mj_isSparse(&model) && opt.solver == mjSOL_NEWTON && opt.integrator == mjINT_EULER &&
+         opt.noslip_iterations == 0 && (opt.enableflags & mjENBL_FWDINV) == 0;
+}
+
+void newton_step(const mjModel* model, mjData* data) {
+  mj_step1(model, data);
+  mj_fwdActuation(model, data);
+  mj_fwdAcceleration(model, data);
+  solve_constraints(*model, *data);
+  mj_sensorAcc(model, data);
+  mj_checkAcc(model, data);
+  mj_Euler(model, data);
+}
+
+}  // namespace mimo::engine

@@ -1,0 +1,162 @@
+// Our solver against MuJoCo's own: what is expected of newton_step is what mj_step gives from the same state.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "engine/newton.h"
+#include "support/scenes.h"
+#include "support/tiny.h"
+
+namespace mimo::test {
+namespace {
+
+struct DeleteData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using Data = std::unique_ptr<mjData, DeleteData>;
+
+std::vector<double> copied(const double* values, int count) { return {values, values + count}; }
+
+// Both solvers stop when another step would gain less than 1e-10 of the cost. They come there by the same steps, so
+// that what remains is rounding.
+void expect_near(const double* expected, const double* actual, int count, double tolerance, const std::string& what) {
+  for (int i = 0; i < count; ++i) {
+    ASSERT_NEAR(actual[i], expected[i], tolerance * (1 + std::abs(expected[i]))) << what << " " << i;
+  }
+}
+
+// Steps under changing commands; each is taken twice from the same state. Returns the most constraints at a time.
+int compare(const mjModel& model, int steps) {
+  const Data theirs(mj_makeData(&model)), ours(mj_makeData(&model));
+  Random random(1);
+  int most = 0;
+  for (int step = 0; step < steps && !::testing::Test::HasFatalFailure(); ++step) {
+    for (int i = 0; i < model.nu; ++i) theirs->ctrl[i] = random.uniform(-1, 1);
+    mj_copyData(ours.get(), &model, theirs.get());
+    mj_step(&model, theirs.get());
+    engine::newton_step(&model, ours.get());
+    const std::string when = " after step " + std::to_string(step) + ", number";
+    EXPECT_EQ(ours->solver_iter, theirs->solver_iter) << when;
+    EXPECT_EQ(ours->nefc, theirs->nefc) << when;
+    EXPECT_EQ(ours->time, theirs->time);
+    expect_near(theirs->qpos, ours->qpos, model.nq, 1e-11, "position" + when);
+    expect_near(theirs->qvel, ours->qvel, model.nv, 1e-10, "velocity" + when);
+    expect_near(theirs->qacc_warmstart, ours->qacc_warmstart, model.nv, 1e-8, "acceleration" + when);
+    expect_near(theirs->efc_force, ours->efc_force, theirs->nefc, 1e-8, "force" + when);
+    expect_near(theirs->qfrc_constraint, ours->qfrc_constraint, model.nv, 1e-8, "joint force" + when);
+    expect_near(theirs->sensordata, ours->sensordata, model.nsensordata, 1e-8, "sensor" + when);
+    EXPECT_EQ(ours->pstack, 0);
+    most = std::max(most, theirs->nefc);
+  }
+  return most;
+}
+
+TEST(EngineNewton, MovesTheMittenBodyAsMujoco) { EXPECT_GT(compare(*benchmark_model(), 400), 100); }
+
+TEST(EngineNewton, MovesFiveFingersAsMujoco) {
+  EXPECT_GT(compare(*room_with_infant("benchmark", "fingers"), 250), 150);
+}
+
+// Everything that MuJoCo knows as a constraint, in one small model that never comes to rest.
+constexpr char kZoo[] = R"(<mujoco>
+  <option timestep="0.005" cone="CONE" jacobian="sparse" solver="Newton" iterations="50" tolerance="1e-10">
+    <flag energy="enable" warmstart="WARM"/>
+  </option>
+  <worldbody>
+    <geom type="plane" size="5 5 1" friction="0.6"/>
+    <body name="a" pos="0 0 0.3"><freejoint/><geom type="box" size="0.1 0.1 0.1" condim="6"/>
+      <body name="b" pos="0.2 0 0"><joint name="b" axis="0 1 0" limited="true" range="-20 20" frictionloss="0.3"/>
+        <geom type="capsule" fromto="0 0 0 0.2 0 0" size="0.04" condim="4"/>
+        <body name="c" pos="0.25 0 0"><joint name="c" axis="0 0 1" frictionloss="0.1"/>
+          <geom type="sphere" size="0.05" condim="1"/><site name="tip"/></body>
+      </body>
+    </body>
+    <body name="ball" pos="0 0.05 0.7"><joint type="ball" name="ball" limited="true" range="0 30"/>
+      <geom type="capsule" fromto="0 0 0 0 0 0.3" size="0.03"/></body>
+    <body name="welded" pos="1 0 0.5"><freejoint/><geom size="0.05"/></body>
+    <body name="hung" pos="-1 0 0.5"><freejoint/><geom size="0.05"/></body>
+    <body name="slider" pos="0 1 0.2"><joint type="slide" name="slide" axis="1 0 0"/><geom size="0.05"/></body>
+  </worldbody>
+  <tendon><fixed name="sum" limited="true" range="-0.2 0.2" frictionloss="0.05"><joint joint="c" coef="1"/><joint joint="b" coef="1"/></fixed></tendon>
+  <equality>
+    <weld body1="welded"/>
+    <connect body1="hung" anchor="0 0 0.2"/>
+    <joint joint1="slide" joint2="c" polycoef="0 0.2 0 0 0"/>
+  </equality>
+  <actuator><motor joint="b" gear="3"/><motor joint="c" gear="1"/><motor joint="slide" gear="2"/></actuator>
+  <sensor><accelerometer site="tip"/><force site="tip"/></sensor>
+</mujoco>)";
+
+class EngineNewtonZoo : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(EngineNewtonZoo, EveryConstraintIsAsMujocos) {
+  std::string xml = kZoo;
+  xml.replace(xml.find("CONE"), 4, std::get<0>(GetParam()));
+  xml.replace(xml.find("WARM"), 4, std::get<1>(GetParam()));
+  const engine::ModelPtr model = engine::compile(xml, {}, {});
+  ASSERT_TRUE(engine::newton_step_serves(*model));
+  EXPECT_GT(compare(*model, 600), 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, EngineNewtonZoo,
+                         ::testing::Combine(::testing::Values("elliptic", "pyramidal"),
+                                            ::testing::Values("enable", "disable")));
+
+// Where there is nothing to solve, all else that a step does must be the same to the bit.
+TEST(EngineNewton, IsMujocosStepWithoutConstraints) {
+  const engine::ModelPtr shared = benchmark_model();
+  mjModel model = *shared;
+  model.opt.disableflags |= mjDSBL_CONSTRAINT;
+  model.opt.enableflags |= mjENBL_ENERGY;
+  const Data theirs(mj_makeData(&model)), ours(mj_makeData(&model));
+  Random random(1);
+  for (int step = 0; step < 50; ++step) {
+    for (int i = 0; i < model.nu; ++i) theirs->ctrl[i] = ours->ctrl[i] = random.uniform(-1, 1);
+    mj_step(&model, theirs.get());
+    engine::newton_step(&model, ours.get());
+    ASSERT_EQ(copied(ours->qpos, model.nq), copied(theirs->qpos, model.nq)) << step;
+    ASSERT_EQ(copied(ours->qvel, model.nv), copied(theirs->qvel, model.nv)) << step;
+    ASSERT_EQ(copied(ours->sensordata, model.nsensordata), copied(theirs->sensordata, model.nsensordata)) << step;
+    ASSERT_EQ(copied(ours->cfrc_int, 6 * model.nbody), copied(theirs->cfrc_int, 6 * model.nbody)) << step;
+    ASSERT_EQ(copied(ours->energy, 2), copied(theirs->energy, 2)) << step;
+  }
+}
+
+TEST(EngineNewton, LeavesOtherSettingsToMujoco) {
+  const auto serves = [](auto&& change) {
+    mjModel model = *benchmark_model();
+    change(model.opt);
+    return engine::newton_step_serves(model);
+  };
+  EXPECT_TRUE(serves([](mjOption&) {}));
+  EXPECT_FALSE(serves([](mjOption& opt) { opt.jacobian = mjJAC_DENSE; }));
+  EXPECT_FALSE(serves([](mjOption& opt) { opt.solver = mjSOL_CG; }));
+  EXPECT_FALSE(serves([](mjOption& opt) { opt.integrator = mjINT_RK4; }));
+  EXPECT_FALSE(serves([](mjOption& opt) { opt.noslip_iterations = 3; }));
+  EXPECT_FALSE(serves([](mjOption& opt) { opt.enableflags |= mjENBL_FWDINV; }));
+}
+
+// To the bit, so that a host that calls mj_step itself gets what a world gives.
+TEST(EngineNewton, OnRequestStepsAreMujocos) {
+  const auto steps = [](const engine::PhysicsOptions& options) {
+    engine::Physics physics(benchmark_model(), options);
+    return trajectory(physics, 200);
+  };
+  engine::PhysicsOptions mujocos;
+  mujocos.own_solver = false;
+  const engine::ModelPtr model = benchmark_model();
+  const Data data(mj_makeData(model.get()));
+  std::vector<double> expected;
+  for (int i = 0; i < 200; ++i) {
+    mj_step(model.get(), data.get());
+    expected.insert(expected.end(), data->qpos, data->qpos + model->nq);
+    expected.insert(expected.end(), data->qvel, data->qvel + model->nv);
+  }
+  EXPECT_EQ(steps(mujocos), expected);
+  EXPECT_NE(steps(engine::PhysicsOptions()), expected) << "the default is the other solver, and rounds otherwise";
+}
+
+}  // namespace
+}  // namespace mimo::test
