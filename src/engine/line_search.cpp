@@ -1,6 +1,7 @@
 #include "engine/line_search.h"
 
 #include <cmath>
+#include <limits>
 
 #include "engine/solver_stack.h"
 
@@ -8,6 +9,7 @@ namespace mimo::engine {
 namespace {
 
 constexpr int kMostEvaluations = 50;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Slope {
   double first, second;  // derivatives of the cost
@@ -108,24 +110,33 @@ Cone* prepare_cones(mjData& data, const Line& line) {
 
 }  // namespace
 
-// The slope grows along the line. Newton's steps lead to where it is zero, halving where they would leave what is known
-// to hold it.
+// The slope grows along the line, so a place where it is negative and one where it is positive hold the least between
+// them. Newton's steps lead there. Halves are taken where such a step leads out, and where steps do not get shorter
+// quickly: the slope of a cone is shaped like an S, and they can bounce from one end of it to the other for ever.
 double find_least(mjData& data, const Line& line, double tolerance) {
   const int stack = data.pstack;
   const Cone* cones = prepare_cones(data, line);
-  double low = 0, high = 0, at = 0;
+  double low = 0, high = kInfinity, at = 0, moved = kInfinity;
+  double best = 0, flattest = kInfinity;  // rounding may end the search where the slope is not within the tolerance
   Slope slope = slope_at(data, line, cones, at);
   for (int i = 1; i < kMostEvaluations && slope.first != 0; ++i) {
     double next = at - slope.first / slope.second;
-    if (next <= low || (high > 0 && next >= high)) next = 0.5 * (low + high);
-    if (next == at) break;
+    const bool slow = high < kInfinity && std::abs(next - at) > 0.5 * moved;
+    if (slow || next <= low || next >= high) next = 0.5 * (low + high);
+    if (next == low || next == high) break;  // there is no number between
+    moved = std::abs(next - at);
     at = next;
     slope = slope_at(data, line, cones, at);
-    if (std::abs(slope.first) < tolerance) break;
+    // What is no number goes on to mj_checkAcc, which knows what to do with it.
+    if (!(std::abs(slope.first) >= flattest)) {
+      flattest = std::abs(slope.first);
+      best = at;
+    }
+    if (!(std::abs(slope.first) >= tolerance)) break;
     (slope.first < 0 ? low : high) = at;
   }
   data.pstack = stack;
-  return at;
+  return best;
 }
 
 }  // namespace mimo::engine

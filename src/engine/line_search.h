@@ -12,7 +12,8 @@ struct Line {
   double slope, curvature;  // of the part without constraints, at the start
 };
 
-// Where the slope is within the tolerance of zero; 0 if the cost does not fall along the line.
+// Where the slope is within the tolerance of zero, or as near as numbers allow; 0 if the cost does not fall along the
+// line.
 double find_least(mjData& data, const Line& line, double tolerance);
 
 }  // namespace mimo::engine

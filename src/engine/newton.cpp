@@ -50,7 +50,7 @@ void choose_start(const mjModel& model, mjData& data, Search& search) {
   update_constraints(model, data, search);
 }
 
-// Points the direction down the slope of the cost, and returns how steep that is.
+// Points the direction down the slope of the cost, and returns how steep that is. `solve` turns it to Newton's.
 double descend(const mjModel& model, const mjData& data, const Search& search) {
   for (int i = 0; i < model.nv; ++i) {
     search.direction[i] = data.qfrc_smooth[i] + data.qfrc_constraint[i] - search.momentum[i];

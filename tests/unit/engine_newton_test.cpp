@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "engine/line_search.h"
 #include "engine/newton.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -61,7 +62,7 @@ TEST(EngineNewton, MovesFiveFingersAsMujoco) {
 
 // Everything that MuJoCo knows as a constraint, in one small model that never comes to rest.
 constexpr char kZoo[] = R"(<mujoco>
-  <option timestep="0.005" cone="CONE" jacobian="sparse" solver="Newton" iterations="50" tolerance="1e-10">
+  <option timestep="0.005" cone="CONE" jacobian="sparse" solver="Newton" iterations="ITERATIONS" tolerance="1e-10">
     <flag energy="enable" warmstart="WARM"/>
   </option>
   <worldbody>
@@ -89,12 +90,14 @@ constexpr char kZoo[] = R"(<mujoco>
   <sensor><accelerometer site="tip"/><force site="tip"/></sensor>
 </mujoco>)";
 
-class EngineNewtonZoo : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
+class EngineNewtonZoo : public ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {};
 
 TEST_P(EngineNewtonZoo, EveryConstraintIsAsMujocos) {
   std::string xml = kZoo;
-  xml.replace(xml.find("CONE"), 4, std::get<0>(GetParam()));
-  xml.replace(xml.find("WARM"), 4, std::get<1>(GetParam()));
+  const auto put = [&](const std::string& name, const char* value) { xml.replace(xml.find(name), name.size(), value); };
+  put("CONE", std::get<0>(GetParam()));
+  put("WARM", std::get<1>(GetParam()));
+  put("ITERATIONS", std::get<2>(GetParam()));
   const engine::ModelPtr model = engine::compile(xml, {}, {});
   ASSERT_TRUE(engine::newton_step_serves(*model));
   EXPECT_GT(compare(*model, 600), 40);
@@ -102,7 +105,83 @@ TEST_P(EngineNewtonZoo, EveryConstraintIsAsMujocos) {
 
 INSTANTIATE_TEST_SUITE_P(Each, EngineNewtonZoo,
                          ::testing::Combine(::testing::Values("elliptic", "pyramidal"),
-                                            ::testing::Values("enable", "disable")));
+                                            ::testing::Values("enable", "disable"), ::testing::Values("50", "2")));
+
+// A ball that bounces: steps with a contact and steps without any constraint.
+TEST(EngineNewton, LeavesNoForceWhereConstraintsEnded) {
+  const engine::ModelPtr model = engine::compile(
+      "<mujoco><option timestep='0.005' jacobian='sparse'/><worldbody><geom type='plane' size='1 1 1' solref='-5000 "
+      "0'/>"
+      "<body pos='0 0 0.12'><freejoint/><geom size='0.1'/></body></worldbody></mujoco>",
+      {}, {});
+  const Data data(mj_makeData(model.get()));
+  int touching = 0, flying_again = 0;
+  for (int step = 0; step < 200; ++step) {
+    engine::newton_step(model.get(), data.get());
+    if (data->nefc > 0) ++touching;
+    if (data->nefc > 0 || touching == 0) continue;
+    ++flying_again;
+    EXPECT_EQ(copied(data->qfrc_constraint, model->nv), std::vector<double>(6)) << step;
+  }
+  EXPECT_GT(touching, 0);
+  EXPECT_GT(flying_again, 10);
+}
+
+// A contact of three dimensions on a line, alone. Where the least is, its cost tells: MuJoCo's for an elliptic cone.
+class EngineLineSearch : public ::testing::Test {
+ protected:
+  EngineLineSearch() {
+    contact_.dim = 3;
+    contact_.mu = contact_.friction[0] = contact_.friction[1] = 0.51;
+    data_.stack = stack_;
+    data_.nstack = kRoom;
+    data_.contact = &contact_;
+    data_.ncon = 1;
+    data_.nefc = 3;
+    data_.efc_type = type_;
+    data_.efc_id = id_;
+    data_.efc_D = stiffness_;
+  }
+
+  // Cost of the contact and of the part without constraints.
+  double cost(const engine::Line& line, double at) const {
+    const auto value = [&](int i) { return line.start[i] + at * line.direction[i]; };
+    const double mu = contact_.mu, normal = mu * value(0), tangent = mu * std::hypot(value(1), value(2));
+    const double rest = at * (line.slope + 0.5 * at * line.curvature);
+    if (normal >= mu * tangent) return rest;
+    if (mu * normal + tangent <= 0) {
+      return rest + 0.5 * (value(0) * value(0) + value(1) * value(1) + value(2) * value(2));
+    }
+    const double across = normal - mu * tangent;
+    return rest + 0.5 * across * across / (mu * mu * (1 + mu * mu));
+  }
+
+  static constexpr int kRoom = 256;
+  mjData data_{};
+  mjContact contact_{};
+  mjtNum stack_[kRoom], stiffness_[3] = {1, 1, 1};
+  int type_[3] = {mjCNSTR_CONTACT_ELLIPTIC, mjCNSTR_CONTACT_ELLIPTIC, mjCNSTR_CONTACT_ELLIPTIC}, id_[3] = {};
+};
+
+// Newton's steps alone go from 0.26 to 1.66 and back here.
+TEST_F(EngineLineSearch, DoesNotBounceInACone) {
+  const double start[] = {-4, 8, 3}, direction[] = {-2, -8, -6};
+  const engine::Line line = {start, direction, -1.2, 1.06};
+  const double at = engine::find_least(data_, line, 1e-9);
+  EXPECT_GT(at, 0);
+  EXPECT_LT(cost(line, at), cost(line, 0));
+  EXPECT_LE(cost(line, at), cost(line, at - 1e-4));
+  EXPECT_LE(cost(line, at), cost(line, at + 1e-4));
+}
+
+// Rounding keeps the slope from getting that small: the search ends at the neighbours of the least.
+TEST_F(EngineLineSearch, EndsWhereNumbersDo) {
+  const double start[] = {-3, 2, 1}, direction[] = {2, -2, 7};
+  const engine::Line line = {start, direction, -6.2, 7.87};
+  const double at = engine::find_least(data_, line, 0), near = engine::find_least(data_, line, 1e-6);
+  EXPECT_NEAR(at, near, 1e-6);
+  EXPECT_GT(at, 0);
+}
 
 // Where there is nothing to solve, all else that a step does must be the same to the bit.
 TEST(EngineNewton, IsMujocosStepWithoutConstraints) {
