@@ -9,7 +9,7 @@ import ctypes
 import os
 from enum import IntEnum, IntFlag
 from functools import lru_cache
-from typing import Any, Dict, Mapping, Optional, Sequence, Type, TypedDict, Union, get_args, get_type_hints
+from typing import Any, Dict, Mapping, Optional, Sequence, TypedDict, Union, get_args, get_type_hints
 
 import numpy as np
 
@@ -138,7 +138,7 @@ class PictureOptions(TypedDict, total=False):
 
 
 @lru_cache(maxsize=None)
-def enums(kind: Type[Any]) -> Dict[str, Any]:
+def enums(kind: Any) -> Dict[str, Any]:
     """The options that a class above names, each with the enum that it takes, or None."""
     hints = get_type_hints(kind)
     return {name: next((it for it in (hint, *get_args(hint)) if _is_enum(it)), None) for name, hint in hints.items()}
@@ -148,7 +148,7 @@ def _is_enum(kind: Any) -> bool:
     return isinstance(kind, type) and issubclass(kind, (IntEnum, IntFlag))
 
 
-def refuse_unknown(options: Mapping[str, Any], kind: Type[Any]) -> None:
+def refuse_unknown(options: Mapping[str, Any], kind: Any) -> None:
     """Raises for an option that a class above does not name."""
     unknown = options.keys() - enums(kind).keys()
     if unknown:
@@ -158,7 +158,7 @@ def refuse_unknown(options: Mapping[str, Any], kind: Type[Any]) -> None:
 def fill(
     config: ctypes.Structure,
     options: Mapping[str, Any],
-    kind: Type[Any],
+    kind: Any,
     standard: Optional[Mapping[str, Any]] = None,
 ) -> None:
     """Puts options, of those that `kind` names, into a config; `standard` has what True stands for in sets of bits."""

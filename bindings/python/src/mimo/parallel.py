@@ -12,8 +12,8 @@ from pettingzoo import ParallelEnv as _ParallelEnv
 from typing_extensions import Unpack
 
 from .env import PICTURE, with_task
-from .options import EnvOptions
 from .layout import Observation
+from .options import EnvOptions
 from .scene import Scene
 from .spaces import action_box, dict_space, split
 from .tasks import Task, judgements
@@ -97,9 +97,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         self.agents = [agent for agent in acted if not (terminated[agent] or truncated[agent])]
         return self._observations(self.world.observation, acted), rewards, terminated, truncated, infos
 
-    def _judged(
-        self, numbers: Dict[str, int]
-    ) -> Tuple[Dict[str, float], Dict[str, bool], Dict[str, Dict[str, Any]]]:
+    def _judged(self, numbers: Dict[str, int]) -> Tuple[Dict[str, float], Dict[str, bool], Dict[str, Dict[str, Any]]]:
         """Rewards, ends and infos of the infants that acted, by the world's task or by one's own."""
         world = self.world
         if self._task is not None:
