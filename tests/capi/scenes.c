@@ -181,12 +181,16 @@ static void check_objects(void) {
 
 /* What is too long for its room ends at a word, or in a very long one between two letters, and says so. */
 static void check_long_messages(void) {
-  mimo_scene* scene = blind_scene("benchmark");
+  mimo_scene* scene = create("benchmark", NULL, NULL);
   mimo_scene_config config;
+  mimo_agent_config agent;
   mimo_scene* other = NULL;
   char name[3001];
   const char* text;
   size_t i, length;
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.body = "fingers";
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no joint named \"elbow\"; there are: robot:hip_lean1, ",
               mimo_scene_lock(scene, "elbow", 0));
   text = mimo_last_error();
