@@ -20,14 +20,15 @@ Row = Tuple[str, ...]
 
 INTRODUCTION = """# The body's names
 
-Bodies, joints and motors by name, as `mimo_env_find` and Python's `world.joints(...)` take them. Motors often have another
-name than the joint that they move. A named infant has its name in front: `anna/robot:left_elbow`, `anna/act:left_elbow`.
+Bodies, joints and motors by name, as `mimo_env_find` and Python's `world.joints(...)` take them. Motors often have
+another name than the joint that they move. A named infant has its name in front: `anna/robot:left_elbow`,
+`anna/act:left_elbow`.
 
 This page is written by the library: `python docs/make_body.py`.
 
 **Ranges** are in degrees here; the library's numbers are radians. **+** says how the joint's body turns when the angle
-grows: about this axis of the world, by the right-hand rule. That is with all joints at 0: the infant stands upright, its arms
-hang down, it looks along x; y is its left, z is up.
+grows: about this axis of the world, by the right-hand rule. That is with all joints at 0: the infant stands upright,
+its arms hang down, it looks along x; y is its left, z is up.
 
 | + | its top | what hangs down |
 |---|---|---|
@@ -119,8 +120,8 @@ def page() -> str:
             table(body_head, bodies),
             "## Where five fingers differ",
             "",
-            '`body = "fingers"` has these in place of the mittens\' fingers, and big toes. The joints above are the same otherwise;',
-            "bodies weigh a little more, hands and feet less.",
+            '`body = "fingers"` has these in place of the mittens\' fingers, and big toes. The other joints are as above;',
+            "the other bodies weigh a little more, hands and feet less.",
             "",
             table(joint_head, more_joints),
             table(body_head, more_bodies),
