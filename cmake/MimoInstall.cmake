@@ -12,11 +12,18 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
   install(FILES src/cli/mimo.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
 
-# Articles and examples, beside each other as in the repository: they refer to each other.
-install(DIRECTORY docs/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN *.md)
-install(FILES docs/abi.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
-install(DIRECTORY examples/c examples/cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+# Articles and examples, beside each other as in the repository: they refer to each other (tests/readme/check_links).
+set(articles abi benchmark differences python tasks vision)
+list(TRANSFORM articles REPLACE ".+" "docs/\\0.md")
+install(FILES ${articles} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents)
+install(DIRECTORY docs/guide docs/adr DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents
+        FILES_MATCHING PATTERN *.md)
+install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)
+install(DIRECTORY examples/c examples/cpp examples/python DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
+        COMPONENT documents PATTERN __pycache__ EXCLUDE)
+install(FILES models/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/models COMPONENT documents)
+install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT documents)
 
 # find_package(mimo) and the target mimo::mimo
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mimo)

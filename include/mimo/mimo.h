@@ -230,7 +230,7 @@ typedef struct mimo_agent_config {
   uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
   const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
   const char *body;            /**< "mitten", "fingers" (hands with five fingers, feet with a big toe); or "scene": the body is part of the scene's MJCF. */
-  double position[3];          /**< Of the root body mimo_location, metres, world frame. */
+  double position[3];          /**< Of the root body mimo_location, metres, world frame. The soles of who stands are 0.33 below. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
   uint32_t vestibular;         /**< 1: accelerometer and gyroscope in the head; 0: none. */
@@ -260,7 +260,8 @@ typedef struct mimo_agent_config {
 MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Fills a config with what the scene gives its infant by itself: its body (static string), and in reach, standup,
+ * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position
+ * and orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,
  * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
@@ -519,7 +520,7 @@ typedef struct mimo_env mimo_env;
 /** How a world is simulated. */
 typedef struct mimo_env_config {
   uint32_t struct_size;    /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
-  uint32_t frame_skip;     /**< Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2. */
+  uint32_t frame_skip;     /**< Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms in built-in scenes. Default 0: the scene's own, mostly 2. */
   int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
   uint32_t disable;        /**< MIMO_DISABLE_ bits. */
   const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
@@ -591,7 +592,7 @@ MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agen
 #define MIMO_F64 4 /**< double */
 
 #define MIMO_AT_END 1        /**< Belongs to the end of the step. */
-#define MIMO_AT_LAST_START 2 /**< Belongs to the start of the last physics step, one time step (5 ms) before the end. */
+#define MIMO_AT_LAST_START 2 /**< Belongs to the start of the last physics step, one time step of the model before the end: 5 ms in built-in scenes. */
 
 /** One field of the observation block. */
 typedef struct mimo_field {

@@ -1,6 +1,7 @@
 #include "capi/agents.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "capi/check.h"
 #include "capi/vision.h"
@@ -106,6 +107,10 @@ mimo_agent_config default_agent_config(const scene::Scene& scene) {
   mimo_agent_config config = default_agent_config();
   config.body = scene.usual_body();
   if (scene.actuation() == "muscle") config.actuation = MIMO_ACTUATION_MUSCLE;
+  if (const std::optional<scene::Pose> place = scene.free_place()) {
+    std::copy(place->position.begin(), place->position.end(), config.position);
+    std::copy(place->orientation.begin(), place->orientation.end(), config.orientation);
+  }
   const std::string senses = " " + scene.senses() + " ";
   if (senses == "  ") return config;
   const auto has = [&](const char* word) { return senses.find(" " + std::string(word) + " ") != std::string::npos; };

@@ -30,7 +30,8 @@ void check_buffer(const T* buffer, std::size_t length, std::size_t needed, const
   check_length<T>(length, argument);
   require(buffer != nullptr || length == 0, "{} is NULL, but its length is {}", argument, length);
   if (buffer != nullptr && length < needed) {
-    fail(Status::kBufferTooSmall, "{} has a length of {}, but {} are needed", argument, length, needed);
+    const char* unit = sizeof(T) == 1 ? " bytes" : "";
+    fail(Status::kBufferTooSmall, "{} has a length of {}{}, but {} are needed", argument, length, unit, needed);
   }
 }
 

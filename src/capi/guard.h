@@ -9,7 +9,7 @@
 
 namespace mimo::capi {
 
-// Keeps the message for mimo_last_error() on this thread, cut to its room.
+// Keeps the message for mimo_last_error() on this thread, cut to its room; then it ends in "..."
 void set_last_error(const char* message) noexcept;
 
 mimo_status report(Status status, const char* message) noexcept;

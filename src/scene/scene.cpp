@@ -202,7 +202,8 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   require_local_coordinates(document_.document_element(), "the scene");
   const std::string root_name = prefix + kRootBody;
   require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
-  const Pose place = pose != nullptr ? *pose : next_place();
+  const std::optional<Pose> place = pose != nullptr ? *pose : free_place();
+  require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_.document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
   require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
@@ -228,7 +229,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   }
   for (const pugi::xml_node world : root.children("worldbody")) {
     const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
-    if (!added.empty()) set_pose(added, place);
+    if (!added.empty()) set_pose(added, *place);
   }
   if (groups != 0) {
     keep_motors(root, prefix, groups);
@@ -385,12 +386,11 @@ bool Scene::has_name(const char* element, const std::string& name) const {
   return !find_named(document_, element, name).empty();
 }
 
-// The room's next free place for an infant; the origin in a room that names none.
-Pose Scene::next_place() const {
+std::optional<Pose> Scene::free_place() const {
   const std::vector<double> places = numbers_of(document_.document_element(), kPlaces);
   const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
-  if (places.empty() && bodies_ == 0) return {};
-  require(places.size() >= first + 7, "position: the scene has no place for infant number {}; give one", bodies_ + 1);
+  if (places.empty() && bodies_ == 0) return Pose{};
+  if (places.size() < first + 7) return std::nullopt;
   Pose pose;
   std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first), 3, pose.position.begin());
   std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first) + 3, 4, pose.orientation.begin());

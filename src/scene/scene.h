@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -74,6 +75,8 @@ class Scene {
   std::vector<std::string> infants() const;
   // How infants of this scene usually act, "muscle"; "" if it does not say.
   std::string actuation() const;
+  // The room's place for the next infant; the origin in a room that names none. Nothing where all places are taken.
+  std::optional<Pose> free_place() const;
   // The body that infants of this scene usually have; static.
   const char* usual_body() const;
   void add_object(const Object& object);
@@ -97,7 +100,6 @@ class Scene {
  private:
   pugi::xml_document finished() const;
   bool has_name(const char* element, const std::string& name) const;
-  Pose next_place() const;
 
   Library models_;
   pugi::xml_document document_;

@@ -65,7 +65,8 @@ std::unique_ptr<Sense> make_vestibular(const mjModel& model, const body::Body& b
   if (!place.empty()) return std::make_unique<Organ>(find_place(model, place));
   require(
       body.infant,
-      "vestibular is 1, but the agent is no infant: vestibular_at has to name a site or body that carries the organ");
+      "vestibular is 1, but the agent is no infant: vestibular_at has to name a site or body that carries the organ, "
+      "or vestibular = 0");
   return std::make_unique<Vestibular>(body);
 }
 

@@ -149,6 +149,9 @@ static void check_own(void) {
   CHECK_OK(mimo_scene_set_task(scene, &task));
   CHECK_OK(mimo_scene_default_agent(scene, &config, sizeof config));
   CHECK(config.vision == MIMO_VISION_RGB && config.touch == MIMO_TOUCH_FORCE);
+  /* The place that the next infant would get, as models/playdate.xml has it. */
+  CHECK(config.place_given == 0 && config.position[0] == -0.28 && config.position[2] == 0.0431);
+  CHECK(config.orientation[0] == 1);
   config.vision = 0;
 
   config.name = "carl";
@@ -161,6 +164,9 @@ static void check_own(void) {
   CHECK_OK(mimo_scene_add_agents(scene, &config, &count));
   CHECK(count == 2);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "\"anna\" already", mimo_scene_add_agents(scene, &config, NULL));
+  CHECK_OK(mimo_scene_default_agent(scene, &config, sizeof config));
+  CHECK(config.position[0] == 0 && config.position[2] == 0); /* both places are taken */
+  config.vision = 0;
   CHECK_OK(mimo_scene_set_touch(scene, 1, NULL, 0.05));
   env = env_of(scene);
 

@@ -179,6 +179,41 @@ static void check_objects(void) {
   mimo_scene_destroy(scene);
 }
 
+/* What is too long for its room ends at a word, or in a very long one between two letters, and says so. */
+static void check_long_messages(void) {
+  mimo_scene* scene = create("benchmark", NULL, NULL);
+  mimo_scene_config config;
+  mimo_agent_config agent;
+  mimo_scene* other = NULL;
+  char name[3001];
+  const char* text;
+  size_t i, length;
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.body = "fingers";
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no joint named \"elbow\"; there are: robot:hip_lean1, ",
+              mimo_scene_lock(scene, "elbow", 0));
+  text = mimo_last_error();
+  length = strlen(text);
+  CHECK(length > 900 && length < 1024);
+  CHECK_TEXT(", ...", text + length - 5);
+  mimo_scene_destroy(scene);
+
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  for (i = 0; i < 3000; i += 2) memcpy(name + i, "\xc3\xa9", 2); /* e with an acute accent */
+  name[3000] = '\0';
+  config.name = name;
+  for (i = 0; i < 2; ++i) { /* letters begin at odd and at even places of the message */
+    CHECK_FAILS(MIMO_E_NOT_FOUND, "no scene named", mimo_scene_create(&config, &other));
+    text = mimo_last_error();
+    length = strlen(text);
+    CHECK(length >= 1022 && length < 1024);
+    CHECK_TEXT("\xc3\xa9 ...", text + length - 6);
+    name[0] = 'e';
+    memmove(name + 1, name + 2, 2999);
+  }
+}
+
 static void check_xml(void) {
   mimo_scene *scene = blind_scene("benchmark"), *again;
   char* text;
@@ -187,7 +222,7 @@ static void check_xml(void) {
   CHECK(length > 1000);
   text = malloc(length + 1);
   memset(text, 'x', length + 1);
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "text has a length of", mimo_scene_xml(scene, text, length, &second));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, " bytes, but ", mimo_scene_xml(scene, text, length, &second));
   CHECK(text[0] == 'x' && text[length] == 'x' && second == 0);
   CHECK_OK(mimo_scene_xml(scene, text, length + 1, &second));
   CHECK(second == length && strlen(text) == length);
@@ -213,6 +248,7 @@ int main(void) {
   check_agents();
   check_objects();
   check_xml();
+  check_long_messages();
   check_models();
   return failures();
 }

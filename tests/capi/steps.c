@@ -133,7 +133,7 @@ static void check_stepping(void) {
               mimo_env_step(env, action, 43, first, bytes, NULL, NULL, NULL, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action is NULL, but its length is 44",
               mimo_env_step(env, NULL, 44, first, bytes, NULL, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has a length of",
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, " bytes, but ",
               mimo_env_step(env, action, 44, first, bytes - 1, &reward, &terminated, &truncated, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL",
               mimo_env_step(env, action, 44, NULL, bytes, NULL, NULL, NULL, 0));

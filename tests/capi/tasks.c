@@ -80,7 +80,7 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
   CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
   CHECK(success == 0 && failure == 0);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1", mimo_env_outcome(env, 1, &success, &failure));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "values has a length of 1", mimo_env_reward_terms(env, 0, values, 1));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "values has a length of 1, but ", mimo_env_reward_terms(env, 0, values, 1));
   mimo_env_destroy(env);
 }
 

@@ -166,7 +166,9 @@ static void check_lacks(void) {
   config.root = "torso";
   config.vestibular = 1;
   scene = scene_of(&config);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "vestibular_at has to name", attach(scene, h, &senses));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT,
+              "vestibular_at has to name a site or body that carries the organ, or vestibular = 0",
+              attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   config.vestibular_at = "nose";
   scene = scene_of(&config);
@@ -176,7 +178,8 @@ static void check_lacks(void) {
   config.root = "thigh_left";
   config.vision = MIMO_VISION_RGB;
   scene = scene_of(&config);
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "carries no camera; cameras elsewhere: gallery, sight", attach(scene, h, &senses));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "carries no camera; vision = 0 switches eyes off; cameras elsewhere: gallery, sight",
+              attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   config.vision = 0;
   scene = scene_of(&config);

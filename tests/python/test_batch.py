@@ -113,3 +113,36 @@ def test_a_world_keeps_its_batch():
     world = mimo.Batch("reach", 2).world(1)
     world.reset(seed=1)
     assert world.step(np.zeros(8)).reward[0] < 0
+
+
+class Pressed(mimo.Task):
+    """The force on the floor, by the contacts of each world; and what was sensed."""
+
+    def setup(self, world):
+        self.floor = int(world.geoms("floor").ids[0])
+
+    def evaluate(self, world):
+        assert len(world.observation["proprioception/position"]) in (47, world.world_count)
+        self.sensed = world.observation["proprioception/velocity"].copy()
+        forces = []
+        for index in range(world.world_count):
+            contacts = world.contacts(index)
+            of_world = world.world(index).contacts()
+            np.testing.assert_array_equal(contacts.force, of_world.force)
+            forces.append(contacts.force[(contacts.geoms == self.floor).any(axis=1), 0].sum())
+        return mimo.Judgement(np.array(forces) if world.world_count > 1 else forces[0])
+
+
+def test_contacts_serve_one_world_and_many():
+    options = {"vision": False, "touch": False, "proprioception": True}
+    one, many = mimo.make("free", task=Pressed(), **options), mimo.make_vec("free", 2, task=Pressed(), **options)
+    one.reset(seed=4)
+    many.reset(seed=4)
+    for _ in range(60):
+        action = np.zeros(44, np.float32)
+        sensed, reward, *_ = one.step(action)
+        many_sensed, rewards, *_ = many.step(np.stack([action, action]))
+        np.testing.assert_array_equal(one._task.sensed, sensed["proprioception/velocity"])
+        np.testing.assert_array_equal(many._task.sensed, many_sensed["proprioception/velocity"])
+    assert reward == rewards[0] > 10  # it has come down, with its 107 N
+    assert len(many.batch) == many.batch.world_count == 2

@@ -60,10 +60,12 @@ def text(value: Optional[bytes]) -> str:
     return (value or b"").decode()
 
 
-def utf8(value: Optional[str]) -> Optional[bytes]:
+def utf8(value: Optional[str], name: str = "name") -> Optional[bytes]:
     """A string for the library. Python would pass an embedded zero on, and C would stop reading there."""
     if value is None:
         return None
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, expected a text")
     if "\0" in value:
         raise ValueError(f"{value!r} contains a zero byte")
     return value.encode()

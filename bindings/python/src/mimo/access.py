@@ -19,16 +19,25 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._handle import Handle
 from ._library import LIB, check, text, utf8
+from .arguments import whole_number
 from .constants import Kind, Quantity
+from .layout import Layout, Observation
 
 Mask = Optional[NDArray[np.bool_]]
 Numbers = NDArray[np.float64]
+SHOWN = 8  # names in a selection's repr
 S = TypeVar("S", bound="Selection")
 
 
 class Access(Handle):
     """What worlds and batches have in common: names, and reading and writing by them."""
 
+    world_count: int = 1
+    agents: List[Any]  # what is to be known of each infant of a world: name, actions, mass, height
+    action_names: List[str]
+    layout: Layout
+    observation: Observation  # what the last step, reset or observe sensed
+    _scene: Any
     _names_handle: int  # of an environment that knows the names
     _lead: Tuple[int, ...] = ()  # (worlds,) for a batch
 
@@ -63,23 +72,37 @@ class Access(Handle):
     def find(self, kind: Kind, name: str) -> int:
         """The number of something by its name."""
         found = ctypes.c_int32()
-        check(LIB.mimo_env_find(self._names_handle, kind, utf8(name), found))
+        check(LIB.mimo_env_find(self._names_handle, whole_number("kind", kind, Kind), utf8(name), found))
         return found.value
 
     def name(self, kind: Kind, number: int) -> str:
         """The name of something, "" where the model gives none."""
         found = ctypes.c_char_p()
-        check(LIB.mimo_env_name(self._names_handle, kind, number, found))
+        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), number, found))
         return text(found.value)
 
     def count(self, kind: Kind) -> int:
         """How many of a kind there are."""
         count = ctypes.c_size_t()
-        check(LIB.mimo_env_count(self._names_handle, kind, count))
+        check(LIB.mimo_env_count(self._names_handle, whole_number("kind", kind, Kind), count))
         return count.value
 
     def random(self, count: int, mask: Mask = None) -> Numbers:
         """Numbers from 0 to 1 from the world's own stream: (count,); of a batch (worlds, count), 0 where masked out."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        worlds = f"{self.world_count} x " if self._lead else ""
+        counts = f"{len(self.agents)} infants, {len(self.action_names)} actions"
+        fields = [f"{field.name} {field.shape}" for field in self.layout.fields.values()]
+        return f"<mimo.{type(self).__name__} {worlds}{self._scene.source}: {counts}; {', '.join(fields)}>"
+
+    def world(self, index: int) -> Any:
+        """One of the worlds, 0 to world_count - 1, as a mimo.World; a world is its own number 0."""
+        raise NotImplementedError
+
+    def contacts(self, world: int) -> Any:
+        """The contacts in one of the worlds, 0 to world_count - 1."""
         raise NotImplementedError
 
     def _select(self, kind: Type[S], names: Tuple[str, ...]) -> S:
@@ -105,6 +128,11 @@ class Selection:
 
     def __len__(self) -> int:
         return len(self.ids)
+
+    def __repr__(self) -> str:
+        shown = [name or f"number {number}" for name, number in zip(self.names[:SHOWN], self.ids)]
+        more = ["..."] if len(self) > SHOWN else []
+        return f"<{len(self)} {type(self).__name__.lower()}: {', '.join(shown + more)}>"
 
     @property
     def names(self) -> List[str]:

@@ -13,12 +13,13 @@ from typing_extensions import Unpack
 from . import _abi
 from ._library import LIB, check, raise_error, text, utf8
 from .access import Access, Mask, Numbers
+from .arguments import whole_number
 from .constants import Autoreset
 from .errors import Error, make_error
 from .layout import Observation
 from .options import Options
 from .scene import Scene, prepare
-from .world import World, env_config, seed_number
+from .world import Contacts, World, contacts_of, env_config, seed_number
 
 Seeds = Optional[Union[int, Sequence[int]]]
 
@@ -45,12 +46,13 @@ class Batch(Access):
         worlds: int = 1,
         *,
         threads: int = 0,
-        autoreset: Autoreset = Autoreset.NONE,
+        autoreset: Union[Autoreset, str] = Autoreset.NONE,
         restart_failed: bool = True,
         **options: Unpack[Options],
     ) -> None:
         self._scene, self._options = prepare(scene, options)
-        self._settings = {"threads": threads, "autoreset": autoreset, "restart_failed": restart_failed}
+        mode = whole_number("autoreset", autoreset, Autoreset)
+        self._settings = {"threads": threads, "autoreset": mode, "restart_failed": restart_failed}
         self._create(worlds)
         self.world_count = worlds
         self._lead = (worlds,)
@@ -66,9 +68,9 @@ class Batch(Access):
     def _create(self, worlds: int) -> None:
         config = _abi.BatchConfig()
         check(LIB.mimo_batch_config_init(config, ctypes.sizeof(config)))
-        if not 1 <= worlds < 2**32:
+        if not 1 <= whole_number("worlds", worlds) < 2**32:
             raise ValueError(f"worlds is {worlds}, expected at least 1")
-        config.worlds, config.threads = worlds, self._settings["threads"]
+        config.worlds, config.threads = worlds, whole_number("threads", self._settings["threads"])
         config.autoreset, config.restart_failed = self._settings["autoreset"], self._settings["restart_failed"]
         handle = ctypes.c_void_p()
         check(LIB.mimo_batch_create(self._scene._handle, env_config(self._options), config, handle))
@@ -77,7 +79,7 @@ class Batch(Access):
     def _make_arrays(self) -> None:
         worlds, agents = self.world_count, len(self.agents)
         self.blocks = self.layout.new_block(worlds)
-        self.observation = self.layout.views(self.blocks)
+        self.observation = self._views = self.layout.views(self.blocks)
         self.final_blocks = self.layout.new_block(worlds)
         self.final_blocks[:] = 0
         self.reward = np.zeros((worlds, agents))
@@ -110,6 +112,7 @@ class Batch(Access):
     def reset(self, seeds: Seeds = None, mask: Mask = None) -> Observation:
         """Starts episodes. One seed s means s, s + 1, ...; without, worlds go on with their own random numbers."""
         self.reset_into(self.blocks, seeds, mask)
+        self.observation = self._views
         return self.observation
 
     def reset_into(self, blocks: Optional[NDArray[np.uint8]], seeds: Seeds = None, mask: Mask = None) -> None:
@@ -121,6 +124,7 @@ class Batch(Access):
     def step(self, actions: Optional[ArrayLike] = None) -> BatchResult:
         """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""
         self.step_into(self.blocks, actions)
+        self.observation = self._views
         return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
 
     def step_into(self, blocks: Optional[NDArray[np.uint8]], actions: Optional[ArrayLike] = None) -> None:
@@ -141,6 +145,7 @@ class Batch(Access):
         status = LIB.mimo_batch_receive(self._handle)
         self._in_flight = ()
         self._raise(status)
+        self.observation = self._views
         return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
 
     def observe_into(self, blocks: NDArray[np.uint8], mask: Mask = None) -> None:
@@ -148,6 +153,13 @@ class Batch(Access):
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
         check(LIB.mimo_batch_observe(self._handle, _data(chosen), count, *_place(blocks)))
+
+    def __len__(self) -> int:
+        return self.world_count
+
+    def contacts(self, world: int) -> Contacts:
+        """The contacts in one of the worlds, of its last physics step or its reset."""
+        return contacts_of(self._world_handle(world))
 
     def world(self, index: int) -> World:
         """One world, between the batch's own calls: its contacts, pictures, locks, state."""
@@ -238,10 +250,13 @@ class Batch(Access):
     def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:
         if seeds is None:
             return None
-        numbers = range(int(seeds), int(seeds) + self.world_count) if np.isscalar(seeds) else list(seeds)  # type: ignore[arg-type]
+        if np.ndim(seeds) == 0:
+            first = seed_number(seeds).value  # type: ignore[arg-type]
+            seeds = range(first, first + self.world_count)
+        numbers = [seed_number(number).value for number in seeds]  # type: ignore[union-attr]
         if len(numbers) != self.world_count:
             raise ValueError(f"{len(numbers)} seeds, expected {self.world_count}, one for each world")
-        return np.array([seed_number(int(number)).value for number in numbers], np.uint64)
+        return np.array(numbers, np.uint64)
 
     def _mask(self, mask: Mask) -> Optional[NDArray[np.uint8]]:
         if mask is None:

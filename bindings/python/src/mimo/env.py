@@ -14,7 +14,7 @@ from .layout import Supply
 from .options import EnvOptions
 from .scene import Scene
 from .spaces import action_box, flat, observation_space
-from .tasks import Task
+from .tasks import Task, judgement
 from .world import World
 
 PICTURE = {"width": 480, "height": 360}
@@ -44,8 +44,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         if render_mode not in self.render_modes:
             raise ValueError(f"render_mode is {render_mode!r}, expected one of {self.metadata['render_modes']}")
         self.world = World(scene, **with_task(options, task))
-        if len(self.world.agents) != 1:
-            raise ValueError(f"the scene has {len(self.world.agents)} infants; for several use mimo.ParallelEnv")
+        check_sole(self.world.agents)
         self._flatten, self.render_mode, self._camera = flatten, render_mode, camera
         self.observation_space: Any = observation_space(self.world.layout, flatten)
         self.action_space: Any = action_box(self.world.action_low, self.world.action_high)
@@ -91,7 +90,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
                 bool(world.truncated[0]),
                 self._info(),
             )
-        judged = self._task.evaluate(world)
+        world.observation = views
+        judged = judgement(self._task, world)
         info = self._info(success=bool(judged.success))
         return observation, float(judged.reward), bool(judged.terminated), bool(world.truncated[0]), info
 
@@ -131,6 +131,14 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self._supply = Supply(self.world.layout)
         if self._task is not None:
             self._task.setup(self.world)  # what it had looked up belonged to the other world
+
+
+def check_sole(agents: Sequence[Any]) -> None:
+    """Raises unless a world has just one infant."""
+    if len(agents) == 0:
+        raise ValueError("the scene has no infant; add one with its add_agent()")
+    if len(agents) != 1:
+        raise ValueError(f"the scene has {len(agents)} infants, expected one; for several use mimo.ParallelEnv")
 
 
 def with_task(options: Any, task: Union[Task, str, None]) -> Any:

@@ -7,9 +7,14 @@ from __future__ import annotations
 
 import ctypes
 import os
-from typing import Any, Mapping, Sequence, TypedDict, Union
+from enum import IntEnum, IntFlag
+from functools import lru_cache
+from typing import Any, Dict, Mapping, Optional, Sequence, TypedDict, Union, get_args, get_type_hints
+
+import numpy as np
 
 from ._library import utf8
+from .arguments import real_number, vector, whole_number
 from .constants import (
     Act,
     Actuation,
@@ -25,6 +30,7 @@ from .constants import (
 )
 
 Numbers = Sequence[float]
+SIZES = 3  # that a shape has at most
 
 
 class AgentOptions(TypedDict, total=False):
@@ -74,10 +80,14 @@ class EnvOptions(AgentOptions, PhysicsOptions, total=False):
     parameters: Mapping[str, float]
 
 
-class Options(EnvOptions, total=False):
-    """What World and Batch understand beside their own arguments."""
+class WorldOptions(PhysicsOptions, total=False):
+    """How a world is simulated, and what is rewarded in it."""
 
     task: str
+
+
+class Options(EnvOptions, WorldOptions, total=False):
+    """What World and Batch understand beside their own arguments."""
 
 
 class ObjectOptions(TypedDict, total=False):
@@ -127,43 +137,56 @@ class PictureOptions(TypedDict, total=False):
     fovy: float
 
 
-AGENT_OPTIONS = frozenset(AgentOptions.__annotations__)
-WORLD_OPTIONS = frozenset(PhysicsOptions.__annotations__) | {"task"}
+@lru_cache(maxsize=None)
+def enums(kind: Any) -> Dict[str, Any]:
+    """The options that a class above names, each with the enum that it takes, or None."""
+    hints = get_type_hints(kind)
+    return {name: next((it for it in (hint, *get_args(hint)) if _is_enum(it)), None) for name, hint in hints.items()}
 
-# Switches that are sets of bits: True means the default, not bit 0.
-_BIT_SETS = frozenset({"proprioception", "vision", "touch"})
+
+def _is_enum(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, (IntEnum, IntFlag))
 
 
-def fill(config: ctypes.Structure, options: Mapping[str, Any], standard: Mapping[str, Any]) -> None:
-    """Puts options into a config; `standard` has the values of the bit sets that True stands for."""
-    kinds = {entry[0]: entry[1] for entry in config._fields_}
+def refuse_unknown(options: Mapping[str, Any], kind: Any) -> None:
+    """Raises for an option that a class above does not name."""
+    unknown = options.keys() - enums(kind).keys()
+    if unknown:
+        raise TypeError(f"no option {', '.join(sorted(unknown))}; there are: {', '.join(sorted(enums(kind)))}")
+
+
+def fill(
+    config: ctypes.Structure,
+    options: Mapping[str, Any],
+    kind: Any,
+    standard: Optional[Mapping[str, Any]] = None,
+) -> None:
+    """Puts options, of those that `kind` names, into a config; `standard` has what True stands for in sets of bits."""
+    refuse_unknown(options, kind)
+    types = {entry[0]: entry[1] for entry in config._fields_}
     for name, value in options.items():
-        if name in _BIT_SETS and value is True:
-            value = standard[name]
-        setattr(config, name, _converted(name, value, kinds[name]))
+        if standard is not None and value is True:
+            value = standard.get(name, value)
+        setattr(config, name, _converted(name, value, types[name], enums(kind)[name]))
 
 
-def _converted(name: str, value: Any, kind: Any) -> Any:
-    try:
-        if kind is ctypes.c_char_p:
-            return utf8(value)
-        if issubclass(kind, ctypes.Array):
-            return _array(name, value, kind)
-        if kind is ctypes.c_double:
-            return float(value)
-        number = int(value)
-    except (TypeError, AttributeError, ValueError) as error:
-        raise TypeError(f"{name} is {value!r}: {error}") from None
+def _converted(name: str, value: Any, kind: Any, choice: Any) -> Any:
+    if kind is ctypes.c_char_p:
+        return utf8(value, name)
+    if issubclass(kind, ctypes.Array):
+        numbers = _size(value) if name == "size" else vector(name, value, kind._length_)
+        return kind(*numbers)
+    if kind is ctypes.c_double:
+        return real_number(name, value)
+    number = whole_number(name, value, choice)
     if kind(number).value != number:  # ctypes would silently take it modulo 2^32
         raise ValueError(f"{name} is {value!r}, out of range")
     return number
 
 
-def _array(name: str, value: Any, kind: Any) -> Any:
-    length = kind._length_
-    values = [float(value)] if name == "size" and not isinstance(value, Sequence) else [float(v) for v in value]
-    if name == "size":
-        values += [0.0] * (length - len(values))  # by shape; the rest is ignored
-    if len(values) != length:
-        raise ValueError(f"expected {length} numbers")
-    return kind(*values)
+def _size(value: Any) -> Any:
+    """One to three numbers, by shape; the rest is ignored."""
+    given = np.atleast_1d(vector("size", value, len(value)) if np.ndim(value) else real_number("size", value))
+    if not 1 <= len(given) <= SIZES:
+        raise ValueError(f"size is {value!r}, expected 1 to {SIZES} numbers")
+    return [*given, *[0.0] * (SIZES - len(given))]

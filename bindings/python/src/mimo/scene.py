@@ -12,17 +12,20 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
+from .arguments import real_number, vector
 from .options import (
-    AGENT_OPTIONS,
-    WORLD_OPTIONS,
     AgentOptions,
     CameraOptions,
     ModelOptions,
     Numbers,
     ObjectOptions,
     Options,
+    WorldOptions,
+    enums,
     fill,
+    refuse_unknown,
 )
+from .tasks import Task
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 
@@ -81,7 +84,7 @@ class Scene(Handle):
         config = _abi.SceneConfig()
         check(LIB.mimo_scene_config_init(config, ctypes.sizeof(config)))
         for key, value in self._start.items():
-            setattr(config, key, utf8(value))
+            setattr(config, key, utf8(value, key))
         config.log = log_to_python
         handle = ctypes.c_void_p()
         check(LIB.mimo_scene_create(config, handle))
@@ -108,9 +111,11 @@ class Scene(Handle):
         check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
         standard = {key: getattr(config, key) for key in ("proprioception", "vision", "touch")}
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
-        fill(config, options, standard)
-        if "position" in options or "orientation" in options:
-            config.place_given = 1
+        fill(config, options, AgentOptions, standard)
+        given = options.keys() & {"position", "orientation"}
+        config.place_given = bool(given)
+        if given == {"orientation"} and self._agents > 0 and not any(config.position):  # its places are all taken
+            raise ValueError(f"orientation: the scene has no place for infant number {self._agents + 1}; give position")
         return config
 
     def set_room(self, name: str) -> None:
@@ -144,7 +149,8 @@ class Scene(Handle):
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
         config = _abi.ObjectConfig()
         check(LIB.mimo_object_config_init(config, ctypes.sizeof(config)))
-        fill(config, {**options, "name": name}, {})
+        config.name = utf8(name)
+        fill(config, options, ObjectOptions)
         check(LIB.mimo_scene_add_object(self._handle, config))
         self._remember("add_object", name, **options)
 
@@ -156,7 +162,8 @@ class Scene(Handle):
         """
         config = _abi.CameraConfig()
         check(LIB.mimo_camera_config_init(config, ctypes.sizeof(config)))
-        fill(config, {**options, "name": name}, {})
+        config.name = utf8(name)
+        fill(config, options, CameraOptions)
         config.placed = "look_at" in options
         check(LIB.mimo_scene_add_camera(self._handle, config))
         self._remember("add_camera", name, **options)
@@ -167,26 +174,26 @@ class Scene(Handle):
             options["file"] = os.path.abspath(options["file"])
         config = _abi.ModelConfig()
         check(LIB.mimo_model_config_init(config, ctypes.sizeof(config)))
-        fill(config, {**options, "name": name}, {})
+        config.name = utf8(name)
+        fill(config, options, ModelOptions)
         check(LIB.mimo_scene_add_model(self._handle, config))
         self._remember("add_model", name, **options)
 
     def weld(self, body: str, other: Optional[str] = None, pose: Optional[Numbers] = None) -> None:
         """Fastens a body to another (None: the world): in a pose (x y z, w x y z) in its frame, or as they start."""
-        if pose is not None and len(pose) != 7:
-            raise ValueError(f"pose is {pose!r}, expected a position and a quaternion: 7 numbers")
-        numbers = None if pose is None else (ctypes.c_double * 7)(*pose)
-        check(LIB.mimo_scene_weld(self._handle, utf8(body), utf8(other), numbers))
+        numbers = None if pose is None else vector("pose", pose, 7)  # a position and a quaternion
+        place = None if numbers is None else numbers.ctypes.data
+        check(LIB.mimo_scene_weld(self._handle, utf8(body, "body"), utf8(other, "other"), place))
         self._remember("weld", body, other, pose)
 
     def lock(self, joint: str, value: float) -> None:
         """Holds a hinge or slide (rad or m), and starts it there."""
-        check(LIB.mimo_scene_lock(self._handle, utf8(joint), value))
+        check(LIB.mimo_scene_lock(self._handle, utf8(joint), real_number("value", value)))
         self._remember("lock", joint, value)
 
     def set_pose(self, joint: str, value: float) -> None:
         """Sets where a hinge or slide starts (rad or m)."""
-        check(LIB.mimo_scene_set_pose(self._handle, utf8(joint), value))
+        check(LIB.mimo_scene_set_pose(self._handle, utf8(joint), real_number("value", value)))
         self._remember("set_pose", joint, value)
 
     @property
@@ -207,6 +214,14 @@ class Scene(Handle):
     def agent_count(self) -> int:
         """How many infants were added."""
         return self._agents
+
+    @property
+    def source(self) -> str:
+        """What it was made from: the name of a built-in scene, the path of a file, "xml", or "nothing"."""
+        return self._start["name"] or self._start["file"] or ("xml" if self._start["xml"] else "nothing")
+
+    def __repr__(self) -> str:
+        return f"<mimo.Scene {self.source}: {self._agents} infants>"
 
     def copy(self) -> "Scene":
         """Another scene, made by the same calls."""
@@ -284,12 +299,11 @@ def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str
 
 
 def _sorted(options: Mapping[str, Any]) -> Tuple[Dict[str, Any], Dict[str, Any], Mapping[str, float]]:
-    unknown = options.keys() - AGENT_OPTIONS - WORLD_OPTIONS - {"parameters"}
-    if unknown:
-        known = ", ".join(sorted(AGENT_OPTIONS | WORLD_OPTIONS))
-        raise TypeError(f"no option {', '.join(sorted(unknown))}; there are: parameters, {known}")
-    agent = {key: value for key, value in options.items() if key in AGENT_OPTIONS}
-    world = {key: value for key, value in options.items() if key in WORLD_OPTIONS}
+    refuse_unknown(options, Options)
+    if isinstance(options.get("task"), Task):
+        raise TypeError("task is a mimo.Task, expected a name; make, make_vec and ParallelEnv take tasks of your own")
+    agent = {key: value for key, value in options.items() if key in enums(AgentOptions)}
+    world = {key: value for key, value in options.items() if key in enums(WorldOptions)}
     return agent, world, options.get("parameters", {})
 
 

@@ -41,7 +41,7 @@ class Senses(Handle):
     ) -> None:
         version = _version_of(model) if mujoco_version is None else mujoco_version
         handle = ctypes.c_void_p()
-        config = env_config(dict(options))
+        config = env_config(dict(options), PhysicsOptions)
         check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), version, 0, 0, handle))
         self._own(handle.value or 0, LIB.mimo_senses_destroy)
         self._model = model

@@ -13,11 +13,11 @@ from typing_extensions import Unpack
 
 from .batch import Batch
 from .constants import Autoreset
-from .env import with_task
+from .env import check_sole, with_task
 from .options import EnvOptions
 from .scene import Scene
 from .spaces import action_box, flat, observation_space
-from .tasks import Judgement, Task
+from .tasks import Task, judgement
 
 MODES = {"NextStep": Autoreset.NEXT_STEP, "SameStep": Autoreset.SAME_STEP, "Disabled": Autoreset.NONE}
 
@@ -68,8 +68,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
             autoreset=Autoreset.NEXT_STEP if by_library else Autoreset.NONE,
             **with_task(options, task),
         )
-        if len(self.batch.agents) != 1:
-            raise ValueError(f"the scene has {len(self.batch.agents)} infants; make_vec takes one a world")
+        check_sole(self.batch.agents)
         self._by_library = by_library
         first = self.batch.world(0)
         self.single_observation_space = observation_space(self.batch.layout, flatten)
@@ -85,7 +84,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     def _prepare(self) -> None:
         """What belongs to this object's own batch: blocks, and what the task has looked up."""
         self._blocks = [self.batch.blocks, self.batch.layout.new_block(self.num_envs)]
-        self._views = [self.batch.observation, self.batch.layout.views(self._blocks[1])]
+        self._views = [self.batch.layout.views(blocks) for blocks in self._blocks]
         self._turn = 0
         self._worlds = [self.batch.world(i) for i in range(self.num_envs)]
         if self._task is not None:
@@ -154,7 +153,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         truncated = batch.truncated[:, 0].copy()
         if self._task is None:
             return batch.reward[:, 0].copy(), batch.terminated[:, 0].copy(), truncated, None
-        judged: Judgement = self._task.evaluate(batch)
+        batch.observation = self._views[self._turn]
+        judged = judgement(self._task, batch)
         reward = np.array(np.broadcast_to(judged.reward, self.num_envs), np.float64)
         terminated = np.array(np.broadcast_to(judged.terminated, self.num_envs), np.bool_)
         return reward, terminated, truncated, np.broadcast_to(judged.success, self.num_envs)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,9 +13,10 @@ from typing_extensions import Unpack
 from . import _abi
 from ._library import LIB, check, log_to_python, raise_error, text, utf8
 from .access import Access, Mask, Numbers
+from .arguments import real_number, vector, whole_number
 from .constants import Kind, Look
 from .layout import Layout, Observation
-from .options import Options, PictureOptions, fill
+from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
 from .scene import Scene, prepare
 
 LOOK_JOINTS = 8  # MIMO_LOOK_JOINTS
@@ -103,20 +104,21 @@ class Picture(NamedTuple):
     segmentation: NDArray[np.int32]  # height x width, geom ids, -1: background
 
 
-def env_config(options: Dict[str, Any]) -> _abi.EnvConfig:
+def env_config(options: Dict[str, Any], kind: Type[PhysicsOptions] = WorldOptions) -> _abi.EnvConfig:
     """The C struct of a world's options."""
     config = _abi.EnvConfig()
     check(LIB.mimo_env_config_init(config, ctypes.sizeof(config)))
     config.log = log_to_python
-    fill(config, options, {})
+    fill(config, options, kind)
     return config
 
 
 def seed_number(seed: int) -> ctypes.c_uint64:
     """A seed for the library; ctypes would silently take it modulo 2^64."""
-    if not 0 <= seed < 2**64:
+    number = whole_number("seed", seed)
+    if not 0 <= number < 2**64:
         raise ValueError(f"seed is {seed}, expected 0 to 2^64 - 1")
-    return ctypes.c_uint64(seed)
+    return ctypes.c_uint64(number)
 
 
 class World(Access):
@@ -150,7 +152,7 @@ class World(Access):
         self.action_low, self.action_high = _action_bounds(handle, len(self.action_names))
         count = len(self.agents)
         self.block = self.layout.new_block()
-        self.observation = self.layout.views(self.block)
+        self.observation = self._views = self.layout.views(self.block)
         self.reward = np.zeros(count)
         self._flags = np.zeros((2, count), np.uint8)
         self.terminated, self.truncated = self._flags.view(np.bool_)
@@ -171,6 +173,7 @@ class World(Access):
     def reset(self, seed: Optional[int] = None) -> Observation:
         """Starts an episode; without a seed the world goes on with its own random numbers."""
         self.reset_into(self.block, seed)
+        self.observation = self._views
         return self.observation
 
     def reset_into(self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None) -> None:
@@ -181,6 +184,7 @@ class World(Access):
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
         self.step_into(self.block, action)
+        self.observation = self._views
         return StepResult(self.observation, self.reward, self.terminated, self.truncated)
 
     def step_into(self, block: Optional[NDArray[np.uint8]], action: Optional[ArrayLike] = None) -> None:
@@ -195,6 +199,7 @@ class World(Access):
     def observe(self) -> Observation:
         """What the senses give for the current state, without changing the trajectory."""
         self.observe_into(self.block)
+        self.observation = self._views
         return self.observation
 
     def observe_into(self, block: NDArray[np.uint8]) -> None:
@@ -226,6 +231,14 @@ class World(Access):
         if block.dtype != np.uint8 or not block.flags.c_contiguous or not block.flags.writeable:
             raise ValueError("block: expected a contiguous, writable array of uint8, as layout.new_block() gives it")
         return block.ctypes.data, block.nbytes
+
+    # ---- As one of many: what a task needs that serves both ----------------------------------------------------------
+
+    def world(self, index: int = 0) -> "World":
+        """Itself: number 0 of one."""
+        if index != 0:
+            raise ValueError(f"world is {index}, expected 0: there is only one")
+        return self
 
     # ---- What it is ----------------------------------------------------------------------------------------------
 
@@ -315,22 +328,9 @@ class World(Access):
         check(LIB.mimo_env_random(self._handle, values.ctypes.data, count))
         return values
 
-    def contacts(self) -> Contacts:
+    def contacts(self, world: int = 0) -> Contacts:
         """The contacts that the last physics step computed, or the reset."""
-        count = ctypes.c_size_t()
-        check(LIB.mimo_env_contacts(self._handle, None, None, 0, count))
-        n = count.value
-        ids, values = np.empty((n, 4), np.int32), np.empty((n, 19))
-        check(LIB.mimo_env_contacts(self._handle, ids.ctypes.data, values.ctypes.data, n, count))
-        return Contacts(
-            geoms=ids[:, :2],
-            bodies=ids[:, 2:],
-            position=values[:, :3],
-            frame=values[:, 3:12].reshape(n, 3, 3),
-            distance=values[:, 12],
-            force=values[:, 13:16],
-            torque=values[:, 16:],
-        )
+        return contacts_of(self.world(world)._handle)
 
     def touch_sensors(self, agent: int = 0) -> TouchSensors:
         """Where an infant's skin feels; empty where touch is off."""
@@ -363,7 +363,8 @@ class World(Access):
         Returns the angles by which the left and the right eye miss the point because of their range, rad.
         """
         errors = np.empty(2)
-        check(LIB.mimo_env_look_at(self._handle, agent, _point(point).ctypes.data, how, errors.ctypes.data))
+        target, turns = vector("point", point, 3), whole_number("how", how, Look)
+        check(LIB.mimo_env_look_at(self._handle, agent, target.ctypes.data, turns, errors.ctypes.data))
         return errors
 
     def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
@@ -371,7 +372,8 @@ class World(Access):
         count = ctypes.c_size_t()
         joints, angles, errors = np.empty(LOOK_JOINTS, np.int32), np.empty(LOOK_JOINTS), np.empty(2)
         places = (joints.ctypes.data, angles.ctypes.data, LOOK_JOINTS, count, errors.ctypes.data)
-        check(LIB.mimo_env_look_angles(self._handle, agent, _point(point).ctypes.data, how, *places))
+        target, turns = vector("point", point, 3), whole_number("how", how, Look)
+        check(LIB.mimo_env_look_angles(self._handle, agent, target.ctypes.data, turns, *places))
         names = [self.name(Kind.JOINT, int(joint)) for joint in joints[: count.value]]
         return LookAngles(names, angles[: count.value], errors)
 
@@ -389,7 +391,7 @@ class World(Access):
 
     def lock(self, joint: str, angle: float) -> None:
         """Holds a joint at an angle (rad), softly, from the next step on; outlives resets."""
-        check(LIB.mimo_env_lock(self._handle, self.find(Kind.JOINT, joint), angle))
+        check(LIB.mimo_env_lock(self._handle, self.find(Kind.JOINT, joint), real_number("angle", angle)))
 
     def unlock(self, joint: str) -> None:
         """Lets a joint go, also one that the scene has locked."""
@@ -410,7 +412,7 @@ class World(Access):
 
     @gravity.setter
     def gravity(self, xyz: ArrayLike) -> None:
-        x, y, z = np.asarray(xyz, np.float64)
+        x, y, z = vector("gravity", xyz, 3)
         check(LIB.mimo_env_set_gravity(self._handle, x, y, z))
 
     # ---- Pictures ------------------------------------------------------------------------------------------------
@@ -478,17 +480,28 @@ def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
     return world
 
 
-def _point(point: ArrayLike) -> Numbers:
-    numbers = np.ascontiguousarray(point, np.float64)
-    if numbers.shape != (3,):
-        raise ValueError(f"point has the shape {numbers.shape}, expected (3,)")
-    return numbers
+def contacts_of(handle: int) -> Contacts:
+    """The contacts in a world of this handle."""
+    count = ctypes.c_size_t()
+    check(LIB.mimo_env_contacts(handle, None, None, 0, count))
+    n = count.value
+    ids, values = np.empty((n, 4), np.int32), np.empty((n, 19))
+    check(LIB.mimo_env_contacts(handle, ids.ctypes.data, values.ctypes.data, n, count))
+    return Contacts(
+        geoms=ids[:, :2],
+        bodies=ids[:, 2:],
+        position=values[:, :3],
+        frame=values[:, 3:12].reshape(n, 3, 3),
+        distance=values[:, 12],
+        force=values[:, 13:16],
+        torque=values[:, 16:],
+    )
 
 
 def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
     config = _abi.PictureConfig()
     check(LIB.mimo_picture_config_init(config, ctypes.sizeof(config)))
-    fill(config, picture, {})
+    fill(config, picture, PictureOptions)
     return config
 
 

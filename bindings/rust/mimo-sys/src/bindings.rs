@@ -166,7 +166,7 @@ pub const MIMO_F32: u32 = 3;
 pub const MIMO_F64: u32 = 4;
 #[doc = "Belongs to the end of the step."]
 pub const MIMO_AT_END: u32 = 1;
-#[doc = "Belongs to the start of the last physics step, one time step (5 ms) before the end."]
+#[doc = "Belongs to the start of the last physics step, one time step of the model before the end: 5 ms in built-in scenes."]
 pub const MIMO_AT_LAST_START: u32 = 2;
 #[doc = "Rigid bodies; 0 is the world."]
 pub const MIMO_BODY: u32 = 1;
@@ -366,7 +366,7 @@ pub struct mimo_agent_config {
     pub name: *const std::os::raw::c_char,
     #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the body is part of the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
-    #[doc = "Of the root body mimo_location, metres, world frame."]
+    #[doc = "Of the root body mimo_location, metres, world frame. The soles of who stands are 0.33 below."]
     pub position: [f64; 3usize],
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
@@ -415,7 +415,8 @@ extern "C" {
     pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills a config with what the scene gives its infant by itself: its body (static string), and in reach, standup,"]
+    #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position"]
+    #[doc = "and orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,"]
     #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(
@@ -733,7 +734,7 @@ pub struct mimo_env {
 pub struct mimo_env_config {
     #[doc = "sizeof(mimo_env_config), set by mimo_env_config_init."]
     pub struct_size: u32,
-    #[doc = "Physics steps (of 5 ms) per environment step, 1 to 1000. Default 0: the scene's own, mostly 2."]
+    #[doc = "Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms in built-in scenes. Default 0: the scene's own, mostly 2."]
     pub frame_skip: u32,
     #[doc = "A MIMO_JACOBIAN_ constant."]
     pub jacobian: i32,

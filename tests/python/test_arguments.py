@@ -1,0 +1,114 @@
+"""What callers mistype, and what they are told: the argument, its value, what was expected."""
+
+import numpy as np
+import pytest
+
+import mimo
+
+
+class Silent(mimo.Task):
+    """Forgets to judge."""
+
+    def __init__(self, answer=0.5):
+        self.answer = answer
+
+    def evaluate(self, world):
+        return self.answer
+
+
+def scene():
+    return mimo.Scene("free")
+
+
+def set_gravity(value):
+    mimo.World("reach").gravity = value
+
+
+@pytest.mark.parametrize(
+    ("call", "kind", "message"),
+    [
+        (lambda: scene().add_object("ball", siez=3), TypeError, "no option siez; there are: fixed, mass"),
+        (lambda: scene().add_agent(touch_scael=3), TypeError, "no option touch_scael; there are: acts"),
+        (lambda: scene().add_camera("wall", lookat=(0, 0, 1)), TypeError, "no option lookat; there are: body"),
+        (lambda: scene().add_model("cup", fiel="cup.xml"), TypeError, "no option fiel; there are: file"),
+        (lambda: mimo.World("reach").render(widht=3), TypeError, "no option widht; there are: azimuth"),
+        (lambda: mimo.make("reach", frameskip=3), TypeError, "no option frameskip; there are: acts"),
+        (lambda: scene().add_object("ball", shape="cube"), ValueError, "shape is 'cube', expected mimo.Shape or"),
+        (lambda: scene().add_object("ball", size="big"), TypeError, "size is 'big', expected a number"),
+        (lambda: scene().add_object("ball", size=[1, 2, 3, 4]), ValueError, "expected 1 to 3 numbers"),
+        (lambda: scene().add_agent(actuation="muscel"), ValueError, "torque, position, muscle, mujoco_muscle"),
+        (lambda: scene().add_agent(touch=3.5), TypeError, "touch is 3.5, expected mimo.Touch or a name"),
+        (lambda: scene().add_agent(vision_width=3.5), TypeError, "vision_width is 3.5, expected a whole number"),
+        (lambda: scene().add_agent(position=3), ValueError, "position is 3, expected 3 numbers"),
+        (lambda: scene().add_agent(touch_scale="fine"), TypeError, "touch_scale is 'fine', expected a number"),
+        (lambda: scene().add_agent(name=3), TypeError, "name is 3, expected a text"),
+        (lambda: scene().lock("robot:left_knee", "bent"), TypeError, "value is 'bent', expected a number"),
+        (lambda: mimo.World("reach").look_at([0, 0, 1], how="neck"), ValueError, "how is 'neck', expected mimo.Look"),
+        (lambda: mimo.World("reach").look_at(1), ValueError, "point is 1, expected 3 numbers"),
+        (lambda: mimo.Batch("reach", 2, autoreset="never"), ValueError, "none, next_step, same_step"),
+        (lambda: set_gravity(-9.81), ValueError, "gravity is -9.81, expected 3 numbers"),
+        (lambda: set_gravity([0, -9.81]), ValueError, "gravity is [0, -9.81], expected 3 numbers"),
+        (lambda: mimo.World("reach").reset("a"), TypeError, "seed is 'a', expected a whole number"),
+        (lambda: mimo.Batch("reach", 2).reset("a"), TypeError, "seed is 'a', expected a whole number"),
+        (lambda: mimo.Batch("reach", 2).reset([1, 2.5]), TypeError, "seed is 2.5, expected a whole number"),
+        (lambda: mimo.World("reach", task=Silent()), TypeError, "make, make_vec and ParallelEnv take"),
+        (lambda: mimo.Batch("reach", task=Silent()), TypeError, "make, make_vec and ParallelEnv take"),
+        (lambda: mimo.World("reach").contacts(1), ValueError, "world is 1, expected 0"),
+        (lambda: mimo.make(scene()), ValueError, "no infant; add one with its add_agent()"),
+        (lambda: mimo.make_vec(scene()), ValueError, "no infant; add one with its add_agent()"),
+        (lambda: mimo.ParallelEnv(scene()), ValueError, "no infant; add some with its add_agent()"),
+        (lambda: mimo.make_vec("playdate"), ValueError, "2 infants, expected one; for several use mimo.ParallelEnv"),
+    ],
+)
+def test_they_are_told(call, kind, message):
+    with pytest.raises(kind) as caught:
+        call()
+    assert message in str(caught.value)
+
+
+def test_enums_by_the_names_of_their_members():
+    muscles = mimo.World("free", actuation="muscle", vision=False, touch="Slip")
+    assert len(muscles.action_names) == 88  # two for each of the 44 motors
+    assert "touch/slip" in muscles.layout.fields
+    room = scene()
+    room.add_object("cube", shape="BOX", size=np.array([0.01, 0.02, 0.03]))
+    np.testing.assert_allclose(mimo.World(room).geoms("cube").size[0], [0.01, 0.02, 0.03])
+    assert muscles.count("camera") == muscles.count(mimo.Kind.CAMERA) == 2
+
+
+def test_a_judgement_is_asked_for():
+    one = mimo.make("benchmark", task=Silent(), vision=False, touch=False)
+    one.reset(seed=0)
+    with pytest.raises(TypeError, match=r"Silent\.evaluate returned an object of type float; return a mimo\.Judgement"):
+        one.step(one.action_space.sample())
+    many = mimo.make_vec("benchmark", num_envs=2, task=Silent(None), vision=False, touch=False)
+    many.reset(seed=0)
+    with pytest.raises(TypeError, match="returned None; return a"):
+        many.step(many.action_space.sample())
+
+
+def test_what_is_not_given_of_a_place_is_the_scene_s():
+    quarter = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]
+    infant = mimo.World("free", orientation=quarter, vision=False, touch=False).bodies("mimo_location")
+    np.testing.assert_array_equal(infant.position[0], [0, 0, 0.4])  # mimo:place of models/free.xml
+    np.testing.assert_allclose(infant.orientation[0], quarter)
+    lying = mimo.World("selfbody", position=[0, 0, 1]).bodies("mimo_location")
+    np.testing.assert_allclose(lying.orientation[0][0], 0.8922939087000012)  # that of models/selfbody.xml
+    two = scene()
+    two.add_agent(name="anna", orientation=quarter)
+    with pytest.raises(ValueError, match="no place for infant number 2; give position"):
+        two.add_agent(name="ben", orientation=quarter)
+
+
+def test_objects_say_what_they_are():
+    room = scene()
+    room.add_agent(touch=False)
+    assert repr(room) == "<mimo.Scene free: 1 infants>"
+    assert repr(mimo.Scene(xml="<mujoco/>")) == "<mimo.Scene xml: 0 infants>"
+    world = mimo.World("reach")
+    assert repr(world).startswith("<mimo.World reach: 1 infants, 8 actions; proprioception/position (47,), ")
+    assert repr(world.bodies("head", "hip")) == "<2 bodies: head, hip>"
+    assert repr(world.joints()).endswith("robot:head_swivel, ...>")
+    world.close()
+    assert repr(world).startswith("<mimo.World reach: ")
+    assert repr(mimo.Batch("reach", 3)).startswith("<mimo.Batch 3 x reach: 1 infants")
