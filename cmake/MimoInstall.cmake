@@ -13,11 +13,12 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
 endif()
 
 # Articles and examples, beside each other as in the repository: they refer to each other (tests/readme/check_links).
-set(articles abi benchmark differences python tasks vision)
+set(articles abi benchmark differences learning python tasks vision)
 list(TRANSFORM articles REPLACE ".+" "docs/\\0.md")
 install(FILES ${articles} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents)
 install(DIRECTORY docs/guide docs/adr DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents
         FILES_MATCHING PATTERN *.md)
+install(DIRECTORY docs/data DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.csv)
 install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)
 install(DIRECTORY examples/c examples/cpp examples/python DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
         COMPONENT documents PATTERN __pycache__ EXCLUDE)

@@ -42,7 +42,8 @@ def over_seeds(runs):
 def draw_curves(place, task, algorithms, value):
     for algorithm, runs in sorted(algorithms.items()):
         steps, mean, spread = over_seeds(runs)
-        (line,) = place.plot(steps, mean, label=f"{algorithm.upper()} ({len(runs)} seeds)")
+        seeds = "1 seed" if len(runs) == 1 else f"{len(runs)} seeds"
+        (line,) = place.plot(steps, mean, label=f"{algorithm.upper()} ({seeds})")
         place.fill_between(steps, mean - spread, mean + spread, color=line.get_color(), alpha=0.2, linewidth=0)
         print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
 
@@ -53,7 +54,8 @@ def draw(folder, values):
     if not rows[0]:
         raise SystemExit(f"there are no curves in {folder}")
     size = (4 * len(rows[0]), 0.4 + 2.8 * len(rows))
-    figure, axes = plt.subplots(len(rows), len(rows[0]), figsize=size, sharex="col", squeeze=False, layout="constrained")
+    shape = {"nrows": len(rows), "ncols": len(rows[0])}
+    figure, axes = plt.subplots(**shape, figsize=size, sharex="col", squeeze=False, layout="constrained")
     for places, value, tasks in zip(axes, values, rows):
         for place, (task, algorithms) in zip(places, tasks):
             draw_curves(place, task, algorithms, value)

@@ -43,7 +43,7 @@ class BareWorld {
   void run(const Actions& actions);
   void warm_up(const Actions& actions);
   void forget() { times_ = Samples(0); }  // what was measured so far
-  void go_to(const Env& other);  // where that one is; ours rounds otherwise, and contacts amplify it
+  void go_to(const Env& other);           // where that one is; ours rounds otherwise, and contacts amplify it
 
   const Env& env() const { return env_; }
   const Samples& times() const { return times_; }

@@ -195,7 +195,8 @@ void add_bench(CLI::App& program) {
       ->needs(paper);
   command->footer(
       "raw_physics_us is one mj_step of a twin of the world that follows the same trajectory; reference_us is one of\n"
-      "the benchmark scene solved as the original does (dense Jacobian), on Debian's build of MuJoCo: null without it.\n"
+      "the benchmark scene solved as the original does (dense Jacobian), on Debian's build of MuJoCo: null without "
+      "it.\n"
       "All are measured in turns.\n"
       "step_vs_raw is a step's time over that of its bare physics steps.\n"
       "With several worlds ms_per_step is the time of one world's step on its thread; with several threads scaling is\n"

@@ -13,8 +13,8 @@ namespace mimo::engine {
 bool newton_step_serves(const mjModel& model);
 
 // mj_step, with our solver in the place of mj_fwdConstraint. Like that it takes its room from mjData's stack, and
-// leaves by MuJoCo's error where that is too small. Not filled in are mjData.solver, its timers of stages within a step,
-// and the warnings of a solver that gets stuck; a matrix that is singular to rounding is solved all the same.
+// leaves by MuJoCo's error where that is too small. Not filled in are mjData.solver, its timers of stages within a
+// step, and the warnings of a solver that gets stuck; a matrix that is singular to rounding is solved all the same.
 void newton_step(const mjModel* model, mjData* data);
 
 }  // namespace mimo::engine
