@@ -15,13 +15,16 @@ static const char* take_text(input* in, char* room) {
 }
 
 static void add_agent(input* in, mimo_scene* scene) {
-  char name[NAME_BYTES], body[NAME_BYTES], part[NAME_BYTES];
+  char name[NAME_BYTES], body[NAME_BYTES], part[NAME_BYTES], face[NAME_BYTES], root[NAME_BYTES], organ[NAME_BYTES];
   int32_t agent = -7;
   ROOMY(mimo_agent_config, given);
   CALL(mimo_scene_default_agent(scene, &given.config, sizeof given.config));
   if (take_byte(in) % 2 != 0) take(in, &given.config, sizeof given.config);
   given.config.name = take_text(in, name);
   given.config.body = take_text(in, body);
+  given.config.face = take_text(in, face);
+  given.config.root = take_text(in, root);
+  given.config.vestibular_at = take_text(in, organ);
   /* Large pictures and dense skins are legal, and slow. */
   if (given.config.vision_width <= 4096) given.config.vision_width %= 9;
   if (given.config.vision_height <= 4096) given.config.vision_height %= 9;
