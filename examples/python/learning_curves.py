@@ -54,8 +54,8 @@ def draw(folder, values):
     if not rows[0]:
         raise SystemExit(f"there are no curves in {folder}")
     size = (4 * len(rows[0]), 0.4 + 2.8 * len(rows))
-    shape = {"nrows": len(rows), "ncols": len(rows[0])}
-    figure, axes = plt.subplots(**shape, figsize=size, sharex="col", squeeze=False, layout="constrained")
+    counts = len(rows), len(rows[0])
+    figure, axes = plt.subplots(*counts, figsize=size, sharex="col", squeeze=False, layout="constrained")
     for places, value, tasks in zip(axes, values, rows):
         for place, (task, algorithms) in zip(places, tasks):
             draw_curves(place, task, algorithms, value)

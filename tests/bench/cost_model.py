@@ -10,12 +10,12 @@ Parts are fitted one by one, to their own clocks, by least squares of relative e
 """
 import json
 import pathlib
-import subprocess
 import sys
 
 import numpy
 
-PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "build" / "bin" / "mimo"
+import ratios
+
 STEPS = "400"
 FINGERS = ("--body", "fingers")
 SCENES = [("--scene", scene) for scene in ("benchmark", "free", "reach", "standup", "selfbody", "showroom", "playdate")]
@@ -65,8 +65,7 @@ VISION = {
 def measure(settings):
     runs = []
     for arguments in settings:
-        command = [PROGRAM, "bench", "--json", "--steps", STEPS, *arguments]
-        run = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+        run = ratios.run(ratios.bench("--steps", STEPS, *arguments))
         run["name"] = " ".join(word for word in arguments if word not in ("--scene", "--body")).replace("--", "")
         runs.append(run)
         print(".", end="", file=sys.stderr, flush=True)

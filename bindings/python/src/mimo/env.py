@@ -66,10 +66,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self._seeded = True
         block = self.world.layout.new_block()
         observation = self.world.layout.views(block)
-        self.world.reset_into(block if self._task is None else None, seed)
-        if self._task is not None:
-            self._task.reset(self.world, None)
-            self.world.observe_into(block)
+        begin(self.world, self._task, block, seed)
         if self.render_mode == "human":
             self.render()
         return flat(observation) if self._flatten else observation, self._info(success=False)
@@ -131,6 +128,16 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self._supply = Supply(self.world.layout)
         if self._task is not None:
             self._task.setup(self.world)  # what it had looked up belonged to the other world
+
+
+def begin(world: World, task: Optional[Task], block: NDArray[np.uint8], seed: Optional[int]) -> None:
+    """Starts an episode, as the world's own task or one in Python has it, and senses into the block."""
+    if task is None:
+        world.reset_into(block, seed)
+        return
+    world.reset_into(None, seed)
+    task.reset(world, None)
+    world.observe_into(block)
 
 
 def check_sole(agents: Sequence[Any]) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pettingzoo import ParallelEnv as _ParallelEnv
 from typing_extensions import Unpack
 
-from .env import PICTURE, with_task
+from .env import PICTURE, begin, with_task
 from .layout import Observation
 from .options import EnvOptions
 from .scene import Scene
@@ -76,10 +76,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         self._seeded = True
         self.agents = list(self.possible_agents)
         block = self.world.layout.new_block()
-        self.world.reset_into(block if self._task is None else None, seed)
-        if self._task is not None:
-            self._task.reset(self.world, None)
-            self.world.observe_into(block)
+        begin(self.world, self._task, block, seed)
         views = self.world.layout.views(block)
         return self._observations(views, self.agents), {agent: {} for agent in self.agents}
 
