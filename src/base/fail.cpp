@@ -5,7 +5,7 @@
 namespace mimo {
 
 void fail_formatted(Status status, fmt::string_view format, fmt::format_args arguments) {
-  throw Error(status, fmt::vformat(format, arguments));
+  throw Error(status, format_arguments(format, arguments));
 }
 
 }  // namespace mimo

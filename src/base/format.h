@@ -1,7 +1,31 @@
-// All of fmt (join, format), compiled into the files that include this: libmimo.so needs no libfmt.
+// format("size {} of {}", a, b) and join(list, ", "): texts.
 #pragma once
 
-#ifndef FMT_HEADER_ONLY
-#define FMT_HEADER_ONLY
-#endif
-#include <fmt/format.h>
+// The small part of fmt. The rest is compiled once, in format.cpp, and not into every file that includes this; most of
+// a file's compile time hangs on it.
+#include <fmt/core.h>
+
+#include <string>
+
+namespace mimo {
+
+std::string format_arguments(fmt::string_view format, fmt::format_args arguments);
+
+template <typename... Args>
+std::string format(fmt::format_string<Args...> format, const Args&... args) {
+  return format_arguments(format, fmt::make_format_args(args...));
+}
+
+template <typename List>
+std::string join(const List& list, const char* separator) {
+  std::string joined;
+  const char* between = "";
+  for (const auto& item : list) {
+    joined += between;
+    joined += format("{}", item);
+    between = separator;
+  }
+  return joined;
+}
+
+}  // namespace mimo

@@ -167,7 +167,7 @@ void Batch::finish() {
     if (failures++ == 0) first = i;
   }
   if (failures == 0) return;
-  const std::string others = failures == 1 ? "" : fmt::format(" (and {} more)", failures - 1);
+  const std::string others = failures == 1 ? "" : format(" (and {} more)", failures - 1);
   fail(reports_[first].status, "world {}{}: {}", first, others, reports_[first].message);
 }
 

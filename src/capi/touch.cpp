@@ -23,7 +23,7 @@ void set_touch(SceneObject& object, std::int32_t agent, const char* body, double
   const std::vector<std::string> names = object.scene.body_names(options.prefix());
   const bool known = options.root.empty() && !names.empty();  // else only the compiled model tells
   if (known && std::find(names.begin(), names.end(), body) == names.end()) {
-    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, fmt::join(names, ", "));
+    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, join(names, ", "));
   }
   options.touch.spacing[body] = spacing;
 }

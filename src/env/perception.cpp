@@ -32,7 +32,7 @@ body::Body chosen_joints(const mjModel& model, body::Body body, const std::vecto
       std::vector<std::string> there;
       for (const body::Joint& joint : body.joints) there.push_back(engine::name(model, engine::Kind::kJoint, joint.id));
       fail(Status::kNotFound, "proprioception: the agent has no hinge or slide joint \"{}\"; it has: {}", name,
-           fmt::join(there, ", "));
+           join(there, ", "));
     }
     chosen.push_back(*found);
   }

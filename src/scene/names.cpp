@@ -91,7 +91,7 @@ std::string some_names(pugi::xml_node root, std::initializer_list<const char*> e
     names.resize(kShown);
     names.emplace_back("...");
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return join(names, ", ");
 }
 
 bool has_names_with(pugi::xml_node root, const std::string& prefix) {

@@ -39,7 +39,7 @@ const char* entry(const char* const (&list)[N], std::size_t index) {
 template <std::size_t N>
 void require_known(const char* what, const char* const (&list)[N], const std::string& name) {
   if (std::find(std::begin(list), std::end(list), name) != std::end(list)) return;
-  fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", what, name, fmt::join(list, ", "));
+  fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", what, name, join(list, ", "));
 }
 
 pugi::xml_document load(const Library& library, const Source& source) {
@@ -207,7 +207,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   Recipe recipe = Recipe::of_room(document_.document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
   require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
-          "body \"{}\": the scene is made for {} only", body, fmt::join(fit, ", "));
+          "body \"{}\": the scene is made for {} only", body, join(fit, ", "));
 
   const pugi::xml_document guest = Loader(models_).built_in(body + ".xml");
   const pugi::xml_node guest_root = guest.document_element();

@@ -115,9 +115,7 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
   must(attribute.set_value(value.c_str()));
 }
 
-void set(pugi::xml_node node, const char* name, Span<const double> values) {
-  set(node, name, fmt::format("{}", fmt::join(values.begin(), values.end(), " ")));
-}
+void set(pugi::xml_node node, const char* name, Span<const double> values) { set(node, name, join(values, " ")); }
 
 std::vector<double> numbers(pugi::xml_attribute attribute) {
   const std::string text = attribute.value();

@@ -26,8 +26,7 @@ std::vector<Lens> carried_cameras(const mjModel& model, const body::Body& body) 
   if (lenses.empty()) {
     fail(Status::kNotFound,
          "vision is on, but body \"{}\" carries no camera; vision = 0 switches eyes off; cameras elsewhere: {}",
-         engine::name(model, Kind::kBody, body.root),
-         others.empty() ? "none" : fmt::to_string(fmt::join(others, ", ")));
+         engine::name(model, Kind::kBody, body.root), others.empty() ? "none" : join(others, ", "));
   }
   return lenses;
 }

@@ -15,7 +15,7 @@ const Parameter& find(const std::string& name) {
     if (name == candidate->name) return *candidate;
     names.push_back(candidate->name);
   }
-  fail(Status::kNotFound, "no parameter named \"{}\"; there are: {}", name, fmt::join(names, ", "));
+  fail(Status::kNotFound, "no parameter named \"{}\"; there are: {}", name, join(names, ", "));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ const Definition& definition(const std::string& name) {
     if (name == candidate->name) return *candidate;
     names.push_back(candidate->name);
   }
-  fail(Status::kNotFound, "no task named \"{}\"; there are: {}", name, fmt::join(names, ", "));
+  fail(Status::kNotFound, "no task named \"{}\"; there are: {}", name, join(names, ", "));
 }
 
 }  // namespace mimo::tasks

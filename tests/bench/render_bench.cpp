@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
 #include <random>
 #include <string>
@@ -56,7 +57,7 @@ int run(int states, const std::string& simd) {
     try {
       size.reference = render::make_osmesa_renderer(model, {}, {});
     } catch (const Error& error) {
-      fmt::print("without OSMesa: {}\n", error.message());
+      std::cout << format("without OSMesa: {}\n", error.message());
     }
   }
 
@@ -93,15 +94,15 @@ int run(int states, const std::string& simd) {
   }
 
   const double step = median(steps);
-  fmt::print("reference step {:.1f} us; medians of {} states, both eyes, processor time, {}\n", step * 1e6, states,
-             simd.empty() ? render::ray_simd_paths().front() : simd);
-  fmt::print("{:>8} {:>12} {:>8} {:>12} {:>8} {:>10}\n", "pixels", "ray [us]", "[steps]", "OSMesa [us]", "[steps]",
-             "ray faster");
+  std::cout << format("reference step {:.1f} us; medians of {} states, both eyes, processor time, {}\n", step * 1e6,
+                      states, simd.empty() ? render::ray_simd_paths().front() : simd);
+  std::cout << format("{:>8} {:>12} {:>8} {:>12} {:>8} {:>10}\n", "pixels", "ray [us]", "[steps]", "OSMesa [us]",
+                      "[steps]", "ray faster");
   for (const Size& size : sizes) {
     const double a = median(size.ray);
     const double b = median(size.osmesa);
-    fmt::print("{:>8} {:>12.1f} {:>8.2f} {:>12.1f} {:>8.2f} {:>9.1f}x\n", size.pixels, a * 1e6, a / step, b * 1e6,
-               b / step, b / a);
+    std::cout << format("{:>8} {:>12.1f} {:>8.2f} {:>12.1f} {:>8.2f} {:>9.1f}x\n", size.pixels, a * 1e6, a / step,
+                        b * 1e6, b / step, b / a);
   }
   return 0;
 }
@@ -112,7 +113,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc > 1 ? std::max(2, std::atoi(argv[1])) : 25, argc > 2 ? argv[2] : "");
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.message());
+    std::cerr << error.message() << '\n';
     return 1;
   }
 }

@@ -1,13 +1,13 @@
 // The skin's sensors and what they feel, against the original (touch_*.json).
 #include "support/touch.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <map>
 #include <ostream>
 
+#include "base/format.h"
 #include "senses/touch/spacing.h"
 #include "senses/touch/surface.h"
 #include "support/recording.h"
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
 // The benchmark scene with the infant held and a ball that can slide up and down.
 engine::ModelPtr held_under_a_ball(const Json& recorded) {
   const Json& ball = recorded.at("ball");
-  const auto number = [&](const char* key) { return fmt::format("{}", ball.at(key).get<double>()); };
+  const auto number = [&](const char* key) { return format("{}", ball.at(key).get<double>()); };
   scene::Scene scene(from_text(
       "<mujoco><include file='mimo/benchmark.xml'/><worldbody><body pos='" + number("x") + " " + number("y") + " " +
       number("z") + "'><joint name='ball_slide' type='slide' axis='0 0 1' damping='" + number("damping") +

@@ -18,7 +18,7 @@ inline std::string pile(int spheres, const std::string& extra) {
   std::string bodies;
   for (int i = 0; i < spheres; ++i) {
     const double x = 0.11 * (i % 4), y = 0.11 * (i / 4 % 4), z = 0.06 + 0.11 * (i / 16);
-    bodies += fmt::format("<body pos='{} {} {}'><freejoint/><geom size='0.05' mass='0.1'/></body>", x, y, z);
+    bodies += format("<body pos='{} {} {}'><freejoint/><geom size='0.05' mass='0.1'/></body>", x, y, z);
   }
   return "<mujoco><option timestep='0.005'/>" + extra + "<worldbody><geom type='plane' size='1 1 .1'/>" + bodies +
          "</worldbody></mujoco>";
@@ -26,7 +26,7 @@ inline std::string pile(int spheres, const std::string& extra) {
 
 // One sphere on a slide that a spring pulls at.
 inline std::string spring(double stiffness) {
-  return fmt::format(
+  return format(
       "<mujoco><option timestep='0.005'/><worldbody><body><joint name='slide' type='slide' axis='1 0 0' "
       "springref='0.1' "
       "stiffness='{}'/><geom size='0.05' mass='0.1'/></body></worldbody><actuator><motor name='motor' joint='slide'/>"

@@ -26,7 +26,7 @@ struct Trouble {
 void PrintTo(const Trouble& trouble, std::ostream* stream) { *stream << trouble.name; }
 
 // So few spheres are solved by MuJoCo, with a dense Jacobian, unless one asks for the other: then by ourselves.
-std::string small_pile(const char* jacobian) { return pile(4, fmt::format("<option jacobian='{}'/>", jacobian)); }
+std::string small_pile(const char* jacobian) { return pile(4, format("<option jacobian='{}'/>", jacobian)); }
 
 std::vector<Trouble> troubles() {
   const auto nothing = [](engine::Physics&) {};

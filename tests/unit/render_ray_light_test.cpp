@@ -32,8 +32,8 @@ TEST(RayLight, Directional) {
   const std::string light =
       "<light directional='true' dir='1 0 -1' pos='-3 0 3' diffuse='.9 .9 .9' ambient='.05 .05 .05' castshadow='{}'/>";
   const Rgb expected = scaled(0.05 + 0.9 * std::sqrt(0.5));
-  EXPECT_TRUE(color_near(expected, floor_under(fmt::format(fmt::runtime(light), "false"))));
-  EXPECT_TRUE(color_near(expected, floor_under(fmt::format(fmt::runtime(light), "true"))));
+  EXPECT_TRUE(color_near(expected, floor_under(format(fmt::runtime(light), "false"))));
+  EXPECT_TRUE(color_near(expected, floor_under(format(fmt::runtime(light), "true"))));
 }
 
 TEST(RayLight, Colored) {
@@ -50,9 +50,9 @@ TEST(RayLight, SpotWithExponent) {
     const double tolerance = exponent > 30 ? 2 : 1.2;  // large exponents are rounded
     for (const char* shadow : {"true", "false"}) {
       EXPECT_TRUE(color_near(scaled(std::pow(cosine, exponent)),
-                             floor_under(fmt::format(fmt::runtime(light), 45, exponent, shadow)), tolerance))
+                             floor_under(format(fmt::runtime(light), 45, exponent, shadow)), tolerance))
           << exponent;
-      EXPECT_TRUE(color_near({0, 0, 0}, floor_under(fmt::format(fmt::runtime(light), 29, exponent, shadow))));
+      EXPECT_TRUE(color_near({0, 0, 0}, floor_under(format(fmt::runtime(light), 29, exponent, shadow))));
     }
   }
 }
@@ -75,7 +75,7 @@ TEST(RayLight, Specular) {
     Studio studio(
         world("<geom type='plane' size='2 2 1' material='shiny'/><light directional='true' dir='.363970 0 -1' "
               "diffuse='0 0 0' specular='.9 .9 .9'/>",
-              fmt::format("<material name='shiny' specular='.7' shininess='{}' rgba='.8 .6 .4 1'/>", shininess)));
+              format("<material name='shiny' specular='.7' shininess='{}' rgba='.8 .6 .4 1'/>", shininess)));
     const double glint = 0.9 * 0.7 * std::pow(std::cos(10 * kPi / 180), 128 * shininess);
     EXPECT_TRUE(color_near({glint, glint, glint}, studio.shoot(from_above(1)).middle(), 1.6)) << shininess;
   }
@@ -116,7 +116,7 @@ TEST_P(EachLight, CastsShadows) {
   const std::string ball = "<geom type='{}' pos='0 0 .5' size='.1 .1 .1'/>";
   const render::View view = render::orbit_view({0, 0, 0}, 1, 90, -35, 40);
   for (const char* kind : {"sphere", "capsule", "ellipsoid", "cylinder", "box"}) {
-    const std::string body = kFloor + fmt::format(fmt::runtime(ball), kind);
+    const std::string body = kFloor + format(fmt::runtime(ball), kind);
     render::RayOptions plain;
     plain.shadows = false;
     Studio dark(world(body + GetParam()));

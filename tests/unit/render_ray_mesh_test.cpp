@@ -22,16 +22,16 @@ struct Ring {
         const double a = 2 * kPi * i / kAround;
         const double b = 2 * kPi * k / kAlong;
         const double r = 0.3 + 0.1 * std::cos(b);
-        vertex += fmt::format("{} {} {} ", r * std::cos(a), r * std::sin(a), 0.1 * std::sin(b));
-        normal += fmt::format("{} {} {} ", std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
-        texcoord += fmt::format("{} {} ", 4.0 * i / kAround, 1.0 * k / kAlong);
+        vertex += format("{} {} {} ", r * std::cos(a), r * std::sin(a), 0.1 * std::sin(b));
+        normal += format("{} {} {} ", std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
+        texcoord += format("{} {} ", 4.0 * i / kAround, 1.0 * k / kAlong);
       }
     }
     const auto at = [](int i, int k) { return i * (kAlong + 1) + k; };
     for (int i = 0; i < kAround; ++i) {
       for (int k = 0; k < kAlong; ++k) {
-        face += fmt::format("{} {} {} ", at(i, k), at(i + 1, k), at(i + 1, k + 1));
-        face += fmt::format("{} {} {} ", at(i, k), at(i + 1, k + 1), at(i, k + 1));
+        face += format("{} {} {} ", at(i, k), at(i + 1, k), at(i + 1, k + 1));
+        face += format("{} {} {} ", at(i, k), at(i + 1, k + 1), at(i, k + 1));
       }
     }
   }

@@ -27,10 +27,9 @@ TEST_P(Smooth, PlanesLookLikeBoxes) {
   const std::string visual = "<headlight ambient='.1 .1 .1' diffuse='.2 .2 .2' specular='.3 .3 .3'/>";
   int different = 0;
   for (const char* material : {"plain", "colored", "flat"}) {
-    Studio plane(
-        world(fmt::format("{}<geom type='plane' size='5 5 1' material='{}'/>", lights, material), assets, visual));
-    Studio box(world(fmt::format("{}<geom type='box' size='5 5 1' pos='0 0 -1' material='{}'/>", lights, material),
-                     assets, visual));
+    Studio plane(world(format("{}<geom type='plane' size='5 5 1' material='{}'/>", lights, material), assets, visual));
+    Studio box(world(format("{}<geom type='box' size='5 5 1' pos='0 0 -1' material='{}'/>", lights, material), assets,
+                     visual));
     for (const int pixels : {48, 200}) {
       for (const double distance : {0.25, 1.0, 3.0}) {
         for (const double elevation : {-80.0, -35.0}) {

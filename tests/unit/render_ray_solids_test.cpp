@@ -93,10 +93,10 @@ TEST(RaySolids, Crowd) {
   std::string body = "<geom type='plane' size='0 0 1' pos='0 0 -.7'/>";
   const char* kinds[] = {"sphere", "capsule", "ellipsoid", "cylinder", "box"};
   for (int k = 0; k < 60; ++k) {
-    body += fmt::format("<geom type='{}' size='{} {} {}' pos='{} {} {}' euler='{} {} {}'/>", kinds[k % 5],
-                        0.05 + 0.1 * std::abs(uniform(random)), 0.02 + 0.2 * std::abs(uniform(random)),
-                        0.02 + 0.1 * std::abs(uniform(random)), uniform(random), uniform(random), 0.5 * uniform(random),
-                        180 * uniform(random), 180 * uniform(random), 180 * uniform(random));
+    body += format("<geom type='{}' size='{} {} {}' pos='{} {} {}' euler='{} {} {}'/>", kinds[k % 5],
+                   0.05 + 0.1 * std::abs(uniform(random)), 0.02 + 0.2 * std::abs(uniform(random)),
+                   0.02 + 0.1 * std::abs(uniform(random)), uniform(random), uniform(random), 0.5 * uniform(random),
+                   180 * uniform(random), 180 * uniform(random), 180 * uniform(random));
   }
   Studio studio(world(body));
   for (int k = 0; k < 12; ++k) {
@@ -109,7 +109,7 @@ TEST(RaySolids, Crowd) {
 TEST(RaySolids, CameraOnTheSurface) {
   for (const char* kind : {"type='sphere' size='.1'", "type='box' size='.1 .1 .1'", "type='cylinder' size='.1 .1'",
                            "type='ellipsoid' size='.1 .2 .2'", "type='capsule' size='.1 .1'"}) {
-    Studio studio(world(fmt::format("<geom {}/><geom type='box' size='.1 3 3' pos='2 0 0'/>", kind)));
+    Studio studio(world(format("<geom {}/><geom type='box' size='.1 3 3' pos='2 0 0'/>", kind)));
     const Shot shot = studio.shoot(render::orbit_view({0.2, 0, 0}, 0.1, 0, 0, 60));
     for (const int id : shot.ids) ASSERT_EQ(id, 1) << kind;
   }
@@ -166,10 +166,10 @@ TEST(RaySolids, WhatIsShown) {
   EXPECT_EQ(id_of("<geom size='.1' rgba='1 1 1 .2'/>"), 0);
   const char* site =
       "<light pos='0 0 2' diffuse='1 1 1'/><geom size='.05'/><site size='.1' group='{}' rgba='1 0 0 1'/>";
-  Studio shown(world(fmt::format(fmt::runtime(site), 2)));
+  Studio shown(world(format(fmt::runtime(site), 2)));
   EXPECT_EQ(shown.shoot(from_above(1)).middle_id(), -1);
   EXPECT_GT(shown.shoot(from_above(1)).middle()[0], 100);
-  EXPECT_EQ(id_of(fmt::format(fmt::runtime(site), 3)), 0);
+  EXPECT_EQ(id_of(format(fmt::runtime(site), 3)), 0);
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ inline ::testing::AssertionResult color_near(const std::array<double, 3>& expect
   for (int k = 0; k < 3; ++k) {
     if (std::abs(std::min(expected[k], 1.0) * 255 - actual[k]) > tolerance) {
       return ::testing::AssertionFailure()
-             << fmt::format("{} {} {} expected, drawn {} {} {}", expected[0] * 255, expected[1] * 255,
-                            expected[2] * 255, actual[0], actual[1], actual[2]);
+             << format("{} {} {} expected, drawn {} {} {}", expected[0] * 255, expected[1] * 255, expected[2] * 255,
+                       actual[0], actual[1], actual[2]);
     }
   }
   return ::testing::AssertionSuccess();

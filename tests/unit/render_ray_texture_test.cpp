@@ -27,7 +27,7 @@ std::string textured(const std::string& geom, const std::string& material) {
   return world(geom,
                "<texture name='flat' type='2d' builtin='flat' width='64' height='64'/>"
                "<texture name='cube' type='cube' builtin='flat' width='64' height='384'/>" +
-                   fmt::format("<material name='painted' specular='0' rgba='1 1 1 1' {}/>", material),
+                   format("<material name='painted' specular='0' rgba='1 1 1 1' {}/>", material),
                kLamp);
 }
 
@@ -86,7 +86,7 @@ TEST(RayTextures, CubeFaces) {
   for (const char* kind : {"type='box' size='.2 .3 .4'", "type='sphere' size='.2'", "type='ellipsoid' size='.1 .2 .3'",
                            "type='capsule' size='.2 .3'", "type='cylinder' size='.2 .3'"}) {
     const auto model =
-        engine::compile(textured(fmt::format("<geom {} material='painted'/>", kind), "texture='cube'"), {}, {});
+        engine::compile(textured(format("<geom {} material='painted'/>", kind), "texture='cube'"), {}, {});
     fill(const_cast<mjModel&>(*model), 1, [&](int face, int, int) { return colors[face]; });
     Studio studio(model, {});
     const double sides[6][2] = {{180, 0}, {0, 0}, {-90, 0}, {90, 0}, {90, -90}, {90, 90}};

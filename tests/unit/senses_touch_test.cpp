@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/format.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -127,11 +128,11 @@ engine::ModelPtr held_with_ball(const Vec3& place, double radius, double mass) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(-80 * 3.14159265358979323846 / 180, Vec3::UnitX()));
   const scene::Pose pose{{0, 0, 1}, {turn.w(), turn.x(), turn.y(), turn.z()}};
   scene::Scene scene(from_text(
-      fmt::format("<mujoco><include file='mimo/parts/options.xml'/><worldbody><body pos='{} {} {}'><freejoint/>"
-                  "<geom size='{}' mass='{}' condim='6' friction='1 0.01 0.01' solref='0.005 1'/></body></worldbody>"
-                  "<equality><weld body1='mimo_location' solref='.01 1' solimp='.9999 .9999 .001 .5 1'/></equality>"
-                  "</mujoco>",
-                  place.x(), place.y(), place.z(), radius, mass)));
+      format("<mujoco><include file='mimo/parts/options.xml'/><worldbody><body pos='{} {} {}'><freejoint/>"
+             "<geom size='{}' mass='{}' condim='6' friction='1 0.01 0.01' solref='0.005 1'/></body></worldbody>"
+             "<equality><weld body1='mimo_location' solref='.01 1' solimp='.9999 .9999 .001 .5 1'/></equality>"
+             "</mujoco>",
+             place.x(), place.y(), place.z(), radius, mass)));
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
   std::fill_n(const_cast<mjModel*>(model.get())->eq_active, model->neq, static_cast<mjtByte>(1));

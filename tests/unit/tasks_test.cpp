@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -359,7 +360,7 @@ void expect_targets_to_be_touched(World& world) {
     EXPECT_TRUE(task_of(world).success());
   }
   // The straight way to the other targets is blocked by the body itself.
-  EXPECT_GE(touched.size(), 3u) << fmt::format("{}", fmt::join(touched, ", "));
+  EXPECT_GE(touched.size(), 3u) << join(touched, ", ");
 }
 
 TEST(Selfbody, AHandDrivenToItsTargetSucceeds) { expect_targets_to_be_touched(*world_of("selfbody")); }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/format.h"
 #include "touch_feeler.h"
 
 namespace mimo::senses::touch {
@@ -24,15 +25,15 @@ engine::ModelPtr cube() {
   std::string balls;
   for (const Vec3& d : kDirections) {
     const Vec3 place = 0.07 * d + Vec3(0.011, 0.007, -0.013) - Vec3(0.011, 0.007, -0.013).dot(d) * d;
-    balls += fmt::format("<body pos='{} {} {}'><joint axis='{} {} {}'/><geom size='.02' mass='.1'/></body>", place.x(),
-                         place.y(), place.z(), d.x(), d.y(), d.z());
+    balls += format("<body pos='{} {} {}'><joint axis='{} {} {}'/><geom size='.02' mass='.1'/></body>", place.x(),
+                    place.y(), place.z(), d.x(), d.y(), d.z());
   }
   std::string xml = kCube;
   xml.replace(xml.find("%s"), 2, "");
   const Eigen::Quaterniond turn = Eigen::Quaterniond(0.8, 0.2, 0.4, -0.4).normalized();
   // The balls' frame is that of the cube; they are no children of it, or they would not touch it.
   xml.insert(xml.find("</worldbody>"),
-             fmt::format("<body quat='{} {} {} {}'>", turn.w(), turn.x(), turn.y(), turn.z()) + balls + "</body>");
+             format("<body quat='{} {} {} {}'>", turn.w(), turn.x(), turn.y(), turn.z()) + balls + "</body>");
   return test::compiled(xml);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/format.h"
 #include "touch_feeler.h"
 
 namespace mimo::senses::touch {
@@ -15,7 +16,7 @@ constexpr double kDrag = 20;  // Ns/m: against the block's sliding, so that its 
 
 // A slab and a block on it, 1 kg. Not the slab is tilted but gravity, along x.
 engine::ModelPtr slope(double angle, const std::string& cone) {
-  return test::compiled(fmt::format(
+  return test::compiled(format(
       "<mujoco><option timestep='0.001' cone='{}' gravity='{} 0 {}'/>"
       "<default><geom friction='{}' condim='3' solref='0.02 1' solimp='0.95 0.99 0.001 0.5 1'/></default><worldbody>"
       "<body><geom type='box' size='2 .2 .05' pos='0 0 -.05'/></body>"

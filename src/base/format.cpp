@@ -1,0 +1,13 @@
+// All of fmt, compiled in here: libmimo.so needs no libfmt.
+#define FMT_HEADER_ONLY
+#include <fmt/format.h>
+
+#include "base/format.h"
+
+namespace mimo {
+
+std::string format_arguments(fmt::string_view format, fmt::format_args arguments) {
+  return fmt::vformat(format, arguments);
+}
+
+}  // namespace mimo
