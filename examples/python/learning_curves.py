@@ -1,6 +1,6 @@
 """Draws learning curves: for each task the mean over seeds of each algorithm, and the spread of one standard deviation.
 
-    python learning_curves.py runs --out curves.png [--value mean_return success length]
+    python learning_curves.py runs --out curves.png --value mean_return training_success
 
 Reads the folders that train.py writes, and prints the last values.
 """
@@ -16,6 +16,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+VALUES = ["mean_return", "success", "length", "training_return", "training_success"]
 NAMES = {"reach": "reaching", "standup": "standing up", "selfbody": "self-body", "catch": "catching"}
 
 
@@ -25,8 +26,9 @@ def read(folder, value):
     for file in sorted(folder.glob("*/curve.csv")):
         named = re.fullmatch(r"(\w+)-(\w+)-(\d+)", file.parent.name)
         rows = np.genfromtxt(file, delimiter=",", names=True)
+        rows = np.atleast_1d(rows)
+        rows = rows[np.isfinite(rows[value])]  # training has no values before its first episode has ended
         if named and rows.size:
-            rows = np.atleast_1d(rows)
             curves[named[1]][named[2]].append((rows["steps"], rows[value]))
     return curves
 
@@ -72,6 +74,6 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("runs", type=Path)
     parser.add_argument("--out", type=Path, default=Path("curves.png"))
-    parser.add_argument("--value", nargs="+", default=["mean_return"], choices=["mean_return", "success", "length"])
+    parser.add_argument("--value", nargs="+", default=["mean_return"], choices=VALUES)
     options = parser.parse_args()
     draw(options.runs, options.value).savefig(options.out, dpi=150)

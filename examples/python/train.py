@@ -3,7 +3,8 @@
     python train.py --task reach --algorithm ppo --seed 0 --steps 1000000
 
 Writes to OUT/TASK-ALGORITHM-SEED: curve.csv (one row an evaluation), the latest checkpoint, and TensorBoard's files.
-Started again, it goes on from the checkpoint. learning_curves.py draws the curves. Needs `pip install 'mimo[train]'`.
+Started again, it goes on from the checkpoint, or where that has learned for long enough, only evaluates it.
+learning_curves.py draws the curves. Needs `pip install 'mimo[train]'`.
 """
 
 import argparse
@@ -24,7 +25,8 @@ from stable_baselines3.common.vec_env import VecMonitor
 import mimo
 from mimo.sb3 import SB3VecEnv
 
-COLUMNS = ["steps", "mean_return", "return_std", "success", "length", "wall_s"]
+# Of an evaluation, without exploration, but for the two of training: the last hundred episodes, with exploration.
+COLUMNS = ["steps", "mean_return", "return_std", "success", "length", "wall_s", "training_return", "training_success"]
 EVALUATION_SEED = 1_000_000  # the episodes of an evaluation: the same each time, and none of the training's
 
 
@@ -54,6 +56,11 @@ def has_tensorboard():
     return True
 
 
+def evaluation_envs(options):
+    changes = {"max_steps": options.max_steps, "frame_skip": options.frame_skip}
+    return mimo.make_vec(options.task, num_envs=options.evaluation_episodes, autoreset_mode="Disabled", **changes)
+
+
 def evaluate(model, envs):
     """Returns, successes and lengths of one episode in each world, without exploration."""
     observation, _ = envs.reset(seed=EVALUATION_SEED)
@@ -77,12 +84,7 @@ class Evaluation(BaseCallback):
     def __init__(self, options, folder):
         super().__init__()
         self.options, self.folder = options, folder
-        self.envs = mimo.make_vec(
-            options.task,
-            num_envs=options.evaluation_episodes,
-            autoreset_mode="Disabled",
-            max_steps=options.max_steps,
-        )
+        self.envs = evaluation_envs(options)
         self.start = time.time()
         self.curve = folder / "curve.csv"
         if not self.curve.exists():
@@ -99,12 +101,17 @@ class Evaluation(BaseCallback):
 
     def note(self):
         total, success, length = evaluate(self.model, self.envs)
-        row = [total.mean(), total.std(), success.mean(), length.mean(), time.time() - self.start]
+        row = [total.mean(), total.std(), success.mean(), length.mean(), time.time() - self.start, *self.training()]
         with self.curve.open("a", newline="") as file:
             csv.writer(file).writerow([self.num_timesteps, *(f"{value:.6g}" for value in row)])
         self.logger.record("evaluation/return", row[0])
         self.logger.record("evaluation/success", row[2])
         self.save()
+
+    def training(self):
+        """Return and success of the last hundred episodes of training; nan before the first has ended."""
+        returns = [episode["r"] for episode in self.model.ep_info_buffer]
+        return [np.mean(values) if values else np.nan for values in (returns, list(self.model.ep_success_buffer))]
 
     def _on_training_end(self):
         self.save()
@@ -130,6 +137,7 @@ def parse():
     parser.add_argument("--evaluate-every", type=int, default=10_000, help="steps")
     parser.add_argument("--evaluation-episodes", type=int, default=16)
     parser.add_argument("--max-steps", type=int, default=0, help="of an episode; 0: the task's own")
+    parser.add_argument("--frame-skip", type=int, default=0, help="physics steps in a step; 0: the task's own")
     parser.add_argument("--rollout", type=int, default=2048, help="PPO: steps between updates")
     parser.add_argument("--updates", type=int, default=1, help="SAC: after a step of all worlds; -1: as many as worlds")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
@@ -141,15 +149,18 @@ def main():
     torch.set_num_threads(options.torch_threads)
     folder = options.out / f"{options.task}-{options.algorithm}-{options.seed}"
     folder.mkdir(parents=True, exist_ok=True)
-    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, max_steps=options.max_steps))
+    changes = {"max_steps": options.max_steps, "frame_skip": options.frame_skip}
+    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, **changes))
     envs.seed(options.seed * 1000)  # the worlds of one seed are none of another's
     resumed = (folder / "model.zip").exists()
     model = load_model(options, envs, folder) if resumed else make_model(options, envs, folder)
-    if resumed:
-        print(f"{folder} goes on from step {model.num_timesteps}", flush=True)
     left = options.steps - model.num_timesteps
     if left <= 0:
+        total, success, _ = evaluate(model, evaluation_envs(options))
+        print(f"{folder}: return {total.mean():.4g} +- {total.std():.2g}, success {success.mean():.3f}")
         return
+    if resumed:
+        print(f"{folder} goes on from step {model.num_timesteps}", flush=True)
     model.learn(left, Evaluation(options, folder), reset_num_timesteps=not resumed, progress_bar=not options.quiet)
     print(f"{folder}: {model.num_timesteps} steps")
     print((folder / "curve.csv").read_text().splitlines()[-1])
