@@ -1,8 +1,8 @@
 // All of fmt, compiled in here: libmimo.so needs no libfmt.
 #define FMT_HEADER_ONLY
-#include <fmt/format.h>
-
 #include "base/format.h"
+
+#include <fmt/format.h>
 
 namespace mimo {
 

@@ -95,7 +95,7 @@ def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path):
     assert "goes on from step 128" in told.stdout
     curve = np.genfromtxt(tmp_path / "reach-ppo-0" / "curve.csv", delimiter=",", names=True)
     assert curve["steps"].tolist() == [64, 128, 192]
-    assert np.isfinite(curve["training_return"]).all() and (curve["training_return"] < 0).all()
+    assert (curve["training_return"] < 0).all()
     told = subprocess.run([*train, "--steps", "192", "--seed", "0"], check=True, capture_output=True, text=True)
     assert re.search(r"return -\d\.\d+ \+- 0, success 0\.000\n$", told.stdout)
     assert "goes on" not in told.stdout
