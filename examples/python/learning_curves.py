@@ -25,8 +25,7 @@ def read(folder, value):
     curves = defaultdict(lambda: defaultdict(list))
     for file in sorted(folder.glob("*/curve.csv")):
         named = re.fullmatch(r"(\w+)-(\w+)-(\d+)", file.parent.name)
-        rows = np.genfromtxt(file, delimiter=",", names=True)
-        rows = np.atleast_1d(rows)
+        rows = np.atleast_1d(np.genfromtxt(file, delimiter=",", names=True))
         rows = rows[np.isfinite(rows[value])]  # training has no values before its first episode has ended
         if named and rows.size:
             curves[named[1]][named[2]].append((rows["steps"], rows[value]))

@@ -56,9 +56,14 @@ def has_tensorboard():
     return True
 
 
+def episode_options(options):
+    """What training and evaluation have in common."""
+    return {"max_steps": options.max_steps, "frame_skip": options.frame_skip}
+
+
 def evaluation_envs(options):
-    changes = {"max_steps": options.max_steps, "frame_skip": options.frame_skip}
-    return mimo.make_vec(options.task, num_envs=options.evaluation_episodes, autoreset_mode="Disabled", **changes)
+    episode = episode_options(options)
+    return mimo.make_vec(options.task, num_envs=options.evaluation_episodes, autoreset_mode="Disabled", **episode)
 
 
 def evaluate(model, envs):
@@ -149,8 +154,8 @@ def main():
     torch.set_num_threads(options.torch_threads)
     folder = options.out / f"{options.task}-{options.algorithm}-{options.seed}"
     folder.mkdir(parents=True, exist_ok=True)
-    changes = {"max_steps": options.max_steps, "frame_skip": options.frame_skip}
-    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, **changes))
+    episode = episode_options(options)
+    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, **episode))
     envs.seed(options.seed * 1000)  # the worlds of one seed are none of another's
     resumed = (folder / "model.zip").exists()
     model = load_model(options, envs, folder) if resumed else make_model(options, envs, folder)

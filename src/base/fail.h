@@ -1,7 +1,7 @@
 // fail(status, "size {} of {}", a, b): throws an Error with a formatted message.
 #pragma once
 
-// The small part of fmt; what needs the rest includes base/format.h. Most of a file's compile time hangs on this.
+// The small part of fmt; format.cpp has the rest. Most of a file's compile time hangs on this.
 #include <fmt/core.h>
 
 #include "base/status.h"
