@@ -1,4 +1,4 @@
-// format("size {} of {}", a, b) and join(list, ", "): texts.
+// format("size {} of {}", a, b), join(list, ", ") and some_of(names): texts.
 #pragma once
 
 // The small part of fmt. The rest is compiled once, in format.cpp, and not into every file that includes this; most of
@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <string>
+#include <vector>
 
 namespace mimo {
 
@@ -27,5 +28,8 @@ std::string join(const List& list, const char* separator) {
   }
   return joined;
 }
+
+// What a message lists: "none", or the names, as many as one can read.
+std::string some_of(std::vector<std::string> names);
 
 }  // namespace mimo

@@ -9,6 +9,7 @@
 #include <locale>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {
@@ -91,17 +92,12 @@ std::string one_line(const char* text) {
 }
 
 std::string some_names(const mjModel& model, Kind kind) {
-  constexpr int kShown = 60;
-  std::string names;
-  int shown = 0;
+  std::vector<std::string> names;
   for (int id = 0; id < count(model, kind); ++id) {
     const char* text = name(model, kind, id);
-    if (*text == '\0') continue;
-    if (++shown > kShown) return names + ", ...";
-    if (!names.empty()) names += ", ";
-    names += text;
+    if (*text != '\0') names.emplace_back(text);
   }
-  return names.empty() ? "none" : names;
+  return some_of(std::move(names));
 }
 
 }  // namespace

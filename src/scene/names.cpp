@@ -84,14 +84,7 @@ std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<con
 }
 
 std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements) {
-  constexpr std::size_t kShown = 60;
-  std::vector<std::string> names = names_of(root, elements);
-  if (names.empty()) return "none";
-  if (names.size() > kShown) {
-    names.resize(kShown);
-    names.emplace_back("...");
-  }
-  return join(names, ", ");
+  return some_of(names_of(root, elements));
 }
 
 bool has_names_with(pugi::xml_node root, const std::string& prefix) {
