@@ -60,12 +60,12 @@ def test_views_outlive_the_world():
 
 def test_worlds_are_freed_when_nobody_has_them():
     world = mimo.World("reach")
-    finalizer = world._finalizer
+    handle = weakref.ref(world._handle)
     gone = weakref.ref(world)
     del world
     gc.collect()
     assert gone() is None
-    assert not finalizer.alive
+    assert handle() is None
 
 
 def test_reach_rewards_minus_the_distance(reach):

@@ -2,40 +2,61 @@
 
 from __future__ import annotations
 
-import weakref
+import ctypes
 from types import TracebackType
 from typing import Any, Optional, Type, TypeVar
 
+from .errors import ClosedError
+
+NAMES = ("_handle", "_names_handle")  # attributes that an open object has
 Self = TypeVar("Self", bound="Handle")
+
+
+class Native(ctypes.c_void_p):
+    """A handle of the library, and what has to live as long as it; destroyed when nobody refers to it any more.
+
+    Python keeps the arguments of a call while it runs, this one among them. So nothing is destroyed under a call,
+    whatever another thread closes meanwhile, and nothing under the calls of daemon threads when Python ends.
+    """
+
+    def __init__(self, handle: Optional[int], destroy: Any = None) -> None:
+        super().__init__(handle)
+        self._destroy = destroy
+        self.keeps: Any = ()  # memory that the library writes to, or the object that this one is a part of
+
+    def __del__(self) -> None:
+        if self._destroy is not None and self.value is not None:
+            self._destroy(self)
 
 
 class Handle:
     """Closes with close(), at the end of a with block, or when nobody refers to it any more.
 
-    What is called afterwards raises mimo.ClosedError: the library recognises destroyed handles.
+    What is called afterwards raises mimo.ClosedError.
     """
 
-    _handle: int
+    _handle: Native
 
-    def _own(self, handle: int, destroy: Any) -> None:
-        self._handle = handle
-        self._finalizer = weakref.finalize(self, destroy, handle)
-
-    def _borrow(self, handle: int) -> None:
-        self._handle = handle
-        self._finalizer = None
-
-    _finalizer: Optional[weakref.finalize[Any, Any]]
+    def _own(self, handle: Optional[int], destroy: Any = None) -> None:
+        self._handle = Native(handle, destroy)
 
     def close(self) -> None:
-        """Frees what the library holds. Arrays that were handed out stay valid. Closing twice does nothing."""
-        if self._finalizer is not None:
-            self._finalizer()
+        """Frees what the library holds, once the calls that run in other threads have ended.
+
+        Arrays that were handed out stay valid. Closing twice does nothing.
+        """
+        for name in NAMES:
+            self.__dict__.pop(name, None)
 
     @property
     def closed(self) -> bool:
         """Whether it was closed."""
-        return self._finalizer is not None and not self._finalizer.alive
+        return "_handle" not in self.__dict__
+
+    def __getattr__(self, name: str) -> Any:
+        if name in NAMES:  # Python asks here only for what is not there any more
+            raise ClosedError(f"this {type(self).__name__} is closed")
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     def __enter__(self: Self) -> Self:
         return self

@@ -46,7 +46,7 @@ LIB = _load(library_path())
 
 def raise_error(status: int) -> None:
     """Raises what the last failed call on this thread complained about."""
-    raise make_error(status, LIB.mimo_last_error().decode())
+    raise make_error(status, message_text(LIB.mimo_last_error()))
 
 
 def check(status: int) -> None:
@@ -56,8 +56,13 @@ def check(status: int) -> None:
 
 
 def text(value: Optional[bytes]) -> str:
-    """A string of the library's."""
-    return (value or b"").decode()
+    """A name of the library's; bytes of a file's path or a model's name that are no UTF-8 find their way back."""
+    return (value or b"").decode(errors="surrogateescape")
+
+
+def message_text(value: Optional[bytes]) -> str:
+    """A message of the library's, always printable."""
+    return (value or b"").decode(errors="replace")
 
 
 def utf8(value: Optional[str], name: str = "name") -> Optional[bytes]:
@@ -68,14 +73,14 @@ def utf8(value: Optional[str], name: str = "name") -> Optional[bytes]:
         raise TypeError(f"{name} is {value!r}, expected a text")
     if "\0" in value:
         raise ValueError(f"{value!r} contains a zero byte")
-    return value.encode()
+    return value.encode(errors="surrogateescape")
 
 
 @_abi.LogFunction  # type: ignore[untyped-decorator]
 def log_to_python(_user: Any, level: int, message: bytes) -> None:
     """Hands the library's messages to the logger "mimo". Lives as long as the process, so no handle can outlive it."""
     if not sys.is_finalizing():
-        _logger.log(_levels.get(level, logging.INFO), "%s", message.decode(errors="replace"))
+        _logger.log(_levels.get(level, logging.INFO), "%s", message_text(message))
 
 
 def version() -> str:

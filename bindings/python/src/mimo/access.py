@@ -17,9 +17,9 @@ from typing import Any, List, Optional, Tuple, Type, TypeVar, Union, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._handle import Handle
+from ._handle import Handle, Native
 from ._library import LIB, check, text, utf8
-from .arguments import whole_number
+from .arguments import index_in, number_of, whole_number
 from .constants import Kind, Quantity
 from .layout import Layout, Observation
 
@@ -38,7 +38,7 @@ class Access(Handle):
     layout: Layout
     observation: Observation  # what the last step, reset or observe sensed
     _scene: Any
-    _names_handle: int  # of an environment that knows the names
+    _names_handle: Native  # of an environment that knows the names
     _lead: Tuple[int, ...] = ()  # (worlds,) for a batch
 
     def bodies(self, *names: str) -> "Bodies":
@@ -78,7 +78,7 @@ class Access(Handle):
     def name(self, kind: Kind, number: int) -> str:
         """The name of something, "" where the model gives none."""
         found = ctypes.c_char_p()
-        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), number, found))
+        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), number_of("number", number, 31), found))
         return text(found.value)
 
     def count(self, kind: Kind) -> int:
@@ -104,6 +104,9 @@ class Access(Handle):
     def contacts(self, world: int) -> Any:
         """The contacts in one of the worlds, 0 to world_count - 1."""
         raise NotImplementedError
+
+    def _agent(self, agent: int) -> int:
+        return index_in("agent", agent, len(self.agents))
 
     def _select(self, kind: Type[S], names: Tuple[str, ...]) -> S:
         ids = [self.find(kind.kind, name) for name in names] or range(self.count(kind.kind))

@@ -20,7 +20,7 @@ def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
         return int(member)
     try:
         number = int(value)
-        if number == value:
+        if number == value and (choice is None or abs(number) < 2**32):
             return number
     except (TypeError, ValueError, OverflowError):
         pass
@@ -48,3 +48,21 @@ def vector(name: str, value: Any, count: int) -> NDArray[np.float64]:
     except (TypeError, ValueError):
         pass
     raise ValueError(f"{name} is {value!r}, expected {count} numbers")
+
+
+def index_in(name: str, value: Any, count: int) -> int:
+    """A number of one of so many; ctypes would silently take 2^64 for 0."""
+    if type(value) is int and 0 <= value < count:  # the usual case, in the loop of steps
+        return value
+    index = whole_number(name, value)
+    if not 0 <= index < count:
+        raise ValueError(f"{name} is {value!r}, expected {'0' if count == 1 else f'0 to {count - 1}'}")
+    return index
+
+
+def number_of(name: str, value: Any, bits: int = 32) -> int:
+    """A count that the library takes in so many bits."""
+    number = whole_number(name, value)
+    if not 0 <= number < 2**bits:
+        raise ValueError(f"{name} is {value!r}, expected 0 to 2^{bits} - 1")
+    return number

@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from . import _abi
-from ._library import LIB, check, raise_error, text, utf8
+from ._handle import Native
+from ._library import LIB, check, message_text, raise_error, utf8
 from .access import Access, Mask, Numbers
-from .arguments import whole_number
+from .arguments import index_in, number_of, whole_number
 from .constants import Autoreset
 from .errors import Error, make_error
 from .layout import Observation
@@ -54,8 +55,7 @@ class Batch(Access):
         mode = whole_number("autoreset", autoreset, Autoreset)
         self._settings = {"threads": threads, "autoreset": mode, "restart_failed": restart_failed}
         self._create(worlds)
-        self.world_count = worlds
-        self._lead = (worlds,)
+        self._lead = (self.world_count,)
         # Worlds that are in use keep the batch alive, not the other way round.
         self._worlds: "weakref.WeakValueDictionary[int, World]" = weakref.WeakValueDictionary()
         self._names_handle = self._world_handle(0)
@@ -63,18 +63,16 @@ class Batch(Access):
         self.layout, self.agents = first.layout, first.agents
         self.action_names, self.action_low, self.action_high = first.action_names, first.action_low, first.action_high
         self._make_arrays()
-        self._in_flight: Tuple[Any, ...] = ()
 
     def _create(self, worlds: int) -> None:
         config = _abi.BatchConfig()
         check(LIB.mimo_batch_config_init(config, ctypes.sizeof(config)))
-        if not 1 <= whole_number("worlds", worlds) < 2**32:
-            raise ValueError(f"worlds is {worlds}, expected at least 1")
-        config.worlds, config.threads = worlds, whole_number("threads", self._settings["threads"])
+        config.worlds = self.world_count = number_of("worlds", worlds)
+        config.threads = number_of("threads", self._settings["threads"])
         config.autoreset, config.restart_failed = self._settings["autoreset"], self._settings["restart_failed"]
         handle = ctypes.c_void_p()
         check(LIB.mimo_batch_create(self._scene._handle, env_config(self._options), config, handle))
-        self._own(handle.value or 0, LIB.mimo_batch_destroy)
+        self._own(handle.value, LIB.mimo_batch_destroy)
 
     def _make_arrays(self) -> None:
         worlds, agents = self.world_count, len(self.agents)
@@ -99,6 +97,11 @@ class Batch(Access):
         if self._settings["autoreset"] == Autoreset.SAME_STEP:
             self._results.final_blocks = self.final_blocks.ctypes.data
             self._results.final_bytes = self.final_blocks.nbytes
+        # What is written to by a step that was sent lives as long as the step: it may outlive this object.
+        self._handle.keeps = [self._results, self.blocks, self.final_blocks, self.reward, self.terminated]
+        self._handle.keeps += [self.truncated, self.was_reset, self.status]
+        self._sent: List[Any] = []  # what belongs to the step in flight; the handle has it, too
+        self._handle.keeps.append(self._sent)
 
     @property
     def threads(self) -> int:
@@ -137,13 +140,18 @@ class Batch(Access):
         given = self._actions(actions)
         given = None if given is None else given.copy()  # the caller may go on writing to it
         target = self.blocks if blocks is None else blocks
-        check(LIB.mimo_batch_send(self._handle, *_place_of(given), *_place(target), self._results))
-        self._in_flight = (given, target)  # alive until received
+        place = _place(target)
+        # Kept before it is sent: an interrupt may come at any moment from here on.
+        self._sent.append((given, target))
+        status = LIB.mimo_batch_send(self._handle, *_place_of(given), *place, self._results)
+        if status != 0:
+            self._sent.pop()
+            raise_error(status)
 
     def receive(self) -> BatchResult:
         """Waits for the step that was sent."""
         status = LIB.mimo_batch_receive(self._handle)
-        self._in_flight = ()
+        self._sent.clear()
         self._raise(status)
         self.observation = self._views
         return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
@@ -163,6 +171,7 @@ class Batch(Access):
 
     def world(self, index: int) -> World:
         """One world, between the batch's own calls: its contacts, pictures, locks, state."""
+        index = index_in("world", index, self.world_count)
         world = self._worlds.get(index)
         if world is None:
             world = World._of_batch(self._world_handle(index), self._scene, self._options, self)
@@ -172,13 +181,15 @@ class Batch(Access):
     def error(self, index: int) -> Optional[Error]:
         """What became of one world in the last call: None, or what went wrong."""
         status, message = ctypes.c_int32(), ctypes.c_char_p()
-        check(LIB.mimo_batch_world_error(self._handle, index, status, message))
-        return make_error(status.value, text(message.value)) if status.value else None
+        number = index_in("world", index, self.world_count)
+        check(LIB.mimo_batch_world_error(self._handle, number, status, message))
+        return make_error(status.value, message_text(message.value)) if status.value else None
 
     def close(self) -> None:
-        """Frees the batch and its worlds; waits for a step that was sent."""
+        """Frees the batch and its worlds, once the calls that run in other threads and a step that was sent have ended."""
+        for world in list(self._worlds.values()):
+            world.close()
         super().close()
-        self._in_flight = ()
 
     # ---- Named access and states ---------------------------------------------------------------------------------
 
@@ -194,16 +205,16 @@ class Batch(Access):
 
     def random(self, count: int, mask: Mask = None) -> Numbers:
         """Numbers from 0 to 1, (worlds, count), each world's from its own random stream; 0 where mask is False."""
-        values = np.zeros((self.world_count, count))
+        values = np.zeros((self.world_count, number_of("count", count)))
         for index in range(self.world_count) if mask is None else np.flatnonzero(mask):
-            check(LIB.mimo_env_random(self._world_handle(int(index)), values[index].ctypes.data, count))
+            check(LIB.mimo_env_random(self._world_handle(int(index)), values[index].ctypes.data, values.shape[1]))
         return values
 
     def set_face(self, name: str, agent: int = 0, mask: Mask = None) -> None:
         """Gives an infant another face, see mimo.faces()."""
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
-        check(LIB.mimo_batch_set_face(self._handle, agent, utf8(name), _data(chosen), count))
+        check(LIB.mimo_batch_set_face(self._handle, self._agent(agent), utf8(name), _data(chosen), count))
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""
@@ -225,10 +236,12 @@ class Batch(Access):
         check(LIB.mimo_env_state_size(self._names_handle, size))
         return size.value
 
-    def _world_handle(self, index: int) -> int:
+    def _world_handle(self, index: int) -> Native:
         handle = ctypes.c_void_p()
-        check(LIB.mimo_batch_world(self._handle, index, handle))
-        return handle.value or 0
+        check(LIB.mimo_batch_world(self._handle, index_in("world", index, self.world_count), handle))
+        world = Native(handle.value)
+        world.keeps = self._handle  # a call on the world keeps the batch
+        return world
 
     def __deepcopy__(self, memo: Dict[int, Any]) -> "Batch":
         return _rebuilt(self._scene, self.world_count, {**self._settings, **self._options}, self.save())

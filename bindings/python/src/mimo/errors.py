@@ -18,6 +18,8 @@ class ArgumentError(Error, ValueError):
 class ClosedError(Error, ValueError):
     """The scene, world or batch was closed."""
 
+    status = -2
+
 
 class NotFoundError(Error, LookupError):
     """No scene, body, joint, file... of that name; the message lists names that are there."""

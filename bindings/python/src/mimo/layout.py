@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _abi
+from ._handle import Native
 from ._library import LIB, check, text
 from .constants import Time
 
@@ -47,7 +48,7 @@ class Layout:
     The handle is that of a world ("env"), or of attached senses ("senses").
     """
 
-    def __init__(self, handle: int, noun: str = "env") -> None:
+    def __init__(self, handle: Native, noun: str = "env") -> None:
         size, count = ctypes.c_size_t(), ctypes.c_size_t()
         self._describe = getattr(LIB, f"mimo_{noun}_observation_field")
         self._label = getattr(LIB, f"mimo_{noun}_observation_label")
@@ -79,7 +80,7 @@ class Layout:
         record = np.ndarray(block.shape[:-1], self._record, block)
         return {name: record[name] for name in self._names}
 
-    def _field(self, handle: int, index: int) -> Field:
+    def _field(self, handle: Native, index: int) -> Field:
         field = _abi.Field()
         check(self._describe(handle, index, field))
         shape = tuple(field.shape[: field.ndim])
@@ -96,7 +97,7 @@ class Layout:
             labels=self._labels(handle, index, shape),
         )
 
-    def _labels(self, handle: int, index: int, shape: Sequence[int]) -> Tuple[str, ...]:
+    def _labels(self, handle: Native, index: int, shape: Sequence[int]) -> Tuple[str, ...]:
         label = ctypes.c_char_p()
         labels = []
         for element in range(int(np.prod(shape))):

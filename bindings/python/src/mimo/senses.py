@@ -10,6 +10,7 @@ from typing_extensions import Unpack
 
 from ._handle import Handle
 from ._library import LIB, check
+from .arguments import number_of
 from .layout import Field, Layout, Observation, Supply
 from .options import PhysicsOptions
 from .scene import Scene
@@ -42,8 +43,8 @@ class Senses(Handle):
         version = _version_of(model) if mujoco_version is None else mujoco_version
         handle = ctypes.c_void_p()
         config = env_config(dict(options), PhysicsOptions)
-        check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), version, 0, 0, handle))
-        self._own(handle.value or 0, LIB.mimo_senses_destroy)
+        check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), number_of("mujoco_version", version, 31), 0, 0, handle))
+        self._own(handle.value, LIB.mimo_senses_destroy)
         self._model = model
         self._layout = Layout(self._handle, "senses")
         self._supply = Supply(self._layout)
@@ -64,7 +65,7 @@ def _address_of(struct: Any) -> int:
     address = getattr(struct, "_address", struct)
     if not isinstance(address, int):
         raise TypeError(f"{struct!r} is neither of the mujoco package nor an address")
-    return address
+    return number_of("address", address, 64)
 
 
 def _version_of(model: Any) -> int:

@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from . import _abi
+from ._handle import Native
 from ._library import LIB, check, log_to_python, raise_error, text, utf8
 from .access import Access, Mask, Numbers
-from .arguments import real_number, vector, whole_number
+from .arguments import index_in, number_of, real_number, vector, whole_number
 from .constants import Kind, Look
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
@@ -132,14 +133,14 @@ class World(Access):
         made, rest = prepare(scene, options)
         handle = ctypes.c_void_p()
         check(LIB.mimo_env_create(made._handle, env_config(rest), handle))
-        self._own(handle.value or 0, LIB.mimo_env_destroy)
+        self._own(handle.value, LIB.mimo_env_destroy)
         self._describe(made, rest, None)
 
     @classmethod
-    def _of_batch(cls, handle: int, scene: Scene, options: Dict[str, Any], batch: Any) -> "World":
+    def _of_batch(cls, handle: Native, scene: Scene, options: Dict[str, Any], batch: Any) -> "World":
         """A world that belongs to a batch, which it keeps alive."""
         world = cls.__new__(cls)
-        world._borrow(handle)
+        world._handle = handle
         world._describe(scene, options, batch)
         return world
 
@@ -208,7 +209,7 @@ class World(Access):
 
     def physics_step(self, count: int = 1) -> None:
         """Bare physics: physics steps with the controls as they are, without senses or task."""
-        check(LIB.mimo_env_physics_step(self._handle, count))
+        check(LIB.mimo_env_physics_step(self._handle, number_of("count", count)))
 
     def update(self) -> None:
         """Recomputes poses from the current joint positions."""
@@ -236,8 +237,7 @@ class World(Access):
 
     def world(self, index: int = 0) -> "World":
         """Itself: number 0 of one."""
-        if index != 0:
-            raise ValueError(f"world is {index}, expected 0: there is only one")
+        index_in("world", index, 1)
         return self
 
     # ---- What it is ----------------------------------------------------------------------------------------------
@@ -286,6 +286,7 @@ class World(Access):
 
     def reward_terms(self, agent: int = 0) -> Dict[str, float]:
         """The terms of the last step's reward, which is their sum."""
+        agent = self._agent(agent)
         terms = self._terms.get(agent)
         if terms is None:
             names = self._term_names(agent)
@@ -298,7 +299,7 @@ class World(Access):
     def outcome(self, agent: int = 0) -> Outcome:
         """Success or failure of the last step."""
         success, failure = self._outcome
-        check(LIB.mimo_env_outcome(self._handle, agent, success, failure))
+        check(LIB.mimo_env_outcome(self._handle, self._agent(agent), success, failure))
         return Outcome(success.value != 0, failure.value != 0)
 
     def _term_names(self, agent: int) -> Tuple[str, ...]:
@@ -324,8 +325,8 @@ class World(Access):
         """Numbers from 0 to 1 from the world's own random stream, which is part of its state."""
         if mask is not None:
             raise ValueError("mask: there is only one world")
-        values = np.empty(count)
-        check(LIB.mimo_env_random(self._handle, values.ctypes.data, count))
+        values = np.empty(number_of("count", count))
+        check(LIB.mimo_env_random(self._handle, values.ctypes.data, len(values)))
         return values
 
     def contacts(self, world: int = 0) -> Contacts:
@@ -334,7 +335,7 @@ class World(Access):
 
     def touch_sensors(self, agent: int = 0) -> TouchSensors:
         """Where an infant's skin feels; empty where touch is off."""
-        count = ctypes.c_size_t()
+        agent, count = self._agent(agent), ctypes.c_size_t()
         check(LIB.mimo_env_touch_sensors(self._handle, agent, None, None, None, None, 0, count))
         n = count.value
         bodies, geoms = np.empty(n, np.int32), np.empty(n, np.int32)
@@ -348,7 +349,7 @@ class World(Access):
     def gaze(self, agent: int = 0) -> Gaze:
         """Where an infant looks, by the poses of its eyes' cameras as they are."""
         gaze = _abi.Gaze()
-        check(LIB.mimo_env_gaze(self._handle, agent, gaze))
+        check(LIB.mimo_env_gaze(self._handle, self._agent(agent), gaze))
         return Gaze(
             left=Sightline(np.array(gaze.left_position), np.array(gaze.left_direction)),
             right=Sightline(np.array(gaze.right_position), np.array(gaze.right_direction)),
@@ -364,7 +365,7 @@ class World(Access):
         """
         errors = np.empty(2)
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_at(self._handle, agent, target.ctypes.data, turns, errors.ctypes.data))
+        check(LIB.mimo_env_look_at(self._handle, self._agent(agent), target.ctypes.data, turns, errors.ctypes.data))
         return errors
 
     def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
@@ -373,7 +374,7 @@ class World(Access):
         joints, angles, errors = np.empty(LOOK_JOINTS, np.int32), np.empty(LOOK_JOINTS), np.empty(2)
         places = (joints.ctypes.data, angles.ctypes.data, LOOK_JOINTS, count, errors.ctypes.data)
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_angles(self._handle, agent, target.ctypes.data, turns, *places))
+        check(LIB.mimo_env_look_angles(self._handle, self._agent(agent), target.ctypes.data, turns, *places))
         names = [self.name(Kind.JOINT, int(joint)) for joint in joints[: count.value]]
         return LookAngles(names, angles[: count.value], errors)
 
@@ -382,12 +383,12 @@ class World(Access):
     def face(self, agent: int = 0) -> str:
         """The face that an infant shows; "" for a body without faces."""
         name = ctypes.c_char_p()
-        check(LIB.mimo_env_face(self._handle, agent, name))
+        check(LIB.mimo_env_face(self._handle, self._agent(agent), name))
         return text(name.value)
 
     def set_face(self, name: str, agent: int = 0) -> None:
         """Gives an infant another face, see mimo.faces(); pictures show it from the next one on."""
-        check(LIB.mimo_env_set_face(self._handle, agent, utf8(name)))
+        check(LIB.mimo_env_set_face(self._handle, self._agent(agent), utf8(name)))
 
     def lock(self, joint: str, angle: float) -> None:
         """Holds a joint at an angle (rad), softly, from the next step on; outlives resets."""
@@ -460,7 +461,7 @@ class World(Access):
         handle = ctypes.c_void_p()
         check(LIB.mimo_env_clone(self._handle, handle))
         world = World.__new__(World)
-        world._own(handle.value or 0, LIB.mimo_env_destroy)
+        world._own(handle.value, LIB.mimo_env_destroy)
         world._describe(self._scene, self._options, None)
         return world
 
@@ -480,7 +481,7 @@ def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
     return world
 
 
-def contacts_of(handle: int) -> Contacts:
+def contacts_of(handle: Native) -> Contacts:
     """The contacts in a world of this handle."""
     count = ctypes.c_size_t()
     check(LIB.mimo_env_contacts(handle, None, None, 0, count))
@@ -505,7 +506,7 @@ def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
     return config
 
 
-def _agents(env: int) -> List[Agent]:
+def _agents(env: Native) -> List[Agent]:
     count, info = ctypes.c_size_t(), _abi.AgentInfo()
     check(LIB.mimo_env_agent_count(env, count))
     agents = []
@@ -516,7 +517,7 @@ def _agents(env: int) -> List[Agent]:
     return agents
 
 
-def _action_names(env: int) -> List[str]:
+def _action_names(env: Native) -> List[str]:
     count, name = ctypes.c_size_t(), ctypes.c_char_p()
     check(LIB.mimo_env_action_size(env, count))
     names = []
@@ -526,7 +527,7 @@ def _action_names(env: int) -> List[str]:
     return names
 
 
-def _action_bounds(env: int, count: int) -> Tuple[NDArray[np.float32], NDArray[np.float32]]:
+def _action_bounds(env: Native, count: int) -> Tuple[NDArray[np.float32], NDArray[np.float32]]:
     low, high = np.empty(count, np.float32), np.empty(count, np.float32)
     check(LIB.mimo_env_action_bounds(env, low.ctypes.data, high.ctypes.data, count))
     return low, high
