@@ -27,12 +27,12 @@ def set_gravity(value):
 @pytest.mark.parametrize(
     ("call", "kind", "message"),
     [
-        (lambda: scene().add_object("ball", siez=3), TypeError, "no option siez; there are: fixed, mass"),
-        (lambda: scene().add_agent(touch_scael=3), TypeError, "no option touch_scael; there are: acts"),
-        (lambda: scene().add_camera("wall", lookat=(0, 0, 1)), TypeError, "no option lookat; there are: body"),
-        (lambda: scene().add_model("cup", fiel="cup.xml"), TypeError, "no option fiel; there are: file"),
-        (lambda: mimo.World("reach").render(widht=3), TypeError, "no option widht; there are: azimuth"),
-        (lambda: mimo.make("reach", frameskip=3), TypeError, "no option frameskip; there are: acts"),
+        (lambda: scene().add_object("ball", siez=3), TypeError, "unexpected keyword argument 'siez'; did you mean 'size'? There are: fixed, mass"),
+        (lambda: scene().add_agent(touch_scael=3), TypeError, "unexpected keyword argument 'touch_scael'; did you mean 'touch_scale'? There are: acts"),
+        (lambda: scene().add_camera("wall", lookat=(0, 0, 1)), TypeError, "argument 'lookat'; did you mean 'look_at'?"),
+        (lambda: scene().add_model("cup", fiel="cup.xml"), TypeError, "argument 'fiel'; did you mean 'file'?"),
+        (lambda: mimo.World("reach").render(widht=3), TypeError, "argument 'widht'; did you mean 'width'?"),
+        (lambda: mimo.make("reach", frameskip=3), TypeError, "argument 'frameskip'; did you mean 'frame_skip'?"),
         (lambda: scene().add_object("ball", shape="cube"), ValueError, "shape is 'cube', expected mimo.Shape or"),
         (lambda: scene().add_object("ball", size="big"), TypeError, "size is 'big', expected a number"),
         (lambda: scene().add_object("ball", size=[1, 2, 3, 4]), ValueError, "expected 1 to 3 numbers"),

@@ -135,14 +135,15 @@ class Pressed(mimo.Task):
 
 def test_contacts_serve_one_world_and_many():
     options = {"vision": False, "touch": False, "proprioception": True}
-    one, many = mimo.make("free", task=Pressed(), **options), mimo.make_vec("free", 2, task=Pressed(), **options)
+    alone, among = Pressed(), Pressed()
+    one, many = mimo.make("free", task=alone, **options), mimo.make_vec("free", 2, task=among, **options)
     one.reset(seed=4)
     many.reset(seed=4)
     for _ in range(60):
         action = np.zeros(44, np.float32)
         sensed, reward, *_ = one.step(action)
         many_sensed, rewards, *_ = many.step(np.stack([action, action]))
-        np.testing.assert_array_equal(one._task.sensed, sensed["proprioception/velocity"])
-        np.testing.assert_array_equal(many._task.sensed, many_sensed["proprioception/velocity"])
+        np.testing.assert_array_equal(alone.sensed, sensed["proprioception/velocity"])
+        np.testing.assert_array_equal(among.sensed, many_sensed["proprioception/velocity"])
     assert reward == rewards[0] > 10  # it has come down, with its 107 N
     assert len(many.batch) == many.batch.world_count == 2

@@ -94,7 +94,7 @@ def test_info_has_terms_and_success():
     env = mimo.make("selfbody")
     env.reset(seed=1)
     _, reward, _, _, info = env.step(env.action_space.sample())
-    assert set(info) == {"is_success", "reward_terms"}
+    assert set(info) == {"is_success", "is_failure", "reward_terms"}
     assert sum(info["reward_terms"].values()) == reward
 
 

@@ -81,7 +81,8 @@ def test_a_task_of_one_s_own():
         assert truncated == {"anna": False, "ben": False}
     hands = env.world.bodies("anna/left_hand", "ben/left_hand").position[:, 2]
     assert rewards == {"anna": hands[0], "ben": hands[1]}
-    assert infos == {"anna": {"is_success": hands[0] > hands[1]}, "ben": {"is_success": hands[1] > hands[0]}}
+    first, second = ({"is_success": won, "is_failure": False} for won in (hands[0] > hands[1], hands[1] > hands[0]))
+    assert infos == {"anna": first, "ben": second}
     assert env.agents == ["ben"]
 
 

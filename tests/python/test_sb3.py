@@ -8,12 +8,13 @@ import warnings
 
 import numpy as np
 import pytest
+from test_tasks import Lift, ReachUp
 
 import mimo
 
 sb3 = pytest.importorskip("stable_baselines3", reason="Stable-Baselines3 (extra [train]) is not installed")
 from stable_baselines3.common.env_checker import check_env  # noqa: E402
-from stable_baselines3.common.vec_env import SubprocVecEnv  # noqa: E402
+from stable_baselines3.common.vec_env import SubprocVecEnv, VecMonitor  # noqa: E402
 
 from mimo.sb3 import SB3VecEnv  # noqa: E402
 
@@ -103,3 +104,62 @@ def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path):
         [sys.executable, scripts / "learning_curves.py", tmp_path, "--out", tmp_path / "curves.png"], check=True
     )
     assert (tmp_path / "curves.png").stat().st_size > 1000
+
+
+def test_hindsight_experience_replay_learns():
+    envs = SB3VecEnv("reach", 2, task=ReachUp(), flatten=True, max_steps=8)
+    assert set(envs.observation_space.spaces) == {"observation", "achieved_goal", "desired_goal"}
+    model = sb3.SAC(
+        "MultiInputPolicy",
+        envs,
+        replay_buffer_class=sb3.HerReplayBuffer,
+        replay_buffer_kwargs={"n_sampled_goal": 4, "goal_selection_strategy": "future"},
+        learning_starts=32,
+        seed=0,
+        device="cpu",
+    )
+    model.learn(64)
+    sample = model.replay_buffer.sample(64)
+    goals = sample.next_observations
+    distance = (goals["achieved_goal"] - goals["desired_goal"]).norm(dim=1)
+    np.testing.assert_allclose(sample.rewards[:, 0], -distance, atol=1e-6)  # also where the goal was replaced
+    assert (distance == 0).any()  # "future" may choose the step itself
+
+
+def test_a_task_s_infos_reach_sb3():
+    envs = SB3VecEnv("reach", 2, task=Lift())
+    envs.reset()
+    for step in range(1, 4):
+        _, reward, done, infos = envs.step(np.zeros((2, 8)))
+        for i, info in enumerate(infos):
+            assert info["steps"] == step
+            assert sum(info["reward_terms"].values()) == pytest.approx(reward[i], abs=1e-7)
+    assert done.all()
+    assert [(it["TimeLimit.truncated"], it["is_failure"], it["is_success"]) for it in infos] == [(True, True, False)] * 2
+    assert infos[0]["terminal_observation"]["lift/hands"].shape == (2, 3)
+
+
+def test_the_checker_likes_a_goal_view():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        check_env(mimo.make("reach", task=ReachUp(), flatten=True, normalize_actions=True))
+
+
+def test_vec_monitor():
+    envs = VecMonitor(SB3VecEnv("reach", 2, max_steps=3), info_keywords=("is_success",))
+    envs.reset()
+    returns = np.zeros(2)
+    for _ in range(3):
+        _, reward, done, infos = envs.step(np.zeros((2, 8)))
+        returns += reward
+    assert done.all()
+    for i, info in enumerate(infos):
+        assert (info["episode"]["l"], info["episode"]["is_success"]) == (3, False)
+        assert info["episode"]["r"] == pytest.approx(returns[i], abs=1e-5)
+
+
+def test_unknown_reset_options_are_refused():
+    envs = SB3VecEnv("reach", 2)
+    envs.set_options({"speed": 3})
+    with pytest.raises(ValueError, match="options has 'speed'"):
+        envs.reset()

@@ -49,7 +49,7 @@ from .errors import (
 from .layout import Field, Layout, Observation
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
-from .tasks import Judgement, Task
+from .tasks import GoalTask, Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
 
@@ -85,6 +85,7 @@ __all__ = [
     "Field",
     "ForkedError",
     "Frame",
+    "GoalTask",
     "InternalError",
     "Jacobian",
     "Judgement",

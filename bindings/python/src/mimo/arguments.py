@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import IntEnum, IntFlag
-from typing import Any, Optional, Type, Union
+from typing import Any, Mapping, Optional, Type, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +48,14 @@ def vector(name: str, value: Any, count: int) -> NDArray[np.float64]:
     except (TypeError, ValueError):
         pass
     raise ValueError(f"{name} is {value!r}, expected {count} numbers")
+
+
+def reset_options(options: Optional[Mapping[str, Any]], *known: str) -> Mapping[str, Any]:
+    """The options of a reset, of those that are known."""
+    for name in options or {}:
+        if name not in known:
+            raise ValueError(f"options has {name!r}, expected {' or '.join(map(repr, known)) or 'none at all'}")
+    return options or {}
 
 
 def index_in(name: str, value: Any, count: int) -> int:

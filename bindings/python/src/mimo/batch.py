@@ -18,7 +18,7 @@ from .arguments import index_in, number_of, whole_number
 from .constants import Autoreset
 from .errors import Error, make_error
 from .layout import Observation
-from .options import Options
+from .options import Options, refuse_unknown
 from .scene import Scene, prepare
 from .world import Contacts, World, contacts_of, env_config, seed_number
 
@@ -51,6 +51,7 @@ class Batch(Access):
         restart_failed: bool = True,
         **options: Unpack[Options],
     ) -> None:
+        refuse_unknown(options, Options, Batch.__init__)
         self._scene, self._options = prepare(scene, options)
         mode = whole_number("autoreset", autoreset, Autoreset)
         self._settings = {"threads": threads, "autoreset": mode, "restart_failed": restart_failed}
@@ -147,6 +148,12 @@ class Batch(Access):
         if status != 0:
             self._sent.pop()
             raise_error(status)
+
+    def drop_sent(self) -> None:
+        """Waits for a step that an interrupt may have left behind, if there is one; its results are lost."""
+        if self._sent:
+            LIB.mimo_batch_receive(self._handle)  # complains where the interrupt came before the step was sent
+            self._sent.clear()
 
     def receive(self) -> BatchResult:
         """Waits for the step that was sent."""

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
-from .layout import Supply
-from .options import EnvOptions
+from .arguments import reset_options
+from .layout import Observation, Supply
+from .options import EnvOptions, refuse_unknown
+from .pictures import ARRAYS, Painter
 from .scene import Scene
-from .spaces import action_box, flat, observation_space
-from .tasks import Task, judgement
+from .spaces import View, action_box
+from .tasks import Judge, Judgement, Task, goal_task
 from .world import World
 
-PICTURE = {"width": 480, "height": 360}
+PICTURE = (480, 360)
 
 
 class Env(gymnasium.Env[Any, NDArray[np.float32]]):
@@ -25,11 +27,11 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
 
     Observations are dicts of arrays by field name; with `flatten` one row of numbers. `task` may be an object derived
     from mimo.Task, or the name of a built-in task. All further options are those of mimo.World.
-    `render_mode` is "rgb_array" or "human"; `camera` names the camera to render from, None is a view from the front.
+    `render_mode` is "rgb_array", "depth_array" (m) or "human"; `camera` names the camera to render from, None is a view
+    from the front; `width` and `height` are those of the picture.
     """
 
-    metadata: Dict[str, Any] = {"render_modes": ["rgb_array", "human"], "render_fps": 100}  # noqa: RUF012
-    render_modes: ClassVar[Sequence[Optional[str]]] = (None, "rgb_array", "human")
+    metadata: Dict[str, Any] = {"render_modes": [*ARRAYS, "human"], "render_fps": 100}  # noqa: RUF012
 
     def __init__(
         self,
@@ -39,66 +41,67 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         flatten: bool = False,
         render_mode: Optional[str] = None,
         camera: Optional[str] = None,
+        width: Optional[int] = None,
+        height: Optional[int] = None,
         **options: Unpack[EnvOptions],
     ) -> None:
-        if render_mode not in self.render_modes:
-            raise ValueError(f"render_mode is {render_mode!r}, expected one of {self.metadata['render_modes']}")
+        refuse_unknown(options, EnvOptions, Env.__init__)
+        self._painter = Painter(render_mode, (width, height), PICTURE, camera, self.metadata["render_modes"])
         self.world = World(scene, **with_task(options, task))
         check_sole(self.world.agents)
-        self._flatten, self.render_mode, self._camera = flatten, render_mode, camera
-        self.observation_space: Any = observation_space(self.world.layout, flatten)
+        self.render_mode = render_mode
+        self._judge = Judge(task, self.world) if isinstance(task, Task) else None
+        self._view = View(self.world.layout.fields, self._judge.fields if self._judge else {}, flatten)
+        self.observation_space: Any = self._view.space
         self.action_space: Any = action_box(self.world.action_low, self.world.action_high)
         self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
-        self._task = task if isinstance(task, Task) else None
         self._window: Any = None
         self._supply = Supply(self.world.layout)
         self._seeded = False
-        if self._task is not None:
-            self._task.setup(self.world)
 
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Any, Dict[str, Any]]:
         """Starts an episode. The first one without a seed starts from chance, further ones go on from there."""
+        reset_options(options)
         super().reset(seed=seed)
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
         self._seeded = True
         block = self.world.layout.new_block()
-        observation = self.world.layout.views(block)
-        begin(self.world, self._task, block, seed)
+        begin(self.world, self._judge, block, seed)
         if self.render_mode == "human":
             self.render()
-        return flat(observation) if self._flatten else observation, self._info(success=False)
+        info = world_info(self.world) if self._judge is None else judged_info(Judgement())
+        return self._observation(self.world.layout.views(block)), info
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
         """Goes one step on."""
         world = self.world
         address, views = self._supply.take()  # fresh: what was returned before stays as it is
         world._step_at(address, world.layout.bytes, action)
-        observation = flat(views) if self._flatten else views
         if self.render_mode == "human":
             self.render()
-        if self._task is None:
-            return (
-                observation,
-                float(world.reward[0]),
-                bool(world.terminated[0]),
-                bool(world.truncated[0]),
-                self._info(),
-            )
+        truncated = bool(world.truncated[0])
+        if self._judge is None:
+            reward, terminated = float(world.reward[0]), bool(world.terminated[0])
+            return self._view.show(views), reward, terminated, truncated, world_info(world)
         world.observation = views
-        judged = judgement(self._task, world)
-        info = self._info(success=bool(judged.success))
-        return observation, float(judged.reward), bool(judged.terminated), bool(world.truncated[0]), info
+        judged = self._judge.judged(world)[""]
+        reward, terminated = float(judged.total()), bool(judged.terminated)
+        truncated = truncated or bool(judged.truncated)
+        return self._observation(views), reward, terminated, truncated, judged_info(judged)
+
+    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
+        """The reward of goals, one or many, as a mimo.GoalTask has it."""
+        return goal_task(self._judge).compute_reward(achieved_goal, desired_goal, info)
 
     def render(self) -> Any:
-        """A picture (height x width x 3) with render_mode "rgb_array"; draws to the window with "human"."""
+        """A picture with render_mode "rgb_array" or "depth_array"; draws to the window with "human"."""
         if self.render_mode is None:
             return None
-        camera = {} if self._camera is None else {"camera": self._camera}
-        picture = self.world.render(**PICTURE, **camera)  # type: ignore[arg-type]
-        if self.render_mode == "rgb_array":
+        picture = self._painter.paint(self.world)
+        if self.render_mode != "human":
             return picture
         if self._window is None:
             from .plot import Window  # matplotlib is only needed for windows and plots
@@ -114,11 +117,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
             self._window = None
         self.world.close()
 
-    def _info(self, success: Optional[bool] = None) -> Dict[str, Any]:
-        if self._task is not None:
-            return {"is_success": bool(success)}
-        world = self.world
-        return {"is_success": world.outcome().success, "reward_terms": world.reward_terms()}
+    def _observation(self, views: Observation) -> Any:
+        return self._view.show(views) if self._judge is None else self._view.show(views, self._judge.observed(self.world)[""])
 
     def __getstate__(self) -> Dict[str, Any]:
         return {**self.__dict__, "_window": None, "_supply": None}
@@ -126,18 +126,31 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self.__dict__.update(state)
         self._supply = Supply(self.world.layout)
-        if self._task is not None:
-            self._task.setup(self.world)  # what it had looked up belonged to the other world
+        if self._judge is not None:
+            self._judge.task.setup(self.world)  # what it had looked up belonged to the other world
 
 
-def begin(world: World, task: Optional[Task], block: NDArray[np.uint8], seed: Optional[int]) -> None:
+def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: Optional[int]) -> None:
     """Starts an episode, as the world's own task or one in Python has it, and senses into the block."""
-    if task is None:
+    if judge is None:
         world.reset_into(block, seed)
         return
     world.reset_into(None, seed)
-    task.reset(world, None)
+    judge.task.reset(world, None)
     world.observe_into(block)
+    world.observation = world.layout.views(block)
+
+
+def world_info(world: World, agent: int = 0) -> Dict[str, Any]:
+    """What a built-in task tells of an infant's step."""
+    success, failure = world.outcome(agent)
+    return {"is_success": success, "is_failure": failure, "reward_terms": world.reward_terms(agent)}
+
+
+def judged_info(judged: Judgement) -> Dict[str, Any]:
+    """What a task in Python tells of a step in one world."""
+    info = {"is_success": bool(judged.success), "is_failure": bool(judged.failure), **judged.info}
+    return {**info, "reward_terms": dict(judged.terms)} if judged.terms else info
 
 
 def check_sole(agents: Sequence[Any]) -> None:

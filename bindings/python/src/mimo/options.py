@@ -6,6 +6,8 @@ Whatever is left out is the library's default, or the scene's own. docs/python.m
 from __future__ import annotations
 
 import ctypes
+import difflib
+import inspect
 import os
 from enum import IntEnum, IntFlag
 from functools import lru_cache
@@ -148,11 +150,14 @@ def _is_enum(kind: Any) -> bool:
     return isinstance(kind, type) and issubclass(kind, (IntEnum, IntFlag))
 
 
-def refuse_unknown(options: Mapping[str, Any], kind: Any) -> None:
-    """Raises for an option that a class above does not name."""
-    unknown = options.keys() - enums(kind).keys()
-    if unknown:
-        raise TypeError(f"no option {', '.join(sorted(unknown))}; there are: {', '.join(sorted(enums(kind)))}")
+def refuse_unknown(options: Mapping[str, Any], kind: Any, function: Any = None) -> None:
+    """Raises for an option that a class above does not name; `function` has keyword arguments of its own, too."""
+    for name in options.keys() - enums(kind).keys():
+        own = inspect.signature(function).parameters.values() if function else ()
+        known = sorted({*enums(kind), *(it.name for it in own if it.kind == it.KEYWORD_ONLY)})
+        near = difflib.get_close_matches(name, known, 1)
+        meant = f"; did you mean {near[0]!r}?" if near else "."
+        raise TypeError(f"unexpected keyword argument {name!r}{meant} There are: {', '.join(known)}")
 
 
 def fill(

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from pettingzoo import ParallelEnv as _ParallelEnv
 from typing_extensions import Unpack
 
-from .env import PICTURE, begin, with_task
+from .env import PICTURE, begin, judged_info, with_task, world_info
 from .layout import Observation
-from .options import EnvOptions
+from .options import EnvOptions, refuse_unknown
+from .pictures import ARRAYS, Painter
 from .scene import Scene
-from .spaces import action_box, dict_space, split
-from .tasks import Task, judgements
+from .spaces import View, action_box, split
+from .tasks import Judge, Task, goal_task
 from .world import World
 
 SOLE = "infant"  # PettingZoo's name of an infant without one
@@ -26,42 +27,46 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     """All infants of a world act at the same time. Their observations are dicts without the infants' names in front.
 
     An infant whose episode has ended leaves `agents`; the others go on, and its motors rest. `task` may be an object
-    derived from mimo.Task whose evaluate returns {name: Judgement}, or the name of a built-in task.
+    derived from mimo.Task whose evaluate returns {name: Judgement}, or the name of a built-in task. `flatten`,
+    `render_mode` and what belongs to it are those of mimo.Env.
     """
 
-    metadata: Dict[str, Any] = {"name": "mimo", "render_modes": ["rgb_array"], "is_parallelizable": True}  # noqa: RUF012
+    metadata: Dict[str, Any] = {"name": "mimo", "render_modes": [*ARRAYS], "is_parallelizable": True}  # noqa: RUF012
 
     def __init__(
         self,
         scene: Union[str, Scene],
         *,
         task: Union[Task, str, None] = None,
+        flatten: bool = False,
         render_mode: Optional[str] = None,
+        camera: Optional[str] = None,
+        width: Optional[int] = None,
+        height: Optional[int] = None,
         **options: Unpack[EnvOptions],
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode is {render_mode!r}, expected 'rgb_array' or None")
+        refuse_unknown(options, EnvOptions, ParallelEnv.__init__)
+        self._painter = Painter(render_mode, (width, height), PICTURE, camera)
         self.world = World(scene, **with_task(options, task))
         if not self.world.agents:
             raise ValueError("the scene has no infant; add some with its add_agent()")
-        self._task = task if isinstance(task, Task) else None
         self.render_mode = render_mode
         self.possible_agents = [agent.name or SOLE for agent in self.world.agents]
         self.agents: List[str] = []
+        self._judge = Judge(task, self.world, self.possible_agents) if isinstance(task, Task) else None
+        own = self._judge.fields if self._judge else {}
         fields = self.world.layout.fields
         named = [agent.name for agent in self.world.agents if agent.name]
         self._fields = split(fields, named) if named else {SOLE: dict(fields)}
-        self._observation_spaces = {agent: dict_space(part) for agent, part in self._fields.items()}
+        self._views = {agent: View(part, own, flatten) for agent, part in self._fields.items()}
         low, high = self.world.action_low, self.world.action_high
         parts = zip(self.possible_agents, self.world.agents)
         self._action_spaces = {name: action_box(low[agent.actions], high[agent.actions]) for name, agent in parts}
         self._seeded = False
-        if self._task is not None:
-            self._task.setup(self.world)
 
-    def observation_space(self, agent: str) -> spaces.Dict:
+    def observation_space(self, agent: str) -> spaces.Space[Any]:
         """The space of one infant's observations."""
-        return self._observation_spaces[agent]
+        return self._views[agent].space
 
     def action_space(self, agent: str) -> spaces.Box:
         """The space of one infant's actions."""
@@ -70,15 +75,14 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     def reset(
         self, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Dict[str, Any], Dict[str, Dict[str, Any]]]:
-        """Starts an episode for all infants."""
+        """Starts an episode for all infants. There are no options; PettingZoo's checker gives one, so none is refused."""
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
         self._seeded = True
         self.agents = list(self.possible_agents)
         block = self.world.layout.new_block()
-        begin(self.world, self._task, block, seed)
-        views = self.world.layout.views(block)
-        return self._observations(views, self.agents), {agent: {} for agent in self.agents}
+        begin(self.world, self._judge, block, seed)
+        return self._observations(self.world.layout.views(block), self.agents), {agent: {} for agent in self.agents}
 
     def step(
         self, actions: Dict[str, Any]
@@ -89,33 +93,38 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         acted = self.agents
         numbers = {agent: self.possible_agents.index(agent) for agent in acted}
         self.world.observation = self.world.layout.views(block)
-        rewards, terminated, infos = self._judged(numbers)
-        truncated = {agent: bool(self.world.truncated[i]) for agent, i in numbers.items()}
+        rewards, terminated, truncated, infos = self._judged(numbers)
         self.agents = [agent for agent in acted if not (terminated[agent] or truncated[agent])]
         return self._observations(self.world.observation, acted), rewards, terminated, truncated, infos
 
-    def _judged(self, numbers: Dict[str, int]) -> Tuple[Dict[str, float], Dict[str, bool], Dict[str, Dict[str, Any]]]:
+    def _judged(
+        self, numbers: Dict[str, int]
+    ) -> Tuple[Dict[str, float], Dict[str, bool], Dict[str, bool], Dict[str, Dict[str, Any]]]:
         """Rewards, ends and infos of the infants that acted, by the world's task or by one's own."""
         world = self.world
-        if self._task is not None:
-            judged = judgements(self._task, world, list(numbers))
+        truncated = {agent: bool(world.truncated[i]) for agent, i in numbers.items()}
+        if self._judge is None or not numbers:
             return (
-                {agent: float(judged[agent].reward) for agent in numbers},
-                {agent: bool(judged[agent].terminated) for agent in numbers},
-                {agent: {"is_success": bool(judged[agent].success)} for agent in numbers},
+                {agent: float(world.reward[i]) for agent, i in numbers.items()},
+                {agent: bool(world.terminated[i]) for agent, i in numbers.items()},
+                truncated,
+                {agent: world_info(world, i) for agent, i in numbers.items()},
             )
+        judged = self._judge.judged(world, list(numbers))
         return (
-            {agent: float(world.reward[i]) for agent, i in numbers.items()},
-            {agent: bool(world.terminated[i]) for agent, i in numbers.items()},
-            {
-                agent: {"is_success": world.outcome(i).success, "reward_terms": world.reward_terms(i)}
-                for agent, i in numbers.items()
-            },
+            {agent: float(it.total()) for agent, it in judged.items()},
+            {agent: bool(it.terminated) for agent, it in judged.items()},
+            {agent: truncated[agent] or bool(it.truncated) for agent, it in judged.items()},
+            {agent: judged_info(it) for agent, it in judged.items()},
         )
 
-    def render(self) -> Optional[NDArray[np.uint8]]:
+    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
+        """The reward of goals, one or many, as a mimo.GoalTask has it."""
+        return goal_task(self._judge).compute_reward(achieved_goal, desired_goal, info)
+
+    def render(self) -> Optional[NDArray[Any]]:
         """A picture of the world."""
-        return self.world.render(**PICTURE) if self.render_mode else None  # type: ignore[arg-type]
+        return self._painter.paint(self.world) if self.render_mode else None
 
     def close(self) -> None:
         """Closes the world."""
@@ -128,4 +137,6 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         return joined
 
     def _observations(self, views: Observation, agents: List[str]) -> Dict[str, Any]:
-        return {agent: {name: views[field.name] for name, field in self._fields[agent].items()} for agent in agents}
+        own = self._judge.observed(self.world, agents) if self._judge else {}
+        parts = {a: {name: views[field.name] for name, field in self._fields[a].items()} for a in agents}
+        return {agent: self._views[agent].show(part, own.get(agent, {})) for agent, part in parts.items()}

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
+from .arguments import reset_options
 from .scene import Scene
 from .vector import VectorEnv
 
@@ -24,6 +25,8 @@ class SB3VecEnv(VecEnv):
 
     def reset(self) -> Any:
         """Starts an episode in all worlds."""
+        for options in self._options:
+            reset_options(options)
         seed = self._seeds[0] if self._seeds else None
         observation, _ = self.envs.reset(seed=seed)
         self._reset_seeds()
@@ -39,13 +42,11 @@ class SB3VecEnv(VecEnv):
         """Waits for the step."""
         observation, reward, terminated, truncated, infos = self.envs.receive()
         done = terminated | truncated
-        listed: List[Dict[str, Any]] = [{"TimeLimit.truncated": False} for _ in range(self.num_envs)]
+        told = infos.get("final_info", infos)
+        listed = [{"TimeLimit.truncated": False, **_of_world(told, index)} for index in range(self.num_envs)]
         for index in np.flatnonzero(done):
-            listed[index] = {
-                "TimeLimit.truncated": bool(truncated[index] and not terminated[index]),
-                "terminal_observation": infos["final_obs"][index],
-                "is_success": bool(infos["is_success"][index]),
-            }
+            listed[index]["TimeLimit.truncated"] = bool(truncated[index] and not terminated[index])
+            listed[index]["terminal_observation"] = infos["final_obs"][index]
         return observation, reward.astype(np.float32), done, listed
 
     def close(self) -> None:
@@ -63,8 +64,10 @@ class SB3VecEnv(VecEnv):
         setattr(self.envs, attr_name, value)
 
     def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> List[Any]:
-        """Calls a method of single worlds (mimo.World)."""
+        """Calls a method of single worlds (mimo.World), or compute_reward, which HER asks for."""
         chosen = self._get_indices(indices)
+        if method_name == "compute_reward":
+            return [self.envs.compute_reward(*method_args, **method_kwargs) for _ in chosen]
         return [getattr(self.envs.batch.world(i), method_name)(*method_args, **method_kwargs) for i in chosen]
 
     def env_is_wrapped(
@@ -76,3 +79,13 @@ class SB3VecEnv(VecEnv):
     def get_images(self) -> Sequence[Optional[NDArray[np.uint8]]]:
         """One picture a world."""
         return list(self.envs.render() or [None] * self.num_envs)
+
+
+def _of_world(infos: Dict[str, Any], index: int) -> Dict[str, Any]:
+    """What Gymnasium's infos of many worlds, arrays and their masks, say of one."""
+    counts = [name for name in infos if "_" + name in infos and infos["_" + name][index]]
+    return {name: _of_world(it, index) if isinstance(it := infos[name], dict) else _plain(it[index]) for name in counts}
+
+
+def _plain(value: Any) -> Any:
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,14 +1,43 @@
-"""Gymnasium's spaces, from the fields and action bounds that the library describes."""
+"""Gymnasium's spaces, from the fields and action bounds that the library describes and those that a task declares."""
 
 from __future__ import annotations
 
-from typing import Dict, Iterable, Mapping
+from typing import Any, Dict, Iterable, Mapping
 
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from .layout import Field, Layout, Observation
+from .layout import Field, Observation
+from .tasks import GOALS
+
+NONE: Observation = {}
+
+
+class View:
+    """What an environment shows: a dict by field name, or with `flatten` one row of numbers.
+
+    Goals stay beside the row, which is then "observation", as Gymnasium's GoalEnv has it.
+    """
+
+    def __init__(self, fields: Mapping[str, Field], own: Mapping[str, spaces.Box] = NONE, flatten: bool = False) -> None:
+        boxes = {**{name: field_box(field) for name, field in fields.items()}, **own}
+        self._flatten = flatten
+        self._goals = [name for name in GOALS if name in own]
+        self.space: spaces.Space[Any] = spaces.Dict(boxes)
+        if flatten:
+            row = flat_box(box for name, box in boxes.items() if name not in self._goals)
+            goals = {name: own[name] for name in self._goals}
+            self.space = spaces.Dict({"observation": row, **goals}) if goals else row
+
+    def show(self, views: Observation, own: Observation = NONE, worlds: int = 0) -> Any:
+        """The observation; of several worlds with their number, which is then the arrays' first axis."""
+        if own:
+            views = {**views, **own}
+        if not self._flatten:
+            return views
+        row = flat({name: it for name, it in views.items() if name not in self._goals}, worlds)
+        return {"observation": row, **{name: views[name] for name in self._goals}} if self._goals else row
 
 
 def field_box(field: Field) -> spaces.Box:
@@ -16,22 +45,11 @@ def field_box(field: Field) -> spaces.Box:
     return spaces.Box(field.low, field.high, field.shape, field.dtype.type)
 
 
-def dict_space(fields: Mapping[str, Field]) -> spaces.Dict:
-    """The space of several fields, by name."""
-    return spaces.Dict({name: field_box(field) for name, field in fields.items()})
-
-
-def flat_box(fields: Iterable[Field]) -> spaces.Box:
-    """The space of all fields as one row of numbers."""
-    listed = list(fields)
-    low = [np.full(int(np.prod(field.shape)), field.low) for field in listed]
-    high = [np.full(int(np.prod(field.shape)), field.high) for field in listed]
-    return spaces.Box(np.concatenate(low).astype(np.float32), np.concatenate(high).astype(np.float32), dtype=np.float32)
-
-
-def observation_space(layout: Layout, flatten: bool) -> spaces.Space[object]:
-    """The space of a world's observations."""
-    return flat_box(layout.fields.values()) if flatten else dict_space(layout.fields)
+def flat_box(boxes: Iterable[spaces.Box]) -> spaces.Box:
+    """The space of several arrays as one row of numbers."""
+    listed = list(boxes)
+    low, high = (np.concatenate([getattr(box, end).ravel() for box in listed]) for end in ("low", "high"))
+    return spaces.Box(low.astype(np.float32), high.astype(np.float32), dtype=np.float32)
 
 
 def action_box(low: NDArray[np.float32], high: NDArray[np.float32]) -> spaces.Box:

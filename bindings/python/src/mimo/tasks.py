@@ -1,25 +1,40 @@
-"""Experiments of your own: how an episode starts, what is rewarded, when it ends; in Python, on named access."""
+"""Experiments of your own: how an episode starts, what is observed and rewarded, when it ends; on named access."""
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, NamedTuple, Union
+from typing import Any, Dict, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
+from gymnasium import spaces
 from numpy.typing import NDArray
 
 from .access import Access, Mask
 
+Flags = Union[bool, NDArray[np.bool_]]
+GOALS = ("achieved_goal", "desired_goal")  # Gymnasium's names
+
 
 class Judgement(NamedTuple):
-    """What a task says of a step: a number and two bools for one world, arrays with one entry a world for a batch."""
+    """What a task says of a step: numbers and bools for one world, arrays with one entry a world for a batch.
 
-    reward: Any
-    terminated: Union[bool, NDArray[np.bool_]] = False  # the episode ends here
-    success: Union[bool, NDArray[np.bool_]] = False  # goes to info["is_success"]
+    Give a reward or the terms that it is the sum of, not both. `terms` and `info` are dicts by name.
+    """
+
+    reward: Any = None
+    terminated: Flags = False  # the episode ends here: what comes after it does not matter
+    success: Flags = False  # goes to info["is_success"]
+    truncated: Flags = False  # the episode is cut off here; `max_steps` does so as well
+    failure: Flags = False  # goes to info["is_failure"]
+    terms: Mapping[str, Any] = {}  # go to info["reward_terms"]
+    info: Mapping[str, Any] = {}  # goes to info
+
+    def total(self) -> Any:
+        """The reward."""
+        return sum(self.terms.values()) if self.terms else self.reward
 
 
 class Task:
-    """Derive from it, and give an instance to make, make_vec or ParallelEnv.
+    """Derive from it, and give an instance to make, make_vec, SB3VecEnv or ParallelEnv.
 
     The same class serves one world and many, if it computes along the last axes: positions of bodies are (n, 3) in one
     world and (worlds, n, 3) in many, so `position[..., 0, :]` is the first body's in both. Arrays of names that were
@@ -27,8 +42,14 @@ class Task:
     of is reached world by world: `world.contacts(i)` and `world.world(i)` for i in range(world.world_count), which is 1
     in one world.
 
-    Episodes are cut off after `max_steps`, an option of make, make_vec and ParallelEnv.
+    `fields` declares further fields of the observation, as Gymnasium's Box by name, those of one world; set it in the
+    class or in setup. Whoever does derives observe, too.
+
+    In ParallelEnv with several infants what evaluate and observe return is returned for each, {"anna": ..., "ben": ...}.
+    Episodes are cut off after `max_steps`, an option of make, make_vec, SB3VecEnv and ParallelEnv.
     """
+
+    fields: Mapping[str, spaces.Box] = {}
 
     def setup(self, world: Access) -> None:
         """Called once, before anything else: look up names here."""
@@ -40,31 +61,121 @@ class Task:
         """
 
     def evaluate(self, world: Access) -> Union[Judgement, Mapping[str, Judgement]]:
-        """Judges a step: a Judgement, and for ParallelEnv one for each infant by name, {"anna": Judgement(...), ...}.
+        """Judges a step.
 
         `world.observation` has what was sensed. Positions of bodies are those of the start of its last physics step.
         """
         raise NotImplementedError
 
-
-def judgement(task: Task, world: Access) -> Judgement:
-    """What a task says of a step."""
-    given = task.evaluate(world)
-    if not isinstance(given, Judgement):
-        raise TypeError(f"{type(task).__name__}.evaluate returned {_what(given)}; return a mimo.Judgement")
-    return given
+    def observe(self, world: Access) -> Mapping[str, Any]:
+        """The values of `fields`, after evaluate and after reset: arrays by name, of a batch with worlds in front."""
+        return {}
 
 
-def judgements(task: Task, world: Access, agents: List[str]) -> Dict[str, Judgement]:
-    """What a task says of each infant."""
-    given = task.evaluate(world)
-    name = f"{type(task).__name__}.evaluate"
-    if not isinstance(given, Mapping) or isinstance(given, Judgement):
-        raise TypeError(f'{name} returned {_what(given)}; return one mimo.Judgement an infant, {{"{agents[0]}": ...}}')
-    for agent in agents:
-        if not isinstance(given.get(agent), Judgement):
-            raise TypeError(f"{name} returned {_what(given.get(agent))} for {agent!r}; return a mimo.Judgement")
-    return dict(given)
+class GoalTask(Task):
+    """A task with a goal that can be replaced afterwards, as hindsight experience replay (HER) does.
+
+    Observations get "achieved_goal" and "desired_goal", both in the space `goal`; with `flatten` everything else is one
+    row "observation" beside them, as Gymnasium's GoalEnv has it. Derive achieved_goal, desired_goal and compute_reward.
+    """
+
+    goal: spaces.Box
+
+    def achieved_goal(self, world: Access) -> Any:
+        """What has been reached: an array, of a batch with worlds in front."""
+        raise NotImplementedError
+
+    def desired_goal(self, world: Access) -> Any:
+        """What was to be reached."""
+        raise NotImplementedError
+
+    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
+        """The reward, of goals alone. Computes along the last axis: goals are (n,), or any number of rows of them."""
+        raise NotImplementedError
+
+    def evaluate(self, world: Access) -> Union[Judgement, Mapping[str, Judgement]]:
+        """The reward of the goals; derive it for ends of episodes: super().evaluate(world)._replace(terminated=...)."""
+        achieved, desired = self.achieved_goal(world), self.desired_goal(world)
+        if isinstance(achieved, Mapping):
+            return {name: Judgement(self.compute_reward(achieved[name], desired[name], {})) for name in achieved}
+        return Judgement(self.compute_reward(achieved, desired, {}))
+
+
+SOLE = ("",)  # names of the infants where nobody asks for them
+Own = Dict[str, NDArray[Any]]  # fields that a task declares
+
+
+class Judge:
+    """Asks a task, for an environment, and refuses what cannot be meant."""
+
+    def __init__(self, task: Task, world: Access, agents: Sequence[str] = SOLE) -> None:
+        self.task, self._name, self._agents = task, type(task).__name__, agents
+        self._lead = world._lead
+        task.setup(world)
+        self.fields: Dict[str, spaces.Box] = dict(task.fields)
+        if isinstance(task, GoalTask):
+            self.fields.update(dict.fromkeys(GOALS, task.goal))
+        for name, box in self.fields.items():
+            if not isinstance(box, spaces.Box):
+                raise TypeError(f"{self._name}: the space of {name!r} is {_what(box)}, expected a gymnasium Box")
+            if name in world.layout.fields:
+                raise ValueError(f"{self._name}: the world has a field {name!r} already; give yours another name")
+
+    def judged(self, world: Access, agents: Sequence[str] = SOLE) -> Dict[str, Judgement]:
+        """What it says of a step, of each of these infants."""
+        judged = self._of_each(agents, self.task.evaluate(world), "evaluate", Judgement, "a mimo.Judgement")
+        for judgement in judged.values():
+            if (judgement.reward is None) != bool(judgement.terms):
+                given = "neither" if judgement.reward is None else "both"
+                raise ValueError(f"{self._name}.evaluate gave {given} of reward and terms, expected one of them")
+        return judged
+
+    def observed(self, world: Access, agents: Sequence[str] = SOLE) -> Dict[str, Own]:
+        """The declared fields of each of these infants, as arrays of their own."""
+        if not self.fields:
+            return {name: {} for name in agents}
+        parts = self._of_each(agents, self.task.observe(world), "observe", Mapping, "a dict of arrays")
+        if isinstance(self.task, GoalTask):
+            for goal in GOALS:
+                values = self._of_each(agents, getattr(self.task, goal)(world), goal, object, "an array")
+                parts = {name: {**part, goal: values[name]} for name, part in parts.items()}
+        return {name: self._arrays(part) for name, part in parts.items()}
+
+    def _of_each(self, agents: Sequence[str], given: Any, method: str, kind: Any, expected: str) -> Dict[str, Any]:
+        """What a method returned, by infant; where a world has only one, it need not be named."""
+        method = f"{self._name}.{method}"
+        named = isinstance(given, Mapping) and bool(given) and set(given) <= set(self._agents)
+        if len(self._agents) == 1 and not named:
+            given = dict.fromkeys(self._agents, given)
+        elif not isinstance(given, Mapping):
+            one, example = expected.split(" ", 1)[1], f'{{"{agents[0]}": ...}}'
+            raise TypeError(f"{method} returned {_what(given)}; return one {one} an infant, {example}")
+        for agent in agents:
+            if not isinstance(given.get(agent), kind):
+                whose = f" for {agent!r}" if agent else ""
+                raise TypeError(f"{method} returned {_what(given.get(agent))}{whose}; return {expected}")
+        return {agent: given[agent] for agent in agents}
+
+    def _arrays(self, part: Mapping[str, Any]) -> Dict[str, NDArray[Any]]:
+        if part.keys() != self.fields.keys():
+            raise ValueError(
+                f"{self._name}.observe returned {sorted(part)}, expected what `fields` declares, {sorted(self.fields)}"
+            )
+        arrays = {}
+        for name, box in self.fields.items():
+            array = np.array(part[name], box.dtype)
+            shape = self._lead + box.shape
+            if array.shape != shape:
+                raise ValueError(f"{self._name}: {name!r} has the shape {array.shape}, expected {shape}")
+            arrays[name] = array
+        return arrays
+
+
+def goal_task(judge: Optional[Judge]) -> GoalTask:
+    """An environment's task with goals; raises where it has none."""
+    if judge is None or not isinstance(judge.task, GoalTask):
+        raise TypeError("compute_reward needs a mimo.GoalTask as the environment's task")
+    return judge.task
 
 
 def _what(given: Any) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, Dict, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import gymnasium.vector
 import numpy as np
@@ -11,14 +11,19 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
+from .arguments import reset_options
 from .batch import Batch
 from .constants import Autoreset
 from .env import check_sole, with_task
-from .options import EnvOptions
+from .options import EnvOptions, refuse_unknown
+from .pictures import ARRAYS, Painter
 from .scene import Scene
-from .spaces import action_box, flat, observation_space
-from .tasks import Task, judgement
+from .spaces import View, action_box
+from .tasks import Judge, Judgement, Own, Task, goal_task
 
+PICTURE = (240, 180)
+Flags = NDArray[np.bool_]
+Results = Tuple[Any, NDArray[np.float64], Flags, Flags, Dict[str, Any]]
 MODES = {"NextStep": Autoreset.NEXT_STEP, "SameStep": Autoreset.SAME_STEP, "Disabled": Autoreset.NONE}
 
 
@@ -50,17 +55,20 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         autoreset_mode: Any = "NextStep",
         threads: int = 0,
         render_mode: Optional[str] = None,
+        camera: Optional[str] = None,
+        width: Optional[int] = None,
+        height: Optional[int] = None,
         **options: Unpack[EnvOptions],
     ) -> None:
+        refuse_unknown(options, EnvOptions, VectorEnv.__init__)
         mode = getattr(autoreset_mode, "value", autoreset_mode)
         if mode not in MODES:
             raise ValueError(f"autoreset_mode is {mode!r}, expected one of {', '.join(MODES)}")
-        if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode is {render_mode!r}, expected 'rgb_array' or None")
-        self._mode, self.render_mode, self.num_envs, self._flatten = MODES[mode], render_mode, num_envs, flatten
-        self._task = task if isinstance(task, Task) else None
+        self._painter = Painter(render_mode, (width, height), PICTURE, camera)
+        self._mode, self.render_mode, self.num_envs = MODES[mode], render_mode, num_envs
+        self.autoreset_mode = _declared(mode)
         # The library starts worlds anew by itself where nothing has to be asked or done in between.
-        by_library = self._mode == Autoreset.NEXT_STEP and self._task is None
+        by_library = self._mode == Autoreset.NEXT_STEP and not isinstance(task, Task)
         self.batch = Batch(
             scene,
             num_envs,
@@ -70,25 +78,25 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         )
         check_sole(self.batch.agents)
         self._by_library = by_library
+        self._judge = Judge(task, self.batch) if isinstance(task, Task) else None
+        self._view = View(self.batch.layout.fields, self._judge.fields if self._judge else {}, flatten)
         first = self.batch.world(0)
-        self.single_observation_space = observation_space(self.batch.layout, flatten)
+        self.single_observation_space = self._view.space
         self.single_action_space = action_box(self.batch.action_low, self.batch.action_high)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
         fps = round(1 / (first.timestep * first.frame_skip))
-        self.metadata = {"autoreset_mode": _declared(mode), "render_modes": ["rgb_array"], "render_fps": fps}
+        self.metadata = {"autoreset_mode": self.autoreset_mode, "render_modes": [*ARRAYS], "render_fps": fps}
         self._over = np.zeros(num_envs, np.bool_)
         self._seeded = False
         self._prepare()
 
     def _prepare(self) -> None:
-        """What belongs to this object's own batch: blocks, and what the task has looked up."""
+        """What belongs to this object's own batch."""
         self._blocks = [self.batch.blocks, self.batch.layout.new_block(self.num_envs)]
         self._views = [self.batch.layout.views(blocks) for blocks in self._blocks]
         self._turn = 0
         self._worlds = [self.batch.world(i) for i in range(self.num_envs)]
-        if self._task is not None:
-            self._task.setup(self.batch)
 
     # ---- Gymnasium -----------------------------------------------------------------------------------------------
 
@@ -99,7 +107,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         options: Optional[Dict[str, Any]] = None,
     ) -> Tuple[Any, Dict[str, Any]]:
         """Starts episodes. One seed s means s, s + 1, ...; options={"reset_mask": mask} restarts some worlds only."""
-        mask = None if options is None else options.get("reset_mask")
+        mask = reset_options(options, "reset_mask").get("reset_mask")
+        self.batch.drop_sent()
         if mask is not None:
             return self._reset_some(seed, np.asarray(mask, np.bool_))
         super().reset(seed=seed if isinstance(seed, int) else None)
@@ -109,37 +118,31 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._turn = 1 - self._turn
         self._start(self._blocks[self._turn], seed, None)
         self._over[:] = False
-        return self._observation(), {}
+        return self._observation(self._own()), {}
 
-    def step(
-        self, actions: Any
-    ) -> Tuple[Any, NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], Dict[str, Any]]:
+    def step(self, actions: Any) -> Results:
         """Goes one step on in all worlds."""
-        self.send(actions)
-        return self.receive()
+        self.batch.step_into(self._blocks[1 - self._turn], actions)  # in one call: nothing to be lost by an interrupt
+        return self._results()
 
     def send(self, actions: Any) -> None:
         """Starts a step and returns, so that something else can be done meanwhile; receive() gives its results."""
         self.batch.send(actions, self._blocks[1 - self._turn])
 
-    def receive(self) -> Tuple[Any, NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], Dict[str, Any]]:
+    def receive(self) -> Results:
         """Waits for the step that was sent."""
         self.batch.receive()
-        self._turn = 1 - self._turn
-        reward, terminated, truncated, success = self._judged()
-        if self._mode == Autoreset.NEXT_STEP and not self._by_library:
-            self._begin(self._over, reward, terminated, truncated)
-        self._over = terminated | truncated
-        infos = self._infos(self._over, success)
-        if self._mode == Autoreset.SAME_STEP:
-            self._restart(self._over, infos)
-        return self._observation(), reward, terminated, truncated, infos
+        return self._results()
 
-    def render(self) -> Optional[Tuple[NDArray[np.uint8], ...]]:
+    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
+        """The reward of goals, one or many, as a mimo.GoalTask has it."""
+        return goal_task(self._judge).compute_reward(achieved_goal, desired_goal, info)
+
+    def render(self) -> Optional[Tuple[NDArray[Any], ...]]:
         """One picture a world."""
         if self.render_mode is None:
             return None
-        return tuple(world.render(width=240, height=180) for world in self._worlds)
+        return tuple(self._painter.paint(world) for world in self._worlds)
 
     def close_extras(self, **kwargs: Any) -> None:
         """Closes the batch."""
@@ -148,75 +151,100 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
 
     # ---- Episodes ------------------------------------------------------------------------------------------------
 
-    def _judged(self) -> Tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], Any]:
+    def _results(self) -> Results:
+        """What the step gave that has just ended."""
+        self._turn = 1 - self._turn
+        self.batch.observation = self._views[self._turn]
+        reward, terminated, truncated, judged = self._judged()
+        begins = self._over if self._mode == Autoreset.NEXT_STEP else np.zeros_like(self._over)
+        self._over = (terminated | truncated) & ~begins
+        infos = self._infos(self._over, ~begins, judged)
+        if not self._by_library and begins.any():  # worlds whose episode ended in the last step begin one instead
+            reward[begins], terminated[begins], truncated[begins] = 0, False, False
+            self._start(self._blocks[self._turn], None, begins)
+        own = self._own()
+        if self._mode == Autoreset.SAME_STEP and self._over.any():
+            own = self._restart(self._over, infos, own)
+        return self._observation(own), reward, terminated, truncated, infos
+
+    def _judged(self) -> Tuple[NDArray[np.float64], Flags, Flags, Optional[Judgement]]:
         batch = self.batch
         truncated = batch.truncated[:, 0].copy()
-        if self._task is None:
+        if self._judge is None:
             return batch.reward[:, 0].copy(), batch.terminated[:, 0].copy(), truncated, None
-        batch.observation = self._views[self._turn]
-        judged = judgement(self._task, batch)
-        reward = np.array(np.broadcast_to(judged.reward, self.num_envs), np.float64)
-        terminated = np.array(np.broadcast_to(judged.terminated, self.num_envs), np.bool_)
-        return reward, terminated, truncated, np.broadcast_to(judged.success, self.num_envs)
+        judged = self._judge.judged(batch)[""]
+        reward, terminated = self._each(judged.total(), np.float64), self._each(judged.terminated, np.bool_)
+        return reward, terminated, truncated | self._each(judged.truncated, np.bool_), judged
 
-    def _infos(self, over: NDArray[np.bool_], success: Any) -> Dict[str, Any]:
-        """Success and reward terms of the worlds whose episode has ended."""
-        if not over.any():
-            return {}
-        ended = np.flatnonzero(over)
-        infos: Dict[str, Any] = {"is_success": np.zeros(self.num_envs, np.bool_), "_is_success": over.copy()}
-        if success is not None:
-            infos["is_success"][ended] = success[ended]
-            return infos
-        terms: Dict[str, Any] = {}
-        for index in ended:
-            world = self._worlds[index]
-            infos["is_success"][index] = world.outcome().success
-            for name, value in world.reward_terms().items():
-                terms.setdefault(name, np.zeros(self.num_envs))[index] = value
-                terms["_" + name] = over.copy()
-        infos["reward_terms"], infos["_reward_terms"] = terms, over.copy()
+    def _each(self, value: Any, kind: Any = None) -> NDArray[Any]:
+        """A value of each world, where a task may have given one for all."""
+        return np.array(np.broadcast_to(value, (self.num_envs, *np.shape(value)[1:])), kind)
+
+    def _infos(self, over: Flags, acted: Flags, judged: Optional[Judgement]) -> Dict[str, Any]:
+        """How episodes ended; of a task in Python also what it tells of each step."""
+        if judged is None:
+            return self._endings(over) if over.any() else {}
+        infos = self._masked(judged.info, acted) if acted.any() else {}
+        if judged.terms and acted.any():
+            infos["reward_terms"], infos["_reward_terms"] = self._masked(judged.terms, acted), acted.copy()
+        if over.any():
+            outcome = {"is_success": judged.success, "is_failure": judged.failure}
+            flags = {name: over & self._each(value, np.bool_) for name, value in outcome.items()}
+            infos.update(self._masked(flags, over))
         return infos
 
-    def _restart(self, over: NDArray[np.bool_], infos: Dict[str, Any]) -> None:
+    def _masked(self, values: Mapping[str, Any], mask: Flags) -> Dict[str, Any]:
+        """Gymnasium's infos: an array by name, and by "_name" where it counts."""
+        infos: Dict[str, Any] = {name: self._each(value) for name, value in values.items()}
+        return {**infos, **{"_" + name: mask.copy() for name in values}}
+
+    def _endings(self, over: Flags) -> Dict[str, Any]:
+        """What the library's task tells of the episodes that have ended."""
+        outcome = {name: np.zeros(self.num_envs, np.bool_) for name in ("is_success", "is_failure")}
+        terms: Dict[str, Any] = {}
+        for index in np.flatnonzero(over):
+            world = self._worlds[index]
+            outcome["is_success"][index], outcome["is_failure"][index] = world.outcome()
+            for name, value in world.reward_terms().items():
+                terms.setdefault(name, np.zeros(self.num_envs))[index] = value
+        infos = self._masked(outcome, over)
+        infos["reward_terms"], infos["_reward_terms"] = self._masked(terms, over), over.copy()
+        return infos
+
+    def _restart(self, over: Flags, infos: Dict[str, Any], own: Own) -> Own:
         """SameStep: keeps the last observations of what has ended, and starts it anew."""
-        if not over.any():
-            return
         last: NDArray[Any] = np.full(self.num_envs, None, object)
         for index in np.flatnonzero(over):
-            last[index] = self._copy_of(int(index))
+            last[index] = self._copy_of(int(index), own)
         infos["final_info"], infos["_final_info"] = dict(infos), over.copy()
         infos["final_obs"], infos["_final_obs"] = last, over.copy()
         self._start(self._blocks[self._turn], None, over)
+        return self._own()
 
-    def _begin(self, due: NDArray[np.bool_], *results: NDArray[Any]) -> None:
-        """NextStep with a task in Python: worlds whose episode ended in the last step begin one instead of acting."""
-        if not due.any():
-            return
-        for result in results:
-            result[due] = 0
-        self._start(self._blocks[self._turn], None, due)
-
-    def _start(self, blocks: NDArray[np.uint8], seed: Any, mask: Optional[NDArray[np.bool_]]) -> None:
-        self.batch.reset_into(blocks if self._task is None else None, seed, mask)
-        if self._task is not None:
-            self._task.reset(self.batch, mask)
+    def _start(self, blocks: NDArray[np.uint8], seed: Any, mask: Optional[Flags]) -> None:
+        self.batch.reset_into(blocks if self._judge is None else None, seed, mask)
+        if self._judge is not None:
+            self._judge.task.reset(self.batch, mask)
             self.batch.observe_into(blocks, mask)
+        self.batch.observation = self._views[self._turn]
 
     def _reset_some(self, seed: Any, mask: NDArray[np.bool_]) -> Tuple[Any, Dict[str, Any]]:
         self._start(self._blocks[self._turn], seed, mask)
         self._over &= ~mask
-        return self._observation(), {}
+        return self._observation(self._own()), {}
 
     # ---- Observations --------------------------------------------------------------------------------------------
 
-    def _observation(self) -> Any:
-        views = self._views[self._turn]
-        return flat(views, self.num_envs) if self._flatten else dict(views)
+    def _own(self) -> Own:
+        """The fields that a task in Python declares."""
+        return {} if self._judge is None else self._judge.observed(self.batch)[""]
 
-    def _copy_of(self, index: int) -> Any:
-        row = {name: field[index].copy() for name, field in self._views[self._turn].items()}
-        return flat(row) if self._flatten else row
+    def _observation(self, own: Own) -> Any:
+        return self._view.show(dict(self._views[self._turn]), own, self.num_envs)
+
+    def _copy_of(self, index: int, own: Own) -> Any:
+        rows = {name: field[index].copy() for name, field in {**self._views[self._turn], **own}.items()}
+        return self._view.show(rows)
 
     # ---- Copies: by the batch's state; blocks and names are made anew ----------------------------------------------
 
@@ -229,6 +257,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self.__dict__.update(state)
         self._prepare()
         self._blocks[self._turn][...] = block
+        if self._judge is not None:
+            self._judge.task.setup(self.batch)  # what it had looked up belonged to the other batch
 
 
 def make_vec(scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **options: Any) -> VectorEnv:

@@ -425,6 +425,13 @@ class World(Access):
         check(LIB.mimo_env_render(self._handle, config, rgb.ctypes.data, rgb.size, None, 0, None, 0))
         return rgb
 
+    def depth(self, **picture: Unpack[PictureOptions]) -> NDArray[np.float32]:
+        """Distances along the camera's axis in such a picture: height x width, m."""
+        config = _picture_config(picture)
+        depth = np.empty((config.height, config.width), np.float32)
+        check(LIB.mimo_env_render(self._handle, config, None, 0, depth.ctypes.data, depth.size, None, 0))
+        return depth
+
     def draw(self, **picture: Unpack[PictureOptions]) -> Picture:
         """As render, with depth and the geom seen in each pixel."""
         config = _picture_config(picture)
