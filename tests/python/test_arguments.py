@@ -1,9 +1,12 @@
 """What callers mistype, and what they are told: the argument, its value, what was expected."""
 
+import os
+
 import numpy as np
 import pytest
 
 import mimo
+from mimo._library import LIB, raise_error
 
 
 class Silent(mimo.Task):
@@ -33,6 +36,30 @@ def set_gravity(value):
         (lambda: scene().add_model("cup", fiel="cup.xml"), TypeError, "argument 'fiel'; did you mean 'file'?"),
         (lambda: mimo.World("reach").render(widht=3), TypeError, "argument 'widht'; did you mean 'width'?"),
         (lambda: mimo.make("reach", frameskip=3), TypeError, "argument 'frameskip'; did you mean 'frame_skip'?"),
+        (lambda: mimo.make("reach", rendermode=3), TypeError, "argument 'rendermode'; did you mean 'render_mode'?"),
+        (lambda: mimo.make_vec("reach", autoreset=3), TypeError, "argument 'autoreset'; did you mean 'autoreset_mode'?"),
+        (lambda: mimo.ParallelEnv("reach", flat=3), TypeError, "argument 'flat'; did you mean 'flatten'?"),
+        (lambda: mimo.Batch("reach", thread=3), TypeError, "argument 'thread'; did you mean 'threads'?"),
+        (lambda: mimo.World("reach", xyzzy=3), TypeError, "unexpected keyword argument 'xyzzy'. There are: acts, actuation"),
+        (lambda: mimo.Batch("reach", 2).world(2**70), ValueError, f"world is {2**70}, expected 0 to 1"),
+        (lambda: mimo.Batch("reach", 2).world(-1), ValueError, "world is -1, expected 0 to 1"),
+        (lambda: mimo.Batch("reach", 2).world(0.5), TypeError, "world is 0.5, expected a whole number"),
+        (lambda: mimo.Batch("reach", 2).contacts(2**64), ValueError, f"world is {2**64}, expected 0 to 1"),
+        (lambda: mimo.Batch("reach", 2).error(2**64), ValueError, f"world is {2**64}, expected 0 to 1"),
+        (lambda: mimo.Batch("reach", 2).set_face("fear", 2**64), ValueError, f"agent is {2**64}, expected 0"),
+        (lambda: mimo.Batch("reach", 2).random(2**64), ValueError, f"count is {2**64}, expected 0 to 2^32 - 1"),
+        (lambda: mimo.Batch("reach", 2**32), ValueError, f"worlds is {2**32}, expected 0 to 2^32 - 1"),
+        (lambda: mimo.Batch("reach", 2, threads=2**32), ValueError, f"threads is {2**32}, expected 0 to"),
+        (lambda: mimo.World("reach").gaze(2**64), ValueError, f"agent is {2**64}, expected 0"),
+        (lambda: mimo.World("reach").face(-1), ValueError, "agent is -1, expected 0"),
+        (lambda: mimo.World("reach").touch_sensors(2**64), ValueError, f"agent is {2**64}, expected 0"),
+        (lambda: mimo.World("reach").outcome(2**64), ValueError, f"agent is {2**64}, expected 0"),
+        (lambda: mimo.World("reach").reward_terms(2**64), ValueError, f"agent is {2**64}, expected 0"),
+        (lambda: mimo.World("reach").physics_step(2**64 + 1), ValueError, f"count is {2**64 + 1}, expected 0 to"),
+        (lambda: mimo.World("reach").name("body", 2**32), ValueError, f"number is {2**32}, expected 0 to"),
+        (lambda: mimo.World("reach").find(2**32 + 1, "head"), TypeError, f"kind is {2**32 + 1}, expected mimo.Kind"),
+        (lambda: scene().set_touch("head", 0.1, agent=2**32), ValueError, f"agent is {2**32}, expected 0 to"),
+        (lambda: scene().limit_sense("touch", delay=2**32), ValueError, f"delay is {2**32}, expected 0 to"),
         (lambda: scene().add_object("ball", shape="cube"), ValueError, "shape is 'cube', expected mimo.Shape or"),
         (lambda: scene().add_object("ball", size="big"), TypeError, "size is 'big', expected a number"),
         (lambda: scene().add_object("ball", size=[1, 2, 3, 4]), ValueError, "expected 1 to 3 numbers"),
@@ -112,3 +139,17 @@ def test_objects_say_what_they_are():
     world.close()
     assert repr(world).startswith("<mimo.World reach: ")
     assert repr(mimo.Batch("reach", 3)).startswith("<mimo.Batch 3 x reach: 1 infants")
+
+
+def test_messages_that_are_no_utf_8_are_told(monkeypatch):
+    monkeypatch.setattr(LIB, "mimo_last_error", lambda: "no body named \u00e4".encode()[:-1])  # cut inside a character
+    with pytest.raises(mimo.ArgumentError, match="no body named \ufffd"):
+        raise_error(-1)
+
+
+def test_paths_that_are_no_utf_8(tmp_path):
+    file = tmp_path / os.fsdecode(b"r\xe4um.xml")  # Latin-1, as old disks have it
+    file.write_text("<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
+    assert mimo.World(mimo.Scene(file=file)).count("body") == 2
+    with pytest.raises(mimo.NotFoundError):
+        mimo.Scene(file=tmp_path / os.fsdecode(b"nichts\xe4.xml"))

@@ -1,5 +1,7 @@
 """The Gymnasium environment, by Gymnasium's own checker and by what users rely on."""
 
+import subprocess
+import sys
 import warnings
 
 import gymnasium
@@ -116,10 +118,51 @@ def test_render_modes(monkeypatch):
     assert mimo.make("reach").render() is None
     with pytest.raises(ValueError, match="render_mode"):
         mimo.make("reach", render_mode="ascii")
+    with pytest.raises(ValueError, match="'rgb_array', 'depth_array', 'human' or None"):
+        mimo.make("reach", render_mode="ascii")
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     with pytest.raises(mimo.UnsupportedError, match="no window"):
         mimo.make("reach", render_mode="human").reset(seed=1)
+
+
+def test_depth_and_the_size_of_pictures():
+    env = gymnasium.make("mimo/Reach-v0", render_mode="depth_array", width=640, height=480)
+    env.reset(seed=1)
+    depth = env.render()
+    assert (depth.shape, depth.dtype) == ((480, 640), np.float32)
+    drawn = env.unwrapped.world.draw(width=640, height=480)
+    np.testing.assert_array_equal(depth, drawn.depth)
+    ball = env.unwrapped.world.bodies("target").position
+    right, down, distance = env.unwrapped.world.project(ball, width=640, height=480)[0]
+    radius = 0.025  # models' reach: the ball is that much nearer than its centre
+    assert depth[int(down), int(right)] == pytest.approx(distance - radius, abs=0.003)
+    envs = mimo.make_vec("reach", num_envs=2, render_mode="depth_array", width=32, height=16)
+    envs.reset(seed=1)
+    assert [picture.shape for picture in envs.render()] == [(16, 32)] * 2
+    many = mimo.ParallelEnv("reach", render_mode="rgb_array", width=32, height=16)
+    many.reset(seed=1)
+    assert many.render().shape == (16, 32, 3)
+    with pytest.raises(ValueError, match="width is -1, expected 0 to"):
+        mimo.make("reach", render_mode="rgb_array", width=-1)
+
+
+def test_options_of_a_reset_that_nobody_knows():
+    with pytest.raises(ValueError, match="options has 'speed', expected none at all"):
+        mimo.make("reach").reset(options={"speed": 3})
+    with pytest.raises(ValueError, match="options has 'mask', expected 'reset_mask'"):
+        mimo.make_vec("reach", num_envs=2).reset(options={"mask": np.array([True, False])})
+    mimo.make("reach").reset(seed=1, options={})
+
+
+def test_after_a_plain_import_of_gymnasium():
+    code = """if True:
+        import gymnasium
+        print(gymnasium.make("mimo:mimo/Reach-v0").reset(seed=1)[0]["proprioception/position"].shape)
+        print(gymnasium.make_vec("mimo:mimo/Reach-v0", num_envs=2).reset(seed=1)[0]["proprioception/position"].shape)
+    """
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (told.stdout, told.stderr) == ("(47,)\n(2, 47)\n", "")
 
 
 class NearBall(mimo.Task):

@@ -46,18 +46,18 @@ def test_what_an_interrupted_send_writes_to_is_kept():
         each.reset(seeds=1)
     blocks = batch.layout.new_block(4)
     memory = weakref.ref(blocks.base)
-    with pytest.raises(KeyboardInterrupt):
+    try:  # not pytest.raises: it would keep the frames, and they the arrays
         batch.send(actions, blocks)
-    seen = batch.layout.views(blocks)["proprioception/velocity"]
-    address = blocks.ctypes.data
+    except KeyboardInterrupt:
+        interrupted = True
     del blocks
     gc.collect()
+    assert interrupted
     assert memory() is not None
-    result = batch.receive()
-    expected = twin.step(actions)
-    np.testing.assert_array_equal(result.reward, expected.reward)
-    np.testing.assert_array_equal(seen, expected.observation["proprioception/velocity"])
-    assert address % 64 == 0
+    junk = [np.full((4, 8), 9, np.float32) for _ in range(1000)]  # where the actions were, had they been freed
+    assert batch.receive().reward.tolist() == twin.step(actions).reward.tolist()
+    assert memory() is None
+    assert len(junk) == 1000
 
 
 @pytest.mark.usefixtures("interrupted_send")

@@ -101,3 +101,14 @@ def test_each_infant_needs_a_judgement():
         env.reset(seed=1)
         with pytest.raises(TypeError, match=message):
             env.step({})
+
+
+def test_rows_of_numbers():
+    named, flat = mimo.ParallelEnv(two()), mimo.ParallelEnv(two(), flatten=True)
+    expected, _ = named.reset(seed=1)
+    rows, _ = flat.reset(seed=1)
+    for agent in ("anna", "ben"):
+        assert rows[agent] in flat.observation_space(agent)
+        joined = np.concatenate([field.ravel() for field in expected[agent].values()])
+        np.testing.assert_array_equal(rows[agent], joined)
+    parallel_api_test(mimo.ParallelEnv(two(), flatten=True, max_steps=10), num_cycles=20)

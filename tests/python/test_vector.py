@@ -57,8 +57,20 @@ def test_gymnasium_make_vec():
     envs = gymnasium.make_vec("mimo/Reach-v0", num_envs=3)
     assert isinstance(envs.unwrapped, mimo.VectorEnv)
     assert envs.reset(seed=1)[0]["proprioception/position"].shape == (3, 47)
-    mode = envs.metadata["autoreset_mode"]
-    assert getattr(mode, "value", mode) == "NextStep"
+    for mode in (envs.metadata["autoreset_mode"], envs.unwrapped.autoreset_mode):
+        assert getattr(mode, "value", mode) == "NextStep"
+
+
+@pytest.mark.skipif(not hasattr(gymnasium.vector, "AutoresetMode"), reason="this Gymnasium has no AutoresetMode")
+@pytest.mark.parametrize("mode", ["NEXT_STEP", "SAME_STEP", "DISABLED"])
+def test_gymnasium_s_autoreset_modes(mode):
+    wanted = gymnasium.vector.AutoresetMode[mode]
+    envs = gymnasium.make_vec("mimo/Reach-v0", num_envs=2, autoreset_mode=wanted)
+    assert envs.unwrapped.autoreset_mode is envs.metadata["autoreset_mode"] is wanted
+    if mode == "SAME_STEP":  # a wrapper that looks for it takes it
+        wrapped = gymnasium.wrappers.vector.RecordEpisodeStatistics(envs)
+        wrapped.reset(seed=1)
+        wrapped.step(np.zeros((2, 8)))
 
 
 @pytest.mark.parametrize("task", [None, NearBall(goal=9)])
