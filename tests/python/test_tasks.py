@@ -12,11 +12,10 @@ HANDS = ("left_fingers", "right_fingers")
 
 
 class Lift(mimo.Task):
-    """Has everything that a task can have; counts steps by the world's clock, so that it serves one world and many."""
-
-    fields = {"lift/height": Box(0, 2, (1,), np.float32), "lift/hands": Box(-np.inf, np.inf, (2, 3), np.float64)}
+    """Has everything that a task can have, for one world and many."""
 
     def setup(self, world):
+        self.fields = {"lift/height": Box(0, 2, (1,), np.float32), "lift/hands": Box(-2, 2, (2, 3), np.float64)}
         self.hands = world.bodies(*HANDS)
         self.steps = np.zeros(world._lead)
 
@@ -165,9 +164,9 @@ class Both(mimo.GoalTask):
     """Lift and a goal for each of two infants."""
 
     goal = Box(-2, 2, (3,), np.float64)
-    fields = {"height": Box(0, 2, (1,), np.float32)}
 
     def setup(self, world):
+        self.fields = {"height": Box(0, 2, (1,), np.float32)}
         self.names = [agent.name for agent in world.agents]
         self.hands = world.bodies(*(f"{name}/left_hand" for name in self.names))
 
@@ -226,39 +225,42 @@ def test_failure_of_built_in_tasks():
     assert info["reward_terms"]["failure"] == -100
 
 
-class Wrong(Lift):
-    def __init__(self, fields=None, observed=None, judged=None):
-        self._observed, self._judged = observed, judged
-        if fields is not None:
-            self.fields = fields
-
-    def observe(self, world):
-        return super().observe(world) if self._observed is None else self._observed
+class Wrong(mimo.Task):
+    def __init__(self, fields, observed, judged):
+        self.fields, self.observed, self.judged = fields, observed, judged
 
     def evaluate(self, world):
-        return super().evaluate(world) if self._judged is None else self._judged
+        return self.judged
+
+    def observe(self, world):
+        return self.observed
 
 
+FINE = mimo.Judgement(1)
 ONE = {"height": Box(0, 1, (1,), np.float32)}
+TAKEN = {"proprioception/position": ONE["height"]}
 
 
 @pytest.mark.parametrize(
-    ("task", "kind", "message"),
+    ("fields", "observed", "judged", "kind", "message"),
     [
-        (Wrong({"height": 3}, {}), TypeError, "the space of 'height' is an object of type int, expected a gymnasium Box"),
-        (Wrong({"proprioception/position": ONE["height"]}), ValueError, "has a field 'proprioception/position' already"),
-        (Wrong(ONE, 3), TypeError, r"Wrong\.observe returned an object of type int; return a dict of arrays"),
-        (Wrong(ONE, {"heihgt": 3}), ValueError, r"returned \['heihgt'\], expected what `fields` declares, \['height'\]"),
-        (Wrong(ONE, {"height": np.zeros(2)}), ValueError, r"'height' has the shape \(2,\), expected \(1,\)"),
-        (Wrong(judged=mimo.Judgement()), ValueError, "gave neither of reward and terms, expected one of them"),
-        (Wrong(judged=mimo.Judgement(1, terms={"a": 1})), ValueError, "gave both of reward and terms"),
+        ({"height": 3}, {}, FINE, TypeError, "space of 'height' is an object of type int, expected a gymnasium Box"),
+        (TAKEN, {}, FINE, ValueError, "has a field 'proprioception/position' already"),
+        (ONE, 3, FINE, TypeError, r"Wrong\.observe returned an object of type int; return a dict of arrays"),
+        (ONE, {"heihgt": 3}, FINE, ValueError, r"\['heihgt'\], expected what `fields` declares, \['height'\]"),
+        (ONE, {"height": np.zeros(2)}, FINE, ValueError, r"'height' has the shape \(2,\), expected \(1,\)"),
+        ({}, {}, mimo.Judgement(), ValueError, "gave neither of reward and terms, expected one of them"),
+        ({}, {}, mimo.Judgement(1, terms={"a": 1}), ValueError, "gave both of reward and terms"),
     ],
 )
-def test_what_cannot_be_meant_is_refused(task, kind, message):
-    with pytest.raises(kind, match=message):
-        env = mimo.make("reach", task=task)
+def test_what_cannot_be_meant_is_refused(fields, observed, judged, kind, message):
+    def play():
+        env = mimo.make("reach", task=Wrong(fields, observed, judged))
         env.reset(seed=1)
         env.step(np.zeros(8))
+
+    with pytest.raises(kind, match=message):
+        play()
 
 
 def test_gymnasium_s_checker():

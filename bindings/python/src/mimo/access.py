@@ -78,7 +78,8 @@ class Access(Handle):
     def name(self, kind: Kind, number: int) -> str:
         """The name of something, "" where the model gives none."""
         found = ctypes.c_char_p()
-        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), number_of("number", number, 31), found))
+        index = number_of("number", number, 31)
+        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), index, found))
         return text(found.value)
 
     def count(self, kind: Kind) -> int:

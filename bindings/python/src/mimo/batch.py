@@ -193,7 +193,7 @@ class Batch(Access):
         return make_error(status.value, message_text(message.value)) if status.value else None
 
     def close(self) -> None:
-        """Frees the batch and its worlds, once the calls that run in other threads and a step that was sent have ended."""
+        """Frees the batch and its worlds, once a step that was sent and the calls of other threads have ended."""
         for world in list(self._worlds.values()):
             world.close()
         super().close()

@@ -118,7 +118,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self.world.close()
 
     def _observation(self, views: Observation) -> Any:
-        return self._view.show(views) if self._judge is None else self._view.show(views, self._judge.observed(self.world)[""])
+        own = {} if self._judge is None else self._judge.observed(self.world)[""]
+        return self._view.show(views, own)
 
     def __getstate__(self) -> Dict[str, Any]:
         return {**self.__dict__, "_window": None, "_supply": None}

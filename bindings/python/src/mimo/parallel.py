@@ -75,7 +75,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     def reset(
         self, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Dict[str, Any], Dict[str, Dict[str, Any]]]:
-        """Starts an episode for all infants. There are no options; PettingZoo's checker gives one, so none is refused."""
+        """Starts an episode for all infants. Options have no meaning; PettingZoo's own checker gives one."""
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
         self._seeded = True

@@ -40,10 +40,10 @@ class Senses(Handle):
         mujoco_version: Optional[int] = None,
         **options: Unpack[PhysicsOptions],
     ) -> None:
-        version = _version_of(model) if mujoco_version is None else mujoco_version
+        version = _version_of(model) if mujoco_version is None else number_of("mujoco_version", mujoco_version, 31)
         handle = ctypes.c_void_p()
         config = env_config(dict(options), PhysicsOptions)
-        check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), number_of("mujoco_version", version, 31), 0, 0, handle))
+        check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), version, 0, 0, handle))
         self._own(handle.value, LIB.mimo_senses_destroy)
         self._model = model
         self._layout = Layout(self._handle, "senses")

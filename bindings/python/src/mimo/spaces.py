@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Mapping
+from typing import Any, Dict, Iterable, Mapping, Sequence
 
 import numpy as np
 from gymnasium import spaces
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .layout import Field, Observation
 from .tasks import GOALS
 
-NONE: Observation = {}
+NONE: Mapping[str, Any] = {}
 
 
 class View:
@@ -20,17 +20,19 @@ class View:
     Goals stay beside the row, which is then "observation", as Gymnasium's GoalEnv has it.
     """
 
-    def __init__(self, fields: Mapping[str, Field], own: Mapping[str, spaces.Box] = NONE, flatten: bool = False) -> None:
-        boxes = {**{name: field_box(field) for name, field in fields.items()}, **own}
+    def __init__(
+        self, fields: Mapping[str, Field], own: Mapping[str, spaces.Box] = NONE, flatten: bool = False
+    ) -> None:
+        boxes: Dict[str, spaces.Space[Any]] = {**{name: field_box(field) for name, field in fields.items()}, **own}
         self._flatten = flatten
         self._goals = [name for name in GOALS if name in own]
         self.space: spaces.Space[Any] = spaces.Dict(boxes)
         if flatten:
-            row = flat_box(box for name, box in boxes.items() if name not in self._goals)
+            row = flat_box([box for name, box in boxes.items() if name not in self._goals])
             goals = {name: own[name] for name in self._goals}
             self.space = spaces.Dict({"observation": row, **goals}) if goals else row
 
-    def show(self, views: Observation, own: Observation = NONE, worlds: int = 0) -> Any:
+    def show(self, views: Observation, own: Mapping[str, NDArray[Any]] = NONE, worlds: int = 0) -> Any:
         """The observation; of several worlds with their number, which is then the arrays' first axis."""
         if own:
             views = {**views, **own}
@@ -45,10 +47,9 @@ def field_box(field: Field) -> spaces.Box:
     return spaces.Box(field.low, field.high, field.shape, field.dtype.type)
 
 
-def flat_box(boxes: Iterable[spaces.Box]) -> spaces.Box:
+def flat_box(boxes: Sequence[Any]) -> spaces.Box:
     """The space of several arrays as one row of numbers."""
-    listed = list(boxes)
-    low, high = (np.concatenate([getattr(box, end).ravel() for box in listed]) for end in ("low", "high"))
+    low, high = (np.concatenate([getattr(box, end).ravel() for box in boxes]) for end in ("low", "high"))
     return spaces.Box(low.astype(np.float32), high.astype(np.float32), dtype=np.float32)
 
 

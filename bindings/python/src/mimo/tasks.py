@@ -45,7 +45,7 @@ class Task:
     `fields` declares further fields of the observation, as Gymnasium's Box by name, those of one world; set it in the
     class or in setup. Whoever does derives observe, too.
 
-    In ParallelEnv with several infants what evaluate and observe return is returned for each, {"anna": ..., "ben": ...}.
+    With several infants (ParallelEnv) evaluate and observe return theirs for each: {"anna": ..., "ben": ...}.
     Episodes are cut off after `max_steps`, an option of make, make_vec, SB3VecEnv and ParallelEnv.
     """
 
