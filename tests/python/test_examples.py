@@ -33,9 +33,10 @@ def test_no_example_is_forgotten(root):
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | in_test_sb3
 
 
-def test_programs_of_the_documentation(root, tmp_path):
-    text = (root / "docs/python.md").read_text()
+@pytest.mark.parametrize(("page", "least"), [("python.md", 6), ("coming-from-mimo.md", 2)])
+def test_programs_of_the_documentation(page, least, root, tmp_path):
+    text = (root / "docs" / page).read_text()
     programs = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)
-    assert len(programs) >= 5
+    assert len(programs) >= least
     for program in programs:
         run([sys.executable, "-c", program], tmp_path)
