@@ -16,7 +16,7 @@ from .options import EnvOptions, refuse_unknown
 from .pictures import ARRAYS, Painter
 from .scene import Scene
 from .spaces import View, action_box
-from .tasks import Judge, Judgement, Task, goal_task
+from .tasks import GoalTask, Judge, Judgement, Task
 from .world import World
 
 PICTURE = (480, 360)
@@ -55,6 +55,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self.observation_space: Any = self._view.space
         self.action_space: Any = action_box(self.world.action_low, self.world.action_high)
         self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
+        if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
+            self.compute_reward = task.compute_reward
         self._window: Any = None
         self._supply = Supply(self.world.layout)
         self._seeded = False
@@ -91,10 +93,6 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         reward, terminated = float(judged.total()), bool(judged.terminated)
         truncated = truncated or bool(judged.truncated)
         return self._observation(views), reward, terminated, truncated, judged_info(judged)
-
-    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
-        """The reward of goals, one or many, as a mimo.GoalTask has it."""
-        return goal_task(self._judge).compute_reward(achieved_goal, desired_goal, info)
 
     def render(self) -> Any:
         """A picture with render_mode "rgb_array" or "depth_array"; draws to the window with "human"."""

@@ -17,7 +17,7 @@ from .options import EnvOptions, refuse_unknown
 from .pictures import ARRAYS, Painter
 from .scene import Scene
 from .spaces import View, action_box, split
-from .tasks import Judge, Task, goal_task
+from .tasks import GoalTask, Judge, Task
 from .world import World
 
 SOLE = "infant"  # PettingZoo's name of an infant without one
@@ -54,6 +54,8 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         self.possible_agents = [agent.name or SOLE for agent in self.world.agents]
         self.agents: List[str] = []
         self._judge = Judge(task, self.world, self.possible_agents) if isinstance(task, Task) else None
+        if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
+            self.compute_reward = task.compute_reward
         own = self._judge.fields if self._judge else {}
         fields = self.world.layout.fields
         named = [agent.name for agent in self.world.agents if agent.name]
@@ -117,10 +119,6 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
             {agent: truncated[agent] or bool(it.truncated) for agent, it in judged.items()},
             {agent: judged_info(it) for agent, it in judged.items()},
         )
-
-    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
-        """The reward of goals, one or many, as a mimo.GoalTask has it."""
-        return goal_task(self._judge).compute_reward(achieved_goal, desired_goal, info)
 
     def render(self) -> Optional[NDArray[Any]]:
         """A picture of the world."""

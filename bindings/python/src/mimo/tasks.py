@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, Dict, Mapping, NamedTuple, Sequence, Union
 
 import numpy as np
 from gymnasium import spaces
@@ -169,13 +169,6 @@ class Judge:
                 raise ValueError(f"{self._name}: {name!r} has the shape {array.shape}, expected {shape}")
             arrays[name] = array
         return arrays
-
-
-def goal_task(judge: Optional[Judge]) -> GoalTask:
-    """An environment's task with goals; raises where it has none."""
-    if judge is None or not isinstance(judge.task, GoalTask):
-        raise TypeError("compute_reward needs a mimo.GoalTask as the environment's task")
-    return judge.task
 
 
 def _what(given: Any) -> str:

@@ -19,7 +19,7 @@ from .options import EnvOptions, refuse_unknown
 from .pictures import ARRAYS, Painter
 from .scene import Scene
 from .spaces import View, action_box
-from .tasks import Judge, Judgement, Own, Task, goal_task
+from .tasks import GoalTask, Judge, Judgement, Own, Task
 
 PICTURE = (240, 180)
 Flags = NDArray[np.bool_]
@@ -80,6 +80,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._by_library = by_library
         self._judge = Judge(task, self.batch) if isinstance(task, Task) else None
         self._view = View(self.batch.layout.fields, self._judge.fields if self._judge else {}, flatten)
+        if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
+            self.compute_reward = task.compute_reward
         first = self.batch.world(0)
         self.single_observation_space = self._view.space
         self.single_action_space = action_box(self.batch.action_low, self.batch.action_high)
@@ -133,10 +135,6 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         """Waits for the step that was sent."""
         self.batch.receive()
         return self._results()
-
-    def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
-        """The reward of goals, one or many, as a mimo.GoalTask has it."""
-        return goal_task(self._judge).compute_reward(achieved_goal, desired_goal, info)
 
     def render(self) -> Optional[Tuple[NDArray[Any], ...]]:
         """One picture a world."""
