@@ -107,7 +107,7 @@ class Access(Handle):
         raise NotImplementedError
 
     def _agent(self, agent: int) -> int:
-        return index_in("agent", agent, len(self.agents))
+        return 0 if agent == 0 else index_in("agent", agent, len(self.agents))  # the loop of steps asks for 0
 
     def _select(self, kind: Type[S], names: Tuple[str, ...]) -> S:
         ids = [self.find(kind.kind, name) for name in names] or range(self.count(kind.kind))

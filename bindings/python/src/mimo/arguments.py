@@ -60,8 +60,6 @@ def reset_options(options: Optional[Mapping[str, Any]], *known: str) -> Mapping[
 
 def index_in(name: str, value: Any, count: int) -> int:
     """A number of one of so many; ctypes would silently take 2^64 for 0."""
-    if type(value) is int and 0 <= value < count:  # the usual case, in the loop of steps
-        return value
     index = whole_number(name, value)
     if not 0 <= index < count:
         raise ValueError(f"{name} is {value!r}, expected {'0' if count == 1 else f'0 to {count - 1}'}")

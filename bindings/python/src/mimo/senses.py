@@ -45,7 +45,7 @@ class Senses(Handle):
         config = env_config(dict(options), PhysicsOptions)
         check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), version, 0, 0, handle))
         self._own(handle.value, LIB.mimo_senses_destroy)
-        self._model = model
+        self._handle.keeps = model
         self._layout = Layout(self._handle, "senses")
         self._supply = Supply(self._layout)
 
