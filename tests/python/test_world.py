@@ -99,7 +99,7 @@ def test_parameters_change_the_task():
         (lambda: mimo.World("reach", frame_skip=1001), ValueError, "frame_skip is 1001"),
         (lambda: mimo.World("reach", frame_skip=-1), ValueError, "frame_skip is -1"),
         (lambda: mimo.World("reach", frame_skip="two"), TypeError, "frame_skip is 'two'"),
-        (lambda: mimo.World("reach", frameskip=1), TypeError, "no option frameskip"),
+        (lambda: mimo.World("reach", frameskip=1), TypeError, "argument 'frameskip'; did you mean 'frame_skip'?"),
         (lambda: mimo.World("reach", task="rech"), mimo.NotFoundError, "rech"),
         (lambda: mimo.Scene(xml="<mujoco><worldbody><geom/>"), mimo.ModelError, ""),
         (lambda: mimo.Scene(file="/nowhere/x.xml"), mimo.NotFoundError, "/nowhere/x.xml"),
