@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._handle import Handle
 from ._library import LIB, check, text, utf8
-from .arguments import whole_number
+from .arguments import ordinal, whole_number
 from .constants import Kind, Quantity
 from .layout import Layout, Observation
 
@@ -78,7 +78,7 @@ class Access(Handle):
     def name(self, kind: Kind, number: int) -> str:
         """The name of something, "" where the model gives none."""
         found = ctypes.c_char_p()
-        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), number, found))
+        check(LIB.mimo_env_name(self._names_handle, whole_number("kind", kind, Kind), ordinal("number", number), found))
         return text(found.value)
 
     def count(self, kind: Kind) -> int:

@@ -27,6 +27,14 @@ def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
     raise TypeError(f"{name} is {value!r}, expected {'a whole number' if choice is None else _members(choice)}")
 
 
+def ordinal(name: str, value: Any) -> int:
+    """The number of a world, an agent, a step...; ctypes would take it modulo 2^64, so that 2^70 were 0."""
+    number = whole_number(name, value)
+    if not 0 <= number < 2**31:
+        raise ValueError(f"{name} is {value!r}, expected a number from 0 to 2^31 - 1")
+    return number
+
+
 def _members(choice: Choice) -> str:
     return f"mimo.{choice.__name__} or a name of its members: {', '.join(choice.__members__).lower()}"
 

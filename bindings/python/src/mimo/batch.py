@@ -13,7 +13,7 @@ from typing_extensions import Unpack
 from . import _abi
 from ._library import LIB, check, raise_error, text, utf8
 from .access import Access, Mask, Numbers
-from .arguments import whole_number
+from .arguments import ordinal, whole_number
 from .constants import Autoreset
 from .errors import Error, make_error
 from .layout import Observation
@@ -172,7 +172,7 @@ class Batch(Access):
     def error(self, index: int) -> Optional[Error]:
         """What became of one world in the last call: None, or what went wrong."""
         status, message = ctypes.c_int32(), ctypes.c_char_p()
-        check(LIB.mimo_batch_world_error(self._handle, index, status, message))
+        check(LIB.mimo_batch_world_error(self._handle, ordinal("world", index), status, message))
         return make_error(status.value, text(message.value)) if status.value else None
 
     def close(self) -> None:
@@ -203,7 +203,7 @@ class Batch(Access):
         """Gives an infant another face, see mimo.faces()."""
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
-        check(LIB.mimo_batch_set_face(self._handle, agent, utf8(name), _data(chosen), count))
+        check(LIB.mimo_batch_set_face(self._handle, ordinal("agent", agent), utf8(name), _data(chosen), count))
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""
@@ -227,7 +227,7 @@ class Batch(Access):
 
     def _world_handle(self, index: int) -> int:
         handle = ctypes.c_void_p()
-        check(LIB.mimo_batch_world(self._handle, index, handle))
+        check(LIB.mimo_batch_world(self._handle, ordinal("world", index), handle))
         return handle.value or 0
 
     def __deepcopy__(self, memo: Dict[int, Any]) -> "Batch":

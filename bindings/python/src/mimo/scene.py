@@ -12,7 +12,7 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .arguments import real_number, vector
+from .arguments import ordinal, real_number, vector
 from .options import (
     AgentOptions,
     CameraOptions,
@@ -125,12 +125,12 @@ class Scene(Handle):
 
     def set_touch(self, body: Optional[str], spacing: float, agent: int = 0) -> None:
         """Sets the distance (m) between the touch sensors of a part of the body; 0: no skin there; None: everywhere."""
-        check(LIB.mimo_scene_set_touch(self._handle, agent, utf8(body), spacing))
+        check(LIB.mimo_scene_set_touch(self._handle, ordinal("agent", agent), utf8(body), spacing))
         self._remember("set_touch", body, spacing, agent)
 
     def read_joint(self, joint: str, agent: int = 0) -> None:
         """Has proprioception read this hinge or slide of an agent; the first call takes away all others."""
-        check(LIB.mimo_scene_read_joint(self._handle, agent, utf8(joint)))
+        check(LIB.mimo_scene_read_joint(self._handle, ordinal("agent", agent), utf8(joint)))
         self._remember("read_joint", joint, agent)
 
     def limit_sense(
@@ -141,8 +141,8 @@ class Scene(Handle):
         Values get a factor, Gaussian noise of a standard deviation in the field's unit, and a delay in steps. Pictures
         keep half the contrast of lines of `blur` cycles per degree.
         """
-        limits = _abi.Limits(gain=gain, noise=noise, delay=delay, blur=blur)
-        check(LIB.mimo_scene_limit_sense(self._handle, agent, utf8(path), limits))
+        limits = _abi.Limits(gain=gain, noise=noise, delay=ordinal("delay", delay), blur=blur)
+        check(LIB.mimo_scene_limit_sense(self._handle, ordinal("agent", agent), utf8(path), limits))
         self._remember("limit_sense", path, gain=gain, noise=noise, delay=delay, blur=blur, agent=agent)
 
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:

@@ -13,7 +13,7 @@ from typing_extensions import Unpack
 from . import _abi
 from ._library import LIB, check, log_to_python, raise_error, text, utf8
 from .access import Access, Mask, Numbers
-from .arguments import real_number, vector, whole_number
+from .arguments import ordinal, real_number, vector, whole_number
 from .constants import Kind, Look
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
@@ -208,7 +208,7 @@ class World(Access):
 
     def physics_step(self, count: int = 1) -> None:
         """Bare physics: physics steps with the controls as they are, without senses or task."""
-        check(LIB.mimo_env_physics_step(self._handle, count))
+        check(LIB.mimo_env_physics_step(self._handle, ordinal("count", count)))
 
     def update(self) -> None:
         """Recomputes poses from the current joint positions."""
@@ -298,15 +298,15 @@ class World(Access):
     def outcome(self, agent: int = 0) -> Outcome:
         """Success or failure of the last step."""
         success, failure = self._outcome
-        check(LIB.mimo_env_outcome(self._handle, agent, success, failure))
+        check(LIB.mimo_env_outcome(self._handle, ordinal("agent", agent), success, failure))
         return Outcome(success.value != 0, failure.value != 0)
 
     def _term_names(self, agent: int) -> Tuple[str, ...]:
         count, name = ctypes.c_size_t(), ctypes.c_char_p()
-        check(LIB.mimo_env_reward_term_count(self._handle, agent, count))
+        check(LIB.mimo_env_reward_term_count(self._handle, ordinal("agent", agent), count))
         names = []
-        for index in range(count.value):
-            check(LIB.mimo_env_reward_term_name(self._handle, agent, index, name))
+        for number in range(count.value):
+            check(LIB.mimo_env_reward_term_name(self._handle, agent, number, name))
             names.append(text(name.value))
         return tuple(names)
 
@@ -335,7 +335,7 @@ class World(Access):
     def touch_sensors(self, agent: int = 0) -> TouchSensors:
         """Where an infant's skin feels; empty where touch is off."""
         count = ctypes.c_size_t()
-        check(LIB.mimo_env_touch_sensors(self._handle, agent, None, None, None, None, 0, count))
+        check(LIB.mimo_env_touch_sensors(self._handle, ordinal("agent", agent), None, None, None, None, 0, count))
         n = count.value
         bodies, geoms = np.empty(n, np.int32), np.empty(n, np.int32)
         position, frame = np.empty((n, 3)), np.empty((n, 3, 3))
@@ -348,7 +348,7 @@ class World(Access):
     def gaze(self, agent: int = 0) -> Gaze:
         """Where an infant looks, by the poses of its eyes' cameras as they are."""
         gaze = _abi.Gaze()
-        check(LIB.mimo_env_gaze(self._handle, agent, gaze))
+        check(LIB.mimo_env_gaze(self._handle, ordinal("agent", agent), gaze))
         return Gaze(
             left=Sightline(np.array(gaze.left_position), np.array(gaze.left_direction)),
             right=Sightline(np.array(gaze.right_position), np.array(gaze.right_direction)),
@@ -364,7 +364,7 @@ class World(Access):
         """
         errors = np.empty(2)
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_at(self._handle, agent, target.ctypes.data, turns, errors.ctypes.data))
+        check(LIB.mimo_env_look_at(self._handle, ordinal("agent", agent), target.ctypes.data, turns, errors.ctypes.data))
         return errors
 
     def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
@@ -373,7 +373,7 @@ class World(Access):
         joints, angles, errors = np.empty(LOOK_JOINTS, np.int32), np.empty(LOOK_JOINTS), np.empty(2)
         places = (joints.ctypes.data, angles.ctypes.data, LOOK_JOINTS, count, errors.ctypes.data)
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_angles(self._handle, agent, target.ctypes.data, turns, *places))
+        check(LIB.mimo_env_look_angles(self._handle, ordinal("agent", agent), target.ctypes.data, turns, *places))
         names = [self.name(Kind.JOINT, int(joint)) for joint in joints[: count.value]]
         return LookAngles(names, angles[: count.value], errors)
 
@@ -382,12 +382,12 @@ class World(Access):
     def face(self, agent: int = 0) -> str:
         """The face that an infant shows; "" for a body without faces."""
         name = ctypes.c_char_p()
-        check(LIB.mimo_env_face(self._handle, agent, name))
+        check(LIB.mimo_env_face(self._handle, ordinal("agent", agent), name))
         return text(name.value)
 
     def set_face(self, name: str, agent: int = 0) -> None:
         """Gives an infant another face, see mimo.faces(); pictures show it from the next one on."""
-        check(LIB.mimo_env_set_face(self._handle, agent, utf8(name)))
+        check(LIB.mimo_env_set_face(self._handle, ordinal("agent", agent), utf8(name)))
 
     def lock(self, joint: str, angle: float) -> None:
         """Holds a joint at an angle (rad), softly, from the next step on; outlives resets."""
