@@ -83,6 +83,7 @@ static void check_receive(void) {
   mimo_batch* batch = batch_with(&user);
   size_t i;
   user.own = batch;
+  user.slow = 4; /* so that the step has been sent when the first task asks */
   CHECK_OK(mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_receive(batch));
   CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
@@ -99,6 +100,7 @@ static void check_receive_for_another(void) {
   mimo_batch *first = batch_with(&outer), *second = batch_with(&inner);
   size_t i;
   outer.other = second;
+  outer.slow = 4;
   inner.own = first;
   CHECK_OK(mimo_batch_send(first, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_receive(first));
