@@ -15,7 +15,7 @@ namespace {
 void check(mimo_status status, const char* function) {
   if (status == MIMO_OK) return;
   const bool known = status < 0 && status >= MIMO_E_INTERNAL;
-  const char* why = last_error().status == status ? last_error().text : "";
+  const char* why = last_error().status == status ? last_error().text.data() : "";
   fail(known ? static_cast<Status>(status) : Status::kInternal, "the task's function {} returned {} ({}){}{}", function,
        status, mimo_status_name(status), *why == '\0' ? "" : ": ", why);
 }

@@ -24,13 +24,13 @@ std::size_t cut_of(const char* text, std::size_t room) {
 
 void keep(const char* message) {
   const std::size_t length = std::strlen(message);
-  if (length < sizeof last.text) {
-    std::memcpy(last.text, message, length + 1);
+  if (length < last.text.size()) {
+    std::memcpy(last.text.data(), message, length + 1);
     return;
   }
-  const std::size_t cut = cut_of(message, sizeof last.text - sizeof kEnd);
-  std::memcpy(last.text, message, cut);
-  std::memcpy(last.text + cut, kEnd, sizeof kEnd);
+  const std::size_t cut = cut_of(message, last.text.size() - sizeof kEnd);
+  std::memcpy(last.text.data(), message, cut);
+  std::memcpy(last.text.data() + cut, kEnd, sizeof kEnd);
 }
 
 }  // namespace
@@ -54,15 +54,16 @@ using namespace mimo::capi;
 
 extern "C" {
 
-const char* mimo_last_error(void) noexcept { return last.text; }
+const char* mimo_last_error(void) noexcept { return last.text.data(); }
 
 // Its own failures leave the handle's message alone.
 mimo_status mimo_last_error_of(const void* handle, char* text, size_t capacity, size_t* length) noexcept {
   return guard([&] {
-    const std::string message = message_of(handle);
-    check_buffer(text, capacity, message.size() + 1, "text");
-    if (text != nullptr) std::memcpy(text, message.c_str(), message.size() + 1);
-    if (length != nullptr) *length = message.size();
+    const Message message = message_of(handle);
+    const std::size_t bytes = std::strlen(message.data());
+    check_buffer(text, capacity, bytes + 1, "text");
+    if (text != nullptr) std::memcpy(text, message.data(), bytes + 1);
+    if (length != nullptr) *length = bytes;
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <pthread.h>
 
+#include <array>
 #include <exception>
 #include <new>
 
@@ -11,11 +12,13 @@
 
 namespace mimo::capi {
 
-// What the last failed call on a thread left behind: plain bytes, because keeping a message must work when memory is
-// out, and needs no destructor when a thread ends.
+// Plain bytes, because keeping a message must work when memory is out, and needs no destructor when a thread ends.
+using Message = std::array<char, 1024>;
+
+// What the last failed call on a thread left behind.
 struct LastError {
   mimo_status status = MIMO_OK;
-  char text[1024] = "";
+  Message text = {};
 };
 
 const LastError& last_error() noexcept;

@@ -15,11 +15,11 @@ constexpr unsigned kMagic = 0x6d696d6fu;  // "mimo"
 struct Control {
   unsigned magic;
   HandleKind kind;
-  unsigned generation;                        // of forks, when it was made
-  std::atomic<void*> object;                  // null once retired
-  Control* next;                              // all control blocks, so that leak checkers see them
-  std::atomic_flag busy = ATOMIC_FLAG_INIT;   // a thread is at the message
-  std::unique_ptr<std::string> message = {};  // of the last failed call; null for none
+  unsigned generation;                       // of forks, when it was made
+  std::atomic<void*> object;                 // null once retired
+  Control* next;                             // all control blocks, so that leak checkers see them
+  std::atomic_flag busy = ATOMIC_FLAG_INIT;  // a thread is at the message
+  std::unique_ptr<Message> message = {};     // of the last failed call; null once retired
 };
 
 // For a few instructions. A lock of the system's would stay locked in a child that is forked meanwhile; this one is
@@ -74,17 +74,17 @@ void check_generation(const Control& control, const char* argument) {
   fail(Status::kForked, "{} was made before fork(); make a new one in the child process", argument);
 }
 
-// Gives the control block another message, and the old one to whoever frees it, outside of the lock.
-std::unique_ptr<std::string> swap_message(Control& control, std::unique_ptr<std::string> message) noexcept {
-  const AtMessage alone(control);
-  return std::exchange(control.message, std::move(message));
+[[noreturn]] void fail_destroyed(const Control& control, const char* argument) {
+  fail(Status::kBadHandle, "{} is a {} that has been destroyed", argument, word(control.kind));
 }
 
 }  // namespace
 
 void* make_handle(HandleKind kind, void* object) {
   watch_forks();
+  auto message = std::make_unique<Message>();
   auto* control = new Control{kMagic, kind, fork_generation.load(), {object}, all_controls.load()};
+  control->message = std::move(message);
   while (!all_controls.compare_exchange_weak(control->next, control)) {
   }
   return control;
@@ -98,14 +98,16 @@ void* open_handle(const void* handle, HandleKind kind, const char* argument) {
   }
   check_generation(*control, argument);
   void* object = control->object.load();
-  if (object == nullptr) fail(Status::kBadHandle, "{} is a {} that has been destroyed", argument, word(kind));
+  if (object == nullptr) fail_destroyed(*control, argument);
   return object;
 }
 
 void* retire_handle(void* handle, HandleKind kind) noexcept {
   Control* control = sound(handle, kind);
   if (control == nullptr) return nullptr;
-  swap_message(*control, nullptr);
+  std::unique_ptr<Message> freed;  // outside of the lock
+  const AtMessage alone(*control);
+  freed = std::move(control->message);
   return control->object.exchange(nullptr);
 }
 
@@ -114,24 +116,23 @@ void* peek_handle(const void* handle, HandleKind kind) noexcept {
   return control == nullptr ? nullptr : control->object.load();
 }
 
-void keep_message(const void* handle, const char* message) noexcept {
+void keep_message(const void* handle, const Message& message) noexcept {
   Control* control = sound(handle);
   if (control == nullptr) return;
-  std::unique_ptr<std::string> text;
-  try {
-    text = std::make_unique<std::string>(message);
-  } catch (const std::bad_alloc&) {  // then none is better than that of an older failure
-  }
-  swap_message(*control, std::move(text));
+  const AtMessage alone(*control);
+  if (control->message != nullptr) *control->message = message;
 }
 
-std::string message_of(const void* handle) {
+Message message_of(const void* handle) {
   require(handle != nullptr, "handle is NULL");
   auto* control = static_cast<Control*>(const_cast<void*>(handle));
-  if (control->magic != kMagic) fail(Status::kBadHandle, "handle is none of this library's");
+  if (control->magic != kMagic) fail(Status::kBadHandle, "handle is no handle of this library's");
   check_generation(*control, "handle");
-  const AtMessage alone(*control);
-  return control->message == nullptr ? std::string() : *control->message;
+  {
+    const AtMessage alone(*control);
+    if (control->message != nullptr) return *control->message;
+  }
+  fail_destroyed(*control, "handle");
 }
 
 }  // namespace mimo::capi

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "base/fail.h"
 #include "capi/guard.h"
@@ -21,10 +20,10 @@ void* peek_handle(const void* handle, HandleKind kind) noexcept;
 // Retires a handle and returns its object, or null for null, retired and foreign handles.
 void* retire_handle(void* handle, HandleKind kind) noexcept;
 
-// Keeps the message of a failed call with the handle that it was given; nothing where that is none of this process.
-void keep_message(const void* handle, const char* message) noexcept;
-// What was kept last, "" for nothing. Throws Status::kBadHandle or kForked; a destroyed handle is as good as any.
-std::string message_of(const void* handle);
+// Keeps the message of a failed call with the handle that it was given; nothing where that is no handle in use.
+void keep_message(const void* handle, const Message& message) noexcept;
+// What was kept last, "" for nothing. Throws as open_handle.
+Message message_of(const void* handle);
 
 // What each public handle type stands for; specialised in objects.h.
 template <typename Public>

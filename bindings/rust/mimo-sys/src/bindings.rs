@@ -285,7 +285,7 @@ extern "C" {
     #[doc = "What the last failed call that was given this handle first complained about: for runtimes that move work from thread to"]
     #[doc = "thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their scene."]
     #[doc = "mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and mimo_last_error."]
-    #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses, also a destroyed one. Destroying it clears the message."]
+    #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses."]
     #[doc = "@param text     receives the message, zero-terminated, \"\" if nothing failed yet; NULL with capacity 0 asks for its length only."]
     #[doc = "@param capacity 1024 bytes are enough for any message."]
     #[doc = "@param length   receives the length without the terminating zero; may be NULL."]
