@@ -364,7 +364,8 @@ class World(Access):
         """
         errors = np.empty(2)
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_at(self._handle, ordinal("agent", agent), target.ctypes.data, turns, errors.ctypes.data))
+        places = (target.ctypes.data, turns, errors.ctypes.data)
+        check(LIB.mimo_env_look_at(self._handle, ordinal("agent", agent), *places))
         return errors
 
     def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
