@@ -21,14 +21,15 @@
  *             fork() answers MIMO_E_FORKED in the child.
  *   Threads   Functions that take a const handle may run at the same time on one handle; functions that
  *             take a handle without const need it for themselves; different handles are independent.
- *             Any thread may call.
+ *             Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
  *   Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
  *             in bytes). One that is too short is refused and stays as it was (MIMO_E_BUFFER_TOO_SMALL); a
  *             length that no memory has, such as a negative number turned into size_t, is
  *             MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
  *             is said where it is declared.
  *   Structs   Versioned structs start with struct_size and are filled by their _init function, called as
- *             mimo_X_init(&x, sizeof x). They only ever grow at the end. Reserved fields are 0.
+ *             mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to 0. They only
+ *             ever grow at the end. Reserved fields are 0.
  *   Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
  *             of a free joint is linear in the world frame, then angular in the body's own frame.
  */
@@ -87,9 +88,32 @@ MIMO_API const char *mimo_status_name(mimo_status status) MIMO_NOEXCEPT;
 /**
  * What the last failed call on this thread complained about, one line, never NULL, "" if nothing failed yet.
  * The string belongs to the library and is valid until the next failing call on the same thread. Calls that
- * succeed, and the destroy functions, leave it alone.
+ * succeed, and the destroy functions, leave it alone. Within a function of your own task it is "" at first, and what fails
+ * there is not seen outside, unless the task fails with it. Messages are UTF-8.
  */
 MIMO_API const char *mimo_last_error(void) MIMO_NOEXCEPT;
+
+/**
+ * What the last failed call that was given this handle first complained about: for runtimes that move work from thread to
+ * thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their scene.
+ * mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and mimo_last_error.
+ * @param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses.
+ * @param text     receives the message, zero-terminated, "" if nothing failed yet; NULL with capacity 0 asks for its length only.
+ * @param capacity 1024 bytes are enough for any message.
+ * @param length   receives the length without the terminating zero; may be NULL.
+ * Errors: as everywhere, but they change no handle's message. Any thread may ask, also while others use the handle.
+ */
+MIMO_API mimo_status mimo_last_error_of(const void *handle, char *text, size_t capacity,
+                                        size_t *length) MIMO_NOEXCEPT;
+
+/**
+ * Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this scene");`.
+ * The call that runs the task fails with that status and quotes the message.
+ * @param status  a MIMO_E_ constant.
+ * @param message one line, UTF-8; copied.
+ * @return status, after mimo_last_error() was set to the message.
+ */
+MIMO_API mimo_status mimo_fail(mimo_status status, const char *message) MIMO_NOEXCEPT;
 
 /* ---------------------------------------------------------------------------------------------------
  * 2. Logging. The library never writes to stdout, stderr or files by itself.
@@ -313,8 +337,8 @@ MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, int32_t agent, con
 typedef struct mimo_limits {
   uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
   uint32_t delay;       /**< Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0. */
-  double gain;          /**< Factor of all values, >= 0. Default 1. */
-  double noise;         /**< Standard deviation of the Gaussian noise that is added, >= 0, in the field's unit (colours: levels of 255). Default 0. */
+  double gain;          /**< Factor of all values, 0 to 3.4e38 (the largest float). Default 1. */
+  double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit (colours: levels of 255). Default 0. */
   double blur;          /**< Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000. */
 } mimo_limits;
 
@@ -326,7 +350,8 @@ MIMO_API mimo_status mimo_limits_init(mimo_limits *limits, size_t size) MIMO_NOE
 
 /**
  * Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then
- * comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field. The noise follows from
+ * comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field, and to the largest
+ * float where there are none. The noise follows from
  * the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of
  * the world's state, and no episode senses anything of the one before.
  * @param path   a field without its agent's name, "vision/eye_left", or all fields below a path, "touch". Where several
@@ -659,7 +684,7 @@ MIMO_API mimo_status mimo_env_reset(mimo_env *env, const uint64_t *seed, void *b
  * @param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL.
  * @param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL.
  * @param agents       length of the last three arrays, 0 if all are NULL.
- * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action (nothing happens then);
+ * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);
  *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
  *         world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,
  *         sense, draw, write values, save or clone answers MIMO_E_SIMULATION.
@@ -1041,7 +1066,7 @@ MIMO_API mimo_status mimo_batch_config_init(mimo_batch_config *config, size_t si
 MIMO_API mimo_status mimo_batch_create(const mimo_scene *scene, const mimo_env_config *env_config,
                                        const mimo_batch_config *batch_config, mimo_batch **batch) MIMO_NOEXCEPT;
 
-/** Destroys a batch, its worlds and their handles; waits for what was sent. NULL and destroyed handles are ignored. */
+/** Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and destroyed handles are ignored. */
 MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
 
 /** Number of worlds and of threads; either may be NULL. */
@@ -1050,6 +1075,7 @@ MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, si
 /**
  * One world as an environment. All functions of environments work on it, between the batch's own calls: what its
  * observations and actions are (the same for all worlds), names, contacts, pictures, locks, state, single steps.
+ * Different worlds may then be used by different threads, or by tasks of other batches.
  * @param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between
  *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT.
  */
@@ -1076,7 +1102,8 @@ MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const uint64_t *seeds, 
 /**
  * Where the results of a step go, beside the observations. All are optional: NULL is not written.
  * A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,
- * terminated 0 and truncated 1; one with a NaN among its actions does not move, and only its status is written.
+ * terminated 0 and truncated 1; one whose actions are refused (see mimo_env_step) does not move, and only its status
+ * is written.
  */
 typedef struct mimo_batch_results {
   uint32_t struct_size;   /**< sizeof(mimo_batch_results), set by the caller. */
@@ -1111,7 +1138,7 @@ MIMO_API mimo_status mimo_batch_step(mimo_batch *batch, const float *actions, si
 MIMO_API mimo_status mimo_batch_send(mimo_batch *batch, const float *actions, size_t action_count, void *blocks,
                                      size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;
 
-/** Waits for the step that was sent. Errors: as mimo_batch_step. */
+/** Waits for the step that was sent. Errors: as mimo_batch_step; MIMO_E_INVALID_ARGUMENT within a task of that step. */
 MIMO_API mimo_status mimo_batch_receive(mimo_batch *batch) MIMO_NOEXCEPT;
 
 /** The observations of the current states, as mimo_env_observe. */
@@ -1165,13 +1192,14 @@ MIMO_API mimo_status mimo_batch_state_load(mimo_batch *batch, const uint8_t *mas
  * @param agent  number of the agent.
  * @param memory memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at first; part of the
  *               world's state.
- * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns.
+ * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns; mimo_fail says why. An exception of a C++ program
+ *         fails it too, and in a batch only that world. The function must not end its thread nor jump out.
  */
 typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, size_t world, size_t agent, void *memory);
 
 /**
  * Judges a step of one agent. Positions of bodies are those of the start of the last physics step.
- * @param reward  0 unless set.
+ * @param reward  0 unless set; finite, else the step fails with MIMO_E_INVALID_ARGUMENT.
  * @param outcome MIMO_OUTCOME_NONE unless set.
  */
 typedef mimo_status (*mimo_task_evaluate_fn)(void *user, const mimo_env *env, size_t world, size_t agent, void *memory,

@@ -5,7 +5,6 @@
 
 #include "base/fail.h"
 #include "base/format.h"
-#include "batch/place.h"
 
 namespace mimo::batch {
 
@@ -13,7 +12,7 @@ Batch::Batch(const engine::ModelPtr& model, const std::vector<env::AgentOptions>
              const Options& options)
     : options_(options),
       agents_(agents.size()),
-      studio_(model, options_of(0), std::min(options.threads, options.worlds)),
+      studio_(model, options_of(0), std::min(options.threads, options.worlds), this),
       reports_(options.worlds),
       pool_(std::min(options.threads, options.worlds)) {
   const env::EnvOptions first = options_of(0);
@@ -23,7 +22,7 @@ Batch::Batch(const engine::ModelPtr& model, const std::vector<env::AgentOptions>
   std::vector<env::AgentOptions> shared;
   for (std::size_t i = 0; i < options.worlds; ++i) {
     env::EnvOptions own = options_of(i);
-    mailboxes_.emplace_back(own.log, i);
+    mailboxes_.emplace_back(own.log, i, this);
     own.log = mailboxes_.back().slot();
     own.seed = i;  // worlds that nobody seeds are not all alike
     own.shared_renderer = &studio_;
@@ -48,7 +47,7 @@ void Batch::require_access(std::size_t world) const {
           "world {} belongs to a batch that is at work: mimo_batch_receive comes first", world);
 }
 
-bool Batch::works_on_this_thread() const { return place().batch == this; }
+bool Batch::works_on_this_thread() const { return works_for(this); }
 
 void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks) {
   Call call;
@@ -81,6 +80,7 @@ void Batch::send(const float* actions, const Output& output) {
 }
 
 void Batch::receive() {
+  require(!works_on_this_thread(), "a task cannot receive the step that it is part of: it would wait for itself");
   require(sent_, "mimo_batch_receive without mimo_batch_send");
   pool_.wait();
   sent_ = false;
@@ -152,7 +152,8 @@ void Batch::begin(const Call& call) {
   busy_ = true;
 }
 
-void Batch::perform(const Call& call) {
+void Batch::perform(Call call) {
+  call.caller = place();
   begin(call);
   pool_.run(*this, size());
   finish();
@@ -173,7 +174,7 @@ void Batch::finish() {
 
 void Batch::run(std::size_t world, std::size_t thread) noexcept {
   if (!concerns(world)) return;
-  const AtPlace at({this, world, thread});
+  const AtPlace at({this, world, thread, &call_.caller});
   try {
     reports_[world].settled = false;
     (this->*call_.work)(world);
@@ -184,6 +185,8 @@ void Batch::run(std::size_t world, std::size_t thread) noexcept {
     note(world, Status::kOutOfMemory, "out of memory");
   } catch (const std::exception& error) {
     note(world, Status::kInternal, error.what());
+  } catch (...) {
+    note(world, Status::kInternal, "an unknown exception");
   }
 }
 

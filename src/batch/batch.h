@@ -10,6 +10,7 @@
 #include "base/pool.h"
 #include "batch/mailbox.h"
 #include "batch/options.h"
+#include "batch/place.h"
 #include "batch/studio.h"
 #include "env/access.h"
 #include "env/world.h"
@@ -72,6 +73,7 @@ class Batch : private Job {
   // The operands of the operation in progress.
   struct Call {
     Work work = nullptr;
+    Place caller;  // that waits for the work
     const std::uint8_t* mask = nullptr;
     const float* actions = nullptr;
     const std::uint64_t* seeds = nullptr;
@@ -87,7 +89,7 @@ class Batch : private Job {
 
   static Call step_call(const float* actions, const Output& output);
   void begin(const Call& call);
-  void perform(const Call& call);
+  void perform(Call call);
   void finish();
   void run(std::size_t world, std::size_t thread) noexcept override;
   void note(std::size_t world, Status status, const char* message) noexcept;
@@ -103,7 +105,7 @@ class Batch : private Job {
 
   // The parts of step_world; see step.cpp.
   bool due_for_reset(std::size_t world) const;
-  void try_step(std::size_t world);
+  void try_step(std::size_t world, Span<const float> actions);
   void end_episode(std::size_t world);
   void restart(std::size_t world);
   void blank(std::size_t world, bool cut_off);

@@ -15,7 +15,7 @@ LogSink Mailbox::slot() {
 
 void Mailbox::keep(LogLevel level, const char* text) {
   messages_.emplace_back(level, format("world {}: {}", world_, text));
-  if (place().batch == nullptr) deliver();  // a user works on this world alone, on a thread of their own
+  if (place().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
 }
 
 void Mailbox::deliver() {

@@ -11,7 +11,8 @@ namespace mimo::batch {
 
 class Mailbox {
  public:
-  Mailbox(LogSink user, std::size_t world) : user_(user), world_(world) {}
+  // Of a world of this batch.
+  Mailbox(LogSink user, std::size_t world, const void* batch) : user_(user), world_(world), batch_(batch) {}
 
   // The sink that the world gets.
   LogSink slot();
@@ -23,6 +24,7 @@ class Mailbox {
 
   LogSink user_;
   std::size_t world_;
+  const void* batch_;
   std::vector<std::pair<LogLevel, std::string>> messages_;
 };
 

@@ -9,9 +9,12 @@ struct Place {
   const void* batch = nullptr;  // null: outside
   std::size_t world = 0;
   std::size_t thread = 0;
+  const Place* of_caller = nullptr;  // of the task that stepped this batch, where one did
 };
 
 const Place& place();
+// Whether this thread is at work for a batch: on one of its worlds, or for a task of one that waits for this thread.
+bool works_for(const void* batch);
 
 // The thread is at a place as long as this lives.
 class AtPlace {

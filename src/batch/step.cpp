@@ -1,6 +1,5 @@
 // What a step of the batch means for one world: act, or start anew where an episode has ended or the world has failed.
 #include <algorithm>
-#include <cmath>
 
 #include "base/fail.h"
 #include "batch/batch.h"
@@ -8,14 +7,16 @@
 namespace mimo::batch {
 
 void Batch::step_world(std::size_t world) {
+  const bool anew = due_for_reset(world);
+  const Span<const float> actions = anew ? Span<const float>() : actions_of(world);  // refused: nothing is written
   if (call_.output.was_reset != nullptr) call_.output.was_reset[world] = 0;
   if (call_.output.final_written != nullptr) call_.output.final_written[world] = 0;
-  if (due_for_reset(world)) {
+  if (anew) {
     blank(world, false);
     restart(world);
     return;
   }
-  try_step(world);
+  try_step(world, actions);
   if (options_.autoreset != Autoreset::kNone && worlds_[world]->over()) end_episode(world);
 }
 
@@ -26,8 +27,7 @@ bool Batch::due_for_reset(std::size_t world) const {
   return options_.autoreset == Autoreset::kNextStep && it.over();
 }
 
-void Batch::try_step(std::size_t world) {
-  const Span<const float> actions = actions_of(world);
+void Batch::try_step(std::size_t world, Span<const float> actions) {
   Report& report = reports_[world];
   const bool failed_before = worlds_[world]->physics().failed();
   try {
@@ -77,7 +77,7 @@ Span<const float> Batch::actions_of(std::size_t world) const {
   if (call_.actions == nullptr) return {};
   const std::size_t count = worlds_[world]->action_size();
   const Span<const float> actions(call_.actions + world * count, count);
-  for (std::size_t i = 0; i < count; ++i) require(!std::isnan(actions[i]), "action[{}] is not a number", i);
+  worlds_[world]->check_actions(actions);
   return actions;
 }
 

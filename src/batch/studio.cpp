@@ -4,22 +4,42 @@
 
 namespace mimo::batch {
 
-Studio::Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads)
-    : model_(std::move(model)), options_(options), renderers_(threads) {}
+Studio::Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads, const void* batch)
+    : model_(std::move(model)), options_(options), batch_(batch), renderers_(threads) {}
 
 void Studio::furnish() {
   for (std::size_t i = 0; i < renderers_.size(); ++i) renderer(i);
 }
 
-// Outside of the pool a world is drawn by the calling thread, which is the last of the pool's threads.
+// A step of the batch takes no lock: its threads have renderers of their own. One that is lost when drawing fails is
+// made again.
 void Studio::draw(const mjModel& model, const mjData& data, const render::View& view, const render::Picture& picture) {
-  const std::size_t thread = place().batch == nullptr ? renderers_.size() - 1 : place().thread;
-  renderer(thread).draw(model, data, view, picture);
+  if (place().batch == batch_) return renderer(place().thread).draw(model, data, view, picture);
+  RendererPtr borrowed = borrow();
+  borrowed->draw(model, data, view, picture);
+  give_back(std::move(borrowed));
 }
 
 render::Renderer& Studio::renderer(std::size_t thread) {
   if (renderers_[thread] == nullptr) renderers_[thread] = env::make_renderer(model_, options_);
   return *renderers_[thread];
+}
+
+Studio::RendererPtr Studio::borrow() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!lent_.empty()) {
+      RendererPtr last = std::move(lent_.back());
+      lent_.pop_back();
+      return last;
+    }
+  }
+  return env::make_renderer(model_, options_);
+}
+
+void Studio::give_back(RendererPtr renderer) {
+  const std::lock_guard lock(mutex_);
+  lent_.push_back(std::move(renderer));
 }
 
 }  // namespace mimo::batch

@@ -3,27 +3,38 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "env/world.h"
 
 namespace mimo::batch {
 
-// Hands on to the renderer of the thread that calls. It stands in every world of the batch for a renderer of its own.
+// Hands on to a renderer that nobody else draws with. It stands in every world of the batch for a renderer of its own.
 class Studio : public render::Renderer {
  public:
-  Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads);
-  // Makes all renderers now, so that what is missing here shows at once and no step has to.
+  // `batch` is the one that it belongs to, as places name it.
+  Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads, const void* batch);
+  // Makes the threads' renderers now, so that what is missing here shows at once and no step has to.
   void furnish();
   void draw(const mjModel& model, const mjData& data, const render::View& view,
             const render::Picture& picture) override;
 
  private:
+  using RendererPtr = std::unique_ptr<render::Renderer>;
+
   render::Renderer& renderer(std::size_t thread);
+  RendererPtr borrow();
+  void give_back(RendererPtr renderer);
 
   engine::ModelPtr model_;
   env::EnvOptions options_;
-  std::vector<std::unique_ptr<render::Renderer>> renderers_;  // one per thread, made when first needed
+  const void* batch_;
+  std::vector<RendererPtr> renderers_;  // one per thread of the pool, made when first needed
+  // For callers from outside, as many as ever drew at the same time: between the batch's own calls any number of
+  // threads may draw, each another world, and so may tasks of other batches.
+  std::vector<RendererPtr> lent_;
+  std::mutex mutex_;
 };
 
 }  // namespace mimo::batch

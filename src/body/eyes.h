@@ -43,6 +43,8 @@ class Eyes {
   // As the poses in `data` say.
   Gaze gaze(const mjData& data) const;
 
+  // How many joints looking takes.
+  static std::size_t joints(bool turn_head) { return turn_head ? 8 : 6; }
   // At a point of the world, from where the chest is in `data`. The eyes do not roll.
   Look look_at(const mjModel& model, const mjData& data, const Eigen::Vector3d& point, bool turn_head) const;
 

@@ -62,14 +62,14 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_count(const mimo_env* env, int32_t kind, size_t* count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     out(count, "count") = static_cast<size_t>(engine::count(model, env::kind_from(kind)));
   });
 }
 
 mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, int32_t* id) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     require(name != nullptr, "name is NULL");
     out(id, "id") = engine::find_or_fail(model, env::kind_from(kind), name);
@@ -77,7 +77,7 @@ mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, i
 }
 
 mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const char** name) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     const Kind of = env::kind_from(kind);
     check_id(model, of, id);
@@ -86,7 +86,7 @@ mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const c
 }
 
 mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int32_t* body) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     const Kind of = env::kind_from(kind);
     check_id(model, of, id);
@@ -96,7 +96,7 @@ mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int3
 
 mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count,
                            size_t* value_count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     out(value_count, "value_count") = env::width(model, env::quantity_from(quantity), array(ids, id_count, "ids"));
   });
@@ -104,7 +104,7 @@ mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t*
 
 mimo_status mimo_env_get(const mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count, double* values,
                          size_t value_count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const engine::Physics& physics = open(env).world.physics();
     const env::Quantity what = env::quantity_from(quantity);
     const auto which = array(ids, id_count, "ids");
@@ -116,7 +116,7 @@ mimo_status mimo_env_get(const mimo_env* env, int32_t quantity, const int32_t* i
 
 mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count, const double* values,
                          size_t value_count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     engine::Physics& physics = open(env).world.physics();
     const env::Quantity what = env::quantity_from(quantity);
     const auto which = array(ids, id_count, "ids");
@@ -128,12 +128,12 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
 }
 
 mimo_status mimo_env_update(mimo_env* env) noexcept {
-  return guard([&] { open(env).world.physics().update_poses(); });
+  return guard(env, [&] { open(env).world.physics().update_poses(); });
 }
 
 mimo_status mimo_env_contacts(const mimo_env* env, int32_t* ids, double* values, size_t capacity,
                               size_t* count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::World& world = open(env).world;
     const mjData& data = world.data();
     const auto found = static_cast<size_t>(data.ncon);

@@ -13,20 +13,21 @@ BatchObject::BatchObject(RecipePtr of, const batch::Options& options)
       views(options.worlds),
       batch(
           recipe->model, recipe->agents,
-          [this](std::size_t world) { return options_of(*recipe, world, &views[world]); }, options) {
+          [this](std::size_t world) { return options_of(*recipe, world, &views.handles[world]); }, options) {
   // The functions of a user's task get their world's handle; they run where making one would come too late.
-  for (std::size_t i = 0; recipe->task && i < views.size(); ++i) view(i);
+  for (std::size_t i = 0; recipe->task && i < options.worlds; ++i) view(i);
 }
 
-BatchObject::~BatchObject() {
-  for (mimo_env* handle : views) {
+Views::~Views() {
+  for (mimo_env* handle : handles) {
     delete static_cast<EnvObject*>(handle == nullptr ? nullptr : retire_handle(handle, HandleKind::kEnv));
   }
 }
 
 mimo_env* BatchObject::view(std::size_t world) {
-  if (views[world] == nullptr) views[world] = wrap_env(std::make_unique<EnvObject>(recipe, batch, world));
-  return views[world];
+  mimo_env*& handle = views.handles[world];
+  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(recipe, batch, world));
+  return handle;
 }
 
 namespace {
@@ -131,7 +132,7 @@ mimo_status mimo_batch_config_init(mimo_batch_config* config, size_t size) noexc
 
 mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* env_config,
                               const mimo_batch_config* batch_config, mimo_batch** batch) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     mimo_batch*& result = out(batch, "batch");
     const batch::Options options = batch_options(read_struct(batch_config, default_batch_config(), "batch_config"));
     const mimo_env_config config = read_struct(env_config, default_env_config(), "env_config");
@@ -142,7 +143,7 @@ mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* en
 void mimo_batch_destroy(mimo_batch* batch) noexcept { destroy(batch); }
 
 mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* threads) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     const batch::Batch& inner = open(batch).batch;
     if (worlds != nullptr) *worlds = inner.size();
     if (threads != nullptr) *threads = inner.threads();
@@ -150,7 +151,7 @@ mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* thr
 }
 
 mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     BatchObject& object = open(batch);
     object.batch.require_idle();
     require(world < object.batch.size(), "world is {}, but there are {} worlds", world, object.batch.size());
@@ -160,7 +161,7 @@ mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) no
 
 mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_status* status,
                                    const char** message) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     const batch::Batch& inner = open(batch).batch;
     inner.require_idle();
     require(world < inner.size(), "world is {}, but there are {} worlds", world, inner.size());
@@ -172,7 +173,7 @@ mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_s
 
 mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds, void* blocks,
                              size_t block_bytes) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     check_per_world(inner, worlds, seeds != nullptr || mask != nullptr);
     inner.reset(seeds, mask, blocks_of(inner, blocks, block_bytes, "blocks"));
@@ -181,7 +182,7 @@ mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uin
 
 mimo_status mimo_batch_step(mimo_batch* batch, const float* actions, size_t action_count, void* blocks,
                             size_t block_bytes, const mimo_batch_results* results) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     inner.step(actions_of(inner, actions, action_count), output_of(inner, blocks, block_bytes, results));
   });
@@ -189,19 +190,19 @@ mimo_status mimo_batch_step(mimo_batch* batch, const float* actions, size_t acti
 
 mimo_status mimo_batch_send(mimo_batch* batch, const float* actions, size_t action_count, void* blocks,
                             size_t block_bytes, const mimo_batch_results* results) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     inner.send(actions_of(inner, actions, action_count), output_of(inner, blocks, block_bytes, results));
   });
 }
 
 mimo_status mimo_batch_receive(mimo_batch* batch) noexcept {
-  return guard([&] { open(batch).batch.receive(); });
+  return guard(batch, [&] { open(batch).batch.receive(); });
 }
 
 mimo_status mimo_batch_observe(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* blocks,
                                size_t block_bytes) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     check_per_world(inner, worlds, mask != nullptr);
     require(blocks != nullptr, "blocks is NULL");
@@ -211,7 +212,7 @@ mimo_status mimo_batch_observe(mimo_batch* batch, const uint8_t* mask, size_t wo
 
 mimo_status mimo_batch_get(const mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
                            const uint8_t* mask, size_t worlds, double* values, size_t value_count) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     const batch::Batch& inner = open(batch).batch;
     const env::Quantity what = env::quantity_from(quantity);
     const auto which = array(ids, id_count, "ids");
@@ -223,7 +224,7 @@ mimo_status mimo_batch_get(const mimo_batch* batch, int32_t quantity, const int3
 
 mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
                            const uint8_t* mask, size_t worlds, const double* values, size_t value_count) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     const env::Quantity what = env::quantity_from(quantity);
     const auto which = array(ids, id_count, "ids");
@@ -236,7 +237,7 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
 
 mimo_status mimo_batch_set_face(mimo_batch* batch, size_t agent, const char* name, const uint8_t* mask,
                                 size_t worlds) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     check_per_world(inner, worlds, mask != nullptr);
     check_agent(inner.world(0).agents(), agent);
@@ -247,7 +248,7 @@ mimo_status mimo_batch_set_face(mimo_batch* batch, size_t agent, const char* nam
 
 mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* states,
                                   size_t state_bytes) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     auto* start = static_cast<std::uint8_t*>(states);
     check_per_world(inner, worlds, mask != nullptr);
@@ -259,7 +260,7 @@ mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t
 
 mimo_status mimo_batch_state_load(mimo_batch* batch, const uint8_t* mask, size_t worlds, const void* states,
                                   size_t state_bytes) noexcept {
-  return guard([&] {
+  return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
     const std::size_t one = inner.world(0).state_bytes();
     check_per_world(inner, worlds, mask != nullptr);

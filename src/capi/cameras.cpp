@@ -46,7 +46,7 @@ mimo_status mimo_camera_config_init(mimo_camera_config* config, size_t size) noe
 }
 
 mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* config) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(config != nullptr, "config is NULL, but a camera needs at least a name");
     const mimo_camera_config ours = read_struct(config, default_camera_config(), "config");

@@ -1,6 +1,7 @@
 #include "capi/custom_task.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "capi/check.h"
 #include "capi/guard.h"
@@ -10,11 +11,28 @@
 namespace mimo::capi {
 namespace {
 
+// Quotes what the function said by mimo_fail, or what the call complained about whose status it returns.
 void check(mimo_status status, const char* function) {
   if (status == MIMO_OK) return;
   const bool known = status < 0 && status >= MIMO_E_INTERNAL;
-  fail(known ? static_cast<Status>(status) : Status::kInternal, "the task's function {} returned {} ({}): {}", function,
-       status, mimo_status_name(status), mimo_last_error());
+  const char* why = last_error().status == status ? last_error().text.data() : "";
+  fail(known ? static_cast<Status>(status) : Status::kInternal, "the task's function {} returned {} ({}){}{}", function,
+       status, mimo_status_name(status), *why == '\0' ? "" : ": ", why);
+}
+
+// A C++ program may let exceptions out of its functions.
+template <typename Call>
+void ask(const char* function, Call&& call) {
+  const FreshError of_its_own;
+  try {
+    check(call(), function);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    fail(Status::kInternal, "the task's function {} threw an exception: {}", function, error.what());
+  } catch (...) {
+    fail(Status::kInternal, "the task's function {} threw an unknown exception", function);
+  }
 }
 
 mimo_task empty_task() {
@@ -38,13 +56,16 @@ CustomTask::CustomTask(const mimo_task& functions, mimo_env* const* env, std::si
 void CustomTask::reset(engine::Physics&, Random&) {
   std::fill(memory_.begin(), memory_.end(), std::uint8_t{0});
   if (functions_.reset == nullptr) return;
-  check(functions_.reset(functions_.user, *env_, world_, agent_, memory_.data()), "reset");
+  ask("reset", [this] { return functions_.reset(functions_.user, *env_, world_, agent_, memory_.data()); });
 }
 
 void CustomTask::evaluate(const engine::Physics&) {
   double reward = 0;
   int32_t outcome = MIMO_OUTCOME_NONE;
-  check(functions_.evaluate(functions_.user, *env_, world_, agent_, memory_.data(), &reward, &outcome), "evaluate");
+  ask("evaluate",
+      [&] { return functions_.evaluate(functions_.user, *env_, world_, agent_, memory_.data(), &reward, &outcome); });
+  require(std::isfinite(reward), "the task's function evaluate gave agent {} the reward {}, expected a finite number",
+          agent_, reward);
   terms_[0].value = reward;
   success_ = outcome > 0;
   failure_ = outcome < 0;
@@ -81,7 +102,7 @@ mimo_status mimo_task_init(mimo_task* task, size_t size) noexcept {
 }
 
 mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     if (task == nullptr) {
       object.task.reset();
@@ -97,7 +118,7 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
 }
 
 mimo_status mimo_env_random(mimo_env* env, double* values, size_t count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const auto numbers = array(values, count, "values");
     Random& random = open(env).world.random();
     std::generate(numbers.begin(), numbers.end(), [&random] { return random.uniform(); });

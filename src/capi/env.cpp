@@ -107,7 +107,7 @@ mimo_status mimo_env_config_init(mimo_env_config* config, size_t size) noexcept 
 }
 
 mimo_status mimo_env_create(const mimo_scene* scene, const mimo_env_config* config, mimo_env** env) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     mimo_env*& result = out(env, "env");
     result = make_env(open(scene), read_struct(config, default_env_config(), "config"));
   });
@@ -127,15 +127,15 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
 }
 
 mimo_status mimo_env_task(const mimo_env* env, const char** name) noexcept {
-  return guard([&] { out(name, "name") = open(env).world.task_name().c_str(); });
+  return guard(env, [&] { out(name, "name") = open(env).world.task_name().c_str(); });
 }
 
 mimo_status mimo_env_frame_skip(const mimo_env* env, uint32_t* frame_skip) noexcept {
-  return guard([&] { out(frame_skip, "frame_skip") = static_cast<uint32_t>(open(env).world.frame_skip()); });
+  return guard(env, [&] { out(frame_skip, "frame_skip") = static_cast<uint32_t>(open(env).world.frame_skip()); });
 }
 
 mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     mimo_env*& result = out(clone, "clone");
     const EnvObject& original = open(env);
     std::vector<std::uint8_t> state(original.world.state_bytes());
@@ -151,11 +151,11 @@ mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
 void mimo_env_destroy(mimo_env* env) noexcept { destroy(env); }
 
 mimo_status mimo_env_agent_count(const mimo_env* env, size_t* count) noexcept {
-  return guard([&] { out(count, "count") = open(env).world.agents().size(); });
+  return guard(env, [&] { out(count, "count") = open(env).world.agents().size(); });
 }
 
 mimo_status mimo_env_agent(const mimo_env* env, size_t index, mimo_agent_info* info) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const auto& agents = open(env).world.agents();
     require(index < agents.size(), "index is {}, but there are {} agents", index, agents.size());
     const env::Agent& agent = agents[index];

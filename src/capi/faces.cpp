@@ -14,7 +14,7 @@ const char* mimo_face_name(size_t index) noexcept {
 }
 
 mimo_status mimo_env_set_face(mimo_env* env, size_t agent, const char* name) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     env::World& world = open(env).world;
     check_agent(world.agents(), agent);
     require(name != nullptr, "name is NULL");
@@ -23,7 +23,7 @@ mimo_status mimo_env_set_face(mimo_env* env, size_t agent, const char* name) noe
 }
 
 mimo_status mimo_env_face(const mimo_env* env, size_t agent, const char** name) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::World& world = open(env).world;
     check_agent(world.agents(), agent);
     out(name, "name") = world.face(agent).c_str();

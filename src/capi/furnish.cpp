@@ -56,7 +56,7 @@ mimo_status mimo_model_config_init(mimo_model_config* config, size_t size) noexc
 const char* mimo_scene_room(size_t index) noexcept { return scene::built_in_room(index); }
 
 mimo_status mimo_scene_set_room(mimo_scene* scene, const char* name) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(name != nullptr, "name is NULL");
     object.scene.set_room(name);
@@ -64,7 +64,7 @@ mimo_status mimo_scene_set_room(mimo_scene* scene, const char* name) noexcept {
 }
 
 mimo_status mimo_scene_add_model(mimo_scene* scene, const mimo_model_config* config) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(config != nullptr, "config is NULL, but a model needs at least a name and a document");
     object.scene.add_model(model_from(read_struct(config, default_model_config(), "config")));
@@ -72,7 +72,7 @@ mimo_status mimo_scene_add_model(mimo_scene* scene, const mimo_model_config* con
 }
 
 mimo_status mimo_scene_weld(mimo_scene* scene, const char* body, const char* other, const double* pose) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(body != nullptr, "body is NULL");
     const scene::Weld weld{body, other == nullptr ? "world" : other};
@@ -83,7 +83,7 @@ mimo_status mimo_scene_weld(mimo_scene* scene, const char* body, const char* oth
 }
 
 mimo_status mimo_scene_lock(mimo_scene* scene, const char* joint, double value) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(joint != nullptr, "joint is NULL");
     object.scene.lock_joint(joint, value);
@@ -91,7 +91,7 @@ mimo_status mimo_scene_lock(mimo_scene* scene, const char* joint, double value) 
 }
 
 mimo_status mimo_scene_set_pose(mimo_scene* scene, const char* joint, double value) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(joint != nullptr, "joint is NULL");
     object.scene.start_joint(joint, value);

@@ -16,13 +16,17 @@ body::Eyes eyes_of(const env::World& world, std::size_t agent) {
 }
 
 // How an agent looks at a point from the pose that the world is in now.
-body::Look look(env::World& world, std::size_t agent, const double* point, std::int32_t how) {
+body::Look look(env::World& world, std::size_t agent, const double* point, bool turn_head) {
   const body::Eyes eyes = eyes_of(world, agent);
   require(point != nullptr, "point is NULL");
   check_finite(point, 3, "point");
-  require(how == MIMO_LOOK_EYES || how == MIMO_LOOK_HEAD, "how is {}, expected MIMO_LOOK_EYES or MIMO_LOOK_HEAD", how);
   world.physics().update_poses();
-  return eyes.look_at(world.model(), world.data(), {point[0], point[1], point[2]}, how == MIMO_LOOK_HEAD);
+  return eyes.look_at(world.model(), world.data(), {point[0], point[1], point[2]}, turn_head);
+}
+
+bool turns_head(std::int32_t how) {
+  require(how == MIMO_LOOK_EYES || how == MIMO_LOOK_HEAD, "how is {}, expected MIMO_LOOK_EYES or MIMO_LOOK_HEAD", how);
+  return how == MIMO_LOOK_HEAD;
 }
 
 void write_sightline(const body::Sightline& from, double (&position)[3], double (&direction)[3]) {
@@ -43,7 +47,7 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_gaze(const mimo_env* env, size_t agent, mimo_gaze* gaze) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::World& world = open(env).world;
     const body::Gaze now = eyes_of(world, agent).gaze(world.data());
     mimo_gaze ours{};
@@ -59,13 +63,15 @@ mimo_status mimo_env_gaze(const mimo_env* env, size_t agent, mimo_gaze* gaze) no
 
 mimo_status mimo_env_look_angles(mimo_env* env, size_t agent, const double* point, int32_t how, int32_t* joints,
                                  double* angles, size_t capacity, size_t* count, double* errors) noexcept {
-  return guard([&] {
-    const body::Look wanted = look(open(env).world, agent, point, how);
-    const std::size_t found = wanted.angles.size();
+  return guard(env, [&] {
+    env::World& world = open(env).world;
+    const bool turn_head = turns_head(how);
+    const std::size_t found = body::Eyes::joints(turn_head);
     check_length<double>(capacity, "capacity");
     if ((joints != nullptr || angles != nullptr) && capacity < found) {
       fail(Status::kBufferTooSmall, "capacity is {}, but there are {} joints", capacity, found);
     }
+    const body::Look wanted = look(world, agent, point, turn_head);
     for (std::size_t i = 0; i < found; ++i) {
       if (joints != nullptr) joints[i] = wanted.angles[i].joint;
       if (angles != nullptr) angles[i] = wanted.angles[i].angle;
@@ -76,9 +82,9 @@ mimo_status mimo_env_look_angles(mimo_env* env, size_t agent, const double* poin
 }
 
 mimo_status mimo_env_look_at(mimo_env* env, size_t agent, const double* point, int32_t how, double* errors) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     env::World& world = open(env).world;
-    const body::Look wanted = look(world, agent, point, how);
+    const body::Look wanted = look(world, agent, point, turns_head(how));
     for (const body::JointAngle& joint : wanted.angles) world.physics().data().qpos[joint.qpos] = joint.angle;
     world.physics().update_poses();
     write_errors(wanted, errors);

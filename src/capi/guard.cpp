@@ -2,11 +2,14 @@
 
 #include <cstring>
 
+#include "base/utf8.h"
+#include "capi/check.h"
+#include "capi/handle.h"
+
 namespace mimo::capi {
 namespace {
 
-// Plain bytes: keeping a message must work when memory is out, and needs no destructor when a thread ends.
-thread_local char last_error[1024] = "";
+thread_local LastError last;
 constexpr char kEnd[] = " ...";
 
 // Where to cut a text that is too long: before the last word that does not fit; in a very long one between letters.
@@ -19,24 +22,58 @@ std::size_t cut_of(const char* text, std::size_t room) {
   return room;
 }
 
-}  // namespace
-
-void set_last_error(const char* message) noexcept {
+void keep(const char* message) {
   const std::size_t length = std::strlen(message);
-  if (length < sizeof last_error) {
-    std::memcpy(last_error, message, length + 1);
+  if (length < last.text.size()) {
+    std::memcpy(last.text.data(), message, length + 1);
     return;
   }
-  const std::size_t cut = cut_of(message, sizeof last_error - sizeof kEnd);
-  std::memcpy(last_error, message, cut);
-  std::memcpy(last_error + cut, kEnd, sizeof kEnd);
+  const std::size_t cut = cut_of(message, last.text.size() - sizeof kEnd);
+  std::memcpy(last.text.data(), message, cut);
+  std::memcpy(last.text.data() + cut, kEnd, sizeof kEnd);
 }
 
-mimo_status report(Status status, const char* message) noexcept {
-  set_last_error(message);
-  return static_cast<mimo_status>(status);
+}  // namespace
+
+const LastError& last_error() noexcept { return last; }
+
+mimo_status report(const void* handle, Status status, const char* message) noexcept {
+  last.status = static_cast<mimo_status>(status);
+  keep(message);
+  keep_message(handle, last.text);
+  return last.status;
 }
+
+FreshError::FreshError() noexcept : before_(last) { last = LastError(); }
+FreshError::~FreshError() { last = before_; }
 
 }  // namespace mimo::capi
 
-extern "C" const char* mimo_last_error(void) noexcept { return mimo::capi::last_error; }
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+const char* mimo_last_error(void) noexcept { return last.text.data(); }
+
+// Its own failures leave the handle's message alone.
+mimo_status mimo_last_error_of(const void* handle, char* text, size_t capacity, size_t* length) noexcept {
+  return guard([&] {
+    const Message message = message_of(handle);
+    const std::size_t bytes = std::strlen(message.data());
+    check_buffer(text, capacity, bytes + 1, "text");
+    if (text != nullptr) std::memcpy(text, message.data(), bytes + 1);
+    if (length != nullptr) *length = bytes;
+  });
+}
+
+mimo_status mimo_fail(mimo_status status, const char* message) noexcept {
+  return guard([&] {
+    require(status < 0 && status >= MIMO_E_INTERNAL, "status is {}, expected a MIMO_E_ constant, {} to {}", status,
+            MIMO_E_INTERNAL, MIMO_E_INVALID_ARGUMENT);
+    require(message != nullptr, "message is NULL");
+    throw Error(static_cast<Status>(status), valid_utf8(message));
+  });
+}
+
+}  // extern "C"

@@ -1,6 +1,9 @@
 // The border: every function of the C API is one call of guard(), which turns exceptions into status codes.
 #pragma once
 
+#include <pthread.h>
+
+#include <array>
 #include <exception>
 #include <new>
 
@@ -9,25 +12,66 @@
 
 namespace mimo::capi {
 
-// Keeps the message for mimo_last_error() on this thread, cut to its room; then it ends in "..."
-void set_last_error(const char* message) noexcept;
+// Plain bytes, because keeping a message must work when memory is out, and needs no destructor when a thread ends.
+using Message = std::array<char, 1024>;
 
-mimo_status report(Status status, const char* message) noexcept;
+// What the last failed call on a thread left behind.
+struct LastError {
+  mimo_status status = MIMO_OK;
+  Message text = {};
+};
 
+const LastError& last_error() noexcept;
+
+// Keeps the message for this thread, and with the handle (if it is one) for whoever asks on another thread.
+mimo_status report(const void* handle, Status status, const char* message) noexcept;
+
+// A function of the user's runs: what it leaves behind is its own. Afterwards the thread knows what it knew before.
+class FreshError {
+ public:
+  FreshError() noexcept;
+  ~FreshError();
+  FreshError(const FreshError&) = delete;
+  FreshError& operator=(const FreshError&) = delete;
+
+ private:
+  LastError before_;
+};
+
+// A call that has begun is finished: to cancel a thread unwinds it by force, which nothing here would survive. It is
+// cancelled when it leaves.
+class Uncancelled {
+ public:
+  Uncancelled() noexcept { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
+  ~Uncancelled() { pthread_setcancelstate(before_, nullptr); }
+  Uncancelled(const Uncancelled&) = delete;
+  Uncancelled& operator=(const Uncancelled&) = delete;
+
+ private:
+  int before_ = PTHREAD_CANCEL_ENABLE;
+};
+
+// `handle` is the one that the function was given first, null for those that take none.
 template <typename Body>
-mimo_status guard(Body&& body) noexcept {
+mimo_status guard(const void* handle, Body&& body) noexcept {
+  const Uncancelled until_the_end;
   try {
     body();
     return MIMO_OK;
   } catch (const Error& error) {
-    return report(error.status(), error.what());
+    return report(handle, error.status(), error.what());
   } catch (const std::bad_alloc&) {
-    return report(Status::kOutOfMemory, "out of memory");
+    return report(handle, Status::kOutOfMemory, "out of memory");
   } catch (const std::exception& error) {
-    return report(Status::kInternal, error.what());
+    return report(handle, Status::kInternal, error.what());
   } catch (...) {
-    return report(Status::kInternal, "an unknown exception");
+    return report(handle, Status::kInternal, "an unknown exception");
   }
+}
+
+template <typename Body>
+mimo_status guard(Body&& body) noexcept {
+  return guard(nullptr, body);
 }
 
 }  // namespace mimo::capi

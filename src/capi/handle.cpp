@@ -1,9 +1,11 @@
 #include "capi/handle.h"
 
 #include <pthread.h>
+#include <sched.h>
 
 #include <atomic>
 #include <mutex>
+#include <utility>
 
 namespace mimo::capi {
 namespace {
@@ -13,9 +15,26 @@ constexpr unsigned kMagic = 0x6d696d6fu;  // "mimo"
 struct Control {
   unsigned magic;
   HandleKind kind;
-  unsigned generation;        // of forks, when it was made
-  std::atomic<void*> object;  // null once retired
-  Control* next;              // all control blocks, so that leak checkers see them
+  unsigned generation;                       // of forks, when it was made
+  std::atomic<void*> object;                 // null once retired
+  Control* next;                             // all control blocks, so that leak checkers see them
+  std::atomic_flag busy = ATOMIC_FLAG_INIT;  // a thread is at the message
+  std::unique_ptr<Message> message = {};     // of the last failed call; null once retired
+};
+
+// For a few instructions. A lock of the system's would stay locked in a child that is forked meanwhile; this one is
+// part of a handle that the child refuses.
+class AtMessage {
+ public:
+  explicit AtMessage(Control& control) : busy_(control.busy) {
+    while (busy_.test_and_set(std::memory_order_acquire)) sched_yield();
+  }
+  ~AtMessage() { busy_.clear(std::memory_order_release); }
+  AtMessage(const AtMessage&) = delete;
+  AtMessage& operator=(const AtMessage&) = delete;
+
+ private:
+  std::atomic_flag& busy_;
 };
 
 std::atomic<Control*> all_controls{nullptr};
@@ -38,18 +57,34 @@ const char* word(HandleKind kind) {
   return "handle";
 }
 
-// Neither null nor of another kind nor another process's.
-const Control* sound(const void* handle, HandleKind kind) noexcept {
-  const auto* control = static_cast<const Control*>(handle);
-  if (control == nullptr || control->magic != kMagic || control->kind != kind) return nullptr;
+// A handle of any kind; null for what is none, and for another process's.
+Control* sound(const void* handle) noexcept {
+  auto* control = static_cast<Control*>(const_cast<void*>(handle));
+  if (control == nullptr || control->magic != kMagic) return nullptr;
   return control->generation == fork_generation.load() ? control : nullptr;
+}
+
+Control* sound(const void* handle, HandleKind kind) noexcept {
+  Control* control = sound(handle);
+  return control == nullptr || control->kind != kind ? nullptr : control;
+}
+
+void check_generation(const Control& control, const char* argument) {
+  if (control.generation == fork_generation.load()) return;
+  fail(Status::kForked, "{} was made before fork(); make a new one in the child process", argument);
+}
+
+[[noreturn]] void fail_destroyed(const Control& control, const char* argument) {
+  fail(Status::kBadHandle, "{} is a {} that has been destroyed", argument, word(control.kind));
 }
 
 }  // namespace
 
 void* make_handle(HandleKind kind, void* object) {
   watch_forks();
+  auto message = std::make_unique<Message>();
   auto* control = new Control{kMagic, kind, fork_generation.load(), {object}, all_controls.load()};
+  control->message = std::move(message);
   while (!all_controls.compare_exchange_weak(control->next, control)) {
   }
   return control;
@@ -61,21 +96,43 @@ void* open_handle(const void* handle, HandleKind kind, const char* argument) {
   if (control->magic != kMagic || control->kind != kind) {
     fail(Status::kBadHandle, "{} is not a {}", argument, word(kind));
   }
-  if (control->generation != fork_generation.load()) {
-    fail(Status::kForked, "{} was made before fork(); make a new one in the child process", argument);
-  }
+  check_generation(*control, argument);
   void* object = control->object.load();
-  if (object == nullptr) fail(Status::kBadHandle, "{} is a {} that has been destroyed", argument, word(kind));
+  if (object == nullptr) fail_destroyed(*control, argument);
   return object;
 }
 
 void* retire_handle(void* handle, HandleKind kind) noexcept {
-  return sound(handle, kind) == nullptr ? nullptr : static_cast<Control*>(handle)->object.exchange(nullptr);
+  Control* control = sound(handle, kind);
+  if (control == nullptr) return nullptr;
+  std::unique_ptr<Message> freed;  // outside of the lock
+  const AtMessage alone(*control);
+  freed = std::move(control->message);
+  return control->object.exchange(nullptr);
 }
 
 void* peek_handle(const void* handle, HandleKind kind) noexcept {
   const Control* control = sound(handle, kind);
   return control == nullptr ? nullptr : control->object.load();
+}
+
+void keep_message(const void* handle, const Message& message) noexcept {
+  Control* control = sound(handle);
+  if (control == nullptr) return;
+  const AtMessage alone(*control);
+  if (control->message != nullptr) *control->message = message;
+}
+
+Message message_of(const void* handle) {
+  require(handle != nullptr, "handle is NULL");
+  auto* control = static_cast<Control*>(const_cast<void*>(handle));
+  if (control->magic != kMagic) fail(Status::kBadHandle, "handle is no handle of this library's");
+  check_generation(*control, "handle");
+  {
+    const AtMessage alone(*control);
+    if (control->message != nullptr) return *control->message;
+  }
+  fail_destroyed(*control, "handle");
 }
 
 }  // namespace mimo::capi

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/fail.h"
+#include "capi/guard.h"
 
 namespace mimo::capi {
 
@@ -18,6 +19,11 @@ void* open_handle(const void* handle, HandleKind kind, const char* argument);
 void* peek_handle(const void* handle, HandleKind kind) noexcept;
 // Retires a handle and returns its object, or null for null, retired and foreign handles.
 void* retire_handle(void* handle, HandleKind kind) noexcept;
+
+// Keeps the message of a failed call with the handle that it was given; nothing where that is no handle in use.
+void keep_message(const void* handle, const Message& message) noexcept;
+// What was kept last, "" for nothing. Throws as open_handle.
+Message message_of(const void* handle);
 
 // What each public handle type stands for; specialised in objects.h.
 template <typename Public>
@@ -56,6 +62,7 @@ const Object<Public>& open(const Public* handle) {
 // Leaves alone what may not be destroyed now or by this call.
 template <typename Public>
 void destroy(Public* handle) noexcept {
+  const Uncancelled until_the_end;
   if (!may_destroy(handle)) return;
   delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kKind));
 }

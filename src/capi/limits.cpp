@@ -1,4 +1,6 @@
 // Limits of an agent's senses.
+#include <limits>
+
 #include "capi/agents.h"
 #include "capi/check.h"
 #include "capi/guard.h"
@@ -8,6 +10,7 @@ namespace mimo::capi {
 namespace {
 
 constexpr std::uint32_t kLatest = 1000;
+constexpr double kMost = std::numeric_limits<float>::max();  // so that no product leaves the range of a double
 
 mimo_limits default_limits() {
   mimo_limits limits{};
@@ -18,9 +21,10 @@ mimo_limits default_limits() {
 
 senses::Limits limits_from(const mimo_limits& config) {
   require(config.delay <= kLatest, "delay is {}, expected up to {} steps", config.delay, kLatest);
-  require(config.gain >= 0 && std::isfinite(config.gain), "gain is {}, expected a factor of 0 or above", config.gain);
-  require(config.noise >= 0 && std::isfinite(config.noise), "noise is {}, expected a deviation of 0 or above",
-          config.noise);
+  require(config.gain >= 0 && config.gain <= kMost, "gain is {}, expected a factor from 0 to {:.4g}", config.gain,
+          kMost);
+  require(config.noise >= 0 && config.noise <= kMost, "noise is {}, expected a deviation from 0 to {:.4g}",
+          config.noise, kMost);
   require(config.blur == 0 || (config.blur >= 0.05 && config.blur <= 1000),
           "blur is {}, expected 0.05 to 1000 cycles per degree, or 0 for none", config.blur);
   return {config.gain, config.noise, config.blur, static_cast<int>(config.delay)};
@@ -40,7 +44,7 @@ mimo_status mimo_limits_init(mimo_limits* limits, size_t size) noexcept {
 
 mimo_status mimo_scene_limit_sense(mimo_scene* scene, int32_t agent, const char* path,
                                    const mimo_limits* limits) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     env::AgentOptions& options = agent_at(open(scene), agent);
     const std::string where = text(path);
     require(!where.empty(), "path is {}, expected that of a sense or field", path == nullptr ? "NULL" : "\"\"");

@@ -62,14 +62,23 @@ void check_agent(const Agents& agents, std::size_t agent) {
 
 mimo_env* wrap_env(std::unique_ptr<EnvObject> object);
 
+// The handles of a batch's worlds, null for those that nobody has asked for.
+struct Views {
+  explicit Views(std::size_t worlds) : handles(worlds) {}
+  ~Views();
+  Views(const Views&) = delete;
+  Views& operator=(const Views&) = delete;
+
+  std::vector<mimo_env*> handles;
+};
+
 struct BatchObject {
   BatchObject(RecipePtr of, const batch::Options& options);
-  ~BatchObject();
   // The handle of a world, made when first asked for.
   mimo_env* view(std::size_t world);
 
   RecipePtr recipe;
-  std::vector<mimo_env*> views;
+  Views views;  // before the batch, which waits for its work when it goes: tasks may be at work with them until then
   batch::Batch batch;
 };
 

@@ -13,15 +13,15 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_lock(mimo_env* env, int32_t joint, double angle) noexcept {
-  return guard([&] { env::lock(open(env).world, joint, angle); });
+  return guard(env, [&] { env::lock(open(env).world, joint, angle); });
 }
 
 mimo_status mimo_env_unlock(mimo_env* env, int32_t joint) noexcept {
-  return guard([&] { env::unlock(open(env).world, joint); });
+  return guard(env, [&] { env::unlock(open(env).world, joint); });
 }
 
 mimo_status mimo_env_lock_state(const mimo_env* env, int32_t joint, uint8_t* locked, double* angle) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     const int lock = env::lock_of(model, joint);
     if (locked != nullptr) *locked = model.eq_active[lock] != 0 ? 1 : 0;
@@ -30,7 +30,7 @@ mimo_status mimo_env_lock_state(const mimo_env* env, int32_t joint, uint8_t* loc
 }
 
 mimo_status mimo_env_set_gravity(mimo_env* env, double x, double y, double z) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     engine::Physics& physics = open(env).world.physics();
     const double xyz[3] = {x, y, z};
     check_finite(xyz, 3, "gravity");
@@ -39,7 +39,7 @@ mimo_status mimo_env_set_gravity(mimo_env* env, double x, double y, double z) no
 }
 
 mimo_status mimo_env_gravity(const mimo_env* env, double* xyz, size_t count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const mjModel& model = open(env).world.model();
     check_buffer(&out(xyz, "xyz"), count, 3, "xyz");
     std::copy_n(model.opt.gravity, 3, xyz);

@@ -87,7 +87,7 @@ mimo_status mimo_picture_config_init(mimo_picture_config* config, size_t size) n
 mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, uint8_t* rgb, size_t rgb_bytes,
                             float* depth, size_t depth_count, int32_t* segmentation,
                             size_t segmentation_count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     env::World& world = open(env).world;
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
@@ -97,6 +97,7 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     check_buffer(depth, depth_count, pixels, "depth");
     check_buffer(segmentation, segmentation_count, pixels, "segmentation");
     const int camera = camera_of(world, ours);
+    world.prepare_to_draw();
     world.physics().update_poses();
     render::Picture picture;
     picture.width = static_cast<int>(ours.width);
@@ -115,7 +116,7 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
 
 mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* config, const double* points, size_t count,
                              double* pixels) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::World& world = open(env).world;
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);

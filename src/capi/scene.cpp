@@ -108,7 +108,7 @@ mimo_status mimo_scene_create(const mimo_scene_config* config, mimo_scene** scen
 void mimo_scene_destroy(mimo_scene* scene) noexcept { destroy(scene); }
 
 mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* config, int32_t* agent) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     const mimo_agent_config defaults = default_agent_config(object.scene);
     const std::size_t index = add_agent(object, read_struct(config, defaults, "config"));
@@ -117,11 +117,11 @@ mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* con
 }
 
 mimo_status mimo_scene_default_agent(const mimo_scene* scene, mimo_agent_config* config, size_t size) noexcept {
-  return guard([&] { write_struct(config, size, default_agent_config(open(scene).scene), "config"); });
+  return guard(scene, [&] { write_struct(config, size, default_agent_config(open(scene).scene), "config"); });
 }
 
 mimo_status mimo_scene_read_joint(mimo_scene* scene, int32_t agent, const char* joint) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     env::AgentOptions& options = agent_at(open(scene), agent);
     const std::string name = text(joint);
     require(!name.empty(), "joint is {}, expected a name", joint == nullptr ? "NULL" : "\"\"");
@@ -132,7 +132,7 @@ mimo_status mimo_scene_read_joint(mimo_scene* scene, int32_t agent, const char* 
 }
 
 mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* config) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(config != nullptr, "config is NULL, but an object needs at least a name");
     object.scene.add_object(object_from(read_struct(config, default_object_config(), "config")));
@@ -140,7 +140,7 @@ mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* c
 }
 
 mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* config, size_t* count) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     const mimo_agent_config defaults = default_agent_config(object.scene);
     const std::size_t added = add_agents(object, read_struct(config, defaults, "config"));
@@ -149,7 +149,7 @@ mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* co
 }
 
 mimo_status mimo_scene_xml(const mimo_scene* scene, char* text, size_t capacity, size_t* length) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     const std::string xml = open(scene).scene.xml();
     check_buffer(text, capacity, xml.size() + 1, "text");
     if (text != nullptr) std::copy_n(xml.c_str(), xml.size() + 1, text);

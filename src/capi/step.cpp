@@ -12,9 +12,7 @@ namespace {
 void check_actions(const env::World& world, Span<const float> actions) {
   require(actions.empty() || actions.size() == world.action_size(), "action_count is {}, expected {} or 0",
           actions.size(), world.action_size());
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    require(!std::isnan(actions[i]), "action[{}] is not a number", i);
-  }
+  world.check_actions(actions);
 }
 
 template <typename T>
@@ -39,23 +37,23 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_observation_size(const mimo_env* env, size_t* bytes, size_t* fields) noexcept {
-  return guard([&] { describe_size(open(env).world.layout(), bytes, fields); });
+  return guard(env, [&] { describe_size(open(env).world.layout(), bytes, fields); });
 }
 
 mimo_status mimo_env_observation_field(const mimo_env* env, size_t index, mimo_field* field) noexcept {
-  return guard([&] { describe_field(open(env).world.layout(), index, field); });
+  return guard(env, [&] { describe_field(open(env).world.layout(), index, field); });
 }
 
 mimo_status mimo_env_observation_label(const mimo_env* env, size_t index, size_t element, const char** label) noexcept {
-  return guard([&] { out(label, "label") = label_of(open(env).world.layout(), index, element); });
+  return guard(env, [&] { out(label, "label") = label_of(open(env).world.layout(), index, element); });
 }
 
 mimo_status mimo_env_action_size(const mimo_env* env, size_t* count) noexcept {
-  return guard([&] { out(count, "count") = open(env).world.action_size(); });
+  return guard(env, [&] { out(count, "count") = open(env).world.action_size(); });
 }
 
 mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high, size_t count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::World& world = open(env).world;
     check_length<float>(count, "count");
     if (count < world.action_size()) {
@@ -70,14 +68,14 @@ mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high,
 }
 
 mimo_status mimo_env_action_name(const mimo_env* env, size_t index, const char** name) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const auto [agent, local] = open(env).world.action(index);
     out(name, "name") = agent->actuation->names()[local].c_str();
   });
 }
 
 mimo_status mimo_env_reset(mimo_env* env, const uint64_t* seed, void* block, size_t block_bytes) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     env::World& world = open(env).world;
     world.reset(seed, block_of(world.layout(), block, block_bytes));
   });
@@ -85,7 +83,7 @@ mimo_status mimo_env_reset(mimo_env* env, const uint64_t* seed, void* block, siz
 
 mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_count, void* block, size_t block_bytes,
                           double* reward, uint8_t* terminated, uint8_t* truncated, size_t agents) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     env::World& world = open(env).world;
     const Span<const float> actions = array(action, action_count, "action");
     check_actions(world, actions);
@@ -97,7 +95,7 @@ mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_coun
 }
 
 mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     env::World& world = open(env).world;
     require(block != nullptr, "block is NULL");
     world.observe(block_of(world.layout(), block, block_bytes));
@@ -105,18 +103,18 @@ mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noe
 }
 
 mimo_status mimo_env_physics_step(mimo_env* env, size_t count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     require(count <= 1000000, "count is {}, expected up to 1000000", count);
     open(env).world.step_physics(static_cast<int>(count));
   });
 }
 
 mimo_status mimo_env_time(const mimo_env* env, double* seconds) noexcept {
-  return guard([&] { out(seconds, "seconds") = open(env).world.data().time; });
+  return guard(env, [&] { out(seconds, "seconds") = open(env).world.data().time; });
 }
 
 mimo_status mimo_env_timestep(const mimo_env* env, double* seconds) noexcept {
-  return guard([&] { out(seconds, "seconds") = open(env).world.model().opt.timestep; });
+  return guard(env, [&] { out(seconds, "seconds") = open(env).world.model().opt.timestep; });
 }
 
 }  // extern "C"

@@ -28,7 +28,7 @@ template <typename T>
 void check_struct_size(std::size_t size, const char* argument) {
   constexpr std::size_t kLargest = 4096;  // beyond any version: memory that was never initialised
   if (size < FirstSize<T>::kBytes || size > kLargest) {
-    fail(Status::kStructSize, "{}: struct_size is {}, expected {} (use its _init function)", argument, size, sizeof(T));
+    fail(Status::kStructSize, "{}: struct_size is {}, expected {}, the struct's sizeof", argument, size, sizeof(T));
   }
 }
 

@@ -54,7 +54,7 @@ mimo_status mimo_parameter_describe(size_t index, mimo_parameter* parameter) noe
 }
 
 mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double value) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     SceneObject& object = open(scene);
     require(name != nullptr, "name is NULL");
     object.parameters.set(name, value);
@@ -62,7 +62,7 @@ mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double
 }
 
 mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, double* value) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     const SceneObject& object = open(scene);
     require(name != nullptr, "name is NULL");
     out(value, "value") = object.parameters[name];
@@ -70,11 +70,11 @@ mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, 
 }
 
 mimo_status mimo_env_reward_term_count(const mimo_env* env, size_t agent, size_t* count) noexcept {
-  return guard([&] { out(count, "count") = task_of(env, agent).terms().size(); });
+  return guard(env, [&] { out(count, "count") = task_of(env, agent).terms().size(); });
 }
 
 mimo_status mimo_env_reward_term_name(const mimo_env* env, size_t agent, size_t index, const char** name) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const auto terms = task_of(env, agent).terms();
     require(index < terms.size(), "index is {}, but there are {} terms", index, terms.size());
     out(name, "name") = terms[index].name;
@@ -82,7 +82,7 @@ mimo_status mimo_env_reward_term_name(const mimo_env* env, size_t agent, size_t 
 }
 
 mimo_status mimo_env_reward_terms(const mimo_env* env, size_t agent, double* values, size_t count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const auto terms = task_of(env, agent).terms();
     check_buffer(values, count, terms.size(), "values");
     for (std::size_t i = 0; values != nullptr && i < terms.size(); ++i) values[i] = terms[i].value;
@@ -90,7 +90,7 @@ mimo_status mimo_env_reward_terms(const mimo_env* env, size_t agent, double* val
 }
 
 mimo_status mimo_env_outcome(const mimo_env* env, size_t agent, uint8_t* success, uint8_t* failure) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const tasks::Task& task = task_of(env, agent);
     if (success != nullptr) *success = task.success() ? 1 : 0;
     if (failure != nullptr) *failure = task.failure() ? 1 : 0;

@@ -8,7 +8,7 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::Timing& inner = open(env).world.timing();
     const auto of = [&](senses::Part part) { return inner.senses[static_cast<std::size_t>(part)]; };
     mimo_timing ours{};
@@ -24,7 +24,7 @@ mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
 }
 
 mimo_status mimo_env_timing_reset(mimo_env* env) noexcept {
-  return guard([&] { open(env).world.reset_timing(); });
+  return guard(env, [&] { open(env).world.reset_timing(); });
 }
 
 }  // extern "C"

@@ -37,7 +37,7 @@ using namespace mimo::capi;
 extern "C" mimo_status mimo_env_touch_sensors(const mimo_env* env, size_t agent, int32_t* bodies, int32_t* geoms,
                                               double* positions, double* frames, size_t capacity,
                                               size_t* count) noexcept {
-  return guard([&] {
+  return guard(env, [&] {
     const env::World& world = open(env).world;
     check_agent(world.agents(), agent);
     describe_skin(world.agents()[agent].skin.get(), {bodies, geoms, positions, frames}, capacity, count);
@@ -46,5 +46,5 @@ extern "C" mimo_status mimo_env_touch_sensors(const mimo_env* env, size_t agent,
 
 extern "C" mimo_status mimo_scene_set_touch(mimo_scene* scene, int32_t agent, const char* body,
                                             double spacing) noexcept {
-  return guard([&] { set_touch(open(scene), agent, body, spacing); });
+  return guard(scene, [&] { set_touch(open(scene), agent, body, spacing); });
 }

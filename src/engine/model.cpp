@@ -10,6 +10,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/utf8.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {
@@ -81,7 +82,7 @@ std::string one_line(const char* text) {
   std::string line(text);
   std::replace(line.begin(), line.end(), '\n', ' ');
   while (!line.empty() && line.back() == ' ') line.pop_back();
-  return line;
+  return valid_utf8(std::move(line));
 }
 
 // MuJoCo has one way to say that a model is wrong and that memory is out.

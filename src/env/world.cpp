@@ -1,6 +1,7 @@
 #include "env/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/fail.h"
 #include "engine/custom.h"
@@ -123,6 +124,19 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   limits_.start(random_);
   sense(block, Moment::kStart);
   report_warnings();
+}
+
+void World::check_actions(Span<const float> actions) const {
+  for (std::size_t i = 0; i < actions.size(); ++i) require(!std::isnan(actions[i]), "action[{}] is not a number", i);
+  if (actions.empty()) return;
+  for (const Agent& agent : agents_) {
+    const actuation::Actuation& actuation = *agent.actuation;
+    for (std::size_t i = 0; i < actuation.size(); ++i) {
+      const std::size_t at = agent.action_offset + i;
+      require(std::isfinite(std::clamp(actions[at], actuation.low()[i], actuation.high()[i])),
+              "action[{}] is {}, expected a finite number: it has no bounds", at, actions[at]);
+    }
+  }
 }
 
 void World::step(Span<const float> actions, std::uint8_t* block, const Results& results) {

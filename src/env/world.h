@@ -53,7 +53,9 @@ class World {
 
   // A block may be null: then nothing is observed.
   void reset(const std::uint64_t* seed, std::uint8_t* block);
-  // Without actions the controls stay as they are. Actions are finite.
+  // Throws for actions that are no numbers, and for infinite ones where no bounds make them finite.
+  void check_actions(Span<const float> actions) const;
+  // Without actions the controls stay as they are. Actions are checked.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
   // Physics alone, with the controls as they are.
   void step_physics(int count);
@@ -69,6 +71,8 @@ class World {
   void set_face(std::size_t agent, const std::string& name);
   const std::string& face(std::size_t agent) const;
 
+  // Makes sure that draw() has something to draw with, for callers who change something before it.
+  void prepare_to_draw() { renderer(); }
   // Draws the poses as they are with the world's renderer, which is made when first needed.
   void draw(const render::View& view, const render::Picture& picture);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/fail.h"
 #include "base/random.h"
@@ -40,17 +41,20 @@ void LimitedField::weaken(std::uint8_t* block, std::uint64_t seed) {
   if (field_.type == Type::kF32) scale_and_add_noise(reinterpret_cast<float*>(start), seed);
 }
 
-// What comes out stays between the bounds that the field promises.
+// What comes out stays between the bounds that the field promises, and is a number that its type has: a field without
+// bounds ends at the largest one.
 template <typename T>
 void LimitedField::scale_and_add_noise(T* values, std::uint64_t seed) const {
   Random random(seed);
   std::pair<double, double> noise{};
   const bool whole = std::is_integral_v<T>;
+  const double low = std::max<double>(field_.low, std::numeric_limits<T>::lowest());
+  const double high = std::min<double>(field_.high, std::numeric_limits<T>::max());
   for (std::size_t i = 0; i < field_.count(); ++i) {
     if (limits_.noise > 0 && i % 2 == 0) noise = normal_pair(random);
     const double value =
         limits_.gain * static_cast<double>(values[i]) + limits_.noise * (i % 2 == 0 ? noise.first : noise.second);
-    values[i] = static_cast<T>(std::clamp(whole ? std::round(value) : value, field_.low, field_.high));
+    values[i] = static_cast<T>(std::clamp(whole ? std::round(value) : value, low, high));
   }
 }
 

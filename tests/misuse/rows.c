@@ -30,6 +30,13 @@ static const void* not_a_model(void) {
   return junk;
 }
 
+/* Of a handle of its own: those of the table are refused by a function for their kind, this one takes any. */
+static mimo_status last_error_of(args* a) {
+  static mimo_scene* scene = NULL;
+  if (scene == NULL && mimo_scene_create(NULL, &scene) != MIMO_OK) return MIMO_E_INTERNAL;
+  return mimo_last_error_of(scene, a->text, a->capacity, a->count);
+}
+
 static mimo_status check_list(const char* (*entry)(size_t)) {
   size_t count = 0;
   while (count < 100 && entry(count) != NULL) ++count;

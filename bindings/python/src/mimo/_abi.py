@@ -287,6 +287,8 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_mujoco_version": (c_char_p, []),
     "mimo_status_name": (c_char_p, [_status]),
     "mimo_last_error": (c_char_p, []),
+    "mimo_last_error_of": (_status, [c_void_p, c_char_p, c_size_t, _Out_size]),
+    "mimo_fail": (_status, [_status, c_char_p]),
     "mimo_scene_config_init": (_status, [_config(SceneConfig), c_size_t]),
     "mimo_scene_builtin": (c_char_p, [c_size_t]),
     "mimo_scene_create": (_status, [_config(SceneConfig), _Out_handle]),

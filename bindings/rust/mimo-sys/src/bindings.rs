@@ -277,8 +277,33 @@ extern "C" {
 extern "C" {
     #[doc = "What the last failed call on this thread complained about, one line, never NULL, \"\" if nothing failed yet."]
     #[doc = "The string belongs to the library and is valid until the next failing call on the same thread. Calls that"]
-    #[doc = "succeed, and the destroy functions, leave it alone."]
+    #[doc = "succeed, and the destroy functions, leave it alone. Within a function of your own task it is \"\" at first, and what fails"]
+    #[doc = "there is not seen outside, unless the task fails with it. Messages are UTF-8."]
     pub fn mimo_last_error() -> *const std::os::raw::c_char;
+}
+extern "C" {
+    #[doc = "What the last failed call that was given this handle first complained about: for runtimes that move work from thread to"]
+    #[doc = "thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their scene."]
+    #[doc = "mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and mimo_last_error."]
+    #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses."]
+    #[doc = "@param text     receives the message, zero-terminated, \"\" if nothing failed yet; NULL with capacity 0 asks for its length only."]
+    #[doc = "@param capacity 1024 bytes are enough for any message."]
+    #[doc = "@param length   receives the length without the terminating zero; may be NULL."]
+    #[doc = "Errors: as everywhere, but they change no handle's message. Any thread may ask, also while others use the handle."]
+    pub fn mimo_last_error_of(
+        handle: *const std::os::raw::c_void,
+        text: *mut std::os::raw::c_char,
+        capacity: usize,
+        length: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, \"no ball in this scene\");`."]
+    #[doc = "The call that runs the task fails with that status and quotes the message."]
+    #[doc = "@param status  a MIMO_E_ constant."]
+    #[doc = "@param message one line, UTF-8; copied."]
+    #[doc = "@return status, after mimo_last_error() was set to the message."]
+    pub fn mimo_fail(status: mimo_status, message: *const std::os::raw::c_char) -> mimo_status;
 }
 #[doc = "Receives messages; NULL in a config means silence. Called on the thread that called the library, before"]
 #[doc = "that call returns; the message is valid during the callback only. Must not call back into the library with"]
@@ -484,9 +509,9 @@ pub struct mimo_limits {
     pub struct_size: u32,
     #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0."]
     pub delay: u32,
-    #[doc = "Factor of all values, >= 0. Default 1."]
+    #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
     pub gain: f64,
-    #[doc = "Standard deviation of the Gaussian noise that is added, >= 0, in the field's unit (colours: levels of 255). Default 0."]
+    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit (colours: levels of 255). Default 0."]
     pub noise: f64,
     #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000."]
     pub blur: f64,
@@ -498,7 +523,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then"]
-    #[doc = "comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field. The noise follows from"]
+    #[doc = "comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field, and to the largest"]
+    #[doc = "float where there are none. The noise follows from"]
     #[doc = "the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of"]
     #[doc = "the world's state, and no episode senses anything of the one before."]
     #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
@@ -924,7 +950,7 @@ extern "C" {
     #[doc = "@param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL."]
     #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
     #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action (nothing happens then);"]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
     #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
     #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
     #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
@@ -1376,7 +1402,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Destroys a batch, its worlds and their handles; waits for what was sent. NULL and destroyed handles are ignored."]
+    #[doc = "Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and destroyed handles are ignored."]
     pub fn mimo_batch_destroy(batch: *mut mimo_batch);
 }
 extern "C" {
@@ -1386,6 +1412,7 @@ extern "C" {
 extern "C" {
     #[doc = "One world as an environment. All functions of environments work on it, between the batch's own calls: what its"]
     #[doc = "observations and actions are (the same for all worlds), names, contacts, pictures, locks, state, single steps."]
+    #[doc = "Different worlds may then be used by different threads, or by tasks of other batches."]
     #[doc = "@param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between"]
     #[doc = "           mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT."]
     pub fn mimo_batch_world(batch: *mut mimo_batch, world: usize, env: *mut *mut mimo_env) -> mimo_status;
@@ -1418,7 +1445,8 @@ extern "C" {
 }
 #[doc = "Where the results of a step go, beside the observations. All are optional: NULL is not written."]
 #[doc = "A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,"]
-#[doc = "terminated 0 and truncated 1; one with a NaN among its actions does not move, and only its status is written."]
+#[doc = "terminated 0 and truncated 1; one whose actions are refused (see mimo_env_step) does not move, and only its status"]
+#[doc = "is written."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch_results {
@@ -1476,7 +1504,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Waits for the step that was sent. Errors: as mimo_batch_step."]
+    #[doc = "Waits for the step that was sent. Errors: as mimo_batch_step; MIMO_E_INVALID_ARGUMENT within a task of that step."]
     pub fn mimo_batch_receive(batch: *mut mimo_batch) -> mimo_status;
 }
 extern "C" {
@@ -1555,7 +1583,8 @@ extern "C" {
 #[doc = "@param agent  number of the agent."]
 #[doc = "@param memory memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at first; part of the"]
 #[doc = "              world's state."]
-#[doc = "@return MIMO_OK, or a MIMO_E_ constant that the reset then returns."]
+#[doc = "@return MIMO_OK, or a MIMO_E_ constant that the reset then returns; mimo_fail says why. An exception of a C++ program"]
+#[doc = "        fails it too, and in a batch only that world. The function must not end its thread nor jump out."]
 pub type mimo_task_reset_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
@@ -1566,7 +1595,7 @@ pub type mimo_task_reset_fn = ::std::option::Option<
     ) -> mimo_status,
 >;
 #[doc = "Judges a step of one agent. Positions of bodies are those of the start of the last physics step."]
-#[doc = "@param reward  0 unless set."]
+#[doc = "@param reward  0 unless set; finite, else the step fails with MIMO_E_INVALID_ARGUMENT."]
 #[doc = "@param outcome MIMO_OUTCOME_NONE unless set."]
 pub type mimo_task_evaluate_fn = ::std::option::Option<
     unsafe extern "C" fn(

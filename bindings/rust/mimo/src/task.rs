@@ -1,7 +1,8 @@
 //! Tasks of one's own, which run inside reset and step, in a batch on all of its threads.
-use crate::error::{Kind, Result};
+use crate::error::{c_string, Kind, Result};
 use crate::sys;
 use crate::world::World;
+use std::any::Any;
 use std::os::raw::c_void;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::Arc;
@@ -25,7 +26,7 @@ pub struct Whom {
 }
 
 /// A task of one's own, for [`Scene::set_task`](crate::Scene::set_task). The worlds of a batch call it at the same time, on
-/// different threads. A panic is caught, and the call that ran the task then fails, as it does for an error.
+/// different threads. A panic is caught, and the call that ran the task then fails, as it does for an error, and quotes it.
 pub trait Task: Send + Sync {
     /// How many numbers each world and agent keeps for the task. They are 0 at the start of an episode, and part of the
     /// world's state.
@@ -115,7 +116,19 @@ unsafe extern "C" fn evaluate(
 fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(())) => sys::MIMO_OK as i32,
-        Ok(Err(error)) => error.kind().status(),
-        Err(_) => Kind::Internal.status(),
+        Ok(Err(error)) => fail(error.kind(), error.message()),
+        Err(panic) => fail(Kind::Internal, &format!("panicked: {}", reason(panic.as_ref()))),
     }
+}
+
+/// The call that runs the task then says why.
+fn fail(kind: Kind, message: &str) -> sys::mimo_status {
+    let message = c_string(&message.replace('\0', "?")).unwrap_or_default();
+    unsafe { sys::mimo_fail(kind.status(), message.as_ptr()) }
+}
+
+/// What a panic said: `panic!` leaves a text of one of two types.
+fn reason(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<&str>().copied();
+    text.or_else(|| panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given")
 }

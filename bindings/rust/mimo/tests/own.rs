@@ -163,9 +163,12 @@ impl Task for Broken {
 
 #[test]
 fn errors_and_panics_of_tasks_are_errors_of_the_step() {
-    for (number, kind) in [(0, Kind::Unsupported), (1, Kind::Internal)] {
+    let says = [(0, Kind::Unsupported, "not today"), (1, Kind::Internal, "panicked: dropped at the border")];
+    for (number, kind, why) in says {
         let mut env = Env::new(&scene(Broken(number)), &EnvConfig::new().unwrap()).unwrap();
-        assert_eq!(env.step(&[], None).unwrap_err().kind(), kind);
+        let error = env.step(&[], None).unwrap_err();
+        assert_eq!(error.kind(), kind);
+        assert!(error.message().ends_with(why), "{}", error);
     }
     let mut scene = scene(Broken(1));
     scene.clear_task().unwrap();
