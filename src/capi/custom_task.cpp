@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/floats.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -9,6 +10,13 @@
 
 namespace mimo::capi {
 namespace {
+
+// Calls one of the user's functions. What it changes of how this thread calculates ends with it.
+template <typename Function>
+mimo_status ask(Function&& function) {
+  const PlainFloats plain;
+  return function();
+}
 
 void check(mimo_status status, const char* function) {
   if (status == MIMO_OK) return;
@@ -38,13 +46,16 @@ CustomTask::CustomTask(const mimo_task& functions, mimo_env* const* env, std::si
 void CustomTask::reset(engine::Physics&, Random&) {
   std::fill(memory_.begin(), memory_.end(), std::uint8_t{0});
   if (functions_.reset == nullptr) return;
-  check(functions_.reset(functions_.user, *env_, world_, agent_, memory_.data()), "reset");
+  check(ask([&] { return functions_.reset(functions_.user, *env_, world_, agent_, memory_.data()); }), "reset");
 }
 
 void CustomTask::evaluate(const engine::Physics&) {
   double reward = 0;
   int32_t outcome = MIMO_OUTCOME_NONE;
-  check(functions_.evaluate(functions_.user, *env_, world_, agent_, memory_.data(), &reward, &outcome), "evaluate");
+  check(ask([&] {
+          return functions_.evaluate(functions_.user, *env_, world_, agent_, memory_.data(), &reward, &outcome);
+        }),
+        "evaluate");
   terms_[0].value = reward;
   success_ = outcome > 0;
   failure_ = outcome < 0;

@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "base/floats.h"
 #include "base/status.h"
 #include "mimo/mimo.h"
 
@@ -16,6 +17,7 @@ mimo_status report(Status status, const char* message) noexcept;
 
 template <typename Body>
 mimo_status guard(Body&& body) noexcept {
+  const PlainFloats plain;
   try {
     body();
     return MIMO_OK;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/fail.h"
+#include "base/floats.h"
 
 namespace mimo::capi {
 
@@ -56,6 +57,7 @@ const Object<Public>& open(const Public* handle) {
 // Leaves alone what may not be destroyed now or by this call.
 template <typename Public>
 void destroy(Public* handle) noexcept {
+  const PlainFloats plain;
   if (!may_destroy(handle)) return;
   delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kKind));
 }
