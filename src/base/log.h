@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "base/floats.h"
+
 namespace mimo {
 
 enum class LogLevel : std::int32_t { kWarning = 1, kInfo = 2 };
@@ -13,7 +15,9 @@ struct LogSink {
   void* user = nullptr;
 
   void operator()(LogLevel level, const std::string& message) const {
-    if (write != nullptr) write(user, static_cast<std::int32_t>(level), message.c_str());
+    if (write == nullptr) return;
+    const PlainFloats plain;  // what the callback changes ends with it
+    write(user, static_cast<std::int32_t>(level), message.c_str());
   }
 };
 

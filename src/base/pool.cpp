@@ -1,21 +1,13 @@
 #include "base/pool.h"
 
-#include <pthread.h>
-#include <signal.h>
-
 #include <algorithm>
 #include <chrono>
+#include <thread>
+
+#include "base/fail.h"
 
 namespace mimo {
 namespace {
-
-// Signals sent to the process are the host's business: its handlers run on its own threads.
-void leave_signals_to_the_host() {
-  sigset_t signals;
-  sigfillset(&signals);
-  for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&signals, fault);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-}
 
 // Waits a little without sleeping: to wake a thread takes as long as a tenth of a step of a world, and the next step
 // mostly follows at once. Other threads that want the processor get it.
@@ -54,14 +46,17 @@ void Pool::start(Job& job, std::size_t count) {
 void Pool::wait() { close(); }
 
 void Pool::add_worker() {
-  workers_.push_back(std::make_unique<Worker>());
-  Worker& worker = *workers_.back();
-  const std::size_t thread = workers_.size() - 1;
+  const std::size_t number = workers_.size();
+  workers_.push_back(std::make_unique<Worker>(*this, number));
+  const auto live = [](void* worker) -> void* {
+    static_cast<Worker*>(worker)->pool.live(*static_cast<Worker*>(worker));
+    return nullptr;
+  };
   try {
-    worker.thread = std::thread([this, &worker, thread] { live(worker, thread); });
-  } catch (...) {
+    workers_.back()->thread.emplace(live, workers_.back().get());
+  } catch (const Error& error) {
     workers_.pop_back();
-    throw;
+    fail(error.status(), "thread {} of {} cannot be started, ask for fewer: {}", number + 1, threads_, error.message());
   }
 }
 
@@ -97,8 +92,7 @@ void Pool::work(std::size_t thread) {
   }
 }
 
-void Pool::live(Worker& worker, std::size_t thread) {
-  leave_signals_to_the_host();
+void Pool::live(Worker& worker) {
   std::unique_lock lock(mutex_, std::defer_lock);
   for (;;) {
     stay_awake([&] { return stopping_ || worker.invited; });
@@ -108,7 +102,7 @@ void Pool::live(Worker& worker, std::size_t thread) {
     worker.invited = false;
     ++inside_;
     lock.unlock();
-    work(thread);
+    work(worker.number);
     lock.lock();
     if (--inside_ == 0) idle_.notify_one();
     lock.unlock();
@@ -122,7 +116,7 @@ void Pool::stop() noexcept {
   }
   for (const auto& worker : workers_) {
     worker->wake.notify_one();
-    worker->thread.join();
+    worker->thread.reset();
   }
 }
 

@@ -10,8 +10,10 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
-#include <thread>
+#include <optional>
 #include <vector>
+
+#include "base/thread.h"
 
 namespace mimo {
 
@@ -44,9 +46,13 @@ class Pool {
 
  private:
   struct Worker {
+    Worker(Pool& its_pool, std::size_t its_number) : pool(its_pool), number(its_number) {}
+
+    Pool& pool;
+    const std::size_t number;
     std::condition_variable wake;
     std::atomic<bool> invited{false};
-    std::thread thread;
+    std::optional<Thread> thread;
   };
 
   void add_worker();
@@ -55,7 +61,7 @@ class Pool {
   void close();
   bool done() const;
   void work(std::size_t thread);
-  void live(Worker& worker, std::size_t thread);
+  void live(Worker& worker);
 
   const std::size_t threads_;
   std::mutex mutex_;

@@ -50,6 +50,7 @@ void Batch::require_access(std::size_t world) const {
 bool Batch::works_on_this_thread() const { return works_for(this); }
 
 void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks) {
+  world(0).physics().require_undisturbed();
   Call call;
   call.work = &Batch::reset_world;
   call.seeds = seeds;
@@ -66,9 +67,13 @@ Batch::Call Batch::step_call(const float* actions, const Output& output) {
   return call;
 }
 
-void Batch::step(const float* actions, const Output& output) { perform(step_call(actions, output)); }
+void Batch::step(const float* actions, const Output& output) {
+  world(0).physics().require_undisturbed();
+  perform(step_call(actions, output));
+}
 
 void Batch::send(const float* actions, const Output& output) {
+  world(0).physics().require_undisturbed();
   begin(step_call(actions, output));
   try {
     pool_.start(*this, size());
@@ -88,6 +93,7 @@ void Batch::receive() {
 }
 
 void Batch::observe(const std::uint8_t* mask, std::uint8_t* blocks) {
+  world(0).physics().require_undisturbed();
   Call call;
   call.work = &Batch::observe_world;
   call.mask = mask;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/floats.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -24,6 +25,7 @@ void check(mimo_status status, const char* function) {
 template <typename Call>
 void ask(const char* function, Call&& call) {
   const FreshError of_its_own;
+  const PlainFloats plain;  // what it changes of how this thread calculates ends with it
   try {
     check(call(), function);
   } catch (const Error&) {

@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 
+#include "base/floats.h"
 #include "base/status.h"
 #include "mimo/mimo.h"
 
@@ -55,6 +56,7 @@ class Uncancelled {
 template <typename Body>
 mimo_status guard(const void* handle, Body&& body) noexcept {
   const Uncancelled until_the_end;
+  const PlainFloats plain;
   try {
     body();
     return MIMO_OK;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/fail.h"
+#include "base/floats.h"
 #include "capi/guard.h"
 
 namespace mimo::capi {
@@ -63,6 +64,7 @@ const Object<Public>& open(const Public* handle) {
 template <typename Public>
 void destroy(Public* handle) noexcept {
   const Uncancelled until_the_end;
+  const PlainFloats plain;
   if (!may_destroy(handle)) return;
   delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kKind));
 }

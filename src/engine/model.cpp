@@ -11,6 +11,8 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "base/utf8.h"
+#include "engine/callbacks.h"
+#include "engine/compile_lock.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {
@@ -106,6 +108,7 @@ std::string some_names(const mjModel& model, Kind kind) {
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log) {
   constexpr const char* kDocument = "mimo_scene.xml";
   require_our_mujoco();
+  refuse_callbacks(nullptr);
   require_plain_streams();
   VirtualFiles files;
   files.add(kDocument, xml.data(), xml.size());
@@ -116,6 +119,7 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
   mjModel* model = nullptr;
   Complaint complaint;
   const auto load = [&] {
+    const CompileLock lock;
     complaint =
         guarded([&] { model = mj_loadXML(kDocument, files.get(), text.data(), static_cast<int>(text.size())); });
   };

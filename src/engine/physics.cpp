@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/callbacks.h"
 #include "engine/newton.h"
 
 namespace mimo::engine {
@@ -62,6 +63,7 @@ Physics::Physics(ModelPtr model, const PhysicsOptions& options)
 }
 
 void Physics::reset() {
+  require_undisturbed();
   failed_ = false;
   run([this] { mj_resetData(&model_, data_.get()); });
   std::copy(start_.begin(), start_.end(), data_->qpos);
@@ -71,6 +73,7 @@ void Physics::reset() {
 
 void Physics::step(int count, bool sensors) {
   require_usable();
+  require_undisturbed();
   const int flags = model_.opt.disableflags;
   const Complaint complaint = guarded([&] {
     for (int i = 0; i < count && !diverged(*data_); ++i) {
@@ -86,6 +89,7 @@ void Physics::step(int count, bool sensors) {
 
 void Physics::forward() {
   require_usable();
+  require_undisturbed();
   run_aside([this] { mj_forward(&model_, data_.get()); });
 }
 
@@ -107,6 +111,8 @@ void Physics::update_poses_at_last_start(Span<const int> turned) {
     mj_camlight(&model_, data_.get());
   });
 }
+
+void Physics::require_undisturbed() const { refuse_callbacks(&model_); }
 
 void Physics::require_usable() const {
   if (failed_) fail(Status::kSimulation, "this world has failed before and needs a reset first");

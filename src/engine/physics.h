@@ -64,6 +64,9 @@ class Physics {
   void shape_ball(int body, double radius, double mass) { overrides_.shape_ball(model_, body, radius, mass); }
   double* gravity() { return model_.opt.gravity; }
 
+  // Throws Status::kUnsupported when callbacks of the host would act on this world (engine/callbacks.h).
+  void require_undisturbed() const;
+
   bool failed() const { return failed_; }
   // Throws Status::kSimulation when the world has failed and has not been reset.
   void require_usable() const;

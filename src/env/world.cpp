@@ -110,6 +110,7 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   require_outside_task();
+  physics_.require_undisturbed();
   if (seed != nullptr) random_.reseed(*seed);
   start();
   {
@@ -142,6 +143,7 @@ void World::check_actions(Span<const float> actions) const {
 void World::step(Span<const float> actions, std::uint8_t* block, const Results& results) {
   require_outside_task();
   physics_.require_usable();
+  physics_.require_undisturbed();
   const Stopwatch total(options_.timing, timing_.total);
   if (!actions.empty()) {
     for (const Agent& agent : agents_) {
@@ -167,6 +169,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
 void World::step_physics(int count) {
   require_outside_task();
   physics_.require_usable();
+  physics_.require_undisturbed();
   for (int i = 0; i < count; ++i) step_once(i + 1 == count);
 }
 

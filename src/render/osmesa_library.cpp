@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include "base/fail.h"
+#include "render/exit_handlers.h"
 
 namespace mimo::render {
 namespace {
@@ -37,6 +38,7 @@ OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
   look_up(handle, "OSMesaGetIntegerv", library.GetIntegerv);
   look_up(handle, "OSMesaGetColorBuffer", library.GetColorBuffer);
   look_up(handle, "OSMesaGetProcAddress", library.GetProcAddress);
+  keep_exit_handlers_from_children(reinterpret_cast<const void*>(library.CreateContextExt));
   return library;
 }
 

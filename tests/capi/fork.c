@@ -1,9 +1,19 @@
-/* A handle made before fork() answers MIMO_E_FORKED in the child, which can make its own; the parent goes on. */
+/* A handle made before fork() answers MIMO_E_FORKED in the child, which can make its own; the parent goes on. So it is
+ * while another thread compiles a model, and the child of a process that has drawn with OSMesa ends as it wants to. */
 #define _POSIX_C_SOURCE 200809L
+#include <pthread.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "support/capi.h"
+
+/* Waits for a child and gives its exit status; -1 where a signal ended it. */
+static int status_of(pid_t child) {
+  int status = -1;
+  CHECK(waitpid(child, &status, 0) == child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
 
 static void in_the_child(mimo_scene* scene, mimo_env* env) {
   mimo_env* own;
@@ -20,20 +30,100 @@ static void in_the_child(mimo_scene* scene, mimo_env* env) {
   mimo_env_destroy(own);
 }
 
-int main(void) {
+static void check_handles(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_env* env = blind_env("free", NULL);
-  int status = -1;
   const pid_t child = fork();
   if (child == 0) {
     in_the_child(scene, env);
     _exit(failures());
   }
-  CHECK(waitpid(child, &status, 0) == child);
-  CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  CHECK(status_of(child) == 0);
   CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
   CHECK_OK(mimo_scene_xml(scene, NULL, 0, NULL));
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
+}
+
+static void* make_worlds(void* unused) {
+  int i;
+  for (i = 0; i < 6; ++i) mimo_env_destroy(blind_env("free", NULL));
+  return unused;
+}
+
+static void check_while_compiling(void) {
+  enum { CHILDREN = 8 };
+  const struct timespec nap = {0, 7000000};
+  pid_t children[CHILDREN];
+  pthread_t maker;
+  int i;
+  CHECK(pthread_create(&maker, NULL, make_worlds, NULL) == 0);
+  for (i = 0; i < CHILDREN; ++i) {
+    nanosleep(&nap, NULL);
+    children[i] = fork();
+    if (children[i] != 0) continue;
+    alarm(100);
+    mimo_env_destroy(blind_env("free", NULL));
+    _exit(failures());
+  }
+  for (i = 0; i < CHILDREN; ++i) CHECK(status_of(children[i]) == 0);
+  CHECK(pthread_join(maker, NULL) == 0);
+}
+
+static int at_exit_calls = 0;
+
+static void at_exit_of_the_host(void) { ++at_exit_calls; }
+
+static void say_at_exit(void) {
+  if (at_exit_calls == 1) _exit(33);
+}
+
+/* Draws a picture; 0 where OSMesa is not installed. */
+static int draw(void) {
+  mimo_env_config config;
+  mimo_picture_config picture;
+  mimo_scene* scene = blind_scene("free");
+  mimo_env* env = NULL;
+  uint8_t rgb[3 * 16 * 16];
+  mimo_status status;
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.renderer = "osmesa";
+  CHECK_OK(mimo_env_create(scene, &config, &env));
+  CHECK_OK(mimo_picture_config_init(&picture, sizeof picture));
+  picture.width = picture.height = 16;
+  status = mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0);
+  CHECK(status == MIMO_OK || status == MIMO_E_UNSUPPORTED);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+  return status == MIMO_OK;
+}
+
+/* exit() calls the host's functions in the child, and its status arrives. */
+static void check_exit_after_osmesa(void) {
+  pid_t child;
+  CHECK(atexit(say_at_exit) == 0); /* called last */
+  if (!draw()) {
+    fprintf(stderr, "no OSMesa here: nothing to be said about a child that exits after it\n");
+    return;
+  }
+  child = fork();
+  if (child == 0) {
+    alarm(100);
+    exit(3);
+  }
+  CHECK(status_of(child) == 3);
+  child = fork();
+  if (child == 0) {
+    alarm(100);
+    atexit(at_exit_of_the_host);
+    exit(3);
+  }
+  CHECK(status_of(child) == 33);
+}
+
+int main(void) {
+  check_handles();
+  check_while_compiling();
+  check_exit_after_osmesa();
   return failures();
 }
