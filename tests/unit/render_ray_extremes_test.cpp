@@ -29,7 +29,7 @@ std::string sheet(const char* name, int n, double size) {
 }
 
 std::string assets() {
-  return sheet("large", 24, 1.2) + sheet("small", 1, 0.3) +
+  return sheet("large", 60, 1.2) + sheet("small", 1, 0.3) +
          "<texture name='sky' type='skybox' builtin='gradient' width='8' height='48' rgb1='.3 .5 .7' rgb2='.9 .8 .7'/>"
          "<texture name='check' type='2d' builtin='checker' width='17' height='5' rgb1='.2 .3 .9' rgb2='.9 .7 .5'/>"
          "<texture name='dot' type='2d' builtin='flat' width='1' height='1' rgb1='.2 .3 .9'/>"
@@ -135,11 +135,17 @@ class Strange {
 
 // Lanes of a tile that belong to a larger mesh have numbers of triangles that the smaller does not have.
 TEST(RayExtremes, ASmallMeshBeforeALargeOne) {
-  Strange strange(1);
+  Studio studio(world("<geom type='mesh' mesh='small' material='check' pos='0 0 .2'/><geom type='mesh' mesh='large' "
+                      "material='check' pos='-.5 -.5 0'/>",
+                      assets(), "<headlight ambient='.2 .2 .2' diffuse='.4 .4 .4'/>"),
+                {});
+  int seen[2] = {0, 0};
   for (int azimuth = 0; azimuth < 360; azimuth += 30) {
-    strange.view = render::orbit_view({0.1, 0.1, 0.2}, 0.9, azimuth, -60, 50);
-    strange.draw();
+    const Shot shot = studio.shoot(render::orbit_view({0.1, 0.1, 0.1}, 1, azimuth, -60, 60));
+    for (const int id : shot.ids) seen[0] += id == 0, seen[1] += id == 1;
   }
+  EXPECT_GT(seen[0], 500);  // of 13068
+  EXPECT_GT(seen[1], 5000);
 }
 
 TEST(RayExtremes, FarPlane) {
