@@ -2,7 +2,9 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/fail.h"
 #include "engine/guard.h"
@@ -37,8 +39,13 @@ mjvGLCamera gl_camera(const mjModel& model, const View& view) {
 
 }  // namespace
 
-VisualScene::VisualScene(const mjModel& model, const Quality& quality) {
+VisualScene::VisualScene(const mjModel& model, const Quality& quality, Shown shown) {
   mjv_defaultOption(&option_);
+  if (shown == Shown::kExtras) {
+    std::fill(std::begin(option_.geomgroup), std::end(option_.geomgroup), mjtByte{0});
+    std::fill(std::begin(option_.sitegroup), std::end(option_.sitegroup), mjtByte{0});
+    option_.flags[mjVIS_RANGEFINDER] = 0;
+  }
   mjv_defaultScene(&scene_);
   const engine::Complaint complaint = engine::guarded([&] { mjv_makeScene(&model, &scene_, most_shown(model)); });
   if (complaint.failed) {

@@ -12,8 +12,11 @@ namespace mimo::render {
 
 class VisualScene {
  public:
+  // What is listed: all, or neither geoms nor sites nor the beams of range finders.
+  enum class Shown { kAll, kExtras };
+
   // Large enough for everything that a model of these sizes shows. Throws Status::kOutOfMemory.
-  VisualScene(const mjModel& model, const Quality& quality);
+  VisualScene(const mjModel& model, const Quality& quality, Shown shown = Shown::kAll);
   ~VisualScene();
   VisualScene(const VisualScene&) = delete;
   VisualScene& operator=(const VisualScene&) = delete;
@@ -28,6 +31,7 @@ class VisualScene {
   const std::vector<std::int32_t>& geoms() const { return geoms_; }
 
   mjvScene* get() { return &scene_; }
+  const mjvScene& scene() const { return scene_; }
   float near() const { return scene_.camera[0].frustum_near; }
   float far() const { return scene_.camera[0].frustum_far; }
 

@@ -17,6 +17,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#ifdef MIMO_WATCHED_KERNELS  // what the compiler may call compiles in a tenth of the time
+#undef HWY_INLINE
+#define HWY_INLINE inline
+#endif
+
 #include "render/ray/coloring-inl.h"
 #include "render/ray/lanes-inl.h"
 #include "render/ray/tile-inl.h"
@@ -92,7 +97,7 @@ void WriteShapes(const Job& job, int tile_row, int tile_column, const Tile& tile
     const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * job.columns + tile_column * kTile;
     for (int column = 0; column < width; ++column) {
       const int i = row * kTile + column;
-      const bool hit = tile.t[i] <= scene.far_plane;
+      const bool hit = tile.id[i] >= 0 && tile.t[i] <= scene.far_plane;
       if (job.depth != nullptr) job.depth[start + column] = hit ? tile.t[i] : scene.far_plane;
       if (job.segmentation != nullptr) {
         job.segmentation[start + column] = hit ? scene.solids[scene.camera.aspects[tile.id[i]].solid].id : -1;

@@ -58,6 +58,17 @@ struct Subject {
   float sharp = 0;           // of a textured plane: up to this t no pixel spans more than a texel
 };
 
+// The rays that met what is painted.
+HWY_INLINE M Mine(const Subject& subject, int i) {
+  return hn::RebindMask(D(), hn::Eq(hn::Load(DI(), subject.id + i), SetI(subject.index)));
+}
+
+// The triangles that they met. Other rays may have met larger meshes, in whose tables there is more: they get the
+// first.
+HWY_INLINE VI FaceAt(const Subject& subject, int i) {
+  return hn::IfThenElseZero(hn::RebindMask(DI(), Mine(subject, i)), hn::Load(DI(), subject.face + i));
+}
+
 // The normal of a solid at a point of its surface, in its frame.
 template <Kind kKind>
 HWY_INLINE V3 Normal(const Solid& solid, const V3& p) {
@@ -253,7 +264,7 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
   const Texture& texture = *material.texture;
   const bool cube = material.mapping == Mapping::kCube;
   if (kKind == Kind::kMesh && material.mapping == Mapping::kGiven) {
-    const SkinAt skin(*scene.solids[aspect.solid].mesh, hn::Load(DI(), subject.face + i), p);
+    const SkinAt skin(*scene.solids[aspect.solid].mesh, FaceAt(subject, i), p);
     const Steps steps = StepsAt<kKind>(subject, aspect, ray, n, t);
     const V wide = Set(static_cast<float>(texture.width));
     const V high = Set(static_cast<float>(texture.height));

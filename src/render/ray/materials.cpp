@@ -57,7 +57,7 @@ void map_texture(const mjModel& model, int id, const Shape& shape, Material& mat
 Power power(double exponent) {
   Power p;
   p.exponent = static_cast<float>(exponent);
-  const double rounded = std::round(exponent);
+  const double rounded = std::round(std::min(exponent, 1e9));  // from there on, it is all the same
   const bool whole = std::abs(rounded - exponent) < 1e-4 || exponent > 8;
   p.whole = whole ? static_cast<std::int32_t>(rounded) : -1;
   return p;

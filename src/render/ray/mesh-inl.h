@@ -103,11 +103,12 @@ HWY_NOINLINE Encounter MeetMesh(const Mesh& mesh, const Ray& ray, V from, V limi
   return nearest;
 }
 
-// What is known of points p of triangles `face`.
+// What is known of points p of triangles `face`. Each of these must be one of this mesh: lanes whose result is not used
+// read, too.
 class SkinAt {
  public:
   HWY_INLINE SkinAt(const Mesh& mesh, VI face, const V3& p)
-      : table_(mesh.skins[0].corner.data()), at_(hn::Mul(hn::Max(face, hn::Zero(DI())), SetI(kSkinFloats))) {
+      : table_(mesh.skins[0].corner.data()), at_(hn::Mul(face, SetI(kSkinFloats))) {
     const V3 from_corner = p - three(0);
     u_ = Dot(three(3), from_corner);
     v_ = Dot(three(6), from_corner);

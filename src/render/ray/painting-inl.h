@@ -17,11 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace mimo::render::ray {
 namespace HWY_NAMESPACE {
 
-// The rays that met what is painted.
-HWY_INLINE M Mine(const Subject& subject, int i) {
-  return hn::RebindMask(D(), hn::Eq(hn::Load(DI(), subject.id + i), SetI(subject.index)));
-}
-
 // Puts colour where `mine` holds.
 template <Brush kBrush>
 HWY_INLINE void Put(const V3& color, M mine, float alpha, int i, Canvas& canvas) {
@@ -58,7 +53,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
       const V3 p = Set(aspect.o) + ray * t;
       V3 n;
       if constexpr (kKind == Kind::kMesh) {
-        n = SkinAt(*solid.mesh, hn::Load(DI(), subject.face + i), p).normal();
+        n = SkinAt(*solid.mesh, FaceAt(subject, i), p).normal();
       } else {
         n = Normal<kKind>(solid, p);
       }

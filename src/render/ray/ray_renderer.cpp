@@ -56,7 +56,7 @@ class RayRenderer : public Renderer {
         assets_(options.assets ? options.assets : make_ray_assets(model_)),
         samples_(rays_along_an_edge(options.samples)),
         draw_(path_for(ray::paths(), options.simd).draw),
-        scene_(*model_) {
+        scene_(*model_, *assets_) {
     settings_ = options;
     if (options.threads > 1) pool_ = std::make_unique<Pool>(static_cast<std::size_t>(options.threads));
   }
@@ -123,7 +123,7 @@ std::vector<std::string> ray_simd_paths() {
 }
 
 std::shared_ptr<const ray::Assets> make_ray_assets(const engine::ModelPtr& model) {
-  return std::make_shared<const ray::Assets>(*model);
+  return std::make_shared<const ray::Assets>(model);
 }
 
 std::unique_ptr<Renderer> make_ray_renderer(engine::ModelPtr model, const RayOptions& options) {

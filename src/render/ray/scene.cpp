@@ -24,14 +24,14 @@ void place_camera(const View& view, double aspect_ratio, Scene& scene) {
   scene.camera.count = 0;
 }
 
-// One geom or site, as MuJoCo stores it.
+// One geom or site, as MuJoCo stores it, or one of the extras.
 struct Element {
   int type, id;  // id: what segmentation shows
   const double *size, *position, *rotation;
   int material;
   const float* rgba;
   bool is_geom;
-  int data;  // of a geom: its mesh or height field
+  const Mesh* mesh;  // of a mesh, height field or skin
 };
 
 bool kind_of(int type, Kind& kind) {
@@ -43,7 +43,8 @@ bool kind_of(int type, Kind& kind) {
     case mjGEOM_CYLINDER: kind = Kind::kCylinder; return true;
     case mjGEOM_BOX: kind = Kind::kBox; return true;
     case mjGEOM_MESH:
-    case mjGEOM_HFIELD: kind = Kind::kMesh; return true;
+    case mjGEOM_HFIELD:
+    case mjGEOM_SKIN: kind = Kind::kMesh; return true;
     default: return false;
   }
 }
@@ -61,20 +62,27 @@ double bounding_radius(Kind kind, const std::array<float, 3>& size) {
   return 0;
 }
 
+// Not where a simulation has come to grief.
+bool has_place(const Element& element) {
+  return std::all_of(element.position, element.position + 3, is_near) &&
+         std::all_of(element.rotation, element.rotation + 9, is_near);
+}
+
 void add_solid(const mjModel& model, const Assets& assets, const Element& element, Scene& scene) {
   Solid solid;
-  if (!kind_of(element.type, solid.kind)) return;
+  if (!kind_of(element.type, solid.kind) || !has_place(element)) return;
   solid.id = element.id;
-  for (int k = 0; k < 3; ++k) solid.size[k] = static_cast<float>(element.size[k]);
+  for (int k = 0; k < 3; ++k) solid.size[k] = static_cast<float>(std::min(element.size[k], kFarthest));
   std::copy_n(element.position, 3, solid.position.begin());
   std::copy_n(element.rotation, 9, solid.rotation.begin());
   const bool plane = solid.kind == Kind::kPlane;
   const bool prescaled = element.is_geom && (plane || solid.kind == Kind::kMesh);
-  solid.mesh = assets.meshes.find(element.type, element.data);
+  solid.mesh = element.mesh;
   const bool given = solid.mesh != nullptr && solid.mesh->textured;
   solid.material =
       material_of(model, element.material, element.rgba, {solid.kind, solid.size, prescaled, given}, assets.textures);
   if (solid.material.alpha == 0) return;
+  if (element.type == mjGEOM_SKIN && !given) solid.material.mapping = Mapping::kNone;
   if (solid.kind == Kind::kMesh) {
     if (solid.mesh == nullptr || solid.mesh->nodes.empty()) return;
     solid.size = solid.mesh->half;
@@ -86,6 +94,7 @@ void add_solid(const mjModel& model, const Assets& assets, const Element& elemen
   solid.transparent = solid.material.alpha < 0.995F || behind;
   if (behind) solid.material.alpha *= 0.3F;
   if (solid.transparent) solid.order = plane ? 1e10 : std::sqrt(dot(offset, offset)) - solid.radius;
+  if (std::isnan(solid.order)) solid.order = 0;  // the camera is nowhere; what is sorted needs an order
   const float shine = element.material >= 0 ? model.mat_reflectance[element.material] : 0;
   if (scene.mirror < 0 && shine > 0 && !solid.transparent && (plane || solid.kind == Kind::kBox)) {
     scene.mirror = scene.solid_count;
@@ -97,7 +106,31 @@ void add_solid(const mjModel& model, const Assets& assets, const Element& elemen
   scene.solids[scene.solid_count++] = solid;
 }
 
-// Geoms and sites of the groups that MuJoCo shows by default.
+// Extras are MuJoCo's visual geoms: in single precision, and with the sizes that OpenGL scales unit shapes by.
+void add_extras(const mjModel& model, const Assets& assets, Scene& scene) {
+  for (int i = 0; i < scene.extras->count(); ++i) {
+    const mjvGeom& geom = scene.extras->geom(i);
+    double position[3];
+    double rotation[9];
+    std::copy_n(geom.pos, 3, position);
+    std::copy_n(geom.mat, 9, rotation);
+    double size[3] = {geom.size[0], geom.size[2], 0};
+    const Mesh* mesh = nullptr;
+    int material = -1;
+    const float* rgba = geom.rgba;
+    if (geom.objtype == mjOBJ_TENDON) {
+      material = model.tendon_matid[geom.objid];
+      rgba = model.tendon_rgba + 4 * geom.objid;
+    } else if (geom.type == mjGEOM_SKIN) {
+      material = model.skin_matid[geom.objid];
+      rgba = model.skin_rgba + 4 * geom.objid;
+      mesh = &scene.extras->skin(geom.objid, position);
+    }
+    add_solid(model, assets, {geom.type, -1, size, position, rotation, material, rgba, false, mesh}, scene);
+  }
+}
+
+// Geoms and sites of the groups that MuJoCo shows by default, and extras.
 void gather_solids(const mjModel& model, const mjData& data, const Assets& assets, Scene& scene) {
   scene.solid_count = 0;
   scene.meshes = false;
@@ -107,16 +140,18 @@ void gather_solids(const mjModel& model, const mjData& data, const Assets& asset
     if (std::clamp(model.geom_group[i], 0, 5) > 2) continue;
     add_solid(model, assets,
               {model.geom_type[i], i, model.geom_size + 3 * i, data.geom_xpos + 3 * i, data.geom_xmat + 9 * i,
-               model.geom_matid[i], model.geom_rgba + 4 * i, true, model.geom_dataid[i]},
+               model.geom_matid[i], model.geom_rgba + 4 * i, true,
+               assets.meshes.find(model.geom_type[i], model.geom_dataid[i])},
               scene);
   }
   for (int i = 0; i < model.nsite; ++i) {
     if (std::clamp(model.site_group[i], 0, 5) > 2) continue;
     add_solid(model, assets,
               {model.site_type[i], -1, model.site_size + 3 * i, data.site_xpos + 3 * i, data.site_xmat + 9 * i,
-               model.site_matid[i], model.site_rgba + 4 * i, false, -1},
+               model.site_matid[i], model.site_rgba + 4 * i, false, nullptr},
               scene);
   }
+  if (scene.extras != nullptr) add_extras(model, assets, scene);
 }
 
 // What the camera sees, and in which order transparent things are drawn.
@@ -208,8 +243,12 @@ void spread_fog(const mjModel& model, bool fog, Scene& scene) {
 
 }  // namespace
 
-Scene::Scene(const mjModel& model) {
-  const std::size_t room = static_cast<std::size_t>(model.ngeom + model.nsite);
+Scene::Scene(const mjModel& model, const Assets& assets) {
+  std::size_t room = static_cast<std::size_t>(model.ngeom + model.nsite);
+  if (Extras::any(model)) {
+    extras = std::make_unique<Extras>(model, assets.skins);
+    room += static_cast<std::size_t>(extras->most());
+  }
   solids.resize(room);
   local.resize(room * kMaxLights);
   camera.aspects.resize(room);
@@ -227,6 +266,7 @@ void Scene::prepare(const mjModel& model, const mjData& data, const View& view, 
   near_plane = static_cast<float>(model.vis.map.znear * model.stat.extent);
   far_plane = static_cast<float>(model.vis.map.zfar * model.stat.extent);
   place_camera(view, aspect_ratio, *this);
+  if (extras != nullptr) extras->update(model, data, view);
   gather_solids(model, data, assets, *this);
   look_around(*this);
   gather_lights(model, data, settings.shadows, *this);

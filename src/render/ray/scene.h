@@ -11,9 +11,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/ray/assets.h"
+#include "render/ray/extras.h"
 #include "render/renderer.h"
 
 namespace mimo::render::ray {
@@ -151,7 +153,9 @@ struct Scene {
 
   const std::uint32_t* texels = nullptr;
 
-  explicit Scene(const mjModel& model);
+  std::unique_ptr<Extras> extras;  // null where the model has none
+
+  Scene(const mjModel& model, const Assets& assets);
   void prepare(const mjModel& model, const mjData& data, const View& view, double aspect_ratio, const Assets& assets,
                const Quality& settings);
 };

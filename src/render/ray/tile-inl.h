@@ -51,7 +51,8 @@ constexpr Window kNothing = {0, -1, 0, -1};
 
 HWY_INLINE bool IsEmpty(const Window& w) { return w.row0 > w.row1 || w.column0 > w.column1; }
 
-HWY_INLINE int Clamped(float v) { return static_cast<int>(std::min(std::max(v, -1.0F), kTile + 1.0F)); }
+// Of what is no number: -1.
+HWY_INLINE int Clamped(float v) { return static_cast<int>(std::min(std::max(-1.0F, v), kTile + 1.0F)); }
 
 HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
   // The least of facing over the tile; rays beyond the last are close enough.

@@ -11,6 +11,9 @@ namespace mimo::render::ray {
 using Vec = std::array<double, 3>;
 
 constexpr double kPi = 3.14159265358979323846;
+// Nothing that is drawn is farther away or larger, m: of such numbers, squares and products still fit floats.
+constexpr double kFarthest = 1e12;
+inline bool is_near(double v) { return std::abs(v) < kFarthest; }  // false of what is no number
 
 inline double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
