@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 // So near may two points be, in spacings: then there is about one for each square of a spacing.
-constexpr double kNearest = 0.82;
+constexpr double kNearest = 0.77;
 constexpr double kDarts = 24;  // for each such square
 
 // The two sides of a thin part look opposite ways; they do not push each other's points away.
