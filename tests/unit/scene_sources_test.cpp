@@ -116,7 +116,7 @@ TEST_F(SceneSources, AFolderOfOnesOwnMayBeCalledMimo) {
                "</mujoco>");
   const std::string scene =
       "<mujoco><include file='mimo/meta.xml'/><worldbody><geom type='plane' size='1 1 1'/><body "
-      "name='root'><freejoint/>"
+      "name='root'><freejoint/><geom size='.04'/>"
       "<include file='mimo/body.xml'/></body></worldbody><include file='mimo/motors.xml'/></mujoco>";
   const std::string path = folder.write("assets/scene.xml", scene);
   const engine::ModelPtr model = compile(scene::Scene(from_file(path)));
