@@ -251,7 +251,7 @@ MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
  */
 typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
-  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
+  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant, see mimo_scene_add_agent. */
   const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
   const char *body;            /**< "mitten", "fingers" (hands with five fingers, feet with a big toe); or "scene": the body is part of the scene's MJCF. */
   double position[3];          /**< Of the root body mimo_location, metres, world frame. The soles of who stands are 0.33 below. */
@@ -294,10 +294,18 @@ MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agen
 
 /**
  * Adds an infant.
+ *
+ * In a scene that names no place for its first infant and where none is given, it stands on what stands still at the
+ * origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to 4 m
+ * away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place, or
+ * finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log.
  * @param config NULL means the scene's own, see mimo_scene_default_agent.
  * @param agent  receives its number, 0 for the first; may be NULL.
  * Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five
- * fingers in standup), for a name in use, or no name where there are several agents, or when the scene has no place left and none is given.
+ * fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several agents,
+ * and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where its compiler
+ * settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a composite, and for
+ * global coordinates.
  */
 MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
                                           int32_t *agent) MIMO_NOEXCEPT;
@@ -419,8 +427,9 @@ MIMO_API mimo_status mimo_model_config_init(mimo_model_config *config, size_t si
  * What else stands in its worldbody (floor, lights) does not come along, nor do its solver options, keyframes, sizes and
  * visual settings: there the scene's count. Nor do keyframes of the scene stay: they are positions of other joints.
  * Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just one
- * body; MIMO_E_UNSUPPORTED for compiler settings that only count for whole scenes (global coordinates, settotalmass,
- * ...); MIMO_E_INVALID_ARGUMENT for a name in use, and for fixed = 1 where the body has a free joint.
+ * body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...); MIMO_E_UNSUPPORTED
+ * for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT for a name in use, and
+ * for fixed = 1 where the body has a free joint.
  */
 MIMO_API mimo_status mimo_scene_add_model(mimo_scene *scene, const mimo_model_config *config) MIMO_NOEXCEPT;
 
@@ -484,12 +493,22 @@ MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_
 /**
  * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it
  * names "mimo/..." are the built-in ones, installed as share/mimo/models.
- * Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) and the scene does not compile.
+ * Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the scene
+ *         does not compile.
  * @param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only.
  * @param length receives the length without the terminating zero; may be NULL.
  */
 MIMO_API mimo_status mimo_scene_xml(const mimo_scene *scene, char *text, size_t capacity,
                                     size_t *length) MIMO_NOEXCEPT;
+
+/**
+ * Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all textures,
+ * meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere.
+ * @param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for
+ *         one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then.
+ */
+MIMO_API mimo_status mimo_scene_save(const mimo_scene *scene, const char *folder) MIMO_NOEXCEPT;
 
 /** Name of the index-th task ("none", "reach", ...), or NULL past the last. Static string. */
 MIMO_API const char *mimo_task_name(size_t index) MIMO_NOEXCEPT;

@@ -259,6 +259,8 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     return text;
   }
 
+  void save(const std::string &folder) const { check(mimo_scene_save(get(), folder.c_str())); }
+
  private:
   static mimo_scene *create(const mimo_scene_config &config) {
     mimo_scene *scene = nullptr;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "engine/ground.h"
 #include "engine/joints.h"
 
 namespace mimo::body {
@@ -36,20 +37,6 @@ std::optional<Sensor> find_sensor(const mjModel& model, const std::string& name)
   const int id = engine::find(model, Kind::kSensor, name.c_str());
   if (id < 0) return std::nullopt;
   return sensor(model, id);
-}
-
-// Half the extent of a geom along the world's z axis.
-double half_height(const mjModel& model, const mjData& data, int geom) {
-  const double* size = model.geom_size + 3 * geom;
-  const double* z = data.geom_xmat + 9 * geom + 6;  // the world's z axis in the geom's frame
-  switch (model.geom_type[geom]) {
-    case mjGEOM_SPHERE: return size[0];
-    case mjGEOM_CAPSULE: return size[0] + std::abs(z[2]) * size[1];
-    case mjGEOM_CYLINDER: return size[0] * std::hypot(z[0], z[1]) + size[1] * std::abs(z[2]);
-    case mjGEOM_BOX: return size[0] * std::abs(z[0]) + size[1] * std::abs(z[1]) + size[2] * std::abs(z[2]);
-    case mjGEOM_ELLIPSOID: return std::hypot(size[0] * z[0], size[1] * z[1], size[2] * z[2]);
-    default: return model.geom_rbound[geom];
-  }
 }
 
 }  // namespace
@@ -126,7 +113,7 @@ double height(const mjModel& model, const mjData& data, const Body& body) {
   for (const int id : body.bodies) {
     for (int geom = model.body_geomadr[id]; geom < model.body_geomadr[id] + model.body_geomnum[id]; ++geom) {
       const double center = data.geom_xpos[3 * geom + 2];
-      const double half = half_height(model, data, geom);
+      const double half = engine::half_height(model, data, geom);
       low = std::min(low, center - half);
       high = std::max(high, center + half);
     }

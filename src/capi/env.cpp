@@ -88,6 +88,7 @@ RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config) 
   recipe->task = object.task;
   const scene::Composition composition = object.scene.compose();
   recipe->model = engine::compile(composition.xml, composition.assets, object.log);
+  object.scene.check_places(recipe->model, object.log);
   return recipe;
 }
 

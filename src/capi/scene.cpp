@@ -157,4 +157,13 @@ mimo_status mimo_scene_xml(const mimo_scene* scene, char* text, size_t capacity,
   });
 }
 
+mimo_status mimo_scene_save(const mimo_scene* scene, const char* folder) noexcept {
+  return guard([&] {
+    const SceneObject& object = open(scene);
+    const std::string path = text(folder);
+    require(!path.empty(), "folder is {}, expected a path", folder == nullptr ? "NULL" : "\"\"");
+    object.scene.save(path);
+  });
+}
+
 }  // extern "C"

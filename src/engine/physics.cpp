@@ -102,6 +102,16 @@ void Physics::update_poses() {
   });
 }
 
+void Physics::update_contacts() {
+  require_usable();
+  run_aside([this] {
+    mj_kinematics(&model_, data_.get());
+    mj_comPos(&model_, data_.get());
+    mj_camlight(&model_, data_.get());
+    mj_collision(&model_, data_.get());
+  });
+}
+
 void Physics::update_poses_at_last_start(Span<const int> turned) {
   require_usable();
   run_aside([this, turned] {

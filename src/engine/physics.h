@@ -50,7 +50,9 @@ class Physics {
 
   // Recomputes poses only (bodies, geoms, sites, cameras, lights).
   void update_poses();
-  // The same, but as of the start of the last physics step, to which everything else that a step computed belongs. For
+  // The same, and contacts.
+  void update_contacts();
+  // Poses, but as of the start of the last physics step, to which everything else that a step computed belongs. For
   // a task that has turned joints since (`turned` holds their addresses in qpos): these are where they are now.
   void update_poses_at_last_start(Span<const int> turned);
 

@@ -1,6 +1,8 @@
 #include "scene/buffers.h"
 
+#include <array>
 #include <string>
+#include <utility>
 
 #include "scene/xml.h"
 
@@ -55,19 +57,25 @@ double setting(pugi::xml_node root, const char* section, const char* element, co
 
 void size_buffers(pugi::xml_node root, int mittens, int fingers, int objects) {
   if (mittens + fingers == 0) return;
-  for (const pugi::xml_node given : root.children("size")) {
-    for (const char* name : {"njmax", "nconmax", "nstack", "memory"}) {
-      if (given.attribute(name)) return;  // the document's author has decided
-    }
-  }
   const auto sum = [=](int Buffers::*which) {
     return kRoom.*which + mittens * kMitten.*which + fingers * kFingers.*which + objects * kObject.*which;
   };
   const int matrix = degrees_of_freedom(root) * degrees_of_freedom(root);
+  const std::array<std::pair<const char*, int>, 3> needed = {
+      {{"nconmax", sum(&Buffers::contacts)},
+       {"njmax", sum(&Buffers::constraints)},
+       {"nstack", sum(&Buffers::stack) + kStackPerEntry * matrix}}};
+  bool decided = false;  // by the document's author, who could not know of the infants
+  for (const pugi::xml_node given : root.children("size")) {
+    for (const auto& [name, least] : needed) {
+      const pugi::xml_attribute number = given.attribute(name);
+      decided = decided || number;
+      if (number && number.as_int(-1) >= 0 && number.as_int() < least) set(given, name, std::to_string(least));
+    }
+  }
+  if (decided) return;
   const pugi::xml_node size = section(root, "size");
-  set(size, "nconmax", std::to_string(sum(&Buffers::contacts)));
-  set(size, "njmax", std::to_string(sum(&Buffers::constraints)));
-  set(size, "nstack", std::to_string(sum(&Buffers::stack) + kStackPerEntry * matrix));
+  for (const auto& [name, least] : needed) set(size, name, std::to_string(least));
 }
 
 void keep_hands_in_sight(pugi::xml_node root) {

@@ -5,7 +5,8 @@
 
 namespace mimo::scene {
 
-// Room for contacts, constraints and the solver, where there are infants and the author has not decided.
+// Room for contacts, constraints and the solver, where there are infants. What the document's author has decided stays
+// where it is enough for them.
 void size_buffers(pugi::xml_node root, int mittens, int fingers, int objects);
 
 // Nothing nearer than znear * extent is drawn. MuJoCo's own choice, a hundredth of the size of all that there is, would

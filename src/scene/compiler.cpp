@@ -122,19 +122,9 @@ void spell_out_limits(pugi::xml_node root) {
   }
 }
 
-void remove_inertias(pugi::xml_node root) {
-  walk(root, [](pugi::xml_node node) {
-    while (node.child("inertial")) node.remove_child("inertial");
-  });
-}
-
 bool has_composite(pugi::xml_node root) {
   return !root.find_node([](pugi::xml_node node) { return is(node, "composite"); }).empty();
 }
-
-// Settings that change masses or shapes, and that MuJoCo has for a whole document only.
-constexpr std::array<const char*, 6> kIndivisible = {"boundmass",    "boundinertia",      "balanceinertia",
-                                                     "settotalmass", "inertiagrouprange", "exactmeshinertia"};
 
 }  // namespace
 
@@ -158,12 +148,6 @@ void require_local_coordinates(pugi::xml_node root, const std::string& what) {
 
 void adapt(pugi::xml_node guest, pugi::xml_node host, const std::string& what) {
   require_local_coordinates(guest, what);
-  for (const char* attribute : kIndivisible) {
-    const std::string own = compiler_setting(guest, attribute);
-    if (own.empty() || own == compiler_setting(host, attribute)) continue;
-    fail(Status::kUnsupported, "{} has compiler {}=\"{}\", which can only count for a whole scene", what, attribute,
-         own);
-  }
   const bool other_unit = in_radians(guest) != in_radians(host);
   if (other_unit && has_composite(guest)) {
     fail(Status::kUnsupported, "{} has a composite and another angle unit than the scene", what);
@@ -171,7 +155,6 @@ void adapt(pugi::xml_node guest, pugi::xml_node host, const std::string& what) {
   if (euler_order(guest) != euler_order(host)) replace_euler(guest, what);
   if (other_unit) convert_angles(guest, in_radians(host) ? kDegree : 1 / kDegree);
   if (compiler_setting(guest, "autolimits") == "true") spell_out_limits(guest);
-  if (compiler_setting(guest, "inertiafromgeom") == "true") remove_inertias(guest);
 }
 
 }  // namespace mimo::scene

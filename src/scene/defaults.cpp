@@ -82,18 +82,18 @@ std::string Defaults::class_of(pugi::xml_node element) const {
   return main_;
 }
 
-pugi::xml_node Defaults::giver(pugi::xml_node element, const char* attribute) const {
-  if (element.attribute(attribute)) return element;
+std::vector<pugi::xml_node> Defaults::settings(pugi::xml_node element) const {
+  std::vector<pugi::xml_node> found;
   for (auto it = classes_.find(class_of(element)); it != classes_.end(); it = classes_.find(it->second.parent)) {
-    pugi::xml_node found;
+    const std::size_t outer = found.size();
     for (const pugi::xml_node node : it->second.nodes) {
       for (const pugi::xml_node setting : node.children()) {
-        if (speaks_for(setting, element) && setting.attribute(attribute)) found = setting;
+        if (speaks_for(setting, element)) found.push_back(setting);
       }
     }
-    if (found) return found;
+    std::reverse(found.begin() + static_cast<std::ptrdiff_t>(outer), found.end());
   }
-  return {};
+  return found;
 }
 
 bool has_main_defaults(pugi::xml_node root) {

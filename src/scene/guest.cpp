@@ -3,6 +3,7 @@
 #include "base/fail.h"
 #include "scene/compiler.h"
 #include "scene/defaults.h"
+#include "scene/inertias.h"
 #include "scene/names.h"
 #include "scene/xml.h"
 
@@ -59,6 +60,7 @@ void become_object(pugi::xml_document& document, pugi::xml_node host, const Mode
   const std::string what = "model \"" + model.name + "\"";
   const pugi::xml_node root = document.document_element();
   pugi::xml_node body = only_body(root, what);
+  weigh_alone(document, what);
   keep_only(root, body);
   adapt(root, host, what);
   name_main_defaults(root, "main");

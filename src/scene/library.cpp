@@ -29,4 +29,8 @@ std::optional<std::string> Library::text(const std::string& path) const {
   return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
+bool Library::has(const std::string& path) const {
+  return built_in() ? !built_in_file(path).empty() : static_cast<bool>(std::ifstream(folder_ + "/" + path));
+}
+
 }  // namespace mimo::scene

@@ -17,6 +17,8 @@ class Library {
   // Text of "mitten.xml", "parts/room.xml", ...; nothing if there is no such file.
   std::optional<std::string> text(const std::string& path) const;
 
+  bool has(const std::string& path) const;
+
   bool built_in() const { return folder_.empty(); }
   const std::string& folder() const { return folder_; }
 

@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "scene/compiler.h"
+#include "scene/composition.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -22,6 +23,9 @@ std::string join(const std::string& folder, const std::string& path) {
   if (folder.empty() || has_prefix(path, "/")) return path;
   return folder.back() == '/' ? folder + path : folder + "/" + path;
 }
+
+// A path on disk, which must not read as the name of a built-in file.
+std::string on_disk(const std::string& path) { return has_prefix(path, kLibraryPrefix) ? "./" + path : path; }
 
 // Attributes that name files, and the compiler attribute that names their folder.
 struct FileAttribute {
@@ -75,16 +79,22 @@ void Loader::expand_includes(pugi::xml_node root, const Origin& origin, bool hos
   for (const pugi::xml_node include : includes) insert(include, origin, host_in_radians);
 }
 
+// A document's own folder may be called mimo as well: what the library does not have is looked for there.
+bool Loader::names_built_in(const std::string& path) const {
+  const std::string prefix = kLibraryPrefix;
+  return has_prefix(path, prefix) && library_.has(path.substr(prefix.size()));
+}
+
 // Puts the content of an included file in place of the include element.
 void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_radians) {
   std::string path = include.attribute("file").value();
   if (path.empty()) fail(Status::kModel, "an include element has no file");
   Origin from = origin;
-  if (!from.library && has_prefix(path, kLibraryPrefix)) {
+  if (!from.library && names_built_in(path)) {
     from = {true, ""};
     path = path.substr(std::string(kLibraryPrefix).size());
   }
-  const std::string key = from.library ? kLibraryPrefix + path : join(from.folder, path);
+  const std::string key = from.library ? kLibraryPrefix + path : on_disk(join(from.folder, path));
   if (!included_.insert(key).second) fail(Status::kModel, "file {} is included twice", key);
 
   const auto content = from.library ? library_.text(path) : read_file(key);
@@ -108,14 +118,16 @@ void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_r
 // are named "mimo/..."; the builder hands them to MuJoCo in memory.
 void Loader::locate_assets(pugi::xml_node root, const Origin& origin) const {
   const std::string base = origin.library ? (library_.built_in() ? kLibraryPrefix : library_.folder()) : origin.folder;
+  const bool inside = origin.library && library_.built_in();
   const bool strip = compiler_setting(root, "strippath") == "true";
   walk(root, [&](pugi::xml_node node) {
     for (const FileAttribute& entry : kFiles) {
       if (std::string(node.name()) != entry.element) continue;
       std::string path = node.attribute(entry.attribute).value();
-      if (path.empty() || has_prefix(path, kLibraryPrefix)) continue;
+      if (path.empty() || (has_prefix(path, kLibraryPrefix) && !built_in_asset(path).empty())) continue;
       if (strip) path = path.substr(folder_of(path).size());
-      set(node, entry.attribute, join(join(base, compiler_setting(root, entry.folder)), path));
+      path = join(join(base, compiler_setting(root, entry.folder)), path);
+      set(node, entry.attribute, inside ? path : on_disk(path));
     }
   });
   for (pugi::xml_node compiler : root.children("compiler")) {

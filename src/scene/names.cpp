@@ -1,6 +1,7 @@
 #include "scene/names.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/format.h"
 #include "scene/xml.h"
@@ -30,14 +31,29 @@ void prefix_attribute(pugi::xml_node node, const char* name, const std::string& 
   if (!the_world) set(node, name, prefix + value);
 }
 
+// Names of the same kind must differ.
+std::string kind_of(pugi::xml_node node) {
+  const std::string section = node.parent().name(), name = node.name();
+  for (const char* all : {"equality", "tendon", "actuator", "sensor"}) {
+    if (section == all) return section;
+  }
+  return name == "freejoint" ? "joint" : name;
+}
+
+template <typename Visit>
+void visit_named(pugi::xml_node root, Visit&& visit) {
+  for (const char* section : kSections) {
+    for (const pugi::xml_node top : root.children(section)) {
+      walk(top, [&](pugi::xml_node node) {
+        if (node.attribute("name")) visit(kind_of(node) + " \"" + node.attribute("name").value() + "\"");
+      });
+    }
+  }
+}
+
 std::string stem_of(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
   return file.substr(0, file.find_last_of('.'));
-}
-
-void name_after_file(pugi::xml_node asset) {
-  if (asset.attribute("name") || !asset.attribute("file")) return;
-  set(asset, "name", stem_of(asset.attribute("file").value()));
 }
 
 }  // namespace
@@ -67,6 +83,11 @@ void prefix_all_names(pugi::xml_node root, const std::string& prefix) {
   });
 }
 
+void name_after_file(pugi::xml_node asset) {
+  if (asset.attribute("name") || !asset.attribute("file")) return;
+  set(asset, "name", stem_of(asset.attribute("file").value()));
+}
+
 pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::string& name) {
   return root.find_node([&](pugi::xml_node node) {
     return std::string(node.name()) == element && name == node.attribute("name").value();
@@ -85,6 +106,16 @@ std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<con
 
 std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements) {
   return some_of(names_of(root, elements));
+}
+
+std::string shared_name(pugi::xml_node one, pugi::xml_node other) {
+  std::set<std::string> names;
+  visit_named(other, [&](const std::string& name) { names.insert(name); });
+  std::string found;
+  visit_named(one, [&](const std::string& name) {
+    if (found.empty() && names.count(name) > 0) found = name;
+  });
+  return found;
 }
 
 bool has_names_with(pugi::xml_node root, const std::string& prefix) {

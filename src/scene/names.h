@@ -15,6 +15,9 @@ void prefix_names(pugi::xml_node root, const std::string& prefix);
 // Prefixes those of default classes and assets as well. Assets that are called after their file get that name first.
 void prefix_all_names(pugi::xml_node root, const std::string& prefix);
 
+// An asset without a name is called after its file; this gives it that name in writing.
+void name_after_file(pugi::xml_node asset);
+
 // The element of that name; empty if there is none.
 pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::string& name);
 
@@ -22,6 +25,9 @@ pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::s
 std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<const char*> elements);
 // The same for a message, some of them; "none" where there are none.
 std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements);
+
+// The first element of a document whose name an element of the same kind in another has, "geom \"floor\""; "" if none.
+std::string shared_name(pugi::xml_node one, pugi::xml_node other);
 
 // Whether anything has a name that starts so.
 bool has_names_with(pugi::xml_node root, const std::string& prefix);

@@ -11,10 +11,14 @@
 #include "scene/buffers.h"
 #include "scene/compiler.h"
 #include "scene/defaults.h"
+#include "scene/inertias.h"
 #include "scene/joints.h"
 #include "scene/loader.h"
+#include "scene/merging.h"
 #include "scene/names.h"
+#include "scene/placing.h"
 #include "scene/recipe.h"
+#include "scene/saving.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -24,8 +28,8 @@ constexpr const char* kScenes[] = {"benchmark", "free",  "reach",    "standup",
                                    "selfbody",  "catch", "showroom", "playdate"};
 constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
-constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kPlaces = "mimo:place";     // custom number of a room: 7 values a place
+constexpr const char* kRootPose = "mimo:root";    // custom number of a stored pose
 constexpr const char* kInfants = "mimo:infants";  // custom text: names of those whom the scene is made for
 constexpr const char* kBodyClass = "mimo";        // default class of all that belongs to an infant
 constexpr const char* kRoomClass = "room";
@@ -109,35 +113,6 @@ void add_assets(pugi::xml_node root, pugi::xml_node assets) {
   if (added.first_child().empty()) root.remove_child(added);
 }
 
-// Calls visit(node, attribute) for every reference to a built-in file.
-template <typename Visit>
-void visit_built_in_files(pugi::xml_node root, Visit&& visit) {
-  walk(root, [&](pugi::xml_node node) {
-    for (const pugi::xml_attribute attribute : node.attributes()) {
-      const bool is_file = std::string(attribute.name()).rfind("file", 0) == 0;
-      if (is_file && std::string(attribute.value()).rfind("mimo/", 0) == 0) visit(node, attribute);
-    }
-  });
-}
-
-// Ready to compile: built-in files go along in memory.
-Composition packed(const pugi::xml_document& document) {
-  Composition composition;
-  std::set<std::string> seen;
-  visit_built_in_files(document.document_element(), [&](pugi::xml_node node, pugi::xml_attribute attribute) {
-    const std::string path = std::string(attribute.value()).substr(5);
-    const auto bytes = built_in_file(path);
-    if (bytes.empty()) return;
-    // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
-    std::string name = "mimo:" + path;
-    std::replace(name.begin(), name.end(), '/', ':');
-    set(node, attribute.name(), name);
-    if (seen.insert(name).second) composition.assets.push_back({name, bytes});
-  });
-  composition.xml = print(document);
-  return composition;
-}
-
 bool has_class(pugi::xml_node root, const std::string& name) {
   return !root.find_node([&](pugi::xml_node node) {
                 return std::string(node.name()) == "default" && name == node.attribute("class").value();
@@ -154,6 +129,30 @@ std::vector<double> numbers_of(pugi::xml_node root, const char* name) {
   return {};
 }
 
+// What a document says to all of itself, said so that it does not reach what is put beside it.
+void stand_alone(pugi::xml_document& document) {
+  const pugi::xml_node root = document.document_element();
+  require_local_coordinates(root, "the scene");
+  weigh_alone(document, "the scene");
+  if (has_main_defaults(root)) name_main_defaults(root, kSceneClass);
+}
+
+void require_other_names(pugi::xml_node infant, pugi::xml_node root, const std::string& prefix) {
+  const std::string shared = shared_name(infant, root);
+  require(shared.empty(), "agent name \"{}\": the scene already has a {}; {}", prefix.substr(0, prefix.find('/')),
+          shared,
+          prefix.empty() ? "give the agent a name: it goes before all the names of its body" : "give another name");
+}
+
+// Puts an infant without a place where there is one for it.
+void find_spot(pugi::xml_document& document, const std::string& prefix) {
+  constexpr Pose kOutOfTheWay{{0, 0, 1000}, {1, 0, 0, 0}};
+  const pugi::xml_node body = find_named(document, "body", prefix + kRootBody);
+  set_pose(body, kOutOfTheWay);
+  engine::Physics physics = at_start(compile_quietly(document));
+  set_pose(body, free_spot(physics, prefix));
+}
+
 int count_bodies(pugi::xml_node root) {
   int count = 0;
   walk(root, [&](pugi::xml_node node) { count += std::string(node.name()) == "body" ? 1 : 0; });
@@ -166,11 +165,15 @@ const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
 const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
 const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
-Scene::Scene(const Source& source) : models_(source.model_dir), document_(load(models_, source)) {}
+Scene::Scene(const Source& source)
+    : models_(source.model_dir), document_(load(models_, source)), built_in_(!source.name.empty()) {}
 
 Scene::Scene(const Scene& other)
     : models_(other.models_),
       document_(copy(other.document_)),
+      built_in_(other.built_in_),
+      unplaced_(other.unplaced_),
+      to_check_(other.to_check_),
       bodies_(other.bodies_),
       objects_(other.objects_),
       start_welds_(other.start_welds_),
@@ -199,9 +202,7 @@ void Scene::set_room(const std::string& room) {
 
 void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups) {
   require_known("body", kBodies, body);
-  require_local_coordinates(document_.document_element(), "the scene");
-  const std::string root_name = prefix + kRootBody;
-  require(!has_name("body", root_name), "agent name \"{}\": the scene already has a body named {}", prefix, root_name);
+  const bool no_place = pose == nullptr && bodies_ == 0 && numbers_of(document_.document_element(), kPlaces).empty();
   const std::optional<Pose> place = pose != nullptr ? *pose : free_place();
   require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_.document_element(), models_);
@@ -214,6 +215,8 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   pugi::xml_document changed = copy(document_);  // what fails half-way must leave the scene as it is
   const pugi::xml_node root = changed.document_element();
   prefix_names(guest_root, prefix);
+  require_other_names(guest_root, root, prefix);
+  stand_alone(changed);
   if (in_radians(root)) convert_to_radians(guest_root);
   const bool known = kinds_.count(body) > 0;
   const std::string classes = known ? kinds_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
@@ -228,7 +231,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
     }
   }
   for (const pugi::xml_node world : root.children("worldbody")) {
-    const pugi::xml_node added = world.find_child_by_attribute("body", "name", root_name.c_str());
+    const pugi::xml_node added = world.find_child_by_attribute("body", "name", (prefix + kRootBody).c_str());
     if (!added.empty()) set_pose(added, *place);
   }
   if (groups != 0) {
@@ -237,7 +240,13 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
     keep_motors(root, prefix, recipe.acts(), recipe.still());
   }
   recipe.apply(root, prefix, pose != nullptr);
+  std::vector<std::string> to_check = to_check_;
+  if (pose != nullptr || !built_in_) to_check.push_back(prefix);
+  std::optional<std::string> unplaced = unplaced_;
+  if (no_place && numbers_of(root, (prefix + kRootPose).c_str()).empty()) unplaced = prefix;
   Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
+  to_check_ = std::move(to_check);
+  unplaced_ = std::move(unplaced);
   document_ = std::move(changed);
   ++kind.count;
   ++bodies_;
@@ -270,6 +279,7 @@ void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
           "object name \"{}\": the scene already has a body or geom of that name", object.name);
   pugi::xml_document changed = copy(document_);
+  stand_alone(changed);
   const pugi::xml_node body = append(section(changed.document_element(), "worldbody"), "body");
   set(body, "name", object.name);
   set_pose(body, object.pose);
@@ -281,12 +291,6 @@ void Scene::add_object(const Object& object) {
   set(geom, "rgba", Span<const double>(object.rgba));
   const double mass = object.mass > 0 ? object.mass : 1000 * volume(object);
   set(geom, "mass", Span<const double>(&mass, 1));
-  // Spelt out, so that main defaults of a user's document do not change what was asked for.
-  for (const char* one : {"contype", "conaffinity", "solmix"}) set(geom, one, "1");
-  for (const char* zero : {"group", "priority", "margin", "gap"}) set(geom, zero, "0");
-  set(geom, "shellinertia", "false");
-  set(geom, "pos", "0 0 0");
-  set(geom, "quat", "1 0 0 0");
   set(geom, "condim", "6");
   set(geom, "friction", "1 0.005 0.0001");
   set(geom, "solref", "0.005 1");
@@ -299,13 +303,12 @@ void Scene::add_model(const Model& model) {
   require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
               !has_names_with(document_.document_element(), model.name + "/"),
           "model name \"{}\": the scene already has something of that name", model.name);
-  require_local_coordinates(document_.document_element(), "the scene");
   Loader loader(models_);
   pugi::xml_document guest = model.file.empty() ? loader.text(model.xml) : loader.file(model.file);
   pugi::xml_document changed = copy(document_);
   const pugi::xml_node root = changed.document_element();
+  stand_alone(changed);
   become_object(guest, root, model);
-  if (has_main_defaults(root)) name_main_defaults(root, kSceneClass);
   for (const char* name :
        {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"}) {
     for (const pugi::xml_node part : guest.document_element().children(name)) copy_into(root, part);
@@ -356,16 +359,26 @@ pugi::xml_document Scene::finished() const {
   size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", kRootBody);
   if (infants) keep_hands_in_sight(root);
+  if (bodies_ + objects_ > 0) {
+    put_stateful_last(root);
+    fit_user_numbers(root);
+  }
   // Keyframes are positions of all joints that the document had by itself.
   while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
-  if (!start_welds_.empty()) {
-    const Composition composition = packed(copy(document));
-    add_start_welds(root, start_welds_, engine::compile(composition.xml, composition.assets, {}));
-  }
+  if (unplaced_) find_spot(document, *unplaced_);
+  if (!start_welds_.empty()) add_start_welds(root, start_welds_, compile_quietly(document));
   return document;
 }
 
+void Scene::check_places(const engine::ModelPtr& model, const LogSink& log) const {
+  if (to_check_.empty() || log.write == nullptr) return;
+  const engine::Physics physics = at_start(model);
+  for (const std::string& prefix : to_check_) warn_of_overlap(physics, prefix, log);
+}
+
 std::string Scene::xml() const { return print(finished()); }
+
+void Scene::save(const std::string& folder) const { scene::save(finished(), folder); }
 
 Composition Scene::compose() const { return packed(finished()); }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/log.h"
-#include "engine/model.h"
+#include "scene/composition.h"
 #include "scene/guest.h"
 #include "scene/library.h"
 #include "scene/pose.h"
@@ -45,12 +45,6 @@ struct Camera {
   double fovy = 45;                 // degrees
 };
 
-// A document ready to compile, with the built-in files that it refers to.
-struct Composition {
-  std::string xml;
-  std::vector<engine::Asset> assets;
-};
-
 class Scene {
  public:
   explicit Scene(const Source& source);
@@ -65,7 +59,8 @@ class Scene {
   void set_room(const std::string& room);
 
   // Adds the body of an infant ("mitten", "fingers"). Its model names get the prefix; no pose means the scene's own
-  // place; only motors of the groups act, 0 means the scene's own choice.
+  // place, and where it names none, on what is below or beside the origin; only motors of the groups act, 0 means the
+  // scene's own choice.
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
@@ -75,7 +70,8 @@ class Scene {
   std::vector<std::string> infants() const;
   // How infants of this scene usually act, "muscle"; "" if it does not say.
   std::string actuation() const;
-  // The room's place for the next infant; the origin in a room that names none. Nothing where all places are taken.
+  // The room's place for the next infant; the origin in a room that names none, near which it is put. Nothing where all
+  // places are taken.
   std::optional<Pose> free_place() const;
   // The body that infants of this scene usually have; static.
   const char* usual_body() const;
@@ -92,10 +88,15 @@ class Scene {
   // Bodies below and including the infant's root, by their names without the prefix.
   std::vector<std::string> body_names(const std::string& prefix) const;
 
+  // Tells of infants, but for those where a built-in scene has put them, that start inside of something.
+  void check_places(const engine::ModelPtr& model, const LogSink& log) const;
+
   // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png". Both throw
-  // what engine::compile throws where bodies are fastened as they start.
+  // what engine::compile throws where bodies are fastened as they start, or an infant has no place.
   std::string xml() const;
   Composition compose() const;
+  // The document with all its files, for tools that know nothing of libmimo; throws what xml() and scene::save throw.
+  void save(const std::string& folder) const;
 
  private:
   pugi::xml_document finished() const;
@@ -103,6 +104,9 @@ class Scene {
 
   Library models_;
   pugi::xml_document document_;
+  bool built_in_;
+  std::optional<std::string> unplaced_;  // prefix of the infant for whom nobody named a place
+  std::vector<std::string> to_check_;    // prefixes of infants whose places may be taken
   int bodies_ = 0;
   int objects_ = 0;
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last

@@ -6,9 +6,9 @@
 
 #include "base/fail.h"
 #include "engine/physics.h"
-#include "engine/stored_pose.h"
 #include "scene/equalities.h"
 #include "scene/names.h"
+#include "scene/placing.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -44,9 +44,7 @@ void add_weld(pugi::xml_node root, const Weld& weld, const Pose& pose) {
 }
 
 void add_start_welds(pugi::xml_node root, const std::vector<Weld>& welds, const engine::ModelPtr& model) {
-  engine::Physics physics(model, {});
-  engine::read_stored_pose(*model, physics.start());
-  physics.reset();
+  const engine::Physics physics = at_start(model);
   for (const Weld& weld : welds) {
     add_weld(root, weld, seen_from(pose_of(physics, weld.other), pose_of(physics, weld.body)));
   }

@@ -235,6 +235,23 @@ static void check_xml(void) {
   free(text);
 }
 
+static void check_save(void) {
+  const char* const clean = "rm -rf saved_scene";
+  mimo_scene *scene = blind_scene("benchmark"), *again;
+  CHECK(system(clean) == 0);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "folder is NULL", mimo_scene_save(scene, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "folder is \"\"", mimo_scene_save(scene, ""));
+  CHECK_OK(mimo_scene_save(scene, "saved_scene"));
+  again = create(NULL, "saved_scene/scene.xml", NULL);
+  CHECK(bodies_of(again) == 26);
+  mimo_scene_destroy(again);
+  again = blind_scene("free");
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "other content", mimo_scene_save(again, "saved_scene"));
+  mimo_scene_destroy(again);
+  mimo_scene_destroy(scene);
+  CHECK(system(clean) == 0);
+}
+
 static void check_models(void) {
   mimo_scene* scene = create(NULL, NULL, "<mujoco><worldbody><geom type='nonsense'/></worldbody></mujoco>");
   mimo_env* env = NULL;
@@ -248,6 +265,7 @@ int main(void) {
   check_agents();
   check_objects();
   check_xml();
+  check_save();
   check_long_messages();
   check_models();
   return failures();

@@ -142,6 +142,7 @@ static void taken_model(args* a) { a->model_config->name = "toy"; }
 static void two_models(args* a) { a->model_config->file = "cup.xml"; }
 static void no_model_file(args* a) { a->model_config->xml = NULL, a->model_config->file = "/no_such_file.xml"; }
 static void two_bodies(args* a) { a->model_config->xml = "<mujoco><worldbody><body/><body/></worldbody></mujoco>"; }
+static void folder_in_a_file(args* a) { a->folder = "/proc/version/below"; }
 static void unknown_room(args* a) { a->room_name = "attic"; }
 static void second_room(args* a) { CHECK_OK(mimo_scene_set_room(a->room, a->room_name)); }
 static void unknown_other(args* a) { a->other = "ghost"; }

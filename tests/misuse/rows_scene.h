@@ -123,6 +123,8 @@ ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_c
     DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
 ROW(mimo_scene_xml, ON_SCENE, mimo_scene_xml(a->scene, a->text, a->capacity, a->count), NULL_OK(count),
     NO_NULL(text, "text"), SHORT(capacity, "text"), DO(no_text, MIMO_OK, NULL))
+ROW(mimo_scene_save, ON_SCENE, mimo_scene_save(a->scene, a->folder), NO_NULL(folder, "folder"),
+    DO(folder_in_a_file, E_ARG, "cannot be made"))
 ROW(mimo_parameter_count, 0, mimo_parameter_count(a->count), NO_NULL(count, "count"))
 ROW(mimo_parameter_describe, 0, mimo_parameter_describe(a->index, a->parameter), BAD_INDEX(index, "index"),
     DESCRIPTION(parameter, mimo_parameter, "parameter"))

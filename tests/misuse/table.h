@@ -36,7 +36,7 @@ typedef struct args {
   size_t index, element, agent_index, world, steps, model_size, data_size;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *joint_name, *other;
+  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *joint_name, *other, *folder;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;

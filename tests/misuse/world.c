@@ -254,6 +254,7 @@ static void make_structs(void) {
 }
 
 void make_everything(void) {
+  CHECK(system("rm -rf misuse_saved_scene") == 0);
   memset(not_a_handle, 0x5a, sizeof not_a_handle);
   make_host();
   make_dead_handles();
@@ -273,6 +274,7 @@ void make_everything(void) {
 
 void destroy_everything(void) {
   size_t i;
+  CHECK(system("rm -rf misuse_saved_scene") == 0);
   mimo_scene_destroy(spare_scene);
   mimo_env_destroy(good.env);
   mimo_batch_destroy(good.batch);
@@ -378,6 +380,7 @@ args good_args(int uses) {
   good.part = "head";
   good.other = "left_hand";
   good.room_name = "playroom";
+  good.folder = "misuse_saved_scene";
   good.joint_name = "robot:head_tilt";
   good.face = "fear";
   good.path = "touch";

@@ -47,6 +47,31 @@ def test_models_from_files(tmp_path, monkeypatch):
     assert 'name="cup/lid"' in scene.copy().xml  # a path stays what it was
 
 
+def test_saved_scenes_are_the_same_without_us(tmp_path):
+    scene = furnished()
+    scene.save(tmp_path / "saved")
+    again = mimo.World(mimo.Scene(file=tmp_path / "saved" / "scene.xml"), renderer="none")
+    assert again.bodies().names == mimo.World(scene, renderer="none").bodies().names
+    with pytest.raises(mimo.ArgumentError, match="other content"):
+        mimo.Scene("free").save(tmp_path / "saved")
+    with pytest.raises(TypeError):
+        scene.save(3)
+
+
+def test_without_a_place_they_stand(caplog):
+    floor = '<mujoco><worldbody><geom name="floor" type="plane" size="5 5 1"/></worldbody></mujoco>'
+    scene = mimo.Scene(xml=floor)
+    scene.add_agent(vision=0)
+    world = mimo.World(scene, renderer="none")
+    assert world.bodies("mimo_location").position[0, 2] == pytest.approx(0.33, abs=0.005)
+    assert not caplog.records
+    scene = mimo.Scene(xml=floor)
+    scene.add_agent(vision=0, position=[0, 0, 0.2])
+    mimo.World(scene, renderer="none")
+    assert 'inside of geom "floor"' in caplog.text
+    caplog.clear()  # expected
+
+
 def test_furnished_scenes_can_be_pickled():
     scene = furnished()
     again = pickle.loads(pickle.dumps(scene))

@@ -232,11 +232,6 @@ TEST_F(SceneModels, RefusalsLeaveTheSceneAsItWas) {
     return model;
   }());
   refuse(Status::kUnsupported, "coordinate", of("<compiler coordinate='global'/>" + body));
-  for (const char* setting :
-       {"settotalmass='3'", "boundmass='1'", "balanceinertia='true'", "inertiagrouprange='1 2'"}) {
-    refuse(Status::kUnsupported, setting == std::string("settotalmass='3'") ? "settotalmass=\"3\"" : "whole scene",
-           of(std::string("<compiler ") + setting + "/>" + body));
-  }
   refuse(Status::kUnsupported, "eulerseq",
          of("<compiler eulerseq='zyx'/><default><geom euler='1 2 3'/></default>" + body));
   refuse(Status::kUnsupported, "composite",

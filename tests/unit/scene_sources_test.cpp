@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string>
 
@@ -93,6 +94,55 @@ TEST_F(SceneSources, UsersOwnIncludesAreBesideTheirFile) {
   const std::string path = folder.write("room/mine.xml", "<mujoco><include file='parts/floor.xml'/></mujoco>");
   const engine::ModelPtr model = compile(scene::Scene(from_file(path)));
   EXPECT_EQ(engine::find(*model, engine::Kind::kGeom, "mine"), 0);
+}
+
+// The original's scenes keep the infant's parts in a folder of that name: a scene includes them section by section.
+TEST_F(SceneSources, AFolderOfOnesOwnMayBeCalledMimo) {
+  const Folder folder;
+  folder.write("assets/mimo/meta.xml",
+               "<mujoco><compiler angle='degree'/><default><default class='limb'><joint damping='.2' range='-30 30' "
+               "limited='true'/></default></default><asset><texture name='skin' type='2d' file='mimo/tex/skin.png'/>"
+               "<material name='skin' texture='skin'/><mesh name='hat' file='mimo/hat.obj'/></asset></mujoco>");
+  folder.copy_of(kPicture, "assets/mimo/tex/skin.png");
+  folder.write("assets/mimo/hat.obj", kTetrahedron);
+  folder.write(
+      "assets/mimo/body.xml",
+      "<mujoco><body name='hip' childclass='limb'><joint name='bend' axis='0 1 0'/><geom type='capsule' size='.05 "
+      ".1' material='skin'/><geom type='mesh' mesh='hat'/><include file='mimo/arm.xml'/></body></mujoco>");
+  folder.write("assets/mimo/arm.xml",
+               "<mujoco><body name='arm'><joint name='turn'/><geom size='.03'/></body></mujoco>");
+  folder.write("assets/mimo/motors.xml",
+               "<mujoco><actuator><motor name='m' joint='bend'/></actuator><sensor><jointpos joint='turn'/></sensor>"
+               "</mujoco>");
+  const std::string scene =
+      "<mujoco><include file='mimo/meta.xml'/><worldbody><geom type='plane' size='1 1 1'/><body "
+      "name='root'><freejoint/><geom size='.04'/>"
+      "<include file='mimo/body.xml'/></body></worldbody><include file='mimo/motors.xml'/></mujoco>";
+  const std::string path = folder.write("assets/scene.xml", scene);
+  const engine::ModelPtr model = compile(scene::Scene(from_file(path)));
+  EXPECT_EQ(model->nbody, 4);
+  EXPECT_EQ(model->njnt, 3);
+  EXPECT_EQ(model->nu, 1);
+  EXPECT_EQ(model->nsensor, 1);
+  EXPECT_EQ(model->ntex, 1);
+  EXPECT_EQ(model->nmesh, 1);
+  const WorkingDirectory there(folder.path("assets"));
+  EXPECT_EQ(compile(scene::Scene(from_text(scene)))->nbody, 4);
+  // What the library has is the library's, whatever lies about.
+  folder.write("assets/mimo/mitten.xml", "<mujoco/>");
+  EXPECT_EQ(compile(scene::Scene(from_text(kIncludesMimo)))->nbody, 24);
+}
+
+// A path that only happens to begin like a built-in file's.
+TEST_F(SceneSources, AFileInAFolderCalledMimo) {
+  const Folder folder;
+  folder.copy_of(kPicture, "mimo/textures/floor.png");
+  folder.write("mimo/own.xml", with_picture("", "textures/floor.png"));
+  const WorkingDirectory there(folder.path());
+  const engine::ModelPtr model = compile(scene::Scene(from_file("mimo/own.xml")));
+  const engine::ModelPtr expected = compile(scene::Scene(from_text(with_picture("", kPicture))));
+  ASSERT_EQ(model->ntexdata, expected->ntexdata);
+  EXPECT_EQ(std::memcmp(model->tex_rgb, expected->tex_rgb, static_cast<std::size_t>(model->ntexdata)), 0);
 }
 
 TEST_F(SceneSources, BadIncludesAreNamed) {

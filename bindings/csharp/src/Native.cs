@@ -38,6 +38,7 @@ namespace Mimo
         [DllImport(Library)] internal static extern int mimo_scene_set_room(SceneHandle scene, byte[] name);
         [DllImport(Library)] internal static extern int mimo_scene_add_model(SceneHandle scene, ref ModelConfigStruct config);
         [DllImport(Library)] internal static extern int mimo_scene_weld(SceneHandle scene, byte[] body, byte[] other, double[] pose);
+        [DllImport(Library)] internal static extern int mimo_scene_save(SceneHandle scene, byte[] folder);
         [DllImport(Library)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
         [DllImport(Library)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(Library)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);

@@ -110,6 +110,13 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_pose(Handle, Text.Bytes(joint), value));
         }
 
+        /// <summary>Writes the scene as scene.xml, with its textures and meshes in assets, for any program with MuJoCo.
+        /// The folder is made where it is not there; files that are there with other content are not overwritten.</summary>
+        public void Save(string folder)
+        {
+            MimoException.Check(Native.mimo_scene_save(Handle, Text.Bytes(folder)));
+        }
+
         /// <summary>Adds a rigid object.</summary>
         public void AddObject(ObjectOptions options)
         {

@@ -143,6 +143,10 @@ internal static partial class Tests
             scene.Weld("cup");
             scene.Lock("robot:left_elbow", -0.5);
             scene.SetPose("robot:right_elbow", -0.7);
+            var folder = System.IO.Path.Combine(System.IO.Path.GetTempPath(), System.IO.Path.GetRandomFileName());
+            scene.Save(folder);
+            Check(System.IO.File.Exists(System.IO.Path.Combine(folder, "scene.xml")), "saved");
+            System.IO.Directory.Delete(folder, true);
             using (var env = new Env(scene))
             {
                 env.Reset(1);

@@ -115,7 +115,7 @@ std::vector<int> geoms_with_skin(const mjModel& model, int body) {
   std::vector<int> geoms;
   for (int geom = model.body_geomadr[body]; geom < model.body_geomadr[body] + model.body_geomnum[body]; ++geom) {
     const bool can_touch = (model.geom_contype[geom] | model.geom_conaffinity[geom]) != 0;
-    if (can_touch && shape_of(model, geom).kind != Shape::Kind::kNone) geoms.push_back(geom);
+    if (can_touch && has_shape(model, geom)) geoms.push_back(geom);
   }
   return geoms;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/physics.h"
+#include "senses/touch/hull.h"
 
 namespace mimo::senses::touch {
 namespace {
@@ -35,11 +36,16 @@ double depth(const Shape& shape, const Vec3& point) {
       return std::min(size.x() - std::hypot(point.x(), point.y()), size.y() - std::abs(point.z()));
     case Shape::Kind::kBox: return (size - point.cwiseAbs()).minCoeff();
     case Shape::Kind::kEllipsoid: return ellipsoid_depth(size, point);
+    case Shape::Kind::kMesh: return shape.hull->depth(point);
   }
   return -1;
 }
 
 }  // namespace
+
+bool has_shape(const mjModel& model, int geom) {
+  return model.geom_type[geom] != mjGEOM_PLANE && model.geom_type[geom] != mjGEOM_HFIELD;
+}
 
 Shape shape_of(const mjModel& model, int geom) {
   const Vec3 size(model.geom_size + 3 * geom);
@@ -49,7 +55,8 @@ Shape shape_of(const mjModel& model, int geom) {
     case mjGEOM_CYLINDER: return {Shape::Kind::kCylinder, size};
     case mjGEOM_BOX: return {Shape::Kind::kBox, size};
     case mjGEOM_ELLIPSOID: return {Shape::Kind::kEllipsoid, size};
-    case mjGEOM_MESH: return {Shape::Kind::kSphere, Vec3(model.geom_rbound[geom], 0, 0)};
+    case mjGEOM_MESH:
+      return {Shape::Kind::kMesh, Vec3::Zero(), std::make_shared<const Hull>(hull_of(model, model.geom_dataid[geom]))};
     default: return {};
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 typedef struct mjModel_ mjModel;
 
@@ -9,14 +10,18 @@ namespace mimo::senses::touch {
 
 using Vec3 = Eigen::Vector3d;
 
+struct Hull;
+
 struct Shape {
-  enum class Kind { kNone, kSphere, kCapsule, kCylinder, kBox, kEllipsoid };
+  enum class Kind { kNone, kSphere, kCapsule, kCylinder, kBox, kEllipsoid, kMesh };
 
   Kind kind = Kind::kNone;
   Vec3 size = Vec3::Zero();  // as MuJoCo's: radius; radius and half length; three half lengths or radii
+  std::shared_ptr<const Hull> hull = nullptr;  // of a mesh
 };
 
-// Meshes are taken as the sphere around them; planes and height fields have no skin.
+// Whether a geom has a shape that can have a skin: planes and height fields have none.
+bool has_shape(const mjModel& model, int geom);
 Shape shape_of(const mjModel& model, int geom);
 
 // Whether a point lies inside by more than a nanometre.

@@ -1,5 +1,7 @@
 #include "senses/touch/surface.h"
 
+#include "senses/touch/hull.h"
+
 namespace mimo::senses::touch {
 namespace {
 
@@ -13,6 +15,7 @@ double area(const Shape& shape) {
     case Shape::Kind::kCylinder: return 2 * kPi * s.x() * (s.x() + 2 * s.y());
     case Shape::Kind::kBox: return 8 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
     case Shape::Kind::kEllipsoid: return 4 * kPi * s.maxCoeff() * s.maxCoeff();
+    case Shape::Kind::kMesh: return shape.hull->area();
     case Shape::Kind::kNone: break;
   }
   return 0;
@@ -35,6 +38,7 @@ Surface sample(const Shape& shape, double spacing) {
     case Shape::Kind::kCylinder: return sample_cylinder(size.x(), size.y(), spacing);
     case Shape::Kind::kBox: return sample_box(size, spacing);
     case Shape::Kind::kEllipsoid: return sample_ellipsoid(size, spacing);
+    case Shape::Kind::kMesh: return sample_mesh(*shape.hull, spacing);
     case Shape::Kind::kNone: break;
   }
   return {};

@@ -32,6 +32,7 @@ Surface sample_sphere(double radius, double spacing);
 Surface sample_ellipsoid(const Vec3& radii, double spacing);
 Surface sample_capsule(double radius, double half_length, double spacing);
 Surface sample_cylinder(double radius, double half_length, double spacing);
+Surface sample_mesh(const Hull& hull, double spacing);
 Surface single_point();
 
 }  // namespace mimo::senses::touch

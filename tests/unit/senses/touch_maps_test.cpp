@@ -178,15 +178,78 @@ TEST(TouchSkin, FramesAreNormalAndTangents) {
   EXPECT_GT(switched, 0);
 }
 
-TEST(TouchSkin, AMeshIsCoveredBySphereAroundIt) {
-  const auto model = test::compiled(
-      "<mujoco><asset><mesh name='m' vertex='.1 0 0 -.1 0 0 0 .1 0 0 -.1 0 0 0 .1 0 0 -.1'/></asset>"
-      "<worldbody><body><freejoint/><geom type='mesh' mesh='m'/></body></worldbody></mujoco>");
-  const Skin skin(*model, {{1, 0.05}});
-  EXPECT_GT(count(skin), 10);
+// A body whose only geom is a mesh of these points, in the body's own frame.
+engine::ModelPtr mesh_of(const std::string& points) {
+  return test::compiled(
+      "<mujoco><asset><mesh name='m' vertex='" + points +
+      "'/></asset><worldbody><body><freejoint/><geom type='mesh' mesh='m'/></body></worldbody></mujoco>");
+}
+
+// On an octahedron the coordinates' sizes add up to the same everywhere.
+TEST(TouchSkin, AMeshHasItsSensorsOnItsSurface) {
+  const auto model = mesh_of(".1 0 0 -.1 0 0 0 .1 0 0 -.1 0 0 0 .1 0 0 -.1");
+  const Skin skin(*model, {{1, 0.02}});
   for (const Sensor& s : skin.sensors()) {
-    EXPECT_NEAR((s.position - Vec3(model->geom_pos)).norm(), model->geom_rbound[0], 1e-9);
+    EXPECT_NEAR(s.position.lpNorm<1>(), 0.1, 1e-7);
+    EXPECT_TRUE((s.normal() * std::sqrt(3) - s.position.cwiseSign()).isZero(1e-6)) << "outward";
   }
+}
+
+// A bar of 30 x 6 x 4 cm: as many sensors as it has squares of the spacing, none too near to another, and none too far
+// from any place on it.
+TEST(TouchSkin, AMeshesSensorsAreEvenlySpaced) {
+  const Vec3 half(.15, .03, .02);
+  std::string points;
+  for (int corner = 0; corner < 8; ++corner) {
+    for (int axis = 0; axis < 3; ++axis) points += std::to_string((corner >> axis & 1 ? 1 : -1) * half[axis]) + " ";
+  }
+  const auto model = mesh_of(points);
+  for (const double spacing : {0.01, 0.005}) {
+    const Skin skin(*model, {{1, spacing}});
+    const double area = 8 * (half.x() * half.y() + half.y() * half.z() + half.z() * half.x());
+    const double squares = area / (spacing * spacing);
+    EXPECT_NEAR(count(skin), squares, 0.1 * squares) << spacing;
+    for (const Sensor& s : skin.sensors()) {
+      for (const Sensor& t : skin.sensors()) {
+        if (&s != &t) {
+          ASSERT_GT((s.position - t.position).norm(), 0.75 * spacing);
+        }
+      }
+    }
+    for (int i = 0; i < 2000; ++i) {
+      Vec3 place = Vec3::Random().cwiseProduct(half);
+      const int face = i % 3;
+      place[face] = (i % 2 == 0 ? 1 : -1) * half[face];
+      ASSERT_LT((sensor(skin, skin.nearest(0, place)).position - place).norm(), spacing) << place.transpose();
+    }
+    EXPECT_EQ(Skin(*model, {{1, spacing}}).sensors()[7].position, skin.sensors()[7].position)
+        << "the same in every run";
+  }
+}
+
+// Contacts lie on the hull of a mesh that is not convex, and so do the sensors.
+TEST(TouchSkin, AMeshsHollowsAreCovered) {
+  const auto model = mesh_of("-.1 0 0  .1 0 0  -.1 .1 0  .1 .1 0  -.1 0 .1  .1 0 .1  -.1 .1 .1  .1 .1 .1  0 .05 .05");
+  const Skin skin(*model, {{1, 0.01}});
+  for (const Sensor& s : skin.sensors()) {
+    const Vec3 from_middle = (s.position - Vec3(0, .05, .05)).cwiseAbs().cwiseQuotient(Vec3(.1, .05, .05));
+    EXPECT_NEAR(from_middle.maxCoeff(), 1, 1e-6);
+  }
+}
+
+TEST(TouchSkin, APartInsideAMeshHasNoSensors) {
+  const auto model = test::compiled(
+      "<mujoco><asset><mesh name='m' vertex='.1 0 0 -.1 0 0 0 .1 0 0 -.1 0 0 0 .1 0 0 -.1'/></asset><worldbody><body>"
+      "<freejoint/><geom type='mesh' mesh='m'/><geom size='.03'/><geom size='.03' pos='.2 0 "
+      "0'/></body></worldbody></mujoco>");
+  const Skin skin(*model, {{1, 0.01}});
+  int inner = 0, outer = 0;
+  for (const Sensor& s : skin.sensors()) {
+    inner += s.geom == 1;
+    outer += s.geom == 2;
+  }
+  EXPECT_EQ(inner, 0);
+  EXPECT_GT(outer, 50);
 }
 
 TEST(TouchSkin, GeomsThatTouchNothingHaveNone) {

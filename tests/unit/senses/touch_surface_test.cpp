@@ -70,6 +70,7 @@ int formula(const Shape& shape, double spacing) {
     case Kind::kEllipsoid: return sphere_count(s.maxCoeff(), spacing);
     case Kind::kCapsule: return capsule_count(s.x(), s.y(), spacing);
     case Kind::kCylinder: return cylinder_count(s.x(), s.y(), spacing);
+    case Kind::kMesh:  // touch_maps_test.cpp
     case Kind::kNone: break;
   }
   return 0;
@@ -85,6 +86,7 @@ double off_surface(const Shape& shape, const Vec3& p) {
     case Kind::kEllipsoid: return std::abs(p.cwiseQuotient(s).norm() - 1) * s.minCoeff();
     case Kind::kCapsule: return std::abs(std::hypot(radial, std::max(0.0, std::abs(p.z()) - s.y())) - s.x());
     case Kind::kCylinder: return std::abs(std::max(radial - s.x(), std::abs(p.z()) - s.y()));
+    case Kind::kMesh:  // touch_maps_test.cpp
     case Kind::kNone: break;
   }
   return 1;

@@ -317,6 +317,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_task_name": (c_char_p, [c_size_t]),
     "mimo_parameter_count": (_status, [_Out_size]),
     "mimo_parameter_describe": (_status, [c_size_t, _config(Parameter)]),
+    "mimo_scene_save": (_status, [_Handle, c_char_p]),
     "mimo_scene_set_parameter": (_status, [_Handle, c_char_p, c_double]),
     "mimo_scene_get_parameter": (_status, [_Handle, c_char_p, _Out_f64]),
     "mimo_env_config_init": (_status, [_config(EnvConfig), c_size_t]),

@@ -210,6 +210,13 @@ class Scene(Handle):
         check(LIB.mimo_scene_xml(self._handle, buffer, len(buffer), None))
         return text(buffer.value)
 
+    def save(self, folder: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the scene as `scene.xml`, with its textures and meshes in `assets`, for any program with MuJoCo.
+
+        The folder is made where it is not there; files that are there with other content are not overwritten.
+        """
+        check(LIB.mimo_scene_save(self._handle, utf8(os.fspath(folder), "folder")))
+
     @property
     def agent_count(self) -> int:
         """How many infants were added."""

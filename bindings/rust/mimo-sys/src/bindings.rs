@@ -385,7 +385,7 @@ extern "C" {
 pub struct mimo_agent_config {
     #[doc = "sizeof(mimo_agent_config), set by mimo_agent_config_init."]
     pub struct_size: u32,
-    #[doc = "1: position and orientation below count; 0: the scene's own place for an infant."]
+    #[doc = "1: position and orientation below count; 0: the scene's own place for an infant, see mimo_scene_add_agent."]
     pub place_given: u32,
     #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
@@ -452,10 +452,18 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Adds an infant."]
+    #[doc = ""]
+    #[doc = "In a scene that names no place for its first infant and where none is given, it stands on what stands still at the"]
+    #[doc = "origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to 4 m"]
+    #[doc = "away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place, or"]
+    #[doc = "finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log."]
     #[doc = "@param config NULL means the scene's own, see mimo_scene_default_agent."]
     #[doc = "@param agent  receives its number, 0 for the first; may be NULL."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five"]
-    #[doc = "fingers in standup), for a name in use, or no name where there are several agents, or when the scene has no place left and none is given."]
+    #[doc = "fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several agents,"]
+    #[doc = "and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where its compiler"]
+    #[doc = "settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a composite, and for"]
+    #[doc = "global coordinates."]
     pub fn mimo_scene_add_agent(
         scene: *mut mimo_scene,
         config: *const mimo_agent_config,
@@ -607,8 +615,9 @@ extern "C" {
     #[doc = "What else stands in its worldbody (floor, lights) does not come along, nor do its solver options, keyframes, sizes and"]
     #[doc = "visual settings: there the scene's count. Nor do keyframes of the scene stay: they are positions of other joints."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just one"]
-    #[doc = "body; MIMO_E_UNSUPPORTED for compiler settings that only count for whole scenes (global coordinates, settotalmass,"]
-    #[doc = "...); MIMO_E_INVALID_ARGUMENT for a name in use, and for fixed = 1 where the body has a free joint."]
+    #[doc = "body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...); MIMO_E_UNSUPPORTED"]
+    #[doc = "for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT for a name in use, and"]
+    #[doc = "for fixed = 1 where the body has a free joint."]
     pub fn mimo_scene_add_model(scene: *mut mimo_scene, config: *const mimo_model_config) -> mimo_status;
 }
 extern "C" {
@@ -690,7 +699,8 @@ extern "C" {
 extern "C" {
     #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
     #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
-    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) and the scene does not compile."]
+    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the scene"]
+    #[doc = "        does not compile."]
     #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only."]
     #[doc = "@param length receives the length without the terminating zero; may be NULL."]
     pub fn mimo_scene_xml(
@@ -699,6 +709,14 @@ extern "C" {
         capacity: usize,
         length: *mut usize,
     ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all textures,"]
+    #[doc = "meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
+    #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for"]
+    #[doc = "        one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
+    pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
 extern "C" {
     #[doc = "Name of the index-th task (\"none\", \"reach\", ...), or NULL past the last. Static string."]

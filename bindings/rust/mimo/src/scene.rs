@@ -190,6 +190,13 @@ impl Scene {
         })?;
         Ok(text(bytes.as_ptr() as *const _))
     }
+
+    /// Writes the scene as `scene.xml`, with its textures and meshes in `assets`, for any program with MuJoCo. The
+    /// folder is made where it is not there; files that are there with other content are not overwritten.
+    pub fn save(&self, folder: &str) -> Result<()> {
+        let folder = c_string(folder)?;
+        check(unsafe { sys::mimo_scene_save(self.handle(), folder.as_ptr()) })
+    }
 }
 
 /// C's number of an agent; one that is too large for it is none there either.

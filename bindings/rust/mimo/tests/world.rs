@@ -119,6 +119,10 @@ fn agent_config_reaches_the_world() {
     scene.set_parameter("reach/success_reward", 5.0).unwrap();
     assert_eq!(scene.parameter("reach/success_reward"), Ok(5.0));
     assert!(scene.to_xml().unwrap().starts_with('<'));
+    let folder = std::env::temp_dir().join(format!("mimo_rust_scene_{}", std::process::id()));
+    scene.save(folder.to_str().unwrap()).unwrap();
+    assert!(folder.join("scene.xml").exists());
+    std::fs::remove_dir_all(&folder).unwrap();
     let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
     assert_eq!(env.action_size(), Ok(4)); // shoulder (three) and elbow
     assert_eq!(env.new_block().unwrap().f32("anna/vision/eye_left_depth").unwrap().len(), 32 * 16);

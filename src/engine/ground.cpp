@@ -1,0 +1,88 @@
+#include "engine/ground.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mimo::engine {
+namespace {
+
+bool can_touch(const mjModel& model, int one, int other) {
+  return ((model.geom_contype[one] & model.geom_conaffinity[other]) |
+          (model.geom_contype[other] & model.geom_conaffinity[one])) != 0;
+}
+
+bool stands_still(const mjModel& model, int geom) { return model.body_weldid[model.geom_bodyid[geom]] == 0; }
+
+// Distance downwards from a point to a geom; negative where it is not met.
+double distance_below(const mjModel& model, const mjData& data, int geom, const std::array<double, 3>& point) {
+  const std::array<double, 3> down{0, 0, -1};
+  switch (model.geom_type[geom]) {
+    case mjGEOM_MESH: return mj_rayMesh(&model, &data, geom, point.data(), down.data());
+    case mjGEOM_HFIELD: return mj_rayHfield(&model, &data, geom, point.data(), down.data());
+    default:
+      return mju_rayGeom(data.geom_xpos + 3 * geom, data.geom_xmat + 9 * geom, model.geom_size + 3 * geom, point.data(),
+                         down.data(), model.geom_type[geom]);
+  }
+}
+
+}  // namespace
+
+double half_height(const mjModel& model, const mjData& data, int geom) {
+  const double* size = model.geom_size + 3 * geom;
+  const double* z = data.geom_xmat + 9 * geom + 6;  // the world's z axis in the geom's frame
+  switch (model.geom_type[geom]) {
+    case mjGEOM_SPHERE: return size[0];
+    case mjGEOM_CAPSULE: return size[0] + std::abs(z[2]) * size[1];
+    case mjGEOM_CYLINDER: return size[0] * std::hypot(z[0], z[1]) + size[1] * std::abs(z[2]);
+    case mjGEOM_BOX: return size[0] * std::abs(z[0]) + size[1] * std::abs(z[1]) + size[2] * std::abs(z[2]);
+    case mjGEOM_ELLIPSOID: return std::hypot(size[0] * z[0], size[1] * z[1], size[2] * z[2]);
+    default: return model.geom_rbound[geom];
+  }
+}
+
+std::vector<int> geoms_of_tree(const mjModel& model, int root) {
+  std::vector<int> geoms;
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    if (model.body_rootid[model.geom_bodyid[geom]] == root) geoms.push_back(geom);
+  }
+  return geoms;
+}
+
+std::vector<double> heights_at(const mjModel& model, const mjData& data, const std::vector<int>& geoms, double x,
+                               double y) {
+  constexpr double kAbove = 1000, kBeyond = 1e-6;  // m
+  constexpr int kMost = 16;                        // a closed mesh is met again and again
+  std::vector<double> heights;
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const bool matters = stands_still(model, geom) && std::any_of(geoms.begin(), geoms.end(), [&](int own) {
+                           return own != geom && can_touch(model, own, geom);
+                         });
+    if (!matters) continue;
+    std::array<double, 3> point{x, y, data.geom_xpos[3 * geom + 2] + model.geom_rbound[geom] + kAbove};
+    for (int i = 0; i < kMost; ++i) {
+      const double distance = distance_below(model, data, geom, point);
+      if (!(distance >= 0)) break;
+      point[2] -= distance;
+      heights.push_back(point[2]);
+      point[2] -= kBeyond;
+    }
+  }
+  return heights;
+}
+
+Overlap deepest_overlap(const mjModel& model, const mjData& data, int root) {
+  Overlap deepest;
+  for (int i = 0; i < data.ncon; ++i) {
+    const mjContact& contact = data.contact[i];
+    const bool first = model.body_rootid[model.geom_bodyid[contact.geom1]] == root;
+    const bool second = model.body_rootid[model.geom_bodyid[contact.geom2]] == root;
+    if (first == second || -contact.dist <= deepest.depth) continue;
+    deepest = {-contact.dist, first ? contact.geom1 : contact.geom2, first ? contact.geom2 : contact.geom1};
+  }
+  return deepest;
+}
+
+}  // namespace mimo::engine

@@ -1,0 +1,157 @@
+#include "scene/placing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/fail.h"
+#include "base/format.h"
+#include "engine/ground.h"
+#include "engine/joints.h"
+#include "engine/stored_pose.h"
+
+namespace mimo::scene {
+namespace {
+
+using engine::Kind;
+
+constexpr double kClearance = 0.0005;  // m
+constexpr double kPi = 3.14159265358979323846;
+
+struct Spot {
+  double x, y;
+};
+
+// The origin, and rings around it.
+std::vector<Spot> spots() {
+  constexpr int kRings = 8, kDirections = 8;
+  constexpr double kBetween = 0.5;  // m
+  std::vector<Spot> spots{{0, 0}};
+  for (int ring = 1; ring <= kRings; ++ring) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * kPi * i / kDirections, radius = kBetween * ring;
+      spots.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+  }
+  return spots;
+}
+
+class Search {
+ public:
+  Search(engine::Physics& physics, const std::string& prefix)
+      : physics_(physics),
+        root_(engine::find_or_fail(physics.model(), Kind::kBody, prefix + kRootBody)),
+        address_(engine::free_joint_address(physics.model(), root_)),
+        geoms_(engine::geoms_of_tree(physics.model(), root_)) {}
+
+  Pose run() {
+    put({0, 0}, 0);
+    const double sole = lowest();
+    bool ground = false;
+    constexpr double kCupboard = 1;  // m; it rather stands beside something than so high on it
+    for (const double highest : {kCupboard, std::numeric_limits<double>::infinity()}) {
+      for (const Spot& spot : spots()) {
+        for (const double height : heights_under(spot)) {
+          ground = true;
+          if (std::abs(height) <= highest && fits(spot, height - sole + kClearance)) return pose();
+        }
+      }
+    }
+    for (const Spot& spot : spots()) {
+      if (!ground && fits(spot, 0)) return pose();
+    }
+    return {};
+  }
+
+ private:
+  void put(const Spot& spot, double z) {
+    double* place = physics_.data().qpos + address_;
+    const std::array<double, 7> pose{spot.x, spot.y, z, 1, 0, 0, 0};
+    std::copy(pose.begin(), pose.end(), place);
+    physics_.update_contacts();
+  }
+
+  Pose pose() {
+    const double* place = physics_.data().qpos + address_;
+    return {{place[0], place[1], place[2]}, {1, 0, 0, 0}};
+  }
+
+  double lowest() const {
+    double low = 0;
+    for (const int geom : geoms_) {
+      const double height = physics_.data().geom_xpos[3 * geom + 2];
+      low = std::min(low, height - engine::half_height(physics_.model(), physics_.data(), geom));
+    }
+    return low;
+  }
+
+  // The nearest to the origin's height first.
+  std::vector<double> heights_under(const Spot& spot) const {
+    constexpr double kReach = 0.12, kSame = 0.001;  // m
+    std::vector<double> heights;
+    for (int i = -2; i <= 2; ++i) {
+      for (int j = -2; j <= 2; ++j) {
+        const std::vector<double> met = engine::heights_at(physics_.model(), physics_.data(), geoms_,
+                                                           spot.x + kReach * i / 2, spot.y + kReach * j / 2);
+        heights.insert(heights.end(), met.begin(), met.end());
+      }
+    }
+    std::sort(heights.begin(), heights.end());
+    const auto same = [](double one, double other) { return other - one < kSame; };
+    heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
+    std::stable_sort(heights.begin(), heights.end(),
+                     [](double one, double other) { return std::abs(one) < std::abs(other); });
+    return heights;
+  }
+
+  // Whether it is inside of nothing there, or a little higher, where the ground is uneven.
+  bool fits(const Spot& spot, double z) {
+    constexpr int kTries = 8;
+    constexpr double kUneven = 0.05;  // m
+    for (int i = 0; i < kTries; ++i) {
+      put(spot, z);
+      const double depth = engine::deepest_overlap(physics_.model(), physics_.data(), root_).depth;
+      if (depth == 0) return true;
+      if (depth > kUneven) return false;
+      z += depth + kClearance;
+    }
+    return false;
+  }
+
+  engine::Physics& physics_;
+  int root_;
+  int address_;
+  std::vector<int> geoms_;
+};
+
+std::string described(const mjModel& model, int geom) {
+  const std::string name = engine::name(model, Kind::kGeom, geom);
+  if (!name.empty()) return "geom \"" + name + "\"";
+  const std::string body = engine::name(model, Kind::kBody, model.geom_bodyid[geom]);
+  return "geom " + std::to_string(geom) + " of body \"" + body + "\"";
+}
+
+}  // namespace
+
+engine::Physics at_start(const engine::ModelPtr& model) {
+  engine::Physics physics(model, {});
+  engine::read_stored_pose(*model, physics.start());
+  physics.reset();
+  return physics;
+}
+
+Pose free_spot(engine::Physics& physics, const std::string& prefix) { return Search(physics, prefix).run(); }
+
+void warn_of_overlap(const engine::Physics& physics, const std::string& prefix, const LogSink& log) {
+  constexpr double kWorthSaying = 0.005;  // m; what lies or stands sinks in by a millimetre or two
+  const mjModel& model = physics.model();
+  const int root = engine::find_or_fail(model, Kind::kBody, prefix + kRootBody);
+  const engine::Overlap overlap = engine::deepest_overlap(model, physics.data(), root);
+  if (overlap.depth < kWorthSaying) return;
+  const std::string own = engine::name(model, Kind::kBody, model.geom_bodyid[overlap.own]);
+  log(LogLevel::kWarning,
+      format("the infant starts {:.1f} cm inside of {}, with its body \"{}\"; give it another place",
+             100 * overlap.depth, described(model, overlap.other), own));
+}
+
+}  // namespace mimo::scene

@@ -1,0 +1,127 @@
+#include "scene/saving.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include "base/fail.h"
+#include "scene/composition.h"
+#include "scene/library.h"
+#include "scene/names.h"
+#include "scene/xml.h"
+
+namespace mimo::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct File {
+  fs::path path;
+  std::string bytes;
+};
+
+std::string content(const std::string& source) {
+  const auto built_in = built_in_asset(source);
+  if (!built_in.empty()) return {built_in.begin(), built_in.end()};
+  auto bytes = read_file(source);
+  if (!bytes) fail(Status::kNotFound, "file {} cannot be read", source);
+  return std::move(*bytes);
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// The last part of a path in characters that every file system takes, in small letters: some do not tell them apart.
+std::string plain_name(const std::string& source) {
+  std::string name = source.substr(source.find_last_of('/') + 1);
+  for (char& c : name) {
+    c = lower(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+    if (!plain) c = '_';
+  }
+  constexpr std::size_t kLongest = 100;
+  return name.size() > kLongest ? name.substr(name.size() - kLongest) : name;
+}
+
+// Names for files by where they come from; each another one.
+class Names {
+ public:
+  const std::string& of(const std::string& source) {
+    std::string& name = names_[source];
+    if (!name.empty()) return name;
+    const std::string plain = plain_name(source);
+    name = plain;
+    for (int number = 2; !taken_.insert(name).second; ++number) name = std::to_string(number) + "_" + plain;
+    return name;
+  }
+
+ private:
+  std::map<std::string, std::string> names_;  // references stay good
+  std::set<std::string> taken_;
+};
+
+std::vector<File> files_of(const pugi::xml_document& document, const fs::path& folder) {
+  const pugi::xml_document changed = copy(document);
+  std::vector<File> files;
+  std::set<std::string> seen;
+  Names names;
+  for (const auto& [node, attribute] : asset_files(changed.document_element())) {
+    const std::string source = attribute.value();
+    if (source.empty()) continue;
+    name_after_file(node);  // before the file gets another name
+    const std::string name = "assets/" + names.of(source);
+    set(node, attribute.name(), name);
+    if (seen.insert(name).second) files.push_back({folder / name, content(source)});
+  }
+  files.push_back({folder / "scene.xml", print(changed)});
+  return files;
+}
+
+void write(const File& file) {
+  std::ofstream stream(file.path, std::ios::binary);
+  stream.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+  stream.close();
+  require(static_cast<bool>(stream), "folder: file {} cannot be written: {}", file.path.string(),
+          std::generic_category().message(errno));
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  require(!error, "folder: {} cannot be made: {}", folder.string(), error.message());
+}
+
+}  // namespace
+
+void save(const pugi::xml_document& document, const std::string& folder) {
+  std::vector<File> files = files_of(document, folder);
+  std::vector<File> missing;
+  for (File& file : files) {
+    std::error_code unknown;
+    if (!fs::exists(fs::symlink_status(file.path, unknown))) {
+      missing.push_back(std::move(file));
+      continue;
+    }
+    require(read_file(file.path.string()) == file.bytes,
+            "folder: {} is there with other content, and is not overwritten; give a new folder", file.path.string());
+  }
+  if (missing.empty()) return;
+  make_folder(fs::path(folder) / "assets");
+  std::size_t begun = 0;
+  try {
+    for (const File& file : missing) {
+      ++begun;
+      write(file);
+    }
+  } catch (...) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i < begun; ++i) fs::remove(missing[i].path, ignored);
+    throw;
+  }
+}
+
+}  // namespace mimo::scene
