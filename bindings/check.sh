@@ -13,7 +13,9 @@ test_rust() {
   build_program
   echo "Tests of the Rust crates"
   local -x MIMO_LIB_DIR=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust
-  local example rooms=$PWD/build/rooms  # with the rooms of the release build ccache knows all that the crate builds
+  # With the rooms of the release build ccache knows all that the crate builds. Seen from mimo-sys, for spaces divide
+  # arguments there.
+  local example rooms=../../../build/rooms
   (
     cd bindings/rust
     ./generate --check

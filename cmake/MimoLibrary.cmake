@@ -12,8 +12,9 @@ target_include_directories(mimo PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/i
                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # Bound when loaded: else a MuJoCo that the host loads later, of another version, could be given to us in the middle.
 target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed -Wl,-z,now)
+# A MuJoCo beside libmimo.so comes before the system's, wherever the two are: ./dev build --avx, and copies in a host's folder.
+# The build folder's file is linked like the installed one: CMake would else reserve room in its RUNPATH by empty entries,
+# and these stand for the current folder.
 set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
                       SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION}
-                      INSTALL_RPATH_USE_LINK_PATH ON)
-# In the build folder, another build of the same MuJoCo beside libmimo.so takes the place of the system's: ./dev build --avx
-set_property(TARGET mimo PROPERTY BUILD_RPATH $ORIGIN)
+                      BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH $ORIGIN INSTALL_RPATH_USE_LINK_PATH ON)

@@ -1,0 +1,93 @@
+"""The script ./dev of the repository REPOSITORY, with stand-ins for the programs that it calls: dev_test.py REPOSITORY"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+REPOSITORY = Path(sys.argv.pop(1))
+PARTS = ["--quick", "--python", "--rust", "--csharp", "--octave", "--same", "--package", "--asan"]
+INSTALLED = 'printf installed'
+
+
+class Dev(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.clone = Path(self.temporary.name) / "a folder" / "libmimo"
+        (self.clone / "bindings").mkdir(parents=True)
+        shutil.copy(REPOSITORY / "dev", self.clone)
+        shutil.copy(REPOSITORY / "bindings/check.sh", self.clone / "bindings")
+        self.stub("dpkg-query", INSTALLED)
+
+    def stub(self, program, script):
+        """A program of that name, which keeps what it is called with."""
+        file = Path(self.temporary.name) / "bin" / program
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(f'#!/bin/bash\necho "$0 $*" >>"{self.temporary.name}/calls"\n{script}\n')
+        file.chmod(0o755)
+
+    def calls(self, program):
+        lines = (Path(self.temporary.name) / "calls").read_text().splitlines()
+        return [line.split("/" + program + " ", 1)[1] for line in lines if "/" + program + " " in line]
+
+    def dev(self, *arguments):
+        path = f"{self.temporary.name}/bin:{os.environ['PATH']}"
+        return subprocess.run([self.clone / "dev", *arguments], capture_output=True, text=True, env={**os.environ, "PATH": path})
+
+    def test_a_part_that_fails_does_not_end_the_tests(self):
+        self.stub("cmake", "exit 1")
+        done = self.dev("test")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.strip().splitlines()[-1], "dev: tests failed; again with: ./dev test " + " ".join(PARTS))
+
+    def test_only_what_failed_is_named(self):
+        self.stub("cmake", '[[ $* != *asan* ]]')
+        self.stub("ctest", "exit 0")
+        done = self.dev("test", "--quick", "--asan")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.strip().splitlines()[-1], "dev: tests failed; again with: ./dev test --asan")
+        self.assertEqual(self.dev("test", "--quick", "--quick").returncode, 0)
+
+    def test_parts_by_themselves(self):
+        self.stub("cmake", "exit 0")
+        self.stub("ctest", "exit 0")
+        for part, preset in (("--quick", "release"), ("--tsan", "tsan")):
+            self.assertEqual(self.dev("test", part).returncode, 0)
+            self.assertIn(f"--preset {preset} ", self.calls("ctest")[-1])
+        self.dev("test", "--asan")
+        self.assertIn("--preset asan ", self.calls("ctest")[-1])
+
+    def test_an_unknown_part_is_named(self):
+        done = self.dev("test", "--quick", "--slow")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'--slow'", done.stderr)
+
+    @unittest.skipIf(os.geteuid() != 0, "only root installs packages")
+    def test_another_apt_is_waited_for(self):
+        self.stub("dpkg-query", "exit 1")
+        self.stub("cmake", "exit 0")
+        busy = Path(self.temporary.name) / "busy"
+        busy.touch()
+        self.stub("apt-get", f'[[ $1 == update && -e "{busy}" ]] || exit 0\nrm "{busy}"\n'
+                  "echo 'E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1 (apt-get)' >&2\nexit 100")
+        done = self.dev("build")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        update, again, install = self.calls("apt-get")
+        self.assertEqual(update, again)
+        self.assertIn("DPkg::Lock::Timeout=", install)
+
+    @unittest.skipIf(os.geteuid() != 0, "only root installs packages")
+    def test_an_apt_that_fails_is_quoted(self):
+        self.stub("dpkg-query", "exit 1")
+        self.stub("apt-get", "echo 'E: no network' >&2\nexit 100")
+        done = self.dev("build")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("E: no network", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]])
