@@ -100,6 +100,14 @@ std::vector<std::string> Env::action_names() const {
   return names;
 }
 
+std::pair<std::vector<float>, std::vector<float>> Env::action_bounds() const {
+  std::size_t count = 0;
+  check(mimo_env_action_size(get(), &count));
+  std::vector<float> low(count), high(count);
+  if (count != 0) check(mimo_env_action_bounds(get(), low.data(), high.data(), count));
+  return {low, high};
+}
+
 std::vector<mimo_agent_info> Env::agents() const {
   std::size_t count = 0;
   check(mimo_env_agent_count(get(), &count));

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -98,6 +99,7 @@ class Env {
   Block make_block() const;
   std::vector<Field> fields() const;
   std::vector<std::string> action_names() const;
+  std::pair<std::vector<float>, std::vector<float>> action_bounds() const;  // low, high
   std::vector<mimo_agent_info> agents() const;
 
   std::size_t touch_sensors() const;  // of all agents

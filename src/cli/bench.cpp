@@ -8,6 +8,7 @@
 #include "allocations.h"
 #include "bare_world.h"
 #include "commands.h"
+#include "files.h"
 #include "full_world.h"
 #include "paper.h"
 #include "progress.h"
@@ -208,6 +209,7 @@ void add_bench(CLI::App& program) {
       "  mimo bench --paper --short --csv paper.csv");
   command->callback([options] {
     if (options->serve) return serve_reference(options->world.seed);
+    if (!options->csv.empty()) require_writable(options->csv);
     if (options->paper) return run_paper({options->world, options->brief, options->csv});
     const Json result = options->worlds > 1 || options->threads > 1 ? run_many(*options) : run_one(*options);
     if (options->json) {

@@ -20,6 +20,17 @@ Json describe(const Field& field) {
           {"low", field.low},   {"high", field.high},          {"offset", field.offset}};
 }
 
+// What each action is and may be.
+Json describe_actions(const Env& env) {
+  const auto names = env.action_names();
+  const auto [low, high] = env.action_bounds();
+  Json actions = Json::array();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    actions.push_back({{"name", names[i]}, {"low", low[i]}, {"high", high[i]}});
+  }
+  return actions;
+}
+
 Json describe(const Env& env) {
   const auto joints = env.ids(MIMO_JOINT);
   const auto agents = env.agents();
@@ -34,10 +45,14 @@ Json describe(const Env& env) {
                {"agents", agents.size()},
                {"mass_kg", agents.empty() ? Json() : Json(agents[0].mass)},
                {"height_m", agents.empty() ? Json() : Json(agents[0].height)}};
+  info["task"] = env.task();
+  info["timestep_s"] = env.timestep();
+  info["frame_skip"] = env.frame_skip();
   info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
   info["observation_bytes"] = env.make_block().bytes();
   info["observation_fields"] = Json::array();
   for (const Field& field : env.fields()) info["observation_fields"].push_back(describe(field));
+  info["actions"] = describe_actions(env);
   return info;
 }
 
@@ -45,6 +60,7 @@ void print_for_people(const Json& info, const std::vector<Field>& fields) {
   Table counts(1);
   for (const auto& [key, value] : info.items()) {
     if (value.is_number()) counts.add({key, value.dump()});
+    if (value.is_string()) counts.add({key, value.get<std::string>()});
   }
   for (const auto& [key, value] : info["versions"].items()) {
     counts.add({key, value.is_string() ? value.get<std::string>() : value.dump()});
@@ -59,6 +75,15 @@ void print_for_people(const Json& info, const std::vector<Field>& fields) {
                f.time_name(), text("%g", f.low), text("%g", f.high), std::to_string(f.offset)});
   }
   table.print(std::cout);
+
+  std::cout << "\nactions\n";
+  Table actions(1);
+  actions.add({"action", "low", "high"});
+  for (const Json& it : info["actions"]) {
+    actions.add(
+        {it["name"].get<std::string>(), text("%g", it["low"].get<double>()), text("%g", it["high"].get<double>())});
+  }
+  actions.print(std::cout);
 }
 
 }  // namespace
@@ -69,13 +94,15 @@ void add_info(CLI::App& program) {
     bool json = false;
   };
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = program.add_subcommand("info", "Count what a scene holds and list what its infant senses");
+  options->world.touch = "";  // the scene's own
+  CLI::App* command = program.add_subcommand("info", "Count what a scene holds, list what its infant senses and does");
   add_scene_options(*command, options->world);
   add_actuation_option(*command, options->world);
-  add_vision_options(*command, options->world);
+  add_vision_options(*command, options->world, "the scene's own");
   add_touch_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
+      "The world is the one that mimo_env_make(scene) and mimo.make(scene) give, but for what options change.\n"
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
       "motors. mass_kg and height_m are the first agent's. Fields of time 'end' belong to the end of a step, those of\n"
       "time 'last_start' to the start of its last physics step.\n"
@@ -83,7 +110,7 @@ void add_info(CLI::App& program) {
       "  mimo info\n"
       "  mimo info --scene my_room.xml --json");
   command->callback([options] {
-    const Env env = open_world(options->world, make_env_config());
+    const Env env = open_own_world(options->world, make_env_config());
     const Json info = describe(env);
     if (options->json) {
       std::cout << info.dump(2) << '\n';

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "picture.h"
 
@@ -10,9 +11,19 @@ namespace {
 using Vector = std::array<double, 3>;
 
 struct Ball {
+  std::int32_t geom;
   Vector center;
   double radius;
 };
+
+// What is farther from all infants (a ball that rolled away) is left out: showing it would make them tiny.
+constexpr double kSurroundings = 2.0, kArmsReach = 0.6;
+
+constexpr double kAzimuths[] = {130, 50, -130, -50};  // from the right and in front of an infant, and from other sides
+struct View {
+  double far, fovy;
+};
+constexpr View kViews[] = {{kSurroundings, 45}, {kArmsReach, 45}, {kArmsReach, 75}};
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -21,29 +32,31 @@ Vector position(const Env& env, std::int32_t quantity, std::int32_t id) {
   return {place[0], place[1], place[2]};
 }
 
-// A ball around each geom that does not belong to the world.
-std::vector<Ball> movable_geoms(const Env& env) {
+// A ball around each geom that is not scenery: of the world itself, or as large as walls and furniture are.
+std::vector<Ball> small_geoms(const Env& env) {
+  constexpr double kLarge = 0.5;
   std::vector<Ball> balls;
   for (const std::int32_t geom : env.ids(MIMO_GEOM)) {
-    if (env.body_of(MIMO_GEOM, geom) == 0) continue;
     const auto size = env.get(MIMO_GEOM_SIZE, {geom});
-    balls.push_back({position(env, MIMO_GEOM_POSITION, geom), std::hypot(size[0], size[1], size[2])});
+    const double radius = std::hypot(size[0], size[1], size[2]);
+    if (env.body_of(MIMO_GEOM, geom) == 0 || radius > kLarge) continue;
+    balls.push_back({geom, position(env, MIMO_GEOM_POSITION, geom), radius});
   }
   return balls;
 }
 
-// Drops what is so far from all infants (a ball that rolled away) that showing it would make them tiny.
-void drop_strays(const Env& env, std::vector<Ball>& balls) {
-  constexpr double kFar = 2.0;
+// Those that are near an infant; all where there is none.
+std::vector<Ball> near_infants(const Env& env, std::vector<Ball> balls, double far) {
   std::vector<Vector> infants;
   for (const std::int32_t body : env.infants()) infants.push_back(position(env, MIMO_BODY_POSITION, body));
-  if (infants.empty()) return;
+  if (infants.empty()) return balls;
   const auto stray = [&](const Ball& ball) {
     return std::none_of(infants.begin(), infants.end(), [&](const Vector& infant) {
-      return std::hypot(ball.center[0] - infant[0], ball.center[1] - infant[1], ball.center[2] - infant[2]) <= kFar;
+      return std::hypot(ball.center[0] - infant[0], ball.center[1] - infant[1], ball.center[2] - infant[2]) <= far;
     });
   };
   balls.erase(std::remove_if(balls.begin(), balls.end(), stray), balls.end());
+  return balls;
 }
 
 // The middle of the balls' bounding box.
@@ -73,19 +86,8 @@ double distance_to_see(const std::vector<Ball>& balls, const Vector& look_at, co
   return distance;
 }
 
-}  // namespace
-
-mimo_picture_config overview(const Env& env, std::uint32_t width, std::uint32_t height) {
-  auto config = defaults(mimo_picture_config_init);
-  config.width = width;
-  config.height = height;
-  auto balls = movable_geoms(env);
-  drop_strays(env, balls);
-  if (balls.empty()) return config;
-
-  config.fovy = 45;
-  config.azimuth = 130;
-  config.elevation = -20;
+// A camera that has all balls in its picture.
+mimo_picture_config view_of(const std::vector<Ball>& balls, mimo_picture_config config) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   const double azimuth = config.azimuth * kDegree, elevation = config.elevation * kDegree;
   const Vector forward{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
@@ -94,7 +96,7 @@ mimo_picture_config overview(const Env& env, std::uint32_t width, std::uint32_t 
   const Vector up{-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
                   std::cos(elevation)};
   const double vertical = config.fovy / 2 * kDegree;
-  const double horizontal = std::atan(std::tan(vertical) * width / height);
+  const double horizontal = std::atan(std::tan(vertical) * config.width / config.height);
 
   constexpr double kMargin = 1.05;
   const Vector center = middle(balls);
@@ -102,6 +104,67 @@ mimo_picture_config overview(const Env& env, std::uint32_t width, std::uint32_t 
   config.distance = kMargin * std::max(distance_to_see(balls, center, forward, up, vertical),
                                        distance_to_see(balls, center, forward, right, horizontal));
   return config;
+}
+
+bool among(const std::vector<Ball>& balls, std::int32_t geom) {
+  return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) { return ball.geom == geom; });
+}
+
+// How many of the balls a wall or other scenery hides from a camera that has them in its picture.
+std::size_t count_hidden(Env& env, mimo_picture_config config, const std::vector<Ball>& balls,
+                         const std::vector<Ball>& small) {
+  constexpr std::uint32_t kCoarser = 8;
+  config.width = std::max(config.width / kCoarser, 1u);
+  config.height = std::max(config.height / kCoarser, 1u);
+  const std::size_t count = std::size_t{config.width} * config.height;
+  std::vector<float> depth(count);
+  std::vector<std::int32_t> geoms(count);
+  check(mimo_env_render(env.get(), &config, nullptr, 0, depth.data(), count, geoms.data(), count));
+
+  std::vector<double> centers, pixels(3 * balls.size());
+  for (const Ball& ball : balls) centers.insert(centers.end(), ball.center.begin(), ball.center.end());
+  check(mimo_env_project(env.get(), &config, centers.data(), balls.size(), pixels.data()));
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const auto x = static_cast<std::size_t>(std::clamp(pixels[3 * i], 0.0, config.width - 1.0));
+    const auto y = static_cast<std::size_t>(std::clamp(pixels[3 * i + 1], 0.0, config.height - 1.0));
+    const std::size_t pixel = y * config.width + x;
+    const bool scenery = geoms[pixel] >= 0 && !among(small, geoms[pixel]);
+    hidden += scenery && depth[pixel] < pixels[3 * i + 2] - balls[i].radius;
+  }
+  return hidden;
+}
+
+}  // namespace
+
+// The usual view, or the first other one that nothing stands in the way of: from another side, of the infants alone and
+// from nearer, with a wider angle.
+mimo_picture_config overview(Env& env, std::uint32_t width, std::uint32_t height) {
+  auto config = defaults(mimo_picture_config_init);
+  config.width = width;
+  config.height = height;
+  const auto small = small_geoms(env);
+  if (near_infants(env, small, kSurroundings).empty()) return config;
+
+  config.elevation = -20;
+  std::optional<mimo_picture_config> best;
+  std::size_t least_hidden = 0;
+  for (const View& view : kViews) {
+    const auto balls = near_infants(env, small, view.far);
+    if (balls.empty()) continue;
+    for (const double azimuth : kAzimuths) {
+      config.fovy = view.fovy;
+      config.azimuth = azimuth;
+      config = view_of(balls, config);
+      const std::size_t hidden = count_hidden(env, config, balls, small);
+      if (!best || hidden < least_hidden) {
+        best = config;
+        least_hidden = hidden;
+      }
+      if (hidden == 0) return config;
+    }
+  }
+  return *best;
 }
 
 }  // namespace cli

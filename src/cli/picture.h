@@ -37,8 +37,9 @@ void write_png(const std::string& path, const Picture<std::uint16_t>& picture);
 void write_npy(const std::string& path, const Picture<float>& picture);
 void write_npy(const std::string& path, const Picture<std::int32_t>& picture);
 
-// A free camera that sees everything that can move, from the right and in front of the infant.
-mimo_picture_config overview(const Env& env, std::uint32_t width = 640, std::uint32_t height = 480);
+// A free camera that sees the infants and what is around them but walls and furniture, usually from the right and in
+// front of them; no wall stands in its way if there is such a place. Draws small pictures to know.
+mimo_picture_config overview(Env& env, std::uint32_t width = 640, std::uint32_t height = 480);
 
 ColorPicture take_picture(Env& env, const mimo_picture_config& config);
 

@@ -1,16 +1,13 @@
 #include "random_actions.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace cli {
 
 RandomActions::RandomActions(const Env& env, std::uint64_t seed) : generator_(seed) {
-  std::size_t count = 0;
-  check(mimo_env_action_size(env.get(), &count));
-  low_.resize(count);
-  high_.resize(count);
-  if (count != 0) check(mimo_env_action_bounds(env.get(), low_.data(), high_.data(), count));
-  for (std::size_t i = 0; i < count; ++i) {
+  std::tie(low_, high_) = env.action_bounds();
+  for (std::size_t i = 0; i < low_.size(); ++i) {
     if (!std::isfinite(low_[i])) low_[i] = -1;  // an actuator without ctrlrange
     if (!std::isfinite(high_[i])) high_[i] = 1;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "files.h"
 #include "picture.h"
 #include "touch_picture.h"
 #include "world.h"
@@ -20,9 +21,9 @@ struct RenderOptions {
   std::string out, depth, segmentation;
 };
 
-bool is_png(const std::string& path) { return path.size() >= 4 && path.compare(path.size() - 4, 4, ".png") == 0; }
+bool is_png(const std::string& path) { return has_ending(path, ".png"); }
 
-mimo_picture_config view(const Env& env, const RenderOptions& options) {
+mimo_picture_config view(Env& env, const RenderOptions& options) {
   auto config = overview(env, options.width, options.height);
   if (!options.camera.empty()) {
     config.camera = options.camera.c_str();
@@ -36,6 +37,9 @@ mimo_picture_config view(const Env& env, const RenderOptions& options) {
 }
 
 void render(const RenderOptions& options) {
+  for (const std::string& path : {options.out, options.depth, options.segmentation}) {
+    if (!path.empty()) require_writable(path);
+  }
   Env env = open_world(options.world, make_env_config());
   Block block = env.make_block();
   env.reset(options.world.seed, block);
@@ -67,18 +71,23 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
   const std::vector<CLI::Option*> free = {
       command.add_option("--look-at", options.look_at, "The point in the middle, metres")
           ->expected(3)
+          ->check(number(-1e6, 1e6))
           ->option_text("X Y Z"),
       command.add_option("--distance", options.distance, "From that point, metres")
-          ->check(CLI::Range(1e-3, 1e6))
+          ->check(number(1e-3, 1e6))
           ->option_text("M"),
-      command.add_option("--azimuth", options.azimuth, "Degrees; 0 looks along +x, 90 along +y")->option_text("DEG"),
-      command.add_option("--elevation", options.elevation, "Degrees; negative looks down")->option_text("DEG")};
+      command.add_option("--azimuth", options.azimuth, "Degrees; 0 looks along +x, 90 along +y")
+          ->check(number(-1e6, 1e6))
+          ->option_text("DEG"),
+      command.add_option("--elevation", options.elevation, "Degrees; negative looks down")
+          ->check(number(-1e6, 1e6))
+          ->option_text("DEG")};
   for (CLI::Option* option : free)
-    option->group("Free camera; by default it shows all that can move")->excludes(camera);
+    option->group("Free camera; by default it shows the infants and what is around them")->excludes(camera);
 }
 
 void add_size_option(CLI::App& command, const std::string& name, std::uint32_t& value) {
-  command.add_option(name, value, "Pixels")
+  command.add_option(name, value, "Pixels, 1 to 4096")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""))
       ->capture_default_str();
@@ -99,17 +108,22 @@ void add_render(CLI::App& program) {
   add_touch_option(*command, options->world);
   add_face_option(*command, options->world);
   add_seed_option(*command, options->world);
-  command->add_option("--out", options->out, "The picture, a PNG file")->type_name("FILE.png")->required();
+  command->add_option("--out", options->out, "The picture, a PNG file")
+      ->type_name("FILE.png")
+      ->check(CLI::Validator(check_png, ""))
+      ->required();
   command
       ->add_option("--depth", options->depth,
                    "Depth along the camera's axis: a .png of 16-bit millimetres, 0 for\n"
-                   "nothing or more than 65.5 m; any other name: NumPy's .npy, float32 metres")
-      ->type_name("FILE");
+                   "nothing or more than 65.5 m; a .npy of NumPy's: float32 metres")
+      ->type_name("FILE")
+      ->check(CLI::Validator(check_png_or_npy, ""));
   command
       ->add_option("--segmentation", options->segmentation,
                    "The geom that each pixel shows: a .png of colours, black for none;\n"
-                   "any other name: NumPy's .npy, int32 ids, -1 for none")
-      ->type_name("FILE");
+                   "a .npy of NumPy's: int32 ids, -1 for none")
+      ->type_name("FILE")
+      ->check(CLI::Validator(check_png_or_npy, ""));
   command->footer(
       "Examples:\n"
       "  mimo render --out scene.png\n"

@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "csv.h"
+#include "files.h"
 #include "progress.h"
 #include "world.h"
 
@@ -178,6 +179,7 @@ class Actions {
 template <typename Controls>
 void roll_out(const RolloutOptions& options) {
   const ControlTable table = read_controls(options.controls);
+  require_writable(options.out);
   Env env = open_bare_world(options.world, config_of(options));
   Controls controls(env, table, options.controls);
   Recording recording(env);

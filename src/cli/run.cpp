@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "interrupt.h"
 #include "picture.h"
 #include "progress.h"
 #include "random_actions.h"
@@ -70,12 +71,13 @@ Run::Run(const RunOptions& options)
 void Run::simulate() {
   const double dt = env_.timestep() * env_.frame_skip();
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(options_.seconds / dt)));
+  const Interrupt interrupt;
   RandomActions actions(env_, options_.world.seed);
   env_.reset(options_.world.seed, block_);
   save_pictures("start_", "at the start");
   {
     Progress progress(steps);
-    while (steps_ < steps) {
+    do {
       const auto action = actions.draw();
       const auto start = Clock::now();
       env_.step(action, block_);
@@ -83,7 +85,7 @@ void Run::simulate() {
       simulated_ = static_cast<double>(++steps_) * dt;
       for (FieldStatistics& field : statistics_) field.add(block_);
       progress.show(steps_);
-    }
+    } while (steps_ < steps && !Interrupt::requested());
   }
   save_pictures("", "at the end");
 }
@@ -147,6 +149,7 @@ void Run::save_pictures(const std::string& prefix, const std::string& when) {
 
 void Run::report() const {
   const double step_ms = 1000 * wall_ / static_cast<double>(steps_);
+  if (Interrupt::requested()) std::cout << text("interrupted after %g of %g s\n", simulated_, options_.seconds);
   std::cout << text("%.2f s of scene %s simulated in %.2f s: %.2f x real time, %.3f ms a step\n", simulated_,
                     options_.world.scene.c_str(), wall_, simulated_ / wall_, step_ms);
   std::cout << "\nmilliseconds a step\n";
@@ -177,7 +180,7 @@ void add_run(CLI::App& program) {
   add_actuation_option(*command, options->world);
   command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
       ->type_name("S")
-      ->check(CLI::Range(0.01, 1e6).description(""))
+      ->check(number(0.01, 1e6))
       ->capture_default_str();
   add_vision_options(*command, options->world);
   add_touch_option(*command, options->world);
@@ -190,7 +193,7 @@ void add_run(CLI::App& program) {
       "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png and touch.png (where\n"
       "most is felt: sensors as points, forces as arrows) as things are at the end, and the same with start_ before\n"
       "the name as they were at the start. In a scene with several infants the eyes' pictures are called after them,\n"
-      "anna_left.png.\n"
+      "anna_left.png. Ctrl-C ends the movements early and keeps pictures and report; a second one ends at once.\n"
       "Examples:\n"
       "  mimo run\n"
       "  mimo run --seconds 2 --vision 512 --seed 7 --out pictures\n"
@@ -199,6 +202,8 @@ void add_run(CLI::App& program) {
     Run run(*options);
     run.simulate();
     run.report();
+    std::cout.flush();
+    if (Interrupt::requested()) Interrupt::pass_on();
   });
 }
 

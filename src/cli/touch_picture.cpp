@@ -148,7 +148,7 @@ ColorPicture TouchPicture::draw(Env& env, const mimo_picture_config& config, con
   return scenery.picture;
 }
 
-mimo_picture_config TouchPicture::close_up(const Env& env, const Block& block) const {
+mimo_picture_config TouchPicture::close_up(Env& env, const Block& block) const {
   auto config = overview(env);
   const auto felt = feelings(env, block);
   const Feeling& strongest = felt[strongest_of(felt)];

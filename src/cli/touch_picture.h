@@ -22,7 +22,7 @@ class TouchPicture {
   ColorPicture draw(Env& env, const mimo_picture_config& config, const Block& block);
 
   // A view of what is felt most; the overview where nothing is felt.
-  mimo_picture_config close_up(const Env& env, const Block& block) const;
+  mimo_picture_config close_up(Env& env, const Block& block) const;
 
  private:
   using Vector = std::array<double, 3>;

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "text.h"
+
 namespace cli {
 namespace {
 
@@ -75,11 +77,15 @@ std::string check_vision(const std::string& text) {
   return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
 }
 
+// Whether all of a text is a number of a range, which NaN is not.
+bool is_number(const std::string& text, double low, double high) {
+  double value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  return result.ec == std::errc() && result.ptr == text.data() + text.size() && value >= low && value <= high;
+}
+
 std::string check_touch(const std::string& text) {
-  double scale = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), scale);
-  const bool number = result.ec == std::errc() && result.ptr == text.data() + text.size();
-  const bool good = text == "off" || (number && scale >= 0.001 && scale <= 1000);
+  const bool good = text == "off" || is_number(text, 0.001, 1000);
   return good ? "" : "expected 'off' or a number from 0.001 to 1000, not '" + text + "'";
 }
 
@@ -126,25 +132,36 @@ std::string check_effects(const std::string& list) {
   return "expected 'none' or a list of shadows, reflections, sky, haze and fog with commas between, not '" + list + "'";
 }
 
-mimo_agent_config agent_config(const WorldOptions& options, Senses senses) {
-  auto agent = defaults(mimo_agent_config_init);
-  const std::uint32_t size = senses == Senses::kAll ? pixels(options) : 0;
-  if (size == 0) {
-    agent.vision = 0;
-  } else {
-    agent.vision_width = agent.vision_height = size;
-  }
-  if (options.touch == "off") {
-    agent.touch = 0;
-  } else {
-    agent.touch_scale = std::stod(options.touch);
-  }
+void set_vision(std::uint32_t size, mimo_agent_config& agent) {
+  agent.vision = size != 0;
+  if (size != 0) agent.vision_width = agent.vision_height = size;
+}
+
+void set_touch(const std::string& touch, mimo_agent_config& agent) {
+  agent.touch = touch != "off";
+  if (agent.touch != 0) agent.touch_scale = std::stod(touch);
+}
+
+mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
+  const bool own = senses == Senses::kOwn;
+  auto agent = own ? usual : defaults(mimo_agent_config_init);
+  agent.actuation = actuation(options, usual);
+  if (!own || !options.vision.empty()) set_vision(senses == Senses::kAllButVision ? 0 : pixels(options), agent);
+  if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
-  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = 0;
+  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
 }
 
 }  // namespace
+
+CLI::Validator number(double low, double high) {
+  const auto check = [low, high](const std::string& text) {
+    return is_number(text, low, high) ? ""
+                                      : cli::text("expected a number from %g to %g, not '%s'", low, high, text.c_str());
+  };
+  return CLI::Validator(check, "");
+}
 
 void add_scene_options(CLI::App& command, WorldOptions& options) {
   command.add_option("--scene", options.scene, "Built-in scene (" + builtin_names() + ") or MJCF file")
@@ -157,10 +174,8 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
       ->type_name("BODY");
 }
 
-void add_vision_options(CLI::App& command, WorldOptions& options) {
-  command
-      .add_option("--vision", options.vision,
-                  "Pixels a side of each eye's picture, or off.\nDefault: 256, or off where nothing can draw")
+void add_vision_options(CLI::App& command, WorldOptions& options, const std::string& usual) {
+  command.add_option("--vision", options.vision, "Pixels a side of each eye's picture, or off.\nDefault: " + usual)
       ->type_name("PX|off")
       ->check(CLI::Validator(check_vision, ""));
   add_renderer_option(command, options);
@@ -169,8 +184,8 @@ void add_vision_options(CLI::App& command, WorldOptions& options) {
 void add_touch_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--touch", options.touch,
-                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. Pictures show "
-                  "what they feel")
+                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. " +
+                      std::string(options.touch.empty() ? "Default: the scene's own" : "Pictures show what they feel"))
       ->type_name("SCALE|off")
       ->check(CLI::Validator(check_touch, ""))
       ->capture_default_str();
@@ -225,8 +240,7 @@ Scene make_scene(const WorldOptions& options, Senses senses) {
   auto usual = defaults(mimo_agent_config_init);
   check(mimo_scene_default_agent(scene.get(), &usual, sizeof usual));
   const std::string body = body_of_scene(options, usual);
-  mimo_agent_config agent = agent_config(options, senses);
-  agent.actuation = actuation(options, usual);
+  mimo_agent_config agent = agent_config(options, senses, usual);
   if (body.empty()) {
     make_agent_of_all(options, agent);
     scene.add_agent(agent);
@@ -260,6 +274,11 @@ Env open_world(const WorldOptions& options, mimo_env_config config) {
     std::fprintf(stderr, "mimo: vision is off: %s\n", error.what());
     return Env(make_scene(options, Senses::kAllButVision), config);
   }
+}
+
+Env open_own_world(const WorldOptions& options, mimo_env_config config) {
+  set_renderer(options, config);
+  return Env(make_scene(options, Senses::kOwn), config);
 }
 
 Env open_bare_world(const WorldOptions& options, mimo_env_config config) {

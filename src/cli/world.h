@@ -16,23 +16,28 @@ struct WorldOptions {
   std::uint32_t samples = 0;         // a pixel; 0: the renderer's own
   std::uint32_t render_threads = 1;  // that draw one picture
   std::string effects;               // comma-separated, or "none"; "" for the usual ones
-  std::string vision;                // "off", pixels, or "" for 256 where a renderer works
-  std::string touch = "1";           // "off", or the scale
+  std::string vision;                // "off", pixels, or "" for 256 where a renderer works; with kOwn "" is the scene's
+  std::string touch = "1";           // "off", or the scale; with kOwn "" is the scene's
   std::string face;                  // "" means the model's own
   std::string actuation;             // "" means the scene's own
   std::uint64_t seed = 0;
 };
 
-// Each adds options to a command.
+// Accepts finite numbers of a range; CLI::Range takes "nan" for one.
+CLI::Validator number(double low, double high);
+
+constexpr char kUsualVision[] = "256, or off where nothing can draw";
+
+// Each adds options to a command; that of vision also adds those of add_renderer_option.
 void add_scene_options(CLI::App& command, WorldOptions& options);
-void add_vision_options(CLI::App& command, WorldOptions& options);  // with add_renderer_option
+void add_vision_options(CLI::App& command, WorldOptions& options, const std::string& usual = kUsualVision);
 void add_touch_option(CLI::App& command, WorldOptions& options);
 void add_renderer_option(CLI::App& command, WorldOptions& options);  // and those for how pictures are made
 void add_actuation_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
 
-enum class Senses { kAll, kAllButVision, kNone };
+enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: what the scene gives its infants by itself
 
 // The scene with its infants; with one agent where there are none.
 Scene make_scene(const WorldOptions& options, Senses senses);
@@ -46,6 +51,9 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config);
 // A world with all its senses. Where eyes were not asked for by name and nothing can draw their pictures here, it
 // says so on stderr and has no eyes.
 Env open_world(const WorldOptions& options, mimo_env_config config);
+
+// The world that mimo_env_make gives, with what the options change of it.
+Env open_own_world(const WorldOptions& options, mimo_env_config config);
 
 // A world that senses nothing and needs no renderer: bare physics.
 Env open_bare_world(const WorldOptions& options, mimo_env_config config);

@@ -9,15 +9,18 @@ import math
 import os
 import pathlib
 import re
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 
 PROGRAM = os.environ.get("MIMO_PROGRAM", "mimo")
-GOLDEN = pathlib.Path(__file__).resolve().parent.parent / "golden"
+SOURCES = pathlib.Path(__file__).resolve().parent.parent.parent
+GOLDEN = SOURCES / "tests/golden"
 
 
 def can_draw():
@@ -118,6 +121,12 @@ class Usage(Case):
 
     def test_wrong_usage(self):
         for arguments in ([], ["walk"], ["run", "--fast"], ["run", "--seconds", "-1"], ["run", "--seconds", "soon"],
+                          ["run", "--seconds", "nan"], ["run", "--seconds", "inf"], ["run", "--seconds", "-inf"],
+                          ["render", "--out", "a.png", "--distance", "nan"], ["render", "--out", "a.png", "--azimuth", "nan"],
+                          ["render", "--out", "a.png", "--elevation", "inf"],
+                          ["render", "--out", "a.png", "--look-at", "0", "nan", "0"],
+                          ["render", "--out", "a.jpg"], ["render", "--out", ".png"], ["render", "--out", "a"],
+                          ["render", "--out", "a.png", "--depth", "a.jpg"], ["render", "--out", "a.png", "--segmentation", "a"],
                           ["run", "--vision", "0"], ["run", "--vision", "5000"], ["run", "--vision", "on"],
                           ["run", "--touch", "0"], ["run", "--touch", "-1"], ["run", "--touch", "many"],
                           ["run", "--touch", "nan"], ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
@@ -138,6 +147,36 @@ class Usage(Case):
             self.assertIn("moon.xml", self.mimo(*command, "--scene", "moon.xml", code=1))
             self.assertIn("octopus", self.mimo(*command, "--body", "octopus", code=1))
         self.assertEqual(self.files(), [])
+
+    def test_places_that_cannot_be_written_are_found_before_any_work(self):
+        # What would take work is missing or too long: the complaint is still about the place.
+        for command in (["render", "--scene", "moon", "--out"], ["render", "--scene", "moon", "--out", "a.png", "--depth"],
+                        ["bench", "--paper", "--csv"]):
+            self.assertIn("no folder", self.mimo(*command, "no/a.png", code=1))
+        controls = self.write("controls.csv", "act:hip_bend\n" + "0\n" * 1000000)
+        self.assertIn("no folder", self.mimo("rollout", "--controls", controls, "--out", "no/a.json", code=1))
+        (self.folder / "folder.png").mkdir()
+        self.assertIn("is a folder", self.mimo("render", "--out", "folder.png", code=1))
+
+    def test_the_manual_page_is_whole(self):
+        page = (SOURCES / "src/cli/mimo.1").read_text()
+        synopsis, explained = page[page.index(".Sh SYNOPSIS"):page.index(".Sh DESCRIPTION")], page[page.index(".Ss Options"):]
+        explained = set(re.findall(r"\.It .*", explained))
+        explained = {option for line in explained for option in re.findall(r"Fl -([a-z-]+)", line)}
+        used = set()
+        for command in ("run", "bench", "info", "render", "rollout"):
+            part = re.search(r"\n\.Cm %s\n(.*?)(\n\.Nm|\Z)" % command, synopsis, re.S).group(1)
+            help_text = self.mimo(command, "--help")
+            options = set(re.findall(r"^ +(?:-h,)?--([a-z-]+)", help_text, re.M)) - {"help"}
+            self.assertGreater(len(options), 5)
+            self.assertEqual(set(re.findall(r"Fl -([a-z-]+)", part)), options, "synopsis of " + command)
+            required = set(re.findall(r"^ +--([a-z-]+) .*\(required\)", help_text, re.M))
+            self.assertEqual(set(re.findall(r"^\.Fl -([a-z-]+)", part, re.M)), required, "required by " + command)
+            self.assertIn("\n.It Cm %s\n" % command, page)
+            used |= options
+        self.assertEqual(explained, used)
+        for scene in re.search(r"Built-in scene \(([^)]*)", re.sub(r"\s+", " ", self.mimo("run", "--help"))).group(1).split(", "):
+            self.assertIn(scene, page)
 
     def test_full_disk(self):
         if not os.path.exists("/dev/full"):
@@ -164,6 +203,28 @@ class Info(Case):
         self.assertAlmostEqual(info["height_m"], 0.778, places=3)
         self.assertEqual(info["versions"]["mujoco"], "2.2.2")
         self.assertRegex(info["versions"]["libmimo"], r"^\d+\.\d+\.\d+$")
+
+    def test_tasks_are_described_as_make_gives_them(self):
+        # Motors, senses and torque sensors of the paper's experiments, as the original's environments have them.
+        motors = {"reach": 8, "standup": 27, "selfbody": 8, "catch": 40}
+        senses = {"reach": {"proprioception"}, "standup": {"proprioception", "vestibular"},
+                  "selfbody": {"proprioception", "touch", "task"}, "catch": {"proprioception", "touch", "task"}}
+        for scene in motors:
+            info = json.loads(self.mimo("info", "--json", "--scene", scene))
+            self.assertEqual(len(info["actions"]), motors[scene], scene)
+            self.assertEqual({field["name"].split("/")[0] for field in info["observation_fields"]}, senses[scene], scene)
+            self.assertEqual(info["task"], scene)
+            self.assertEqual(info["frame_skip"], 1 if scene == "selfbody" else 2)
+        elbow = {action["name"]: action for action in json.loads(self.mimo("info", "--json", "--scene", "reach"))["actions"]}
+        self.assertAlmostEqual(elbow["act:right_elbow"]["high"], 0.83, places=6)
+        self.assertIn("act:right_elbow", self.mimo("info", "--scene", "reach"))
+
+    @needs_renderer
+    def test_options_change_what_make_gives(self):
+        info = json.loads(self.mimo("info", "--json", "--scene", "reach", "--vision", "16", "--touch", "1"))
+        fields = {field["name"]: field["shape"] for field in info["observation_fields"]}
+        self.assertEqual(fields["vision/eye_left"], [16, 16, 3])
+        self.assertGreater(info["touch_sensors"], 5000)
 
     @needs_renderer
     def test_fields_lie_side_by_side(self):
@@ -403,6 +464,15 @@ class Render(Case):
                   "--width", "64", "--height", "64", "--out", "b.png")
         self.assertEqual(read_png(self.folder / "b.png")[:2], (64, 64))
 
+    def test_the_free_camera_stays_in_a_small_room(self):
+        walls = "".join('<geom type="box" size="%s" pos="%s"/>' % wall for wall in (
+            (".05 2 2", "1.1 0 0"), (".05 2 2", "-1.1 0 0"), ("2 .05 2", "0 1.1 0"), ("2 .05 2", "0 -1.1 0")))
+        for name, room in (("world.xml", walls), ("body.xml", "<body>" + walls + "</body>")):
+            self.write(name, '<mujoco><include file="mimo/mitten.xml"/><worldbody><light pos="0 0 3"/>%s</worldbody></mujoco>' % room)
+            self.mimo("render", "--scene", name, "--width", "160", "--height", "120", "--out", "a.png", "--segmentation", "a.npy")
+            ids = read_npy(self.folder / "a.npy")[2]
+            self.assertGreater(len(set(ids)), 15)  # walls and background are five
+
     def test_touch(self):
         # A ball that lies on the head of an infant: sensors and forces change the picture of it.
         self.write("ball.xml", """<mujoco><include file="mimo/mitten.xml"/><worldbody><light pos="0 0 3"/>
@@ -479,6 +549,38 @@ class Run(Case):
         a, b, c = ((self.folder / out / "left.png").read_bytes() for out in "abc")
         self.assertEqual(a, b)
         self.assertNotEqual(a, c)
+
+    def interrupted(self, *arguments, times):
+        """Runs until pictures of the start are there, then sends interrupts."""
+        done = subprocess.Popen([PROGRAM, "run", "--seconds", "1e6", "--vision", "off", "--out", "p", *arguments],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, cwd=self.folder,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        self.addCleanup(done.kill)
+        deadline = time.monotonic() + 60
+        while not (self.folder / "p/start_touch.png").exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        for _ in range(times):
+            time.sleep(0.3)
+            done.send_signal(signal.SIGINT)
+        return done, *done.communicate(timeout=60)
+
+    @needs_renderer
+    def test_an_interrupt_keeps_the_report(self):
+        done, text, errors = self.interrupted(times=1)
+        self.assertEqual((done.returncode, errors), (-signal.SIGINT, ""))
+        self.assertRegex(text, r"\Ainterrupted after [0-9.]+ of 1e\+06 s\n")
+        for word in ("real time", "proprioception/position", "p/touch.png"):
+            self.assertIn(word, text)
+        self.assertIn("p/outside.png", self.files())
+
+    def test_who_ignores_interrupts_goes_on(self):
+        done = subprocess.Popen([PROGRAM, "run", "--seconds", "2", "--vision", "off", "--touch", "off", "--out", "p"],
+                                stdout=subprocess.PIPE, universal_newlines=True, cwd=self.folder,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        done.send_signal(signal.SIGINT)
+        text = done.communicate(timeout=60)[0]
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("2.00 s of scene", text)
 
     def test_without_eyes(self):
         text = self.mimo("run", "--seconds", "0.1", "--vision", "off", "--out", "p")

@@ -1,0 +1,18 @@
+// Ctrl-C: the first one asks for an early end, which leaves time to report; the second one ends the program at once.
+#pragma once
+
+namespace cli {
+
+class Interrupt {
+ public:
+  Interrupt();
+  ~Interrupt();
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+
+  static bool requested();
+  // Ends the program as Ctrl-C would have, so that a script that called it ends, too.
+  [[noreturn]] static void pass_on();
+};
+
+}  // namespace cli
