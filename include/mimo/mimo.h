@@ -1,37 +1,40 @@
-/*
+/**
+ * @file mimo/mimo.h
  * libmimo: MIMo, the multimodal infant model, as a C library.  MIT licence, see LICENSE.
  *
  * In the order of use:
- *   1. versions and status       6. named access: joints, bodies, contacts by name; gaze
- *   2. logging                   7. pictures
- *   3. scenes, agents, tasks     8. timing
- *   4. environments              9. rewards and outcomes
- *   5. stepping, observations    10. what differs from world to world: faces, locks, gravity
- *                                11. state: save, load, clone
- *                                12. batches of worlds
- *                                13. tasks of your own
- *                                14. senses on your own simulation
+ *
+ *     1. versions and status       6. named access: joints, bodies, contacts by name; gaze
+ *     2. logging                   7. pictures
+ *     3. scenes, agents, tasks     8. timing
+ *     4. environments              9. rewards and outcomes
+ *     5. stepping, observations    10. what differs from world to world: faces, locks, gravity
+ *                                  11. state: save, load, clone
+ *                                  12. batches of worlds
+ *                                  13. tasks of your own
+ *                                  14. senses on your own simulation
  *
  * Rules that hold everywhere (docs/ has an article on each):
- *   Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
- *             mimo_last_error() then holds one line that names the argument, its value and what was
- *             expected. When an argument is refused, nothing is written anywhere.
- *   Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque. Destroy accepts NULL; a destroyed handle is refused by
- *             every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before
- *             fork() answers MIMO_E_FORKED in the child.
- *   Threads   Functions that take a const handle may run at the same time on one handle; functions that
- *             take a handle without const need it for themselves; different handles are independent.
- *             Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
- *   Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
- *             in bytes). One that is too short is refused and stays as it was (MIMO_E_BUFFER_TOO_SMALL); a
- *             length that no memory has, such as a negative number turned into size_t, is
- *             MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
- *             is said where it is declared.
- *   Structs   Versioned structs start with struct_size and are filled by their _init function, called as
- *             mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to 0. They only
- *             ever grow at the end. Reserved fields are 0.
- *   Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
- *             of a free joint is linear in the world frame, then angular in the body's own frame.
+ *
+ *     Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
+ *               mimo_last_error() then holds one line that names the argument, its value and what was
+ *               expected. When an argument is refused, nothing is written anywhere.
+ *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque. Destroy accepts NULL; a destroyed handle is refused by
+ *               every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before
+ *               fork() answers MIMO_E_FORKED in the child.
+ *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
+ *               take a handle without const need it for themselves; different handles are independent.
+ *               Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
+ *     Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
+ *               in bytes). One that is too short is refused and stays as it was (MIMO_E_BUFFER_TOO_SMALL); a
+ *               length that no memory has, such as a negative number turned into size_t, is
+ *               MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
+ *               is said where it is declared.
+ *     Structs   Versioned structs start with struct_size and are filled by their _init function, called as
+ *               mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to 0. They only
+ *               ever grow at the end. Reserved fields are 0.
+ *     Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
+ *               of a free joint is linear in the world frame, then angular in the body's own frame.
  */
 #ifndef MIMO_H
 #define MIMO_H

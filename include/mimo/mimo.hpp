@@ -1,13 +1,16 @@
-// libmimo for C++11 and later: handles that free themselves, exceptions, typed views. No logic of its own.
-// MIT licence, see LICENSE.
-//
-//   mimo::Env env = mimo::make("benchmark");
-//   mimo::Block block = env.make_block();
-//   env.reset(42, block);
-//   env.step(actions, block);
-//   mimo::View<const float> angles = block.view<float>(env.field("proprioception/position"));
-//
-// Everything that mimo.h says holds here; its functions take env.get(). A failed call throws mimo::Exception.
+/**
+ * @file mimo/mimo.hpp
+ * libmimo for C++11 and later: handles that free themselves, exceptions, typed views. No logic of its own.
+ * MIT licence, see LICENSE.
+ *
+ *     mimo::Env env = mimo::make("benchmark");
+ *     mimo::Block block = env.make_block();
+ *     env.reset(42, block);
+ *     env.step(actions, block);
+ *     mimo::View<const float> angles = block.view<float>(env.field("proprioception/position"));
+ *
+ * Everything that mimo.h says holds here; its functions take env.get(). A failed call throws mimo::Exception.
+ */
 #ifndef MIMO_HPP
 #define MIMO_HPP
 
@@ -20,6 +23,7 @@
 
 #include "mimo.h"
 
+/// libmimo for C++, see mimo.hpp.
 namespace mimo {
 
 /// What a failed call throws: its status, and the library's message.
