@@ -219,6 +219,13 @@ class Info(Case):
         self.assertAlmostEqual(elbow["act:right_elbow"]["high"], 0.83, places=6)
         self.assertIn("act:right_elbow", self.mimo("info", "--scene", "reach"))
 
+    def test_torques_that_are_felt_in_catch(self):
+        # docs/differences.md: all sensors of the body, as in the original's scenes of it; its catch has 19 of them.
+        sensors = csv.DictReader((GOLDEN / "v2_benchmark/sensors.csv").read_text().splitlines())
+        self.assertEqual(sum(sensor["type"] == "torque" for sensor in sensors), 53)
+        fields = {field["name"]: field["shape"] for field in self.info("--scene", "catch")["observation_fields"]}
+        self.assertEqual(fields["proprioception/torque"], [53, 3])
+
     @needs_renderer
     def test_options_change_what_make_gives(self):
         info = json.loads(self.mimo("info", "--json", "--scene", "reach", "--vision", "16", "--touch", "1"))
@@ -322,6 +329,14 @@ class Rollout(Case):
             states = self.rollout(self.golden_controls(200), "--every", "20", "--no-contact", "--no-gravity",
                                   "--jacobian", jacobian)
             self.assert_close(states, golden, 1e-9)
+
+    def test_default_and_dense_agree_until_a_contact_jumps(self):
+        # docs/guide/reproducibility.md
+        dense, default = (self.rollout(self.golden_controls(400), *options) for options in (("--jacobian", "dense"), ()))
+        worst = [max(abs(a - b) for joint in one["qpos"] for a, b in zip(one["qpos"][joint], two["qpos"][joint]))
+                 for one, two in zip(dense, default)]
+        self.assertLess(max(worst[:86]), 1e-12)
+        self.assertGreater(worst[400], 1e-6)
 
     def test_which_states_are_kept(self):
         self.assertEqual([s["step"] for s in self.rollout(self.zeros(3))], [0, 1, 2, 3])

@@ -100,6 +100,7 @@ struct CountCase {
   const char* body;
   double scale;
   std::map<std::string, int> ours;  // where they differ; docs/differences.md lists them
+  double near = 0.015;              // the sums, relative; with few sensors a seam is more of them
 };
 std::ostream& operator<<(std::ostream& out, const CountCase& c) { return out << c.key; }
 
@@ -117,12 +118,19 @@ TEST_P(GoldenTouchCounts, AreNearlyThoseOfTheOriginal) {
     EXPECT_EQ(count, different != GetParam().ours.end() ? different->second : recorded.at(name).get<int>()) << name;
   }
   EXPECT_EQ(counts.size() + 1, recorded.size());
-  EXPECT_NEAR(total, recorded.at("TOTAL").get<int>(), 0.015 * recorded.at("TOTAL").get<int>());
+  EXPECT_NEAR(total, recorded.at("TOTAL").get<int>(), GetParam().near * recorded.at("TOTAL").get<int>());
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Scales, GoldenTouchCounts,
-    testing::Values(CountCase{"v1_T0.5", "mitten", 0.5, {{"upper_body", 54}, {"hand", 36}, {"foot", 14}, {"toes", 13}}},
+    testing::Values(CountCase{"v1_T0.25", "mitten", 0.25, {{"upper_body", 16}, {"hand", 13}, {"fingers", 122}}, 0.07},
+                    CountCase{"v2_T0.25", "fingers", 0.25, {{"upper_body", 16}, {"hand", 11}}},
+                    CountCase{"v2_T0.5",
+                              "fingers",
+                              0.5,
+                              {{"upper_body", 54}, {"hand", 34}, {"lfmetacarpal", 9}, {"foot", 10}, {"toes", 9}},
+                              0.017},
+                    CountCase{"v1_T0.5", "mitten", 0.5, {{"upper_body", 54}, {"hand", 36}, {"foot", 14}, {"toes", 13}}},
                     CountCase{"v1_T1.0",
                               "mitten",
                               1,

@@ -37,3 +37,13 @@ def test_names_for_those_who_come_from_mimo(root):
         assert mimo.Scene("reach").parameters[f"{name.lower()}/episode_steps"] == int(steps)
     faces = page.split("| face there")[1].split("## Learning")[0]
     assert set(re.findall(r"`(\w+)`", faces)) == set(mimo.faces())
+
+
+def test_parameters_that_documents_name_are_there(root):
+    parameters = set(mimo.Scene("reach").parameters)
+    tasks = "|".join(sorted({name.split("/")[0] for name in parameters}))
+    for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
+        named = set(re.findall(rf"`(?:{tasks})/[a-z_]+", page.read_text()))
+        assert {name.lstrip("`") for name in named} <= parameters, page.name
+    differences = (root / "docs" / "differences.md").read_text()
+    assert "`catch/jitter`" in differences and "`reach/original_rules" in differences
