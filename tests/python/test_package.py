@@ -47,7 +47,8 @@ def test_libraries_are_looked_for_beside_each_other_only():
 def test_the_library_takes_the_mujoco_inside(tmp_path):
     code = "import mimo; print(open('/proc/self/maps').read())"
     maps = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path).stdout
-    files = {Path(columns[5]) for columns in (line.split(maxsplit=5) for line in maps.splitlines()) if len(columns) == 6}
+    rows = (line.split(maxsplit=5) for line in maps.splitlines())
+    files = {Path(row[5]) for row in rows if len(row) == 6}
     loaded = {file for file in files if file.name.startswith(("libmimo", "libmujoco"))}
     assert loaded == {NATIVE / "libmimo.so.0", NATIVE / "libmujoco.so.2.2.2"}
 
