@@ -1,6 +1,7 @@
 // Everything that libmimo can do with one foreign model: the file is loaded and simulated with an agent that has skin,
-// shoved about, felt, and drawn; then once more with an infant in it. What happened is told line by line, a word and
-// what belongs to it, so that the last line names the stage in which a crash came. zoo.py runs it on many files.
+// shoved about, touched by a ball, and drawn; then once more with an infant in it. What happened is told line by line,
+// a word and what belongs to it, so that the last line names the stage in which a crash came. zoo.py runs it on many
+// files.
 //
 //   zoo_visit FILE    0: went well; 1: something was wrong that is no crash; 3: the model was refused
 #include <algorithm>
@@ -104,6 +105,67 @@ void shove(mimo::Env& env, std::int32_t& pushed, Random& random) {
                  {weight * times(random), weight * times(random), weight * times(random), 0, 0, 0});
 }
 
+// A ball that touches the skin wherever it is put.
+struct Ball {
+  static constexpr const char* kName = "zoo_ball";
+  double radius;
+
+  void add_to(mimo::Scene& scene) const {
+    auto object = mimo::object_config();
+    object.name = kName;
+    object.size[0] = radius;
+    object.position[2] = -100 * radius;
+    scene.add_object(object);
+  }
+};
+
+// The places of all touch sensors, each with its outward normal.
+struct Skin {
+  std::vector<std::int32_t> bodies;
+  std::vector<double> positions, frames;
+
+  explicit Skin(const mimo::Env& env) {
+    std::size_t sensors = 0;
+    mimo::check(mimo_env_touch_sensors(env.get(), 0, nullptr, nullptr, nullptr, nullptr, 0, &sensors));
+    bodies.resize(sensors);
+    positions.resize(3 * sensors);
+    frames.resize(MIMO_TOUCH_FRAME_VALUES * sensors);
+    mimo::check(mimo_env_touch_sensors(env.get(), 0, bodies.data(), nullptr, positions.data(), frames.data(), sensors,
+                                       &sensors));
+  }
+};
+
+// A vector of a body's frame in the world's.
+void rotate(const std::vector<double>& quaternion, const double* vector, double* turned) {
+  const double w = quaternion[0], *axis = quaternion.data() + 1;
+  double cross[3];
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    cross[i] = axis[j] * vector[k] - axis[k] * vector[j] + w * vector[i];
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    turned[i] = vector[i] + 2 * (axis[j] * cross[k] - axis[k] * cross[j]);
+  }
+}
+
+// Presses the ball half its radius deep into the skin at some sensor, at rest.
+void poke(mimo::Env& env, const Skin& skin, const Ball& ball, Random& random) {
+  if (skin.bodies.empty()) return;
+  const std::size_t at = std::uniform_int_distribution<std::size_t>(0, skin.bodies.size() - 1)(random);
+  const auto turn = env.get_values(MIMO_BODY_ORIENTATION, {skin.bodies[at]});
+  auto place = env.get_values(MIMO_BODY_POSITION, {skin.bodies[at]});
+  double local[3], offset[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    local[i] = skin.positions[3 * at + i] + 0.5 * ball.radius * skin.frames[MIMO_TOUCH_FRAME_VALUES * at + i];
+  }
+  rotate(turn, local, offset);
+  for (std::size_t i = 0; i < 3; ++i) place[i] += offset[i];
+  const std::int32_t body = env.find(MIMO_BODY, Ball::kName);
+  env.set_values(MIMO_BODY_POSITION, {body}, place);
+  env.set_values(MIMO_JOINT_VELOCITY, {env.find(MIMO_JOINT, Ball::kName)}, {0, 0, 0, 0, 0, 0});
+}
+
 struct Seen {
   int diverged = 0, touched = 0, contacts = 0;
   std::string broken;  // a field that holds what is no number
@@ -127,16 +189,18 @@ void look_at(const std::vector<mimo_field>& fields, const mimo::Block& block, Se
 }
 
 // Many models fly apart under random actions. That is no defect, if the library says so and starts anew.
-Seen move(mimo::Env& env, int steps) {
+Seen move(mimo::Env& env, int steps, const Ball* ball) {
   Seen seen;
   Random random(1);
   auto block = env.make_block();
   const auto fields = env.fields();
+  const Skin skin(env);
   std::int32_t pushed = 0;
   env.reset(1, block);
   for (int step = 0; step < steps; ++step) {
     try {
       if (step % kShoveEvery == 0) shove(env, pushed, random);
+      if (step % kShoveEvery == 1 && ball != nullptr) poke(env, skin, *ball, random);
       env.step(draw_actions(env, random), block);
     } catch (const mimo::Exception& error) {
       if (error.status() != MIMO_E_SIMULATION) throw;
@@ -161,9 +225,8 @@ void draw(mimo::Env& env, const mimo_picture_config& config) {
 }
 
 // From all cameras that have a name, and from outside.
-int draw_all(mimo::Env& env) {
+int draw_all(mimo::Env& env, const Extent& extent) {
   int pictures = 0;
-  const Extent extent = extent_of(env);
   auto config = mimo::picture_config();
   config.width = config.height = kPixels;
   for (std::size_t camera = 0; camera < count(env, MIMO_CAMERA); ++camera) {
@@ -208,23 +271,23 @@ void report(const Seen& seen) {
 }
 
 // With skin all over; an agent without anything that can touch has none.
-void visit(mimo::Scene& scene, const std::string& root, double spacing) {
+void visit(mimo::Scene& scene, const std::string& root, const Extent& extent) {
+  const Ball ball{extent.size / 20};
   auto agent = mimo::agent_config();
   agent.body = "scene";
   agent.root = root.c_str();
   agent.vestibular_at = root.c_str();
   agent.vision = 0;
   scene.add_agent(agent);
-  scene.set_touch(spacing);
+  scene.set_touch(extent.size / 20);
+  ball.add_to(scene);
   tell("stage", "compile with an agent");
   mimo::Env env = make(scene);
-  std::size_t sensors = 0;
-  mimo::check(mimo_env_touch_sensors(env.get(), 0, nullptr, nullptr, nullptr, nullptr, 0, &sensors));
-  tell("sensors", std::to_string(sensors));
+  tell("sensors", std::to_string(Skin(env).bodies.size()));
   tell("stage", "step");
-  report(move(env, kSteps));
+  report(move(env, kSteps, &ball));
   tell("stage", "draw");
-  tell("pictures", std::to_string(draw_all(env)));
+  tell("pictures", std::to_string(draw_all(env, extent)));
 }
 
 // The same model as somebody's room.
@@ -239,7 +302,7 @@ void visit_with_infant(const char* file, const Extent& extent) {
   scene.add_agent(infant);
   mimo::Env env = make(scene);
   tell("stage", "step with an infant");
-  const Seen seen = move(env, kInfantSteps);
+  const Seen seen = move(env, kInfantSteps, nullptr);
   if (!seen.broken.empty()) tell("wrong", seen.broken + " is not finite with an infant");
   tell("infant", "ok");
 }
@@ -258,7 +321,7 @@ int run(const char* file) {
     extent = extent_of(env);
   }
   tell("root", root);
-  visit(scene, root, extent.size / 20);
+  visit(scene, root, extent);
   tell("stage", "with an infant");
   try {
     visit_with_infant(file, extent);

@@ -1,4 +1,4 @@
-"""Visits all models of a folder of packages with zoo_visit, each in a process of its own, and tells what became of them.
+"""Visits all models of a folder of packages with zoo_visit, each in a process of its own, and tells how it went.
 
 What may be refused is listed in refused.txt, with a part of the message. Everything else has to go well, and what is
 listed there has to be refused: the list then stays true.
@@ -132,6 +132,14 @@ def visit(program, path, name, seconds, child):
     return result
 
 
+def line_of(result):
+    words = result.words
+    told = [f"{word} {words[word]}" for word in ("sensors", "contacts", "touched", "diverged") if word in words]
+    notes = [f"{word}: {words[word]}" for word in ("no_rays", "infant") if words.get(word, "ok") != "ok"]
+    said = "; ".join([", ".join(told), result.message, *notes])
+    return f"{result.outcome:8}{result.seconds:6.1f} s  {result.name}  {said}"
+
+
 def problems(visits, expected):
     """One line for each thing that is not as it should be."""
     for result in visits:
@@ -233,7 +241,7 @@ def main():
     visits = []
     for name in names:
         visits.append(visit(options.program, paths[name], name, options.seconds, child))
-        print(f"{visits[-1].outcome:8}{visits[-1].seconds:6.1f} s  {name}  {visits[-1].message}", flush=True)
+        print(line_of(visits[-1]), flush=True)
 
     wrong = list(problems(visits, expected))
     text = "\n".join(tables(visits, expected, read_versions(HERE / "packages.txt")))
