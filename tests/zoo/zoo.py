@@ -191,9 +191,10 @@ def grouped(pairs):
 
 def shortened(message):
     """A message without what differs from file to file, so that equal reasons are one row."""
-    message = re.sub(r"^MIMO_E_\w+: ", "", message)
+    message = re.sub(r"^MIMO_E_\w+: |^Error: |Object name = .*", "", message)
     message = re.sub(r"\S*/packages/\S*/", "", message)
-    return message[:150].replace("|", "\\|")
+    message = re.sub(r"^\S+\.xml, line \d+: (\w*\s?Error: )?", "", message)
+    return message.strip()[:150].replace("|", "\\|")
 
 
 def tables(visits, expected, versions):
