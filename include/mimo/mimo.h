@@ -149,6 +149,16 @@ typedef struct mimo_scene_config {
   const char *model_dir; /**< Folder to take built-in models from instead of those inside the library, or NULL. */
   mimo_log_fn log;       /**< Messages about the scene's making, or NULL. */
   void *log_user;        /**< Passed to log. */
+  /* What a document may ask for; 0 means the default. What asks for more is refused with MIMO_E_MODEL. */
+  uint64_t max_file_bytes;  /**< Bytes of each file that is read. Default 268435456. */
+  uint64_t max_pixels;      /**< Pixels of a texture or height field. Default 67108864. */
+  uint64_t max_vertices;    /**< Vertices of a mesh or skin, and its faces. Default 1000000. */
+  uint64_t max_elements;    /**< Elements of the document, and those that composites become. Default 40000. */
+  uint64_t max_keyframes;   /**< Default 10000. */
+  uint64_t max_iterations;  /**< Iterations of each solver in a physics step. Default 10000. */
+  uint64_t max_world_bytes; /**< What the buffers of one world may need, as estimated. Default 4294967296. */
+  uint32_t confined;        /**< 1: includes and assets must lie in the folder of the document that names them, or below; 0: anywhere. */
+  uint32_t limits_reserved; /**< 0. */
 } mimo_scene_config;
 
 /**

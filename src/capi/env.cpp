@@ -86,8 +86,7 @@ RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config) 
   recipe->options = make_options(object, config);
   recipe->agents = object.agents;
   recipe->task = object.task;
-  const scene::Composition composition = object.scene.compose();
-  recipe->model = engine::compile(composition.xml, composition.assets, object.log);
+  recipe->model = scene::compile(object.scene.compose(), object.log);
   object.scene.check_places(recipe->model, object.log);
   return recipe;
 }

@@ -29,9 +29,21 @@ mimo_object_config default_object_config() {
   return config;
 }
 
+scene::Limits limits(const mimo_scene_config& config) {
+  check_flag(config.confined, "config: confined");
+  check_reserved(config.limits_reserved, "config: limits_reserved");
+  const auto or_usual = [](std::uint64_t given, std::uint64_t usual) { return given == 0 ? usual : given; };
+  const scene::Limits usual;
+  return {or_usual(config.max_file_bytes, usual.file_bytes),   or_usual(config.max_pixels, usual.pixels),
+          or_usual(config.max_vertices, usual.vertices),       or_usual(config.max_elements, usual.elements),
+          or_usual(config.max_keyframes, usual.keyframes),     or_usual(config.max_iterations, usual.iterations),
+          or_usual(config.max_world_bytes, usual.world_bytes), config.confined != 0};
+}
+
 scene::Source source(const mimo_scene_config& config) {
   check_reserved(config.reserved, "config: reserved");
-  scene::Source source{text(config.name), text(config.file), text(config.xml), text(config.model_dir)};
+  scene::Source source{text(config.name),      text(config.file), text(config.xml),
+                       text(config.model_dir), limits(config),    LogSink{config.log, config.log_user}};
   const int given = !source.name.empty() + !source.file.empty() + !source.xml.empty();
   require(given <= 1, "config: name \"{}\", file \"{}\" and xml exclude each other, {} of them are set", source.name,
           source.file, given);

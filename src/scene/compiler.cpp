@@ -103,7 +103,6 @@ void spell_out(pugi::xml_node element, const Defaults& defaults, std::initialize
   }
 }
 
-// With autolimits, what has a range is limited unless it says otherwise.
 void spell_out_limits(pugi::xml_node root) {
   const Defaults defaults(root);
   for (const pugi::xml_node world : root.children("worldbody")) {
@@ -136,6 +135,8 @@ std::string compiler_setting(pugi::xml_node root, const char* attribute) {
   return value;
 }
 
+bool infers_limits(pugi::xml_node root) { return compiler_setting(root, "autolimits") != "false"; }
+
 bool in_radians(pugi::xml_node root) { return compiler_setting(root, "angle") == "radian"; }
 
 void convert_to_radians(pugi::xml_node root) { convert_angles(root, kDegree); }
@@ -154,7 +155,7 @@ void adapt(pugi::xml_node guest, pugi::xml_node host, const std::string& what) {
   }
   if (euler_order(guest) != euler_order(host)) replace_euler(guest, what);
   if (other_unit) convert_angles(guest, in_radians(host) ? kDegree : 1 / kDegree);
-  if (compiler_setting(guest, "autolimits") == "true") spell_out_limits(guest);
+  if (infers_limits(guest) && !infers_limits(host)) spell_out_limits(guest);
 }
 
 }  // namespace mimo::scene

@@ -14,6 +14,10 @@ std::string compiler_setting(pugi::xml_node root, const char* attribute);
 // Whether angles of a document are in radians; MJCF's default is degrees.
 bool in_radians(pugi::xml_node root);
 
+// Whether what has a range is limited by that, unless it says otherwise. Newer versions of MuJoCo do so by themselves;
+// here a document would be refused that leaves it open, so there is none that means anything else by it.
+bool infers_limits(pugi::xml_node root);
+
 // Turns all angles from degrees into radians.
 void convert_to_radians(pugi::xml_node root);
 

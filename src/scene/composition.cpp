@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "base/status.h"
+#include "scene/check.h"
+#include "scene/compiler.h"
 #include "scene/library.h"
+#include "scene/lines.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -26,9 +30,17 @@ Span<const unsigned char> built_in_asset(const std::string& path) {
   return built_in_file(path.substr(prefix.size()));
 }
 
-Composition packed(const pugi::xml_document& document) {
+void settle(pugi::xml_node root) {
+  if (compiler_setting(root, "autolimits").empty()) set(section(root, "compiler"), "autolimits", "true");
+  for (pugi::xml_node option : root.children("option")) option.remove_attribute("apirate");
+}
+
+Composition packed(const pugi::xml_document& document, const Limits& limits) {
+  check(document.document_element(), limits);
   Composition composition;
   const pugi::xml_document changed = copy(document);
+  settle(changed.document_element());
+  composition.lines = take_lines(changed.document_element());
   std::set<std::string> seen;
   for (const auto& [node, attribute] : asset_files(changed.document_element())) {
     const auto bytes = built_in_asset(attribute.value());
@@ -43,9 +55,16 @@ Composition packed(const pugi::xml_document& document) {
   return composition;
 }
 
-engine::ModelPtr compile_quietly(const pugi::xml_document& document) {
-  const Composition composition = packed(document);
-  return engine::compile(composition.xml, composition.assets, {});
+engine::ModelPtr compile(const Composition& composition, const LogSink& log) {
+  try {
+    return engine::compile(composition.xml, composition.assets, log);
+  } catch (const Error& error) {
+    throw Error(error.status(), with_users_lines(error.message(), composition.xml, composition.lines));
+  }
+}
+
+engine::ModelPtr compile_quietly(const pugi::xml_document& document, const Limits& limits) {
+  return compile(packed(document, limits), {});
 }
 
 }  // namespace mimo::scene

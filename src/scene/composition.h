@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/log.h"
 #include "engine/model.h"
+#include "scene/limits.h"
 
 namespace mimo::scene {
 
@@ -13,12 +15,20 @@ namespace mimo::scene {
 struct Composition {
   std::string xml;
   std::vector<engine::Asset> assets;
+  std::vector<std::string> lines;  // where each element was written
 };
 
-Composition packed(const pugi::xml_document& document);
+// Says what newer versions of MuJoCo do by themselves, and not what they have no longer: "apirate" never did anything.
+void settle(pugi::xml_node root);
+
+// Throws Status::kModel for a document that does not keep within the limits.
+Composition packed(const pugi::xml_document& document, const Limits& limits);
+
+// Throws what engine::compile throws; its messages name files and lines of the user's.
+engine::ModelPtr compile(const Composition& composition, const LogSink& log);
 
 // For a look at what a document means; warnings are told when a world is made of it.
-engine::ModelPtr compile_quietly(const pugi::xml_document& document);
+engine::ModelPtr compile_quietly(const pugi::xml_document& document, const Limits& limits);
 
 // Attributes that name the file of an asset.
 struct AssetFile {

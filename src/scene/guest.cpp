@@ -56,11 +56,11 @@ void set_freedom(pugi::xml_node body, const Defaults& defaults, const Model& mod
 
 }  // namespace
 
-void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model) {
+void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model, const Limits& limits) {
   const std::string what = "model \"" + model.name + "\"";
   const pugi::xml_node root = document.document_element();
   pugi::xml_node body = only_body(root, what);
-  weigh_alone(document, what);
+  weigh_alone(document, what, limits);
   keep_only(root, body);
   adapt(root, host, what);
   name_main_defaults(root, "main");

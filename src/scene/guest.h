@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 #include <string>
 
+#include "scene/limits.h"
 #include "scene/pose.h"
 
 namespace mimo::scene {
@@ -18,6 +19,6 @@ struct Model {
 // Makes a document ready to be put into the host's: names with the object's before them, defaults that count for itself
 // only, units that are the host's, and its one body at its place. Throws Status::kModel for a document without just one
 // body, and what adapt() throws.
-void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model);
+void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model, const Limits& limits);
 
 }  // namespace mimo::scene

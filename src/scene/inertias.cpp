@@ -53,7 +53,7 @@ void remove_setting(pugi::xml_node root, const char* name) {
 std::string name_for(std::size_t body) { return "mimo:body:" + std::to_string(body); }
 
 // The document as it is, but that every body can be found in the model: none without a name, none fused with another.
-engine::ModelPtr compile_with_names(const pugi::xml_document& document) {
+engine::ModelPtr compile_with_names(const pugi::xml_document& document, const Limits& limits) {
   pugi::xml_document named = copy(document);
   const pugi::xml_node root = named.document_element();
   remove_setting(root, "fusestatic");
@@ -62,7 +62,7 @@ engine::ModelPtr compile_with_names(const pugi::xml_document& document) {
     if (!body.attribute("name")) set(body, "name", name_for(number));
     ++number;
   }
-  return compile_quietly(named);
+  return compile_quietly(named, limits);
 }
 
 void set_inertia(pugi::xml_node body, const mjModel& model, int id) {
@@ -78,7 +78,7 @@ void set_inertia(pugi::xml_node body, const mjModel& model, int id) {
 
 }  // namespace
 
-void weigh_alone(pugi::xml_document& document, const std::string& what) {
+void weigh_alone(pugi::xml_document& document, const std::string& what, const Limits& limits) {
   const pugi::xml_node root = document.document_element();
   const std::string setting = working_setting(root);
   if (setting.empty()) return;
@@ -86,7 +86,7 @@ void weigh_alone(pugi::xml_document& document, const std::string& what) {
     fail(Status::kUnsupported, "{} has a composite and compiler {}, which would count for what is put beside it, too",
          what, setting);
   }
-  const engine::ModelPtr model = compile_with_names(document);
+  const engine::ModelPtr model = compile_with_names(document, limits);
   std::size_t number = 0;
   for (const pugi::xml_node body : bodies_of(root)) {
     const pugi::xml_attribute name = body.attribute("name");

@@ -58,7 +58,7 @@ class Joint {
   double unit() const { return slides_ || in_radians(root_) ? 1 : kDegree; }
   bool limited() const {
     const std::string said = text_of(defaults_.find(node_, "limited"));
-    return said == "true" || (said != "false" && compiler_setting(root_, "autolimits") == "true");
+    return said == "true" || (said != "false" && infers_limits(root_));
   }
 
   pugi::xml_node root_, node_;

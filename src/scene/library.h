@@ -29,7 +29,4 @@ class Library {
 // Bytes of a built-in file; empty if there is none.
 Span<const unsigned char> built_in_file(const std::string& path);
 
-// Whole content of a file on disk; nothing if it cannot be read.
-std::optional<std::string> read_file(const std::string& path);
-
 }  // namespace mimo::scene

@@ -5,12 +5,16 @@
 #include "base/fail.h"
 #include "scene/compiler.h"
 #include "scene/composition.h"
+#include "scene/files.h"
+#include "scene/lines.h"
+#include "scene/newer.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
 
 constexpr const char* kLibraryPrefix = "mimo/";
+constexpr int kDeepestIncludes = 100;
 
 bool has_prefix(const std::string& text, const std::string& prefix) { return text.rfind(prefix, 0) == 0; }
 
@@ -56,7 +60,7 @@ pugi::xml_document Loader::built_in(const std::string& path) {
 }
 
 pugi::xml_document Loader::file(const std::string& path) {
-  const auto content = read_file(path);
+  const auto content = read_file(path, limits_);
   if (!content) fail(Status::kNotFound, "file {} cannot be read", path);
   return load(*content, path, {false, folder_of(path)});
 }
@@ -64,11 +68,24 @@ pugi::xml_document Loader::file(const std::string& path) {
 pugi::xml_document Loader::text(const std::string& xml) { return load(xml, "xml text", {false, ""}); }
 
 pugi::xml_document Loader::load(const std::string& text, const std::string& name, const Origin& origin) {
-  pugi::xml_document document = parse(text, name);
+  pugi::xml_document document = parsed(text, name, origin);
   const pugi::xml_node root = document.document_element();
   expand_includes(root, origin, in_radians(root));
+  require_shallow(document, name);
+  if (foreign(origin)) translate_newer(root, log_);
   locate_assets(root, origin);
   return document;
+}
+
+pugi::xml_document Loader::parsed(const std::string& text, const std::string& name, const Origin& origin) const {
+  pugi::xml_document document = parse(text, name);
+  if (foreign(origin)) note_lines(document, text, name);
+  return document;
+}
+
+void Loader::require_inside(pugi::xml_node node, const std::string& path, const Origin& origin) const {
+  if (!limits_.confined || origin.library || lies_in(path, origin.folder)) return;
+  fail(Status::kModel, "{}: file {} lies outside the document's folder", where(node), path);
 }
 
 void Loader::expand_includes(pugi::xml_node root, const Origin& origin, bool host_in_radians) {
@@ -88,18 +105,22 @@ bool Loader::names_built_in(const std::string& path) const {
 // Puts the content of an included file in place of the include element.
 void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_radians) {
   std::string path = include.attribute("file").value();
-  if (path.empty()) fail(Status::kModel, "an include element has no file");
+  if (path.empty()) fail(Status::kModel, "{}: an include element has no file", where(include));
   Origin from = origin;
   if (!from.library && names_built_in(path)) {
-    from = {true, ""};
+    from = {true, "", origin.depth};
     path = path.substr(std::string(kLibraryPrefix).size());
   }
   const std::string key = from.library ? kLibraryPrefix + path : on_disk(join(from.folder, path));
-  if (!included_.insert(key).second) fail(Status::kModel, "file {} is included twice", key);
+  if (!included_.insert(key).second) fail(Status::kModel, "{}: file {} is included twice", where(include), key);
+  if (++from.depth > kDeepestIncludes) {
+    fail(Status::kModel, "{}: files are included more than {} deep", where(include), kDeepestIncludes);
+  }
+  require_inside(include, key, from);
 
-  const auto content = from.library ? library_.text(path) : read_file(key);
-  if (!content) fail(Status::kNotFound, "included file {} cannot be read", key);
-  const pugi::xml_document document = parse(*content, key);
+  const auto content = from.library ? library_.text(path) : read_file(key, limits_);
+  if (!content) fail(Status::kNotFound, "{}: included file {} cannot be read", where(include), key);
+  const pugi::xml_document document = parsed(*content, key, from);
   const pugi::xml_node root = document.document_element();
   const bool crosses = from.library && !origin.library;
   expand_includes(root, from, host_in_radians);
@@ -127,6 +148,7 @@ void Loader::locate_assets(pugi::xml_node root, const Origin& origin) const {
       if (path.empty() || (has_prefix(path, kLibraryPrefix) && !built_in_asset(path).empty())) continue;
       if (strip) path = path.substr(folder_of(path).size());
       path = join(join(base, compiler_setting(root, entry.folder)), path);
+      if (!inside) require_inside(node, path, origin);
       set(node, entry.attribute, inside ? path : on_disk(path));
     }
   });

@@ -51,12 +51,12 @@ void visit_named(pugi::xml_node root, Visit&& visit) {
   }
 }
 
+}  // namespace
+
 std::string stem_of(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
   return file.substr(0, file.find_last_of('.'));
 }
-
-}  // namespace
 
 void prefix_names(pugi::xml_node root, const std::string& prefix) {
   if (prefix.empty()) return;

@@ -17,6 +17,8 @@ void prefix_all_names(pugi::xml_node root, const std::string& prefix);
 
 // An asset without a name is called after its file; this gives it that name in writing.
 void name_after_file(pugi::xml_node asset);
+// "horse" of "meshes/horse.stl": what an asset without a name is called.
+std::string stem_of(const std::string& path);
 
 // The element of that name; empty if there is none.
 pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::string& name);

@@ -11,7 +11,7 @@
 
 #include "base/fail.h"
 #include "scene/composition.h"
-#include "scene/library.h"
+#include "scene/files.h"
 #include "scene/names.h"
 #include "scene/xml.h"
 
@@ -25,10 +25,13 @@ struct File {
   std::string bytes;
 };
 
+// What was read once may be copied.
+constexpr Limits kAnySize{UINT64_MAX};
+
 std::string content(const std::string& source) {
   const auto built_in = built_in_asset(source);
   if (!built_in.empty()) return {built_in.begin(), built_in.end()};
-  auto bytes = read_file(source);
+  auto bytes = read_file(source, kAnySize);
   if (!bytes) fail(Status::kNotFound, "file {} cannot be read", source);
   return std::move(*bytes);
 }
@@ -106,7 +109,7 @@ void save(const pugi::xml_document& document, const std::string& folder) {
       missing.push_back(std::move(file));
       continue;
     }
-    require(read_file(file.path.string()) == file.bytes,
+    require(read_file(file.path.string(), kAnySize) == file.bytes,
             "folder: {} is there with other content, and is not overwritten; give a new folder", file.path.string());
   }
   if (missing.empty()) return;

@@ -13,6 +13,7 @@
 #include "scene/defaults.h"
 #include "scene/inertias.h"
 #include "scene/joints.h"
+#include "scene/lines.h"
 #include "scene/loader.h"
 #include "scene/merging.h"
 #include "scene/names.h"
@@ -47,7 +48,7 @@ void require_known(const char* what, const char* const (&list)[N], const std::st
 }
 
 pugi::xml_document load(const Library& library, const Source& source) {
-  Loader loader(library);
+  Loader loader(library, source.limits, source.log);
   if (!source.name.empty()) {
     require_known("scene", kScenes, source.name);
     return loader.built_in(source.name + ".xml");
@@ -130,10 +131,10 @@ std::vector<double> numbers_of(pugi::xml_node root, const char* name) {
 }
 
 // What a document says to all of itself, said so that it does not reach what is put beside it.
-void stand_alone(pugi::xml_document& document) {
+void stand_alone(pugi::xml_document& document, const Limits& limits) {
   const pugi::xml_node root = document.document_element();
   require_local_coordinates(root, "the scene");
-  weigh_alone(document, "the scene");
+  weigh_alone(document, "the scene", limits);
   if (has_main_defaults(root)) name_main_defaults(root, kSceneClass);
 }
 
@@ -145,11 +146,11 @@ void require_other_names(pugi::xml_node infant, pugi::xml_node root, const std::
 }
 
 // Puts an infant without a place where there is one for it.
-void find_spot(pugi::xml_document& document, const std::string& prefix) {
+void find_spot(pugi::xml_document& document, const std::string& prefix, const Limits& limits) {
   constexpr Pose kOutOfTheWay{{0, 0, 1000}, {1, 0, 0, 0}};
   const pugi::xml_node body = find_named(document, "body", prefix + kRootBody);
   set_pose(body, kOutOfTheWay);
-  engine::Physics physics = at_start(compile_quietly(document));
+  engine::Physics physics = at_start(compile_quietly(document, limits));
   set_pose(body, free_spot(physics, prefix));
 }
 
@@ -166,10 +167,16 @@ const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
 const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
 Scene::Scene(const Source& source)
-    : models_(source.model_dir), document_(load(models_, source)), built_in_(!source.name.empty()) {}
+    : models_(source.model_dir),
+      limits_(source.limits),
+      log_(source.log),
+      document_(load(models_, source)),
+      built_in_(!source.name.empty()) {}
 
 Scene::Scene(const Scene& other)
     : models_(other.models_),
+      limits_(other.limits_),
+      log_(other.log_),
       document_(copy(other.document_)),
       built_in_(other.built_in_),
       unplaced_(other.unplaced_),
@@ -216,7 +223,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   const pugi::xml_node root = changed.document_element();
   prefix_names(guest_root, prefix);
   require_other_names(guest_root, root, prefix);
-  stand_alone(changed);
+  stand_alone(changed, limits_);
   if (in_radians(root)) convert_to_radians(guest_root);
   const bool known = kinds_.count(body) > 0;
   const std::string classes = known ? kinds_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
@@ -279,7 +286,7 @@ void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
           "object name \"{}\": the scene already has a body or geom of that name", object.name);
   pugi::xml_document changed = copy(document_);
-  stand_alone(changed);
+  stand_alone(changed, limits_);
   const pugi::xml_node body = append(section(changed.document_element(), "worldbody"), "body");
   set(body, "name", object.name);
   set_pose(body, object.pose);
@@ -303,12 +310,12 @@ void Scene::add_model(const Model& model) {
   require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
               !has_names_with(document_.document_element(), model.name + "/"),
           "model name \"{}\": the scene already has something of that name", model.name);
-  Loader loader(models_);
+  Loader loader(models_, limits_, log_);
   pugi::xml_document guest = model.file.empty() ? loader.text(model.xml) : loader.file(model.file);
   pugi::xml_document changed = copy(document_);
   const pugi::xml_node root = changed.document_element();
-  stand_alone(changed);
-  become_object(guest, root, model);
+  stand_alone(changed, limits_);
+  become_object(guest, root, model, limits_);
   for (const char* name :
        {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"}) {
     for (const pugi::xml_node part : guest.document_element().children(name)) copy_into(root, part);
@@ -365,8 +372,16 @@ pugi::xml_document Scene::finished() const {
   }
   // Keyframes are positions of all joints that the document had by itself.
   while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
-  if (unplaced_) find_spot(document, *unplaced_);
-  if (!start_welds_.empty()) add_start_welds(root, start_welds_, compile_quietly(document));
+  settle(root);
+  if (unplaced_) find_spot(document, *unplaced_, limits_);
+  if (!start_welds_.empty()) add_start_welds(root, start_welds_, compile_quietly(document, limits_));
+  return document;
+}
+
+// Without what only we can read.
+pugi::xml_document Scene::shown() const {
+  pugi::xml_document document = finished();
+  take_lines(document.document_element());
   return document;
 }
 
@@ -376,11 +391,11 @@ void Scene::check_places(const engine::ModelPtr& model, const LogSink& log) cons
   for (const std::string& prefix : to_check_) warn_of_overlap(physics, prefix, log);
 }
 
-std::string Scene::xml() const { return print(finished()); }
+std::string Scene::xml() const { return print(shown()); }
 
-void Scene::save(const std::string& folder) const { scene::save(finished(), folder); }
+void Scene::save(const std::string& folder) const { scene::save(shown(), folder); }
 
-Composition Scene::compose() const { return packed(finished()); }
+Composition Scene::compose() const { return packed(finished(), limits_); }
 
 std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   const auto is = [&](pugi::xml_node node, const std::string& name) {

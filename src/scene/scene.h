@@ -12,6 +12,7 @@
 #include "scene/composition.h"
 #include "scene/guest.h"
 #include "scene/library.h"
+#include "scene/limits.h"
 #include "scene/pose.h"
 #include "scene/welds.h"
 
@@ -23,6 +24,8 @@ struct Source {
   std::string file;
   std::string xml;
   std::string model_dir;
+  Limits limits;
+  LogSink log;  // for what is not as the document's author meant it
 };
 
 enum class Shape : int { kSphere = 1, kCapsule = 2, kEllipsoid = 3, kCylinder = 4, kBox = 5 };
@@ -92,7 +95,8 @@ class Scene {
   void check_places(const engine::ModelPtr& model, const LogSink& log) const;
 
   // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png". Both throw
-  // what engine::compile throws where bodies are fastened as they start, or an infant has no place.
+  // what compile throws where bodies are fastened as they start, or an infant has no place. What is composed keeps
+  // within the limits; throws Status::kModel else.
   std::string xml() const;
   Composition compose() const;
   // The document with all its files, for tools that know nothing of libmimo; throws what xml() and scene::save throw.
@@ -100,9 +104,12 @@ class Scene {
 
  private:
   pugi::xml_document finished() const;
+  pugi::xml_document shown() const;
   bool has_name(const char* element, const std::string& name) const;
 
   Library models_;
+  Limits limits_;
+  LogSink log_;
   pugi::xml_document document_;
   bool built_in_;
   std::optional<std::string> unplaced_;  // prefix of the infant for whom nobody named a place

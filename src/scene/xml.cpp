@@ -71,12 +71,16 @@ pugi::xml_document parse(const std::string& text, const std::string& origin) {
   if (!result) {
     fail(Status::kModel, "{}, line {}: {}", origin, line_of(text, result.offset), result.description());
   }
-  if (too_deep(document)) fail(Status::kModel, "{}: elements are nested more than {} deep", origin, kDeepest);
+  require_shallow(document, origin);
   const std::string root = document.document_element().name();
   if (root != "mujoco" && root != "mujocoinclude") {
     fail(Status::kModel, "{}: the root element is <{}>, but MJCF has <mujoco>", origin, root);
   }
   return document;
+}
+
+void require_shallow(const pugi::xml_document& document, const std::string& origin) {
+  if (too_deep(document)) fail(Status::kModel, "{}: elements are nested more than {} deep", origin, kDeepest);
 }
 
 std::string print(const pugi::xml_document& document) {

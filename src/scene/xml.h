@@ -13,6 +13,9 @@ namespace mimo::scene {
 // Parses a document whose root is <mujoco> or <mujocoinclude>; `origin` is for messages. Throws Status::kModel.
 pugi::xml_document parse(const std::string& text, const std::string& origin);
 
+// Throws Status::kModel for a document that is deeper than functions can go down.
+void require_shallow(const pugi::xml_document& document, const std::string& origin);
+
 std::string print(const pugi::xml_document& document);
 
 pugi::xml_node append(pugi::xml_node parent, const char* name);

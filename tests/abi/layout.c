@@ -31,6 +31,15 @@ int main(void) {
   FIELD(mimo_scene_config, model_dir);
   FIELD(mimo_scene_config, log);
   FIELD(mimo_scene_config, log_user);
+  FIELD(mimo_scene_config, max_file_bytes);
+  FIELD(mimo_scene_config, max_pixels);
+  FIELD(mimo_scene_config, max_vertices);
+  FIELD(mimo_scene_config, max_elements);
+  FIELD(mimo_scene_config, max_keyframes);
+  FIELD(mimo_scene_config, max_iterations);
+  FIELD(mimo_scene_config, max_world_bytes);
+  FIELD(mimo_scene_config, confined);
+  FIELD(mimo_scene_config, limits_reserved);
 
   BEGIN(mimo_agent_config);
   FIELD(mimo_agent_config, struct_size);

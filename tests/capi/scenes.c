@@ -64,6 +64,45 @@ static void check_sources(void) {
   CHECK(scene == NULL);
 }
 
+static void ignore(void* user, int32_t level, const char* message) {
+  CHECK(level == MIMO_LOG_WARNING && strstr(message, "MuJoCo 2.2.2 does not know") != NULL);
+  ++*(int*)user;
+}
+
+/* What documents may ask for, and what is not as their authors meant it. */
+static void check_limits(void) {
+  mimo_scene_config config;
+  mimo_scene* scene = NULL;
+  mimo_env* env = NULL;
+  int warnings = 0;
+  CHECK_OK(mimo_scene_config_init(&config, sizeof config));
+  CHECK(config.max_pixels == 0 && config.confined == 0);
+  config.xml = "<mujoco>\n<option iterations='60' ls_iterations='9'/></mujoco>";
+  config.max_iterations = 59;
+  config.log = ignore;
+  config.log_user = &warnings;
+  CHECK_OK(mimo_scene_create(&config, &scene));
+  CHECK(warnings == 1);
+  CHECK_FAILS(MIMO_E_MODEL, "xml text, line 2: iterations=\"60\" is more than max_iterations (59)",
+              mimo_env_create(scene, NULL, &env));
+  mimo_scene_destroy(scene);
+  config.max_iterations = 60;
+  CHECK_OK(mimo_scene_create(&config, &scene));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+
+  config.xml = "<mujoco><include file='/dev/null'/></mujoco>";
+  CHECK_FAILS(MIMO_E_MODEL, "file /dev/null is a device", mimo_scene_create(&config, &scene));
+  config.confined = 1;
+  CHECK_FAILS(MIMO_E_MODEL, "file /dev/null lies outside the document's folder", mimo_scene_create(&config, &scene));
+  config.confined = 2;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "confined is 2, expected 0 or 1", mimo_scene_create(&config, &scene));
+  config.confined = 0;
+  config.limits_reserved = 1;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "limits_reserved is 1", mimo_scene_create(&config, &scene));
+}
+
 static void check_agents(void) {
   mimo_scene* scene = create("free", NULL, NULL);
   mimo_agent_config config;
@@ -262,6 +301,7 @@ static void check_models(void) {
 
 int main(void) {
   check_sources();
+  check_limits();
   check_agents();
   check_objects();
   check_xml();

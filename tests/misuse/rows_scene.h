@@ -35,10 +35,13 @@ ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more
 
 ROW(mimo_scene_create, 0, mimo_scene_create(a->scene_config, a->made_scene), NULL_OK(scene_config),
     NO_NULL(made_scene, "scene"), CONFIG(scene_config, mimo_scene_config, "config"),
-    BAD_FIELD(scene_config, mimo_scene_config, reserved, 1, "reserved"), DO(unknown_scene, MIMO_E_NOT_FOUND, "nowhere"),
-    DO(two_sources, E_ARG, "exclude each other"), DO(no_file, MIMO_E_NOT_FOUND, "no_such_file"),
-    DO(no_xml, MIMO_E_MODEL, "xml text"), DO(not_mjcf, MIMO_E_MODEL, "root element"),
-    DO(deep_xml, MIMO_E_MODEL, "nested"), DO(no_model_dir, MIMO_E_NOT_FOUND, "model_dir"))
+    BAD_FIELD(scene_config, mimo_scene_config, reserved, 1, "reserved"),
+    BAD_FIELD(scene_config, mimo_scene_config, confined, 2, "confined"),
+    BAD_FIELD(scene_config, mimo_scene_config, limits_reserved, 1, "limits_reserved"),
+    DO(unknown_scene, MIMO_E_NOT_FOUND, "nowhere"), DO(two_sources, E_ARG, "exclude each other"),
+    DO(no_file, MIMO_E_NOT_FOUND, "no_such_file"), DO(no_xml, MIMO_E_MODEL, "xml text"),
+    DO(not_mjcf, MIMO_E_MODEL, "root element"), DO(deep_xml, MIMO_E_MODEL, "nested"),
+    DO(no_model_dir, MIMO_E_NOT_FOUND, "model_dir"))
 ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_scene(a), NONE)
 
 #define AGENT_REAL(f, ...) BAD_REAL(agent_config, mimo_agent_config, f, __VA_ARGS__)

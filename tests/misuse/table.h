@@ -175,16 +175,21 @@ int rows_failures(void);
   { FAULT_STRUCT_SIZE, #m "'s struct_size is " #n, MEMBER(m), 0, (int64_t)(n), 0, NULL, MIMO_E_STRUCT_SIZE, names }
 #define STRUCT_LATER(m, t, tail, status, names) \
   { FAULT_STRUCT_TAIL, #m " is of a later version, tail " #tail, MEMBER(m), tail, sizeof(t), 0, NULL, status, names }
+/* Structs may have grown; smaller than at first they never were. */
+#define MIMO_FIRST_SIZE(type, bytes) enum { type##_first = (bytes) }
+#include "capi/first_sizes.h"
+#undef MIMO_FIRST_SIZE
 #define BAD_SIZES(m, t, names) \
-  STRUCT_IS(m, 0, names), STRUCT_IS(m, sizeof(t) - 1, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
+  STRUCT_IS(m, 0, names), STRUCT_IS(m, t##_first - 1, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
 /* A struct that is read, and one that is filled. */
 #define CONFIG(m, t, names) \
   BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_STRUCT_SIZE, names)
 #define DESCRIPTION(m, t, names) NO_NULL(m, names), BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 1, MIMO_OK, NULL)
 /* A function that is told the struct's size: sizeof(t) + more_bytes. */
-#define INIT(m, t, names)                                                                                          \
-  NO_NULL(m, names), SIZE_IS(more_bytes, -(int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names),                          \
-      SIZE_IS(more_bytes, -1, MIMO_E_STRUCT_SIZE, names), SIZE_IS(more_bytes, 1000000, MIMO_E_STRUCT_SIZE, names), \
+#define INIT(m, t, names)                                                                 \
+  NO_NULL(m, names), SIZE_IS(more_bytes, -(int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), \
+      SIZE_IS(more_bytes, t##_first - 1 - (int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), \
+      SIZE_IS(more_bytes, 1000000, MIMO_E_STRUCT_SIZE, names),                            \
       SIZE_IS(more_bytes, -1 - (int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), SIZE_IS(more_bytes, 16, MIMO_OK, NULL)
 
 #endif

@@ -31,10 +31,7 @@ inline scene::Source from_file(const std::string& path) {
   return source;
 }
 
-inline engine::ModelPtr compile(const scene::Scene& scene) {
-  const scene::Composition composition = scene.compose();
-  return engine::compile(composition.xml, composition.assets, {});
-}
+inline engine::ModelPtr compile(const scene::Scene& scene) { return scene::compile(scene.compose(), {}); }
 
 // A built-in room with one infant at the room's own place.
 inline engine::ModelPtr room_with_infant(const std::string& room, const std::string& body = "mitten") {

@@ -1,0 +1,22 @@
+// What MuJoCo's compiler knows of MJCF: elements, where they may stand, and their attributes.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace mimo::engine {
+
+struct SchemaElement {
+  std::set<std::string, std::less<>> attributes;
+  std::map<std::string, SchemaElement, std::less<>> children;
+  bool nests = false;  // may hold itself, like <body>
+};
+
+// The element <mujoco>, asked of the MuJoCo that runs; the same object every time.
+const SchemaElement& schema();
+
+// "MuJoCo 2.2.2", the one that runs.
+std::string compiler_name();
+
+}  // namespace mimo::engine

@@ -1,0 +1,27 @@
+// Numbers at a place in a file's bytes; the caller has checked that they are there.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace mimo::scene {
+
+template <typename T>
+T value_at(const std::string& bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+inline std::int32_t little_endian(const std::string& bytes, std::size_t at) {
+  return value_at<std::int32_t>(bytes, at);
+}
+
+inline std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+}  // namespace mimo::scene

@@ -1,0 +1,15 @@
+// What MuJoCo's compiler would believe: sizes, counts and files of a document, checked before it sees them.
+#pragma once
+
+#include <pugixml.hpp>
+
+#include "scene/limits.h"
+
+namespace mimo::scene {
+
+// Throws Status::kModel, with file and line, for a document that asks for more than the limits allow, or that would
+// make the compiler read or write where it must not. What is wrong in other ways is left to the compiler, which says
+// so.
+void check(pugi::xml_node root, const Limits& limits);
+
+}  // namespace mimo::scene

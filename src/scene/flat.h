@@ -1,0 +1,12 @@
+// Whether points span a space.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace mimo::scene {
+
+// Whether all points lie in one plane, as exactly as their coordinates, which are floats, can tell.
+bool is_flat(const std::vector<std::array<double, 3>>& points);
+
+}  // namespace mimo::scene

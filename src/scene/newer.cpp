@@ -1,0 +1,241 @@
+#include "scene/newer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "base/fail.h"
+#include "base/format.h"
+#include "engine/schema.h"
+#include "scene/defaults.h"
+#include "scene/lines.h"
+#include "scene/names.h"
+#include "scene/newer_actuators.h"
+#include "scene/xml.h"
+
+namespace mimo::scene {
+namespace {
+
+using engine::SchemaElement;
+
+// Attributes that say nothing of how things move, by element: what pictures look like, how the compiler and the solver
+// of newer versions go about their work, what is written back to files.
+const std::map<std::string, std::set<std::string>, std::less<>>& harmless_attributes() {
+  static const std::map<std::string, std::set<std::string>, std::less<>> names = {
+      {"compiler", {"alignfree", "saveinertial", "savecanonical", "savecompiled", "conflict"}},
+      {"option",
+       {"ccd_iterations", "ccd_tolerance", "ls_iterations", "ls_tolerance", "sdf_iterations", "sdf_initpoints",
+        "sleep_tolerance"}},
+      {"flag", {"autoreset", "eulerdamp", "invdiscrete", "island", "midphase", "nativeccd", "sleep", "diagexact"}},
+      {"size", {"memory"}},
+      {"mesh", {"maxhullvert", "content_type", "material", "octree_maxdepth"}},
+      {"hfield", {"content_type"}},
+      {"texture", {"colorspace", "content_type", "nchannel", "embed"}},
+      {"material", {"metallic", "roughness"}},
+      {"geom", {"castshadow"}},
+      {"camera",
+       {"focal", "focalpixel", "output", "principal", "principalpixel", "projection", "orthographic", "resolution",
+        "sensorsize"}},
+      {"light", {"bulbradius", "intensity", "range", "softness", "texture", "type"}},
+      {"body", {"sleep", "simple", "fuse"}},
+      {"freejoint", {"align"}},
+  };
+  return names;
+}
+
+// Values that newer versions give attributes by themselves: who writes them says nothing.
+const std::set<std::string, std::less<>>& harmless_zeros() {
+  static const std::set<std::string, std::less<>> names = {
+      "gravcomp", "dampratio", "kv",    "timeconst", "inheritrange", "adhesion", "springyield",
+      "armature", "damping",   "delay", "nsample",   "tausmooth",    "plastic"};
+  return names;
+}
+
+const std::set<std::pair<std::string, std::string>>& harmless_words() {
+  static const std::set<std::pair<std::string, std::string>> words = {{"actearly", "false"},
+                                                                      {"actuatorgravcomp", "false"},
+                                                                      {"spring", "enable"},
+                                                                      {"damper", "enable"},
+                                                                      {"actuatorfrclimited", "false"},
+                                                                      {"actuatorgroupdisable", ""},
+                                                                      {"inertia", "legacy"},
+                                                                      {"inertia", "exact"},
+                                                                      {"inertia", "convex"},
+                                                                      {"actdim", "-1"}};
+  return words;
+}
+
+// Whole elements: sensors that only nobody can read any more, and defaults of what has none yet.
+bool is_harmless_element(pugi::xml_node node) {
+  static const std::set<std::string, std::less<>> sensors = {
+      "camprojection", "jointactuatorfrc", "tendonactuatorfrc", "insidesite", "distance", "normal",
+      "fromto",        "contact",          "e_potential",       "e_kinetic",  "tactile"};
+  const std::string name = node.name(), parent = node.parent().name();
+  if (parent == "sensor") return sensors.count(name) > 0;
+  return (parent == "default" && name == "texture") || (parent == "material" && name == "layer");
+}
+
+struct Nearest {
+  const char *element, *attribute, *value, *instead;
+};
+constexpr Nearest kNearest[] = {{"option", "integrator", "implicitfast", "implicit"},
+                                {"general", "dyntype", "filterexact", "filter"}};
+
+bool is(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
+
+bool is_picture_setting(pugi::xml_node node) { return is(node.parent().name(), "visual") || is(node.name(), "visual"); }
+
+bool is_zero(pugi::xml_attribute attribute) {
+  const std::vector<double> values = numbers(attribute);
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+}
+
+bool is_harmless(pugi::xml_node node, pugi::xml_attribute attribute) {
+  if (is_picture_setting(node)) return true;
+  if (harmless_words().count({attribute.name(), attribute.value()}) > 0) return true;
+  if (harmless_zeros().count(attribute.name()) > 0 && is_zero(attribute)) return true;
+  const auto found = harmless_attributes().find(node.name());
+  return found != harmless_attributes().end() && found->second.count(attribute.name()) > 0;
+}
+
+// Warnings of one kind are one message, whose place is the first.
+class Report {
+ public:
+  void add(pugi::xml_node node, const std::string& what) {
+    const auto same = [&](const Entry& entry) { return entry.what == what; };
+    const auto found = std::find_if(entries_.begin(), entries_.end(), same);
+    if (found == entries_.end()) return entries_.push_back({what, where(node), 1});
+    ++found->count;
+  }
+  void write(const LogSink& log) const {
+    for (const Entry& entry : entries_) {
+      const std::string more = entry.count > 1 ? format(" (and {} more)", entry.count - 1) : "";
+      log(LogLevel::kWarning, format("{}{}: {}", entry.place, more, entry.what));
+    }
+  }
+
+ private:
+  struct Entry {
+    std::string what, place;
+    int count;
+  };
+  std::vector<Entry> entries_;
+};
+
+std::string nobody_knows() { return engine::compiler_name() + " does not know "; }
+
+void take_nearest(pugi::xml_node root, Report& report) {
+  walk(root, [&](pugi::xml_node node) {
+    for (const Nearest& entry : kNearest) {
+      if (!is(node.name(), entry.element) || !is(node.attribute(entry.attribute).value(), entry.value)) continue;
+      set(node, entry.attribute, entry.instead);
+      report.add(node, format("{}{}=\"{}\" of <{}>; \"{}\" comes nearest and is taken", nobody_knows(), entry.attribute,
+                              entry.value, entry.element, entry.instead));
+    }
+  });
+}
+
+void rename(pugi::xml_node node, const char* attribute, const char* name) {
+  if (!node.attribute(attribute)) return;
+  if (!node.attribute(name)) set(node, name, node.attribute(attribute).value());
+  node.remove_attribute(attribute);
+}
+
+// How mass lies in a mesh was once said of the geoms that show it.
+void take_shells(pugi::xml_node root) {
+  std::set<std::string> shells;
+  for (const pugi::xml_node assets : root.children("asset")) {
+    for (pugi::xml_node mesh : assets.children("mesh")) {
+      if (!is(mesh.attribute("inertia").value(), "shell")) continue;
+      shells.insert(mesh.attribute("name") ? mesh.attribute("name").value() : stem_of(mesh.attribute("file").value()));
+      mesh.remove_attribute("inertia");
+    }
+  }
+  if (shells.empty()) return;
+  const Defaults defaults(root);
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    walk(world, [&](pugi::xml_node node) {
+      const bool shows = is(node.name(), "geom") && shells.count(defaults.find(node, "mesh").value()) > 0;
+      if (shows) set(node, "shellinertia", "true");
+    });
+  }
+}
+
+// What has another name or form now, and the same meaning.
+void take_same(pugi::xml_node root) {
+  for (const pugi::xml_node compiler : root.children("compiler")) {
+    const std::string folder = compiler.attribute("assetdir").value();
+    for (const char* own : {"meshdir", "texturedir"}) {
+      if (!folder.empty() && !compiler.attribute(own)) set(compiler, own, folder);
+    }
+    pugi::xml_node(compiler).remove_attribute("assetdir");
+    for (const pugi::xml_node lengths : compiler.children("lengthrange")) rename(lengths, "interval", "inteval");
+  }
+  walk(root, [](pugi::xml_node node) {
+    if (is(node.name(), "light") && is(node.attribute("type").value(), "directional")) {
+      node.remove_attribute("type");
+      set(node, "directional", "true");
+    }
+    const bool paints = is(node.parent().name(), "material") && is(node.name(), "layer");
+    if (paints && is(node.attribute("role").value(), "rgb")) {
+      set(node.parent(), "texture", node.attribute("texture").value());
+    }
+  });
+}
+
+[[noreturn]] void refuse(pugi::xml_node place, const std::string& what) {
+  fail(Status::kModel, "{}: {}{}", where(place), nobody_knows(), what);
+}
+
+void check_attributes(pugi::xml_node node, const SchemaElement& known, Report& report) {
+  for (pugi::xml_attribute attribute = node.first_attribute(); attribute;) {
+    const pugi::xml_attribute next = attribute.next_attribute();
+    const std::string name = attribute.name();
+    if (known.attributes.count(name) == 0 && !is_note(attribute)) {
+      const std::string what = format("the attribute {} of <{}>", name, node.name());
+      if (!is_harmless(node, attribute)) refuse(node, format("{} (\"{}\")", what, attribute.value()));
+      report.add(node, nobody_knows() + what + "; it is left out");
+      node.remove_attribute(attribute);
+    }
+    attribute = next;
+  }
+}
+
+const SchemaElement* find(const SchemaElement& known, const char* self, const char* name) {
+  if (known.nests && is(self, name)) return &known;
+  const auto found = known.children.find(name);
+  return found == known.children.end() ? nullptr : &found->second;
+}
+
+void check(pugi::xml_node node, const SchemaElement& known, Report& report) {
+  check_attributes(node, known, report);
+  for (pugi::xml_node child = node.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();
+    const SchemaElement* kind = find(known, node.name(), child.name());
+    if (child.type() == pugi::node_element && kind != nullptr) {
+      check(child, *kind, report);
+    } else if (child.type() == pugi::node_element) {
+      const std::string what = format("<{}> in <{}>", child.name(), node.name());
+      if (!is_harmless_element(child)) refuse(child, what);
+      report.add(child, nobody_knows() + what + "; it is left out");
+      node.remove_child(child);
+    }
+    child = next;
+  }
+}
+
+}  // namespace
+
+void translate_newer(pugi::xml_node root, const LogSink& log) {
+  Report report;
+  take_same(root);
+  take_shells(root);
+  translate_actuators(root);
+  take_nearest(root, report);
+  check(root, engine::schema(), report);
+  report.write(log);
+}
+
+}  // namespace mimo::scene
