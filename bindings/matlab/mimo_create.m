@@ -15,6 +15,8 @@ function world = mimo_create(scene, varargin)
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
 %     the room     objects and cameras: struct arrays with the members of mimo_object_config and mimo_camera_config;
 %                  a camera with look_at is a new one
+%     the file     confined (1: what it names must lie in its folder), max_pixels, max_vertices, max_elements, max_keyframes,
+%                  max_iterations, max_file_bytes, max_world_bytes: how much it may ask for
 %     many worlds  worlds, threads, autoreset (0, 1 or 2), restart_failed. They are the last dimension of all arrays.
 world = mimo_mex('create', char(scene), varargin{:});
 end

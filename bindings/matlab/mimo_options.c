@@ -5,7 +5,7 @@
 
 #include "mimo_gateway.h"
 
-typedef enum kind { kUnsigned, kSigned, kNumber, kThree, kFour, kText } kind;
+typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText } kind;
 
 typedef struct option {
   const char* name;
@@ -15,6 +15,14 @@ typedef struct option {
 
 #define OPTION(type, member, kind) \
   { #member, kind, offsetof(type, member) }
+
+static const option scene_options[] = {
+    OPTION(mimo_scene_config, max_file_bytes, kWide),  OPTION(mimo_scene_config, max_pixels, kWide),
+    OPTION(mimo_scene_config, max_vertices, kWide),    OPTION(mimo_scene_config, max_elements, kWide),
+    OPTION(mimo_scene_config, max_keyframes, kWide),   OPTION(mimo_scene_config, max_iterations, kWide),
+    OPTION(mimo_scene_config, max_world_bytes, kWide), OPTION(mimo_scene_config, confined, kUnsigned),
+    {NULL, kText, 0},
+};
 
 static const option agent_options[] = {
     OPTION(mimo_agent_config, body, kText),
@@ -113,6 +121,7 @@ static void set_option(void* config, const option* option, const mxArray* value)
   char* member = (char*)config + option->offset;
   switch (option->kind) {
     case kUnsigned: *(uint32_t*)member = (uint32_t)whole(option->name, value, 0, 4294967295.0); break;
+    case kWide: *(uint64_t*)member = (uint64_t)whole(option->name, value, 0, 9007199254740992.0); break;
     case kSigned: *(int32_t*)member = (int32_t)whole(option->name, value, -2147483648.0, 2147483647.0); break;
     case kNumber: *(double*)member = mimo_number(value, option->name); break;
     case kThree: read_numbers((double*)member, 3, option->name, value); break;
@@ -191,6 +200,7 @@ typedef struct request {
 
 static void read_option(request* all, const char* name, const mxArray* value) {
   const option* found = find_option(agent_options, name);
+  if (find_option(scene_options, name) != NULL) return; /* it had its turn when the scene was opened */
   if (found != NULL) {
     set_option(&all->agent, found, value);
     if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->agent.place_given = 1;
@@ -212,13 +222,18 @@ static void read_option(request* all, const char* name, const mxArray* value) {
   }
 }
 
-/* "reach", or "room.xml" for a file of one's own. */
-static mimo_scene* open_scene(const char* name) {
+/* "reach", or "room.xml" for a file of one's own; the names and values of options follow. */
+static mimo_scene* open_scene(const char* name, int count, const mxArray* options[]) {
   const size_t length = strlen(name);
   const int is_file = length > 4 && strcmp(name + length - 4, ".xml") == 0;
   mimo_scene_config config;
   mimo_scene* scene = NULL;
+  int i;
   mimo_check(mimo_scene_config_init(&config, sizeof config));
+  for (i = 0; i + 1 < count; i += 2) {
+    const option* found = find_option(scene_options, mimo_text(options[i], "option"));
+    if (found != NULL) set_option(&config, found, options[i + 1]);
+  }
   if (is_file)
     config.file = name;
   else
@@ -234,7 +249,7 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
   mimo_batch* batch = NULL;
   int i;
   mimo_need(nin % 2 == 1, "expected the name of a scene, then names and values of options");
-  scene = open_scene(mimo_text(in[0], "scene"));
+  scene = open_scene(mimo_text(in[0], "scene"), nin - 1, in + 1);
   memset(&all, 0, sizeof all);
   mimo_check(mimo_scene_default_agent(scene, &all.agent, sizeof all.agent));
   mimo_check(mimo_env_config_init(&all.env, sizeof all.env));

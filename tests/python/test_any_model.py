@@ -15,7 +15,7 @@ PACKAGES = ["gymnasium==0.29.1", "dm_control==1.0.7"]  # dm_control 1.0.7 is the
 REFUSED = {
     "dm_control/mjcf/schema.xml": "the root element is <element>",
     "dm_control/mjcf/test_assets/attribute_test_schema.xml": "the root element is <element>",
-    "dm_control/mjcf/test_assets/included_with_invalid_filenames.xml": "could not open STL file",
+    "dm_control/mjcf/test_assets/included_with_invalid_filenames.xml": "invalid_mesh_name.stl of <mesh",
     "dm_control/mjcf/test_assets/model_with_invalid_filenames.xml": "invalid_included_name.xml cannot be read",
     "dm_control/mjcf/test_assets/test_model.xml": "mass and inertia of moving bodies must be larger",
     "dm_control/mujoco/testing/assets/model_with_assets.xml": "included.xml cannot be read",

@@ -118,3 +118,18 @@ def test_a_model_can_be_an_agent():
     observation = world.reset(seed=1)
     assert observation["red/proprioception/position"].shape[0] >= 1
     assert len(observation["red/touch/force"]) > 10
+
+
+def test_documents_have_limits(tmp_path):
+    room = tmp_path / "room"
+    room.mkdir()
+    (tmp_path / "floor.xml").write_text("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
+    (room / "room.xml").write_text("<mujoco>\n<option iterations='60'/><include file='../floor.xml'/></mujoco>")
+    scene = mimo.Scene(file=room / "room.xml", max_iterations=59)
+    with pytest.raises(mimo.Error, match=r"room.xml, line 2: iterations=\"60\" is more than max_iterations \(59\)"):
+        mimo.World(scene.copy(), renderer="none")
+    with pytest.raises(mimo.Error, match="lies outside the document's folder"):
+        mimo.Scene(file=room / "room.xml", confined=True)
+    with pytest.raises(TypeError, match="unexpected keyword argument 'max_width'.* There are: .*max_elements"):
+        mimo.Scene(max_width=3)
+    mimo.World(mimo.Scene(file=room / "room.xml", max_iterations=60), renderer="none").close()

@@ -3,12 +3,20 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
+    /// <summary>How much an MJCF document may ask for, 0 for the default, and whether its files must lie in its own folder.
+    /// What asks for more is refused.</summary>
+    public struct DocumentLimits
+    {
+        public ulong MaxFileBytes, MaxPixels, MaxVertices, MaxElements, MaxKeyframes, MaxIterations, MaxWorldBytes;
+        public bool Confined;
+    }
+
     /// <summary>A room, objects and infants. Worlds that were made of it live on without it.</summary>
     public sealed class Scene : IDisposable
     {
         internal readonly SceneHandle Handle;
 
-        private Scene(string name, string file, string xml)
+        private Scene(string name, string file, string xml, DocumentLimits limits = default(DocumentLimits))
         {
             using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
             {
@@ -17,6 +25,14 @@ namespace Mimo
                 config.name = n.Pointer;
                 config.file = f.Pointer;
                 config.xml = x.Pointer;
+                config.max_file_bytes = limits.MaxFileBytes;
+                config.max_pixels = limits.MaxPixels;
+                config.max_vertices = limits.MaxVertices;
+                config.max_elements = limits.MaxElements;
+                config.max_keyframes = limits.MaxKeyframes;
+                config.max_iterations = limits.MaxIterations;
+                config.max_world_bytes = limits.MaxWorldBytes;
+                config.confined = limits.Confined ? 1u : 0u;
                 MimoException.Check(Native.mimo_scene_create(ref config, out Handle));
             }
         }
@@ -28,10 +44,16 @@ namespace Mimo
         public static Scene Builtin(string name) { return new Scene(name, null, null); }
 
         /// <summary>An MJCF file.</summary>
-        public static Scene FromFile(string path) { return new Scene(null, path, null); }
+        public static Scene FromFile(string path, DocumentLimits limits = default(DocumentLimits))
+        {
+            return new Scene(null, path, null, limits);
+        }
 
         /// <summary>MJCF text.</summary>
-        public static Scene FromXml(string xml) { return new Scene(null, null, xml); }
+        public static Scene FromXml(string xml, DocumentLimits limits = default(DocumentLimits))
+        {
+            return new Scene(null, null, xml, limits);
+        }
 
         /// <summary>What the scene gives its infant by itself.</summary>
         public AgentConfig DefaultAgent()

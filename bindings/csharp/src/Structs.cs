@@ -10,6 +10,8 @@ namespace Mimo
     {
         internal uint struct_size, reserved;
         internal IntPtr name, file, xml, model_dir, log, log_user;
+        internal ulong max_file_bytes, max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_world_bytes;
+        internal uint confined, limits_reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]

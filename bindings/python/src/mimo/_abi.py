@@ -44,6 +44,15 @@ class SceneConfig(Struct):
         ("model_dir", c_char_p),
         ("log", LogFunction),
         ("log_user", c_void_p),
+        ("max_file_bytes", c_uint64),
+        ("max_pixels", c_uint64),
+        ("max_vertices", c_uint64),
+        ("max_elements", c_uint64),
+        ("max_keyframes", c_uint64),
+        ("max_iterations", c_uint64),
+        ("max_world_bytes", c_uint64),
+        ("confined", c_uint32),
+        ("limits_reserved", c_uint32),
     ]
 
 

@@ -35,6 +35,19 @@ Numbers = Sequence[float]
 SIZES = 3  # that a shape has at most
 
 
+class DocumentOptions(TypedDict, total=False):
+    """How much an MJCF document may ask for, and whether its files must lie in its own folder."""
+
+    max_file_bytes: int
+    max_pixels: int
+    max_vertices: int
+    max_elements: int
+    max_keyframes: int
+    max_iterations: int
+    max_world_bytes: int
+    confined: bool
+
+
 class AgentOptions(TypedDict, total=False):
     """One infant: where it is, what it senses, what of it acts."""
 

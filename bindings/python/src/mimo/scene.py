@@ -16,6 +16,7 @@ from .arguments import number_of, real_number, vector
 from .options import (
     AgentOptions,
     CameraOptions,
+    DocumentOptions,
     ModelOptions,
     Numbers,
     ObjectOptions,
@@ -62,7 +63,8 @@ class Scene(Handle):
 
     Starts from a built-in scene, an MJCF file, an MJCF text, or (without arguments) from an empty world. Infants and
     objects are then added. Worlds made from it keep what they were made of: it may be changed or closed afterwards.
-    Scenes can be pickled and copied; a file is then read again.
+    Scenes can be pickled and copied; a file is then read again. A document that asks for more than `max_pixels` and its
+    like allow is refused; with `confined` its files must lie in its own folder.
     """
 
     def __init__(
@@ -72,8 +74,9 @@ class Scene(Handle):
         file: Optional[Union[str, "os.PathLike[str]"]] = None,
         xml: Optional[str] = None,
         model_dir: Optional[Union[str, "os.PathLike[str]"]] = None,
+        **limits: Unpack[DocumentOptions],
     ) -> None:
-        self._start = {
+        self._start: Dict[str, Any] = {
             "name": name,
             "file": None if file is None else os.path.abspath(file),
             "xml": xml,
@@ -85,6 +88,8 @@ class Scene(Handle):
         check(LIB.mimo_scene_config_init(config, ctypes.sizeof(config)))
         for key, value in self._start.items():
             setattr(config, key, utf8(value, key))
+        fill(config, limits, DocumentOptions)
+        self._start.update(limits)
         config.log = log_to_python
         handle = ctypes.c_void_p()
         check(LIB.mimo_scene_create(config, handle))

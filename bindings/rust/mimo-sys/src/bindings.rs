@@ -337,6 +337,24 @@ pub struct mimo_scene_config {
     pub log: mimo_log_fn,
     #[doc = "Passed to log."]
     pub log_user: *mut std::os::raw::c_void,
+    #[doc = "Bytes of each file that is read. Default 268435456."]
+    pub max_file_bytes: u64,
+    #[doc = "Pixels of a texture or height field. Default 67108864."]
+    pub max_pixels: u64,
+    #[doc = "Vertices of a mesh or skin, and its faces. Default 1000000."]
+    pub max_vertices: u64,
+    #[doc = "Elements of the document, and those that composites become. Default 40000."]
+    pub max_elements: u64,
+    #[doc = "Default 10000."]
+    pub max_keyframes: u64,
+    #[doc = "Iterations of each solver in a physics step. Default 10000."]
+    pub max_iterations: u64,
+    #[doc = "What the buffers of one world may need, as estimated. Default 4294967296."]
+    pub max_world_bytes: u64,
+    #[doc = "1: includes and assets must lie in the folder of the document that names them, or below; 0: anywhere."]
+    pub confined: u32,
+    #[doc = "0."]
+    pub limits_reserved: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: an empty world, silent."]

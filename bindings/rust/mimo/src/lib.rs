@@ -48,7 +48,7 @@ pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use limits::Limits;
 pub use log::Level;
 pub use picture::{Camera, Picture};
-pub use scene::{builtin_scenes, faces, rooms, Scene};
+pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
 pub use senses::Senses;
 pub use task::{Judgement, Task, Whom};
 pub use world::{Contact, Env, Step, TouchSensor, World};

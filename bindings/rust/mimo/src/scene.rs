@@ -18,12 +18,35 @@ pub struct Scene {
 unsafe impl Send for Scene {}
 unsafe impl Sync for Scene {}
 
+/// How much an MJCF document may ask for, 0 for the default, and whether its files must lie in its own folder. What asks
+/// for more is refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DocumentLimits {
+    /// Bytes of each file that is read.
+    pub max_file_bytes: u64,
+    /// Pixels of a texture or height field.
+    pub max_pixels: u64,
+    /// Vertices of a mesh or skin, and its faces.
+    pub max_vertices: u64,
+    /// Elements of the document, and those that composites become.
+    pub max_elements: u64,
+    /// Keyframes of the document.
+    pub max_keyframes: u64,
+    /// Iterations of each solver in a physics step.
+    pub max_iterations: u64,
+    /// What the buffers of one world may need, as estimated.
+    pub max_world_bytes: u64,
+    /// Whether includes and assets must lie in the folder of the document that names them, or below.
+    pub confined: bool,
+}
+
 /// Where a scene comes from; at most one of them is given.
 #[derive(Default)]
 struct Source<'a> {
     name: Option<&'a str>,
     file: Option<&'a str>,
     xml: Option<&'a str>,
+    limits: DocumentLimits,
 }
 
 impl Scene {
@@ -47,6 +70,16 @@ impl Scene {
         Scene::create(Source { xml: Some(text), ..Source::default() })
     }
 
+    /// An MJCF file from somebody who is not trusted, or one that needs more than is usual.
+    pub fn file_within(path: &str, limits: DocumentLimits) -> Result<Scene> {
+        Scene::create(Source { file: Some(path), limits, ..Source::default() })
+    }
+
+    /// The same for MJCF text.
+    pub fn xml_within(text: &str, limits: DocumentLimits) -> Result<Scene> {
+        Scene::create(Source { xml: Some(text), limits, ..Source::default() })
+    }
+
     fn create(source: Source) -> Result<Scene> {
         let name = source.name.map(c_string).transpose()?;
         let file = source.file.map(c_string).transpose()?;
@@ -55,6 +88,14 @@ impl Scene {
         config.name = pointer(&name);
         config.file = pointer(&file);
         config.xml = pointer(&xml);
+        config.max_file_bytes = source.limits.max_file_bytes;
+        config.max_pixels = source.limits.max_pixels;
+        config.max_vertices = source.limits.max_vertices;
+        config.max_elements = source.limits.max_elements;
+        config.max_keyframes = source.limits.max_keyframes;
+        config.max_iterations = source.limits.max_iterations;
+        config.max_world_bytes = source.limits.max_world_bytes;
+        config.confined = source.limits.confined.into();
         let mut handle = null_mut();
         check(unsafe { sys::mimo_scene_create(&config, &mut handle) })?;
         Ok(Scene { handle: NonNull::new(handle).expect("a handle"), task: None })
