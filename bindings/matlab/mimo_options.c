@@ -17,10 +17,14 @@ typedef struct option {
   { #member, kind, offsetof(type, member) }
 
 static const option scene_options[] = {
-    OPTION(mimo_scene_config, max_file_bytes, kWide),  OPTION(mimo_scene_config, max_pixels, kWide),
-    OPTION(mimo_scene_config, max_vertices, kWide),    OPTION(mimo_scene_config, max_elements, kWide),
-    OPTION(mimo_scene_config, max_keyframes, kWide),   OPTION(mimo_scene_config, max_iterations, kWide),
-    OPTION(mimo_scene_config, max_world_bytes, kWide), OPTION(mimo_scene_config, confined, kUnsigned),
+    OPTION(mimo_scene_config, max_file_bytes, kWide),
+    OPTION(mimo_scene_config, max_pixels, kWide),
+    OPTION(mimo_scene_config, max_vertices, kWide),
+    OPTION(mimo_scene_config, max_elements, kWide),
+    OPTION(mimo_scene_config, max_keyframes, kWide),
+    OPTION(mimo_scene_config, max_iterations, kWide),
+    OPTION(mimo_scene_config, max_world_bytes, kWide),
+    OPTION(mimo_scene_config, confined, kUnsigned),
     {NULL, kText, 0},
 };
 
