@@ -256,6 +256,8 @@ TAKEN = {"proprioception/position": ONE["height"]}
         (ONE, {"height": np.zeros(2)}, FINE, ValueError, r"'height' has the shape \(2,\), expected \(1,\)"),
         ({}, {}, mimo.Judgement(), ValueError, "gave neither of reward and terms, expected one of them"),
         ({}, {}, mimo.Judgement(1, terms={"a": 1}), ValueError, "gave both of reward and terms"),
+        ({}, {}, mimo.Judgement(float("nan")), ValueError, "gave the reward nan, expected finite numbers"),
+        ({}, {}, mimo.Judgement(terms={"a": 1, "b": np.inf}), ValueError, "gave the reward inf, expected finite"),
     ],
 )
 def test_what_cannot_be_meant_is_refused(fields, observed, judged, kind, message):

@@ -128,6 +128,8 @@ class Judge:
             if (judgement.reward is None) != bool(judgement.terms):
                 given = "neither" if judgement.reward is None else "both"
                 raise ValueError(f"{self._name}.evaluate gave {given} of reward and terms, expected one of them")
+            if not np.all(np.isfinite(judgement.total())):
+                raise ValueError(f"{self._name}.evaluate gave the reward {judgement.total()}, expected finite numbers")
         return judged
 
     def observed(self, world: Access, agents: Sequence[str] = SOLE) -> Dict[str, Own]:
