@@ -43,12 +43,31 @@ build_csharp() {
   done
 }
 
+# csharp_refuses FOLDER MESSAGE: what each way into a library says that cannot be used; the folder is where it is looked for.
+csharp_refuses() {
+  local said
+  said=$(LD_LIBRARY_PATH=$1 mono build/csharp/Tests.exe) || fail "C# without a library: $said"
+  [[ $(grep -c "$2" <<<"$said") == 3 ]] || fail "C# with the library of ${1:-nowhere} says: $said"
+}
+
+test_loading_in_csharp() {
+  local folder=build/csharp/future
+  mkdir -p "$folder"
+  printf 'unsigned mimo_abi_version(void) { return 99; }\nconst char *mimo_version(void) { return "9.8.7"; }\n' |
+    "${CC:-cc}" -shared -fPIC -x c - -o "$folder/libmimo.so"
+  csharp_refuses '' 'libmimo was not found'
+  csharp_refuses "$folder" 'libmimo 9.8.7 has ABI version 99, expected 0'
+  printf 'int other;\n' | "${CC:-cc}" -shared -fPIC -x c - -o "$folder/libmimo.so"
+  csharp_refuses "$folder" 'has no mimo_abi_version'
+}
+
 test_csharp() {
   build_program
   build_csharp
   echo "Tests of the C# classes"
   local -x LD_LIBRARY_PATH=$PWD/build/lib
-  mono build/csharp/Tests.exe tests/abi/layout.json
+  mono build/csharp/Tests.exe tests/abi/layout.json include/mimo/mimo.h
+  test_loading_in_csharp
   mono build/csharp/Game.exe 1
   follow csharp
 }

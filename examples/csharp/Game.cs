@@ -13,7 +13,7 @@ internal static class Game
 
     private static Env MakeInfant()
     {
-        using (var scene = Scene.Builtin("benchmark"))
+        using (var scene = MimoScene.Builtin("benchmark"))
         {
             var agent = scene.DefaultAgent();
             agent.vision_width = agent.vision_height = 64;

@@ -13,9 +13,9 @@ namespace Mimo
         internal IntPtr name;
         internal IntPtr body;
         /// <summary>Of the root body, metres, world frame.</summary>
-        public Vector3 position;
+        public Vector3d position;
         /// <summary>Of the root body.</summary>
-        public Quaternion orientation;
+        public Quaterniond orientation;
         /// <summary>MIMO_PROPRIOCEPTION_ bits; 0: none.</summary>
         public uint proprioception;
         /// <summary>1: accelerometer and gyroscope in the head; 0: none.</summary>

@@ -42,7 +42,7 @@ namespace Mimo
         public double[] Rewards { get; }
 
         /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores.</summary>
-        public Batch(Scene scene, int worlds, EnvOptions options = null, Autoreset autoreset = Autoreset.None, int threads = 0,
+        public Batch(MimoScene scene, int worlds, EnvOptions options = null, Autoreset autoreset = Autoreset.None, int threads = 0,
             bool restartFailed = false)
         {
             BatchConfigStruct config;
@@ -62,7 +62,7 @@ namespace Mimo
             wasReset = new byte[worlds];
         }
 
-        private static BatchHandle Create(Scene scene, EnvOptions options, BatchConfigStruct config)
+        private static BatchHandle Create(MimoScene scene, EnvOptions options, BatchConfigStruct config)
         {
             return options.Use((env, log) =>
             {

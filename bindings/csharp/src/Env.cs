@@ -39,7 +39,7 @@ namespace Mimo
         public Env(string scene) : this(Make(scene)) { }
 
         /// <summary>Compiles a scene and makes a world of it.</summary>
-        public Env(Scene scene, EnvOptions options = null) : this(Create(scene, options ?? new EnvOptions())) { }
+        public Env(MimoScene scene, EnvOptions options = null) : this(Create(scene, options ?? new EnvOptions())) { }
 
         internal Env(EnvHandle made)
         {
@@ -58,12 +58,13 @@ namespace Mimo
 
         private static EnvHandle Make(string scene)
         {
+            Library.Require();
             EnvHandle made;
             MimoException.Check(Native.mimo_env_make(Text.Bytes(scene), out made));
             return made;
         }
 
-        private static EnvHandle Create(Scene scene, EnvOptions options)
+        private static EnvHandle Create(MimoScene scene, EnvOptions options)
         {
             return options.Use((config, log) =>
             {

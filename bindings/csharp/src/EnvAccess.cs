@@ -7,27 +7,69 @@ namespace Mimo
     {
         /// <summary>Rigid bodies; 0 is the world.</summary>
         Body = 1,
-        /// <summary>Joints.</summary>
+        /// <summary>Joints: hinges, slides, balls, free joints.</summary>
         Joint = 2,
         /// <summary>Shapes of bodies.</summary>
         Geom = 3,
+        /// <summary>Marked places on bodies.</summary>
+        Site = 4,
+        /// <summary>Cameras.</summary>
+        Camera = 5,
         /// <summary>Motors.</summary>
-        Actuator = 6
+        Actuator = 6,
+        /// <summary>MuJoCo's sensors.</summary>
+        Sensor = 7
     }
 
-    /// <summary>Quantities to read and write; values are those of mimo.h. Any other of its numbers can be cast.</summary>
+    /// <summary>Quantities to read and, where it says so, to write; how many numbers each has. Values are those of
+    /// mimo.h.</summary>
     public enum Quantity
     {
-        /// <summary>Joint: 1 (hinge, rad), 4 (ball) or 7 (free).</summary>
+        /// <summary>1 (hinge, rad; slide, m), 4 (ball, quaternion) or 7 (free). Writable.</summary>
         JointPosition = 1,
-        /// <summary>Joint: 1, 3 or 6.</summary>
+        /// <summary>1, 3 or 6. Writable.</summary>
         JointVelocity = 2,
-        /// <summary>Body: 3, m.</summary>
+        /// <summary>1, 3 or 6; generalised force applied by you until changed. Writable.</summary>
+        JointForce = 3,
+        /// <summary>1, 3 or 6.</summary>
+        JointAcceleration = 4,
+        /// <summary>2, low and high; infinite when not limited.</summary>
+        JointRange = 5,
+        /// <summary>3, of its frame's origin, world, m. Writable for bodies with a free joint.</summary>
         BodyPosition = 6,
-        /// <summary>Body: 4, w x y z.</summary>
+        /// <summary>4, w x y z. Writable for bodies with a free joint.</summary>
         BodyOrientation = 7,
-        /// <summary>Body: 1, kg.</summary>
-        BodyMass = 10
+        /// <summary>6, linear (m/s) of its origin and angular (rad/s), world frame.</summary>
+        BodyVelocity = 8,
+        /// <summary>6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed.
+        /// Writable.</summary>
+        BodyForce = 9,
+        /// <summary>1, kg.</summary>
+        BodyMass = 10,
+        /// <summary>3, of the body alone, world, m.</summary>
+        BodyCenterOfMass = 11,
+        /// <summary>3, world, m.</summary>
+        GeomPosition = 12,
+        /// <summary>4, w x y z.</summary>
+        GeomOrientation = 13,
+        /// <summary>3, by shape.</summary>
+        GeomSize = 14,
+        /// <summary>3, world, m.</summary>
+        SitePosition = 15,
+        /// <summary>4, w x y z.</summary>
+        SiteOrientation = 16,
+        /// <summary>3, world, m.</summary>
+        CameraPosition = 17,
+        /// <summary>4, w x y z; a camera looks along its -z, +y is up in the picture.</summary>
+        CameraOrientation = 18,
+        /// <summary>1, control input. Writable.</summary>
+        ActuatorControl = 19,
+        /// <summary>1, N or Nm.</summary>
+        ActuatorForce = 20,
+        /// <summary>Its dimension.</summary>
+        SensorValue = 21,
+        /// <summary>1, torque at control input 1, Nm; in this world only, outlives resets. Writable.</summary>
+        ActuatorGear = 22
     }
 
     /// <summary>Two geoms that touch.</summary>
@@ -42,13 +84,13 @@ namespace Mimo
         /// <summary>Body of geom 2.</summary>
         public int Body2;
         /// <summary>World, m.</summary>
-        public Vector3 Position;
+        public Vector3d Position;
         /// <summary>From geom 1 to geom 2, world, unit vector.</summary>
-        public Vector3 Normal;
+        public Vector3d Normal;
         /// <summary>Metres; negative: overlap.</summary>
         public double Distance;
         /// <summary>On body 2, world, N.</summary>
-        public Vector3 Force;
+        public Vector3d Force;
     }
 
     /// <summary>Named access: look ids up once, then read and write many at a time.</summary>
@@ -118,14 +160,14 @@ namespace Mimo
         /// <summary>Of an entry: position 3, frame 9 (rows: normal, two tangents), distance, force in that frame 3, torque 3.</summary>
         private static Contact ContactOf(int[] ids, int id, double[] values, int at)
         {
-            Func<int, Vector3> three = i => new Vector3(values[at + i], values[at + i + 1], values[at + i + 2]);
+            Func<int, Vector3d> three = i => new Vector3d(values[at + i], values[at + i + 1], values[at + i + 2]);
             Func<int, double> world = axis => values[at + 13] * values[at + 3 + axis] +
                 values[at + 14] * values[at + 6 + axis] + values[at + 15] * values[at + 9 + axis];
             return new Contact
             {
                 Geom1 = ids[id], Geom2 = ids[id + 1], Body1 = ids[id + 2], Body2 = ids[id + 3],
                 Position = three(0), Normal = three(3), Distance = values[at + 12],
-                Force = new Vector3(world(0), world(1), world(2))
+                Force = new Vector3d(world(0), world(1), world(2))
             };
         }
 

@@ -15,17 +15,17 @@ namespace Mimo
     public struct Gaze
     {
         /// <summary>Of the left eye's camera.</summary>
-        public Vector3 LeftPosition;
+        public Vector3d LeftPosition;
         /// <summary>Its line of sight, unit vector.</summary>
-        public Vector3 LeftDirection;
+        public Vector3d LeftDirection;
         /// <summary>Of the right eye's camera.</summary>
-        public Vector3 RightPosition;
+        public Vector3d RightPosition;
         /// <summary>Its line of sight.</summary>
-        public Vector3 RightDirection;
+        public Vector3d RightDirection;
         /// <summary>Angle between the lines of sight, rad; negative where they lead apart.</summary>
         public double Vergence;
         /// <summary>Where they come closest to each other; null where they lead apart.</summary>
-        public Vector3? Point;
+        public Vector3d? Point;
         /// <summary>How far they pass each other there, m.</summary>
         public double Miss;
     }
@@ -55,7 +55,7 @@ namespace Mimo
         /// <summary>A camera of the model; null: the free camera.</summary>
         public string Camera;
         /// <summary>Free camera: the point in the middle, world, m. Null: the default view, also of distance and angles.</summary>
-        public Vector3? LookAt;
+        public Vector3d? LookAt;
         /// <summary>Free camera: from that point, m.</summary>
         public double Distance = 2;
         /// <summary>Free camera: degrees; 0 looks along x, 90 along y.</summary>
@@ -80,12 +80,12 @@ namespace Mimo
             {
                 LeftPosition = raw.left_position, LeftDirection = raw.left_direction,
                 RightPosition = raw.right_position, RightDirection = raw.right_direction,
-                Vergence = raw.vergence, Point = raw.meets != 0 ? raw.point : (Vector3?)null, Miss = raw.miss
+                Vergence = raw.vergence, Point = raw.meets != 0 ? raw.point : (Vector3d?)null, Miss = raw.miss
             };
         }
 
         /// <summary>Angles of the joints that make an infant look at a point (world, m); nothing moves.</summary>
-        public LookAngles LookAngles(Vector3 point, Look how = Look.Eyes, int agent = 0)
+        public LookAngles LookAngles(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             UIntPtr count;
             var look = new LookAngles { Joints = new int[MostLookJoints], Angles = new double[MostLookJoints], Errors = new double[2] };
@@ -98,7 +98,7 @@ namespace Mimo
 
         /// <summary>Makes an infant look at a point (world, m) at once; springs and motors go on moving its joints in the next
         /// step. Gives the angles by which the left and the right eye miss it, rad.</summary>
-        public double[] LookAt(Vector3 point, Look how = Look.Eyes, int agent = 0)
+        public double[] LookAt(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             var errors = new double[2];
             MimoException.Check(Native.mimo_env_look_at(handle, (UIntPtr)agent, ref point, (int)how, errors));

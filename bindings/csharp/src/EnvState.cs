@@ -11,6 +11,7 @@ namespace Mimo
         {
             get
             {
+                Library.Require();
                 var names = new List<string>();
                 for (var name = Native.mimo_face_name(UIntPtr.Zero); name != IntPtr.Zero; name = Native.mimo_face_name((UIntPtr)names.Count))
                     names.Add(Text.Of(name));
@@ -77,11 +78,11 @@ namespace Mimo
         }
 
         /// <summary>Gravity, m/s^2, world frame.</summary>
-        public Vector3 Gravity
+        public Vector3d Gravity
         {
             get
             {
-                Vector3 xyz;
+                Vector3d xyz;
                 MimoException.Check(Native.mimo_env_gravity(handle, out xyz, (UIntPtr)3));
                 return xyz;
             }

@@ -13,10 +13,12 @@ namespace Mimo
         /// <summary>"MIMO_E_NOT_FOUND".</summary>
         public string StatusName { get; }
 
-        internal MimoException(int status) : base(Text.Of(Native.mimo_last_error()))
+        internal MimoException(int status) : this(status, Text.Of(Native.mimo_status_name(status)), Text.Of(Native.mimo_last_error())) { }
+
+        internal MimoException(int status, string name, string message) : base(message)
         {
             Status = status;
-            StatusName = Text.Of(Native.mimo_status_name(status));
+            StatusName = name;
         }
 
         /// <summary>To be called on the thread of the call, at once: the message is the thread's last.</summary>

@@ -4,7 +4,7 @@ namespace Mimo
 {
     /// <summary>Three numbers: a place in metres, or what else is said where it is used.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public struct Vector3
+    public struct Vector3d
     {
         /// <summary>Component.</summary>
         public double X;
@@ -14,12 +14,12 @@ namespace Mimo
         public double Z;
 
         /// <summary>Makes one of its components.</summary>
-        public Vector3(double x, double y, double z) { X = x; Y = y; Z = z; }
+        public Vector3d(double x, double y, double z) { X = x; Y = y; Z = z; }
     }
 
     /// <summary>A rotation. In memory in the library's order: w x y z.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public struct Quaternion
+    public struct Quaterniond
     {
         /// <summary>Component.</summary>
         public double W;
@@ -31,7 +31,7 @@ namespace Mimo
         public double Z;
 
         /// <summary>Makes one of its components, w first.</summary>
-        public Quaternion(double w, double x, double y, double z) { W = w; X = x; Y = y; Z = z; }
+        public Quaterniond(double w, double x, double y, double z) { W = w; X = x; Y = y; Z = z; }
     }
 
     /// <summary>A colour, components from 0 to 1.</summary>

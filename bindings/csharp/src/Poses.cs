@@ -30,10 +30,10 @@ namespace Mimo
     public static class LeftHanded
     {
         /// <summary>Converts a place.</summary>
-        public static Vector3 Position(Vector3 p) { return new Vector3(-p.Y, p.Z, p.X); }
+        public static Vector3d Position(Vector3d p) { return new Vector3d(-p.Y, p.Z, p.X); }
 
         /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
-        public static Quaternion Rotation(Quaternion q) { return new Quaternion(q.W, q.Y, -q.Z, -q.X); }
+        public static Quaterniond Rotation(Quaterniond q) { return new Quaterniond(q.W, q.Y, -q.Z, -q.X); }
     }
 
     /// <summary>
@@ -43,10 +43,10 @@ namespace Mimo
     public static class RightHanded
     {
         /// <summary>Converts a place.</summary>
-        public static Vector3 Position(Vector3 p) { return new Vector3(-p.Y, p.Z, -p.X); }
+        public static Vector3d Position(Vector3d p) { return new Vector3d(-p.Y, p.Z, -p.X); }
 
         /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
-        public static Quaternion Rotation(Quaternion q) { return new Quaternion(q.W, -q.Y, q.Z, -q.X); }
+        public static Quaterniond Rotation(Quaterniond q) { return new Quaterniond(q.W, -q.Y, q.Z, -q.X); }
     }
 
     /// <summary>Reads the poses of many bodies at once, without allocating.</summary>
@@ -79,8 +79,8 @@ namespace Mimo
             env.Get(Quantity.BodyOrientation, Bodies, rotations);
             for (var i = 0; i < Bodies.Length; ++i)
             {
-                var p = LeftHanded.Position(new Vector3(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
-                var q = LeftHanded.Rotation(new Quaternion(rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2],
+                var p = LeftHanded.Position(new Vector3d(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
+                var q = LeftHanded.Rotation(new Quaterniond(rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2],
                     rotations[4 * i + 3]));
                 Poses[i] = new LeftHandedPose
                 {

@@ -2,6 +2,28 @@ using System;
 
 namespace Mimo
 {
+    /// <summary>How much an MJCF document may ask for, 0 for the default, and whether its files must lie in its own folder.
+    /// What asks for more is refused.</summary>
+    public struct DocumentLimits
+    {
+        /// <summary>Bytes of each file that is read.</summary>
+        public ulong MaxFileBytes;
+        /// <summary>Pixels of a texture or height field.</summary>
+        public ulong MaxPixels;
+        /// <summary>Vertices of a mesh or skin, and its faces.</summary>
+        public ulong MaxVertices;
+        /// <summary>Elements of the document, and those that composites become.</summary>
+        public ulong MaxElements;
+        /// <summary>Keyframes of the document.</summary>
+        public ulong MaxKeyframes;
+        /// <summary>Iterations of each solver in a physics step.</summary>
+        public ulong MaxIterations;
+        /// <summary>What the buffers of one world may need, as estimated.</summary>
+        public ulong MaxWorldBytes;
+        /// <summary>Whether includes and assets must lie in the folder of the document that names them, or below.</summary>
+        public bool Confined;
+    }
+
     /// <summary>Shapes of objects, and what their size is; values are those of mimo.h.</summary>
     public enum Shape
     {
@@ -25,11 +47,11 @@ namespace Mimo
         /// <summary>Shape.</summary>
         public Shape Shape = Shape.Sphere;
         /// <summary>Metres, by shape.</summary>
-        public Vector3 Size = new Vector3(0.04, 0, 0);
+        public Vector3d Size = new Vector3d(0.04, 0, 0);
         /// <summary>Metres, world frame.</summary>
-        public Vector3 Position;
+        public Vector3d Position;
         /// <summary>World frame.</summary>
-        public Quaternion Orientation = new Quaternion(1, 0, 0, 0);
+        public Quaterniond Orientation = new Quaterniond(1, 0, 0, 0);
         /// <summary>Kilograms; 0: a density of 1000 kg/m^3.</summary>
         public double Mass = 0.1;
         /// <summary>Colour; null: red.</summary>
@@ -69,9 +91,9 @@ namespace Mimo
         /// <summary>A new camera: the body that carries it; null: it stands still in the world.</summary>
         public string Body;
         /// <summary>A new camera: where it is, metres, in the frame of the body.</summary>
-        public Vector3 Position;
+        public Vector3d Position;
         /// <summary>A new camera: the point in the middle of its picture, in the frame of the body. Null: it is there
         /// already.</summary>
-        public Vector3? LookAt;
+        public Vector3d? LookAt;
     }
 }

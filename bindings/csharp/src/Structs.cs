@@ -20,8 +20,8 @@ namespace Mimo
         internal uint struct_size;
         internal int shape;
         internal IntPtr name;
-        internal Vector3 size, position;
-        internal Quaternion orientation;
+        internal Vector3d size, position;
+        internal Quaterniond orientation;
         internal double mass;
         internal Rgba rgba;
         internal uint @fixed, reserved;
@@ -67,7 +67,7 @@ namespace Mimo
         internal double fovy;
         internal uint placed, reserved;
         internal IntPtr body;
-        internal Vector3 position, look_at;
+        internal Vector3d position, look_at;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -75,8 +75,8 @@ namespace Mimo
     {
         internal uint struct_size, @fixed;
         internal IntPtr name, file, xml;
-        internal Vector3 position;
-        internal Quaternion orientation;
+        internal Vector3d position;
+        internal Quaterniond orientation;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -90,9 +90,9 @@ namespace Mimo
     internal struct GazeStruct
     {
         internal uint struct_size, meets;
-        internal Vector3 left_position, left_direction, right_position, right_direction;
+        internal Vector3d left_position, left_direction, right_position, right_direction;
         internal double vergence;
-        internal Vector3 point;
+        internal Vector3d point;
         internal double miss;
     }
 
@@ -101,7 +101,7 @@ namespace Mimo
     {
         internal uint struct_size, width, height, format;
         internal IntPtr camera;
-        internal Vector3 look_at;
+        internal Vector3d look_at;
         internal double distance, azimuth, elevation, fovy;
     }
 

@@ -9,7 +9,7 @@ internal static partial class Tests
 {
     private static Batch ReachBatch(int worlds, uint steps = 0, Autoreset autoreset = Autoreset.None)
     {
-        using (var scene = Scene.Builtin("reach"))
+        using (var scene = MimoScene.Builtin("reach"))
         {
             scene.AddAgent(scene.DefaultAgent());
             return new Batch(scene, worlds, new EnvOptions { MaxSteps = steps }, autoreset, threads: 2);

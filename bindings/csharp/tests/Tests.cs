@@ -94,9 +94,9 @@ internal static partial class Tests
     /// <summary>Semi-implicit Euler with h = 5 ms: after n steps a ball has fallen by g h^2 n (n + 1) / 2.</summary>
     private static void BallFallsAsCalculated()
     {
-        using (var scene = Scene.Empty())
+        using (var scene = MimoScene.Empty())
         {
-            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3(1, 2, 3) });
+            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(1, 2, 3) });
             using (var env = new Env(scene))
             {
                 env.Reset(1);
@@ -114,41 +114,41 @@ internal static partial class Tests
     /// <summary>Turning left by 90 degrees: what looked ahead looks to the left, in either frame.</summary>
     private static void LeftHandedFrame()
     {
-        var right = LeftHanded.Position(new Vector3(0, -1, 0));
-        var up = LeftHanded.Position(new Vector3(0, 0, 1));
-        var ahead = LeftHanded.Position(new Vector3(1, 0, 0));
+        var right = LeftHanded.Position(new Vector3d(0, -1, 0));
+        var up = LeftHanded.Position(new Vector3d(0, 0, 1));
+        var ahead = LeftHanded.Position(new Vector3d(1, 0, 0));
         Check(right.X == 1 && right.Y == 0 && right.Z == 0, "right is x");
         Check(up.X == 0 && up.Y == 1 && up.Z == 0, "up is y");
         Check(ahead.X == 0 && ahead.Y == 0 && ahead.Z == 1, "ahead is z");
         var half = Math.Sqrt(0.5);
-        var turned = Rotate(LeftHanded.Rotation(new Quaternion(half, 0, 0, half)), ahead);
+        var turned = Rotate(LeftHanded.Rotation(new Quaterniond(half, 0, 0, half)), ahead);
         Near(-1, turned.X, 1e-15, "to the left");
     }
 
     private static void RightHandedFrame()
     {
-        var right = RightHanded.Position(new Vector3(0, -1, 0));
-        var up = RightHanded.Position(new Vector3(0, 0, 1));
-        var ahead = RightHanded.Position(new Vector3(1, 0, 0));
+        var right = RightHanded.Position(new Vector3d(0, -1, 0));
+        var up = RightHanded.Position(new Vector3d(0, 0, 1));
+        var ahead = RightHanded.Position(new Vector3d(1, 0, 0));
         Check(right.X == 1 && up.Y == 1 && ahead.Z == -1, "x right, y up, -z ahead");
         var half = Math.Sqrt(0.5);
-        Near(-1, Rotate(RightHanded.Rotation(new Quaternion(half, 0, 0, half)), ahead).X, 1e-15, "to the left");
+        Near(-1, Rotate(RightHanded.Rotation(new Quaterniond(half, 0, 0, half)), ahead).X, 1e-15, "to the left");
         Commutes(RightHanded.Position, RightHanded.Rotation);
     }
 
     private static void ConversionCommutes() { Commutes(LeftHanded.Position, LeftHanded.Rotation); }
 
     /// <summary>Conversion and rotation may change places, for any rotation and point.</summary>
-    private static void Commutes(Func<Vector3, Vector3> position, Func<Quaternion, Quaternion> rotation)
+    private static void Commutes(Func<Vector3d, Vector3d> position, Func<Quaterniond, Quaterniond> rotation)
     {
         var random = new Random(1);
         for (var i = 0; i < 100; ++i)
         {
             Func<double> any = () => 2 * random.NextDouble() - 1;
-            var q = new Quaternion(any(), any(), any(), any());
+            var q = new Quaterniond(any(), any(), any(), any());
             var norm = Math.Sqrt(q.W * q.W + q.X * q.X + q.Y * q.Y + q.Z * q.Z);
-            q = new Quaternion(q.W / norm, q.X / norm, q.Y / norm, q.Z / norm);
-            var p = new Vector3(any(), any(), any());
+            q = new Quaterniond(q.W / norm, q.X / norm, q.Y / norm, q.Z / norm);
+            var p = new Vector3d(any(), any(), any());
             var one = position(Rotate(q, p));
             var other = Rotate(rotation(q), position(p));
             Near(one.X, other.X, 1e-14, "x");
@@ -158,17 +158,17 @@ internal static partial class Tests
     }
 
     /// <summary>v + 2 w (u x v) + 2 u x (u x v): the same formula in left- and right-handed frames.</summary>
-    private static Vector3 Rotate(Quaternion q, Vector3 v)
+    private static Vector3d Rotate(Quaterniond q, Vector3d v)
     {
-        var u = new Vector3(q.X, q.Y, q.Z);
+        var u = new Vector3d(q.X, q.Y, q.Z);
         var a = Cross(u, v);
         var b = Cross(u, a);
-        return new Vector3(v.X + 2 * (q.W * a.X + b.X), v.Y + 2 * (q.W * a.Y + b.Y), v.Z + 2 * (q.W * a.Z + b.Z));
+        return new Vector3d(v.X + 2 * (q.W * a.X + b.X), v.Y + 2 * (q.W * a.Y + b.Y), v.Z + 2 * (q.W * a.Z + b.Z));
     }
 
-    private static Vector3 Cross(Vector3 a, Vector3 b)
+    private static Vector3d Cross(Vector3d a, Vector3d b)
     {
-        return new Vector3(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+        return new Vector3d(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
     }
 
     private static void PicturesAndPoses()
@@ -205,7 +205,7 @@ internal static partial class Tests
             "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
         var messages = new List<string>();
         var options = new EnvOptions { Log = (level, text) => { messages.Add(text); throw new Exception("stays"); } };
-        using (var scene = Scene.FromXml(crowded))
+        using (var scene = MimoScene.FromXml(crowded))
         using (var env = new Env(scene, options))
         {
             options.Log = null;
@@ -216,12 +216,24 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>What a user reads whose library is not there, or of another time.</summary>
+    private static int SayWhyNothingOpens()
+    {
+        Console.WriteLine(Refused(() => new Env("reach")).Message);
+        Console.WriteLine(Refused(() => MimoScene.Empty()).Message);
+        Console.WriteLine(Refused(() => Faces.Names.ToString()).Message);
+        return 0;
+    }
+
+    /// <summary>Tests.exe tests/abi/layout.json include/mimo/mimo.h, or alone: where no library can be used.</summary>
     private static int Main(string[] arguments)
     {
+        if (arguments.Length == 0) return SayWhyNothingOpens();
         layoutFile = arguments[0];
+        headerFile = arguments[1];
         var tests = new Action[]
         {
-            StructsLieAsListed, StructsAreBlittable, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
+            StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
             RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,

@@ -7,9 +7,9 @@ using Mimo;
 internal static partial class Tests
 {
     /// <summary>The scene "free" with an infant that neither sees nor feels by itself.</summary>
-    private static Scene Room()
+    private static MimoScene Room()
     {
-        var scene = Scene.Builtin("free");
+        var scene = MimoScene.Builtin("free");
         var agent = scene.DefaultAgent();
         agent.vision = 0;
         agent.touch = 0;
@@ -21,11 +21,11 @@ internal static partial class Tests
     private static void ContactsCarryTheWeight()
     {
         const string floor = "<mujoco><worldbody><geom name='floor' type='plane' size='1 1 .1'/></worldbody></mujoco>";
-        using (var scene = Scene.FromXml(floor))
+        using (var scene = MimoScene.FromXml(floor))
         {
             scene.AddObject(new ObjectOptions
             {
-                Name = "ball", Size = new Vector3(0.1, 0, 0), Position = new Vector3(0, 0, 0.0999), Mass = 1
+                Name = "ball", Size = new Vector3d(0.1, 0, 0), Position = new Vector3d(0, 0, 0.0999), Mass = 1
             });
             using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
             {
@@ -69,7 +69,7 @@ internal static partial class Tests
             "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
         var messages = new List<string>();
         Env clone;
-        using (var scene = Scene.FromXml(crowded))
+        using (var scene = MimoScene.FromXml(crowded))
         using (var env = new Env(scene, new EnvOptions { Log = (level, text) => messages.Add(text) })) clone = env.Clone();
         GC.Collect();
         GC.WaitForPendingFinalizers();
@@ -89,7 +89,7 @@ internal static partial class Tests
             env.Unlock(elbow);
             Check(env.Locked(elbow) == null, "let go");
             Near(-9.81, env.Gravity.Z, 0, "gravity");
-            env.Gravity = new Vector3(0, 0, -1.6);
+            env.Gravity = new Vector3d(0, 0, -1.6);
             Near(-1.6, env.Gravity.Z, 0, "on the Moon");
             Check(Refused(() => env.Lock(elbow, 99)).Message.Contains("angle"), "another message");
         }
@@ -102,7 +102,7 @@ internal static partial class Tests
             "fromto='0 0 0 .3 0 0' size='.02'/></body></worldbody></mujoco>";
         Func<bool, float[]> speeds = limited =>
         {
-            using (var scene = Scene.FromXml(arm))
+            using (var scene = MimoScene.FromXml(arm))
             {
                 var agent = scene.DefaultAgent();
                 agent.vision = agent.vestibular = agent.touch = 0;
@@ -133,13 +133,13 @@ internal static partial class Tests
     private static void ScenesAreBuilt()
     {
         const string cup = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
-        using (var scene = Scene.Empty())
+        using (var scene = MimoScene.Empty())
         {
             scene.SetRoom("playroom");
             var agent = scene.DefaultAgent();
             agent.vision = agent.touch = 0;
             Check(scene.AddAgents(agent) == 1, "one infant");
-            scene.AddModel("cup", new Vector3(1, 0.5, 0.5), xml: cup);
+            scene.AddModel("cup", new Vector3d(1, 0.5, 0.5), xml: cup);
             scene.Weld("cup");
             scene.Lock("robot:left_elbow", -0.5);
             scene.SetPose("robot:right_elbow", -0.7);
@@ -173,7 +173,7 @@ internal static partial class Tests
             env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "head") }, head);
             var close = new PictureOptions
             {
-                Width = 64, Height = 64, LookAt = new Vector3(head[0], head[1], head[2] + 0.07), Distance = 0.3, Azimuth = 180
+                Width = 64, Height = 64, LookAt = new Vector3d(head[0], head[1], head[2] + 0.07), Distance = 0.3, Azimuth = 180
             };
             byte[] sad = new byte[64 * 64 * 4], afraid = new byte[64 * 64 * 4];
             env.Draw(close, sad);
@@ -191,7 +191,7 @@ internal static partial class Tests
         using (var env = new Env(scene))
         {
             var before = env.Gaze();
-            var point = new Vector3((before.LeftPosition.X + before.RightPosition.X) / 2 + 0.4,
+            var point = new Vector3d((before.LeftPosition.X + before.RightPosition.X) / 2 + 0.4,
                 (before.LeftPosition.Y + before.RightPosition.Y) / 2, before.LeftPosition.Z);
             var planned = env.LookAngles(point, Look.Head);
             Check(planned.Joints.Length == 8 && planned.Angles.Length == 8, "head and eyes");
@@ -215,9 +215,9 @@ internal static partial class Tests
             scene.AddCamera(new CameraOptions
             {
                 Name = "wall", Width = 32, Height = 24, Outputs = Vision.Rgb | Vision.Segmentation,
-                Position = new Vector3(1.5, 0, 0.8), LookAt = new Vector3(0, 0, 0.4)
+                Position = new Vector3d(1.5, 0, 0.8), LookAt = new Vector3d(0, 0, 0.4)
             });
-            scene.AddCamera(new CameraOptions { Name = "palm", Width = 8, Height = 8, Body = "left_hand", LookAt = new Vector3(0, 0, 1) });
+            scene.AddCamera(new CameraOptions { Name = "palm", Width = 8, Height = 8, Body = "left_hand", LookAt = new Vector3d(0, 0, 1) });
             scene.AddCamera(new CameraOptions { Name = "eye_left", Width = 16, Height = 8 });
             scene.SetTouch(0, "left_hand", 0.01);
             var options = new EnvOptions { Render = Render.Shadows | Render.Sky, Samples = 4, RenderThreads = 2 };

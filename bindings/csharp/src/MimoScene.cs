@@ -3,21 +3,14 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>How much an MJCF document may ask for, 0 for the default, and whether its files must lie in its own folder.
-    /// What asks for more is refused.</summary>
-    public struct DocumentLimits
-    {
-        public ulong MaxFileBytes, MaxPixels, MaxVertices, MaxElements, MaxKeyframes, MaxIterations, MaxWorldBytes;
-        public bool Confined;
-    }
-
     /// <summary>A room, objects and infants. Worlds that were made of it live on without it.</summary>
-    public sealed class Scene : IDisposable
+    public sealed class MimoScene : IDisposable
     {
         internal readonly SceneHandle Handle;
 
-        private Scene(string name, string file, string xml, DocumentLimits limits = default(DocumentLimits))
+        private MimoScene(string name, string file, string xml, DocumentLimits limits = default(DocumentLimits))
         {
+            Library.Require();
             using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
             {
                 SceneConfigStruct config;
@@ -38,21 +31,21 @@ namespace Mimo
         }
 
         /// <summary>An empty world.</summary>
-        public static Scene Empty() { return new Scene(null, null, null); }
+        public static MimoScene Empty() { return new MimoScene(null, null, null); }
 
         /// <summary>A built-in scene: "reach", "benchmark", ...</summary>
-        public static Scene Builtin(string name) { return new Scene(name, null, null); }
+        public static MimoScene Builtin(string name) { return new MimoScene(name, null, null); }
 
         /// <summary>An MJCF file.</summary>
-        public static Scene FromFile(string path, DocumentLimits limits = default(DocumentLimits))
+        public static MimoScene FromFile(string path, DocumentLimits limits = default(DocumentLimits))
         {
-            return new Scene(null, path, null, limits);
+            return new MimoScene(null, path, null, limits);
         }
 
         /// <summary>MJCF text.</summary>
-        public static Scene FromXml(string xml, DocumentLimits limits = default(DocumentLimits))
+        public static MimoScene FromXml(string xml, DocumentLimits limits = default(DocumentLimits))
         {
-            return new Scene(null, null, xml, limits);
+            return new MimoScene(null, null, xml, limits);
         }
 
         /// <summary>What the scene gives its infant by itself.</summary>
@@ -98,7 +91,7 @@ namespace Mimo
 
         /// <summary>Adds an MJCF document with one body as an object: a file, or a text. All its names get its name and '/'
         /// before them.</summary>
-        public void AddModel(string name, Vector3 position, string file = null, string xml = null, bool isFixed = false)
+        public void AddModel(string name, Vector3d position, string file = null, string xml = null, bool isFixed = false)
         {
             using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
             {

@@ -1,0 +1,43 @@
+using System;
+
+namespace Mimo
+{
+    /// <summary>The native library that the system found.</summary>
+    internal static class Library
+    {
+        private const uint Abi = 0; // MIMO_ABI_VERSION of the mimo.h that these sources are for
+
+        private static bool isGood;
+
+        /// <summary>What makes the first handles asks this before: without it a missing library is a word of the runtime's, and
+        /// one that is too new or too old does anything.</summary>
+        internal static void Require()
+        {
+            if (isGood) return;
+            var found = AbiFound();
+            if (found != Abi)
+                throw Unusable("libmimo " + Text.Of(Native.mimo_version()) + " has ABI version " + found +
+                    ", expected " + Abi + ": take these sources and the library from the same release");
+            isGood = true;
+        }
+
+        private static uint AbiFound()
+        {
+            try
+            {
+                return Native.mimo_abi_version();
+            }
+            catch (DllNotFoundException)
+            {
+                throw Unusable("libmimo was not found, or not what it needs: put libmimo.so and MuJoCo's library beside the program, " +
+                    "in Unity into Assets/Plugins/x86_64, or their folders into LD_LIBRARY_PATH");
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Unusable("the libmimo that was found is none: it has no mimo_abi_version");
+            }
+        }
+
+        private static MimoException Unusable(string message) { return new MimoException(-9, "MIMO_E_UNSUPPORTED", message); }
+    }
+}
