@@ -6,6 +6,12 @@ follow() {
   echo "README of bindings/$1 followed"
 }
 
+# acyclic WHAT: fails if the pairs of names that it reads, a user and what it uses, go round in a circle.
+acyclic() {
+  local loop
+  loop=$(tsort 2>&1 >/dev/null) || fail "$1 use each other in a circle: $loop"
+}
+
 # ---- Rust -------------------------------------------------------------------------------------------------
 
 test_rust() {
@@ -87,6 +93,7 @@ octave_with_mimo() {
 }
 
 test_octave() {
+  grep -H '^#include "' bindings/matlab/*.[ch] | sed -E 's|^.*/(\w+)\.[ch]:#include "(\w+)\.h"|\1 \2|' | acyclic "the parts of the MEX gateway"
   build_program
   build_mex
   echo "Tests of the MEX gateway"

@@ -1,8 +1,8 @@
 /* Commands beside stepping: names, states, faces, gaze, locks, gravity, pictures. */
+#include "mimo_access.h"
+
 #include <math.h>
 #include <string.h>
-
-#include "mimo_gateway.h"
 
 typedef struct quantity {
   const char* name;
@@ -119,6 +119,7 @@ static void names(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   all = mimo_worlds_of(in[0]);
   asked = mimo_text(in[1], "kind");
   while (kind < 7 && strcmp(kinds[kind], asked) != 0) ++kind;
+  if (kind == 7) mimo_refuse("kind is \"%s\", expected body, joint, geom, site, camera, actuator or sensor", asked);
   mimo_check(mimo_env_count(all->first, ++kind, &count));
   out[0] = mxCreateCellMatrix(count, 1);
   for (i = 0; i < count; ++i) {
@@ -297,16 +298,7 @@ static void picture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
             rgb[(row * shape[1] + column) * 3 + color];
 }
 
-static const struct {
-  const char* name;
-  mimo_command run;
-} commands[] = {{"get", get},       {"set", set},         {"names", names},    {"time", seconds},    {"save", save},
-                {"load", load},     {"face", face},       {"gaze", gaze},      {"look_at", look_at}, {"lock", lock},
-                {"locked", locked}, {"gravity", gravity}, {"picture", picture}};
-
-mimo_command mimo_access_command(const char* name) {
-  size_t i;
-  for (i = 0; i < sizeof commands / sizeof *commands; ++i)
-    if (strcmp(name, commands[i].name) == 0) return commands[i].run;
-  return NULL;
-}
+const mimo_command mimo_access_commands[] = {
+    {"get", get},       {"set", set},         {"names", names},     {"time", seconds},    {"save", save},
+    {"load", load},     {"face", face},       {"gaze", gaze},       {"look_at", look_at}, {"lock", lock},
+    {"locked", locked}, {"gravity", gravity}, {"picture", picture}, {NULL, NULL}};

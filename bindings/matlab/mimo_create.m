@@ -4,13 +4,14 @@ function world = mimo_create(scene, varargin)
 %   mimo_close. Scenes: "benchmark", "reach", "standup", "selfbody", "free", or the path of an MJCF file, "room.xml".
 %   Errors have identifiers: mimo:NOT_FOUND, mimo:INVALID_ARGUMENT, mimo:BAD_HANDLE, ...
 %
-%   mimo_create('reach', name, value, ...) changes what the scene gives by itself. Options have the names and values
+%   world = mimo_create('reach', name, value, ...) changes what the scene gives by itself. Options have the names and values
 %   of mimo.h's structs, where all are explained:
-%     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_width, vision_height, vision_fovy, touch (1
+%     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_height, vision_width, vision_fovy, touch (1
 %                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception,
 %                  vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts, normalize_actions, body,
 %                  face, position, orientation (w x y z); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
-%     no infant    root (with body "scene": a body of the MJCF file, with all below it), vestibular_at
+%     no infant    root (with body "scene": a body of the MJCF file, with all below it; "world": everything), vestibular_at (the
+%                  site or body whose motion the vestibular sense feels)
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
 %     the room     objects and cameras: struct arrays with the members of mimo_object_config and mimo_camera_config;

@@ -1,9 +1,9 @@
 /* mimo_create's options, by the names that the members of mimo.h's structs have. */
+#include "mimo_options.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
-
-#include "mimo_gateway.h"
 
 typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText } kind;
 
@@ -39,8 +39,8 @@ static const option agent_options[] = {
     OPTION(mimo_agent_config, vestibular, kUnsigned),
     OPTION(mimo_agent_config, limit_threshold, kNumber),
     OPTION(mimo_agent_config, vision, kUnsigned),
-    OPTION(mimo_agent_config, vision_width, kUnsigned),
     OPTION(mimo_agent_config, vision_height, kUnsigned),
+    OPTION(mimo_agent_config, vision_width, kUnsigned),
     OPTION(mimo_agent_config, vision_fovy, kNumber),
     OPTION(mimo_agent_config, actuation, kUnsigned),
     OPTION(mimo_agent_config, acts, kUnsigned),
@@ -83,7 +83,7 @@ static const option object_options[] = {
 
 static const option camera_options[] = {
     OPTION(mimo_camera_config, outputs, kUnsigned), OPTION(mimo_camera_config, name, kText),
-    OPTION(mimo_camera_config, width, kUnsigned),   OPTION(mimo_camera_config, height, kUnsigned),
+    OPTION(mimo_camera_config, height, kUnsigned),  OPTION(mimo_camera_config, width, kUnsigned),
     OPTION(mimo_camera_config, fovy, kNumber),      OPTION(mimo_camera_config, placed, kUnsigned),
     OPTION(mimo_camera_config, body, kText),        OPTION(mimo_camera_config, position, kThree),
     OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
@@ -103,10 +103,7 @@ static const option* find_option(const option* options, const char* name) {
   return NULL;
 }
 
-static void refuse(const char* name, const char* expected) {
-  mimo_making(NULL);
-  mexErrMsgIdAndTxt("mimo:INVALID_ARGUMENT", "%s: expected %s", name, expected);
-}
+static void refuse(const char* name, const char* expected) { mimo_refuse("%s: expected %s", name, expected); }
 
 static void read_numbers(double* to, size_t count, const char* name, const mxArray* value) {
   if (!mxIsDouble(value) || mxIsComplex(value) || mxGetNumberOfElements(value) != count)
@@ -221,8 +218,7 @@ static void read_option(request* all, const char* name, const mxArray* value) {
   } else if (strcmp(name, "parameters") == 0) {
     all->parameters = value;
   } else {
-    mimo_making(NULL);
-    mexErrMsgIdAndTxt("mimo:INVALID_ARGUMENT", "no option %s; see help mimo_create", name);
+    mimo_refuse("no option %s; see help mimo_create", name);
   }
 }
 

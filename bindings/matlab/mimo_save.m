@@ -1,4 +1,5 @@
 function state = mimo_save(world)
-% MIMO_SAVE  Everything that the future depends on, as bytes; a column for each world. See mimo_load.
+% MIMO_SAVE  Everything that the future depends on.
+%   state = mimo_save(world) is bytes, a column for each world, for mimo_load.
 state = mimo_mex('save', world);
 end

@@ -2,7 +2,8 @@
 function tests()
   all_of_them = {@shapes_and_precision, @order_is_column_major, @errors_have_identifiers, @worlds_survive_clear, ...
                  @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
-                 @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity};
+                 @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, ...
+                 @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own};
   failed = 0;
   for i = 1:numel(all_of_them)
     try
@@ -250,4 +251,83 @@ function locks_and_gravity()
   assert(isequal(mimo_gravity(worlds), [0; 0; -9.81]));
   assert(isequal(mimo_gravity(worlds, [0 0 -1.6]), [0; 0; -1.6]));
   mimo_close(worlds);
+end
+
+% Each function's help has a call with all its outputs, or with one of them, and sizes as MATLAB's arrays have them.
+function help_says_how_to_call()
+  folder = fileparts(which('mimo_create'));
+  files = dir(fullfile(folder, 'mimo_*.m'));
+  assert(numel(files) >= 20);
+  for i = 1:numel(files)
+    [~, name] = fileparts(files(i).name);
+    text = help(name);
+    signature = regexp(fileread(fullfile(folder, files(i).name)), '^function ([^\n]*)', 'tokens', 'once'){1};
+    wanted = [name '\(' ];
+    outputs = regexp(signature, '^(.*?) *=', 'tokens', 'once');
+    if ~isempty(outputs), wanted = [regexptranslate('escape', outputs{1}) ' = ' wanted]; end
+    assert(~isempty(regexp(text, wanted, 'once')), [name ': no call ' wanted]);
+    inputs = regexp(signature, '\((.*)\)', 'tokens', 'once'){1};
+    inputs = strsplit(inputs, ', ');
+    for k = 1:numel(inputs)
+      word = strrep(inputs{k}, 'varargin', 'value');
+      assert(~isempty(regexp(text, ['\<' word 's?\>'], 'once')), [name ': nothing about ' word]);
+    end
+  end
+  documents = [cellfun(@(name) fullfile(folder, name), {files.name}, 'UniformOutput', false), {fullfile(folder, 'README.md')}];
+  for i = 1:numel(documents)
+    text = fileread(documents{i});
+    height = strfind(text, 'height');
+    width = strfind(text, 'width');
+    assert(isempty(width) || (numel(height) == numel(width) && all(height < width)), documents{i});
+  end
+end
+
+function said = message_of(action)
+  said = '';
+  try
+    action();
+  catch problem
+    said = regexprep(problem.message, '^mimo_mex: ', '');  % so begin Octave's
+  end
+end
+
+% What the library counts from 0, MATLAB counts from 1; names stay as they are.
+function messages_count_from_one()
+  worlds = mimo_create('reach', 'worlds', 3);
+  actions = zeros(numel(mimo_bounds(worlds)), 3);
+  actions(2, 3) = NaN;
+  said = message_of(@() mimo_step(worlds, actions));
+  assert(strcmp(said, 'world 3: action(2) is not a number'), said);
+  actions(1, 1) = NaN;
+  said = message_of(@() mimo_step(worlds, actions));
+  assert(strncmp(said, 'world 1 (and 1 more): action(1)', 31), said);
+  said = message_of(@() mimo_gaze(worlds, 4));
+  assert(strcmp(said, 'index is 4, expected a whole number from 1 to 3'), said);
+  said = message_of(@() mimo_get(worlds, 'body_position', 'world 7[3]'));
+  assert(~isempty(strfind(said, '"world 7[3]"')), said);
+  said = message_of(@() mimo_names(worlds, 'bodies'));
+  assert(strncmp(said, 'kind is "bodies", expected body, joint', 38), said);
+  said = message_of(@() mimo_set(worlds, 'joint_position', 'robot:left_elbow', [NaN 0 0]));
+  assert(strncmp(said, 'values(1) is', 12), said);
+  said = message_of(@() mimo_set(worlds, 'body_position', 'head', [0 0 0]));
+  assert(strncmp(said, sprintf('body %d ("head")', find(strcmp(mimo_names(worlds, 'body'), 'head'))), 15), said);
+  mimo_close(worlds);
+  said = message_of(@() mimo_create('free', 'objects', struct('name', 'ball', 'size', [-1 0 0])));
+  assert(strncmp(said, 'size(1) is -1', 13), said);
+end
+
+% Standard gravity, felt by what hangs still at the end of a robot's arm: 9.81 m/s^2 upwards.
+function robots_of_ones_own()
+  file = [tempname() '.xml'];
+  text = fopen(file, 'w');
+  fprintf(text, ['<mujoco><worldbody><body name="arm" pos="0 0 1"><joint name="hinge" axis="0 1 0"/><geom type="capsule" ' ...
+                 'fromto="0 0 0 0 0 -.3" size=".02"/><site name="organ" pos="0 0 -.3"/></body></worldbody></mujoco>']);
+  fclose(text);
+  world = mimo_create(file, 'body', 'scene', 'root', 'arm', 'vestibular_at', 'organ', 'vision', 0, 'touch', 0);
+  seen = mimo_reset(world, 1);
+  assert(max(abs(seen.vestibular_acceleration - [0; 0; 9.81])) < 1e-3, mat2str(seen.vestibular_acceleration));
+  mimo_close(world);
+  said = message_of(@() mimo_create(file, 'body', 'scene', 'root', 'leg', 'vision', 0, 'touch', 0));
+  assert(~isempty(strfind(said, '"leg"')), said);
+  delete(file);
 end

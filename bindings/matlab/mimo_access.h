@@ -1,0 +1,9 @@
+/* Names, states, faces, gaze, locks, gravity, pictures. */
+#ifndef MIMO_ACCESS_H
+#define MIMO_ACCESS_H
+
+#include "mimo_base.h"
+
+extern const mimo_command mimo_access_commands[];
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * What all parts of the gateway stand on: errors, arguments, and the table of worlds. It calls none of them.
+ *
+ *   mimo_mex.c       takes a command to one of
+ *   mimo_worlds.c    making, stepping, observing, which asks mimo_options.c what a world is made of, and
+ *   mimo_access.c    everything else.
+ */
+#ifndef MIMO_BASE_H
+#define MIMO_BASE_H
+
+#include <mex.h>
+#include <mimo/mimo.h>
+#include <stddef.h>
+
+/* What a number of MATLAB's stands for: a batch, most often of a single world. */
+typedef struct worlds {
+  mimo_batch* batch; /* NULL: free for another */
+  mimo_env* first;   /* its world 0, which knows the names */
+  char* blocks;
+  float* actions; /* of all worlds */
+  size_t count, bytes, fields, action_count, agents;
+} worlds;
+
+/* A command: what it gives, and what it was given. A list of them ends with NULL. */
+typedef struct mimo_command {
+  const char* name;
+  void (*run)(int nout, mxArray* out[], int nin, const mxArray* in[]);
+} mimo_command;
+
+/* Raise an error with the identifier mimo:NAME of the status and the library's message, or with our own. Worlds,
+   joints, values... in the library's messages are counted from 0, in those that are raised from 1. */
+void mimo_check(mimo_status status);
+void mimo_need(int good, const char* message);
+void mimo_refuse(const char* format, ...);
+
+/* Whatever is being made and would be lost if an error were raised now; NULL: nothing. */
+void mimo_making(mimo_scene* scene);
+
+/* A place in the table that is free; raises an error if there is none. */
+worlds* mimo_new_worlds(void);
+
+/* Fills it, as soon as its batch is made; frees it if that fails. The number is what MATLAB holds. */
+double mimo_keep_worlds(worlds* all);
+void mimo_close_worlds(worlds* all);
+void mimo_close_all(void);
+
+/* The worlds of a number; raises mimo:BAD_HANDLE. */
+worlds* mimo_worlds_of(const mxArray* number);
+
+/* One of them: `at` is an entry of the arguments; without it the first. */
+mimo_env* mimo_world_at(worlds* all, int nin, const mxArray* in[], int at);
+
+/* A text or a number out of an argument; `what` is for the message. */
+char* mimo_text(const mxArray* text, const char* what);
+double mimo_number(const mxArray* number, const char* what);
+
+#endif

@@ -1,0 +1,9 @@
+/* Making, stepping, observing. */
+#ifndef MIMO_WORLDS_H
+#define MIMO_WORLDS_H
+
+#include "mimo_base.h"
+
+extern const mimo_command mimo_world_commands[];
+
+#endif
