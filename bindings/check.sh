@@ -14,8 +14,29 @@ acyclic() {
 
 # ---- Rust -------------------------------------------------------------------------------------------------
 
+# rust_refuses MESSAGE VARIABLE...: what a user reads whose libmimo cannot be found.
+rust_refuses() {
+  local message=$1 said
+  shift
+  said=$(env -u MIMO_LIB_DIR "$@" cargo build -q -p mimo-sys 2>&1) && fail "Rust finds a library with $*"
+  [[ $said == *"$message"* && $said != *panicked* ]] || fail "Rust without a library says: $said"
+}
+
+# What a registry would get compiles by itself, and has what it shows.
+package_crates() {
+  local crate
+  for crate in mimo-sys mimo; do
+    [[ $(cargo package --list --allow-dirty -p "$crate" | grep -cxE 'LICENSE|README.md') == 2 ]] || fail "$crate has no licence or README"
+    cargo package -q --offline --allow-dirty -p "$crate" --config 'patch.crates-io.mimo-sys.path="mimo-sys"'
+  done
+}
+
 test_rust() {
   need "${rust_packages[@]}"
+  # "world.rs" and then "crate::block", each on a line of its own; sys is below all.
+  grep -v '^\s*//' bindings/rust/mimo/src/*.rs --with-filename | grep -oE '/\w+\.rs:|crate::[a-z]\w*' |
+    awk '/^\// { gsub(/\/|\.rs:/, ""); user = $0; next } { sub(/crate::/, "") } $0 != "sys" { print user, $0 }' |
+    acyclic "the modules of the Rust crate"
   build_program
   echo "Tests of the Rust crates"
   local -x MIMO_LIB_DIR=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust
@@ -25,11 +46,14 @@ test_rust() {
   (
     cd bindings/rust
     ./generate --check
+    rust_refuses 'MIMO_LIB_DIR is "/nowhere", expected' MIMO_LIB_DIR=/nowhere
+    rust_refuses 'set MIMO_LIB_DIR to the folder of libmimo.so' PKG_CONFIG_LIBDIR=/nowhere
     cargo fmt --check
     cargo clippy -q --all-targets -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc -q --no-deps
     cargo test -q
     MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON -DMIMO_ROOMS=$rooms" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
+    package_crates
     for example in hello batch own_reward; do cargo run -q --example "$example"; done
   )
   follow rust

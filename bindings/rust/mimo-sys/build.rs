@@ -1,22 +1,22 @@
 //! Finds libmimo: in the folder MIMO_LIB_DIR, else where pkg-config says. With the feature `bundled` it is built from
-//! the sources around this crate instead.
+//! the sources around this crate instead. What cannot be found is told in a line, and what to do about it.
 use std::path::{Path, PathBuf};
 use std::{env, process::Command};
 
 fn main() {
-    println!("cargo:rerun-if-env-changed=MIMO_LIB_DIR");
-    println!("cargo:rerun-if-env-changed=PKG_CONFIG_PATH");
+    for name in ["MIMO_LIB_DIR", "PKG_CONFIG_PATH", "PKG_CONFIG_LIBDIR"] {
+        println!("cargo:rerun-if-env-changed={}", name);
+    }
     // docs.rs has no libmimo, and documentation needs none.
     if env::var_os("DOCS_RS").is_some() {
         return;
     }
     let folder = if env::var_os("CARGO_FEATURE_BUNDLED").is_some() {
         build()
+    } else if let Some(folder) = env::var_os("MIMO_LIB_DIR") {
+        named(folder.into())
     } else {
-        env::var_os("MIMO_LIB_DIR").map(PathBuf::from).or_else(ask_pkg_config).expect(
-            "libmimo was not found: install it so that `pkg-config --libs mimo` works, set MIMO_LIB_DIR to the folder of \
-             libmimo.so, or ask for the feature `bundled`",
-        )
+        ask_pkg_config()
     };
     if folder != Path::new("") {
         println!("cargo:rustc-link-search=native={}", folder.display());
@@ -24,23 +24,52 @@ fn main() {
     println!("cargo:rustc-link-lib=dylib=mimo");
 }
 
-/// The folder of the installed library; empty when it is one that the linker searches anyway.
-fn ask_pkg_config() -> Option<PathBuf> {
-    let output = Command::new("pkg-config").args(["--libs-only-L", "mimo"]).output().ok()?;
-    if !output.status.success() {
-        return None;
+fn fail(message: &str) -> ! {
+    eprintln!("\n{}\n", message);
+    std::process::exit(1)
+}
+
+/// The folder that the user names. Programs look for the library again when they start, and not there by themselves.
+fn named(folder: PathBuf) -> PathBuf {
+    let library = folder.join("libmimo.so");
+    if !folder.is_absolute() || !library.exists() {
+        fail(&format!(
+            "MIMO_LIB_DIR is \"{}\", expected the absolute path of a folder with libmimo.so",
+            folder.display()
+        ));
     }
-    let text = String::from_utf8(output.stdout).ok()?;
-    Some(text.trim().trim_start_matches("-L").into())
+    println!("cargo:rerun-if-env-changed=LD_LIBRARY_PATH");
+    let searched = env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
+    if !env::split_paths(&searched).any(|one| one.canonicalize().ok() == folder.canonicalize().ok()) {
+        println!("cargo:warning=programs will find libmimo.so with LD_LIBRARY_PATH={}", folder.display());
+    }
+    folder
+}
+
+/// The folder of the installed library; empty when it is one that the linker searches anyway.
+fn ask_pkg_config() -> PathBuf {
+    let not_found = |why: &str| -> ! {
+        fail(&format!(
+            "libmimo was not found ({}). Install it (cmake --install build), or set MIMO_LIB_DIR to the folder of libmimo.so, \
+             or, in a clone of its repository, ask for the feature `bundled`",
+            why
+        ))
+    };
+    match Command::new("pkg-config").args(["--libs-only-L", "mimo"]).output() {
+        Err(error) => not_found(&format!("pkg-config: {}", error)),
+        Ok(output) if !output.status.success() => not_found("pkg-config does not know \"mimo\""),
+        Ok(output) => String::from_utf8_lossy(&output.stdout).trim().trim_start_matches("-L").into(),
+    }
 }
 
 /// Builds the library, and nothing else; MIMO_CMAKE_ARGS has further arguments for CMake, such as -Dmujoco_ROOT=FOLDER.
 /// Programs that cargo runs find it; for others it has to be installed.
 fn build() -> PathBuf {
-    let sources = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../..")
-        .canonicalize()
-        .expect("the sources of libmimo");
+    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
+    if !sources.join("include/mimo/mimo.h").exists() {
+        fail("the feature `bundled` builds libmimo from a clone of its repository, and this crate is not in one");
+    }
+    let sources = sources.canonicalize().expect("it is there");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
     for part in ["CMakeLists.txt", "cmake", "include", "models", "src"] {
         println!("cargo:rerun-if-changed={}", sources.join(part).display());
@@ -62,7 +91,7 @@ fn build() -> PathBuf {
 fn run(command: &mut Command) {
     match command.status() {
         Ok(status) if status.success() => {}
-        Ok(status) => panic!("{:?} failed: {}", command, status),
-        Err(error) => panic!("{:?} cannot be run: {}", command, error),
+        Ok(status) => fail(&format!("{:?} failed: {}", command, status)),
+        Err(error) => fail(&format!("{:?} cannot be run: {}", command, error)),
     }
 }

@@ -11,7 +11,7 @@ use std::os::raw::c_void;
 use std::ptr::{null, null_mut, NonNull};
 
 /// How many worlds, and what happens when one's episode ends.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct BatchConfig {
     raw: sys::mimo_batch_config,
 }
@@ -44,7 +44,7 @@ impl BatchConfig {
 }
 
 /// What a step of a batch gave, beside the observations. Made by [`Batch::new_results`], overwritten by each step.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct BatchResults {
     /// Rewards, worlds x agents.
     pub reward: Vec<f64>,
@@ -89,6 +89,7 @@ impl BatchResults {
 
 /// Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
 /// reset with the i-th seed and given the i-th actions.
+#[derive(Debug)]
 pub struct Batch {
     handle: NonNull<sys::mimo_batch>,
     worlds: usize,

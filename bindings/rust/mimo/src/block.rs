@@ -1,6 +1,7 @@
 //! Memory for observations, and typed views of it.
 use crate::error::{Error, Kind, Result};
 use crate::field::{Field, Type};
+use std::fmt;
 use std::sync::Arc;
 
 /// Blocks are made of these, so that fields lie at multiples of 64 bytes in memory too.
@@ -14,6 +15,17 @@ pub struct Block {
     lines: Vec<Line>,
     world_bytes: usize,
     fields: Arc<[Field]>,
+}
+
+// Bytes are too many to be read; what they mean is said.
+impl fmt::Debug for Block {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        let worlds = self.worlds();
+        out.debug_struct("Block")
+            .field("worlds", &worlds)
+            .field("fields", &self.fields)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Block {
@@ -75,6 +87,12 @@ impl Block {
 pub struct Observation<'a> {
     bytes: &'a [u8],
     fields: &'a [Field],
+}
+
+impl fmt::Debug for Observation<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        out.debug_struct("Observation").field("fields", &self.fields).finish_non_exhaustive()
+    }
 }
 
 impl<'a> Observation<'a> {

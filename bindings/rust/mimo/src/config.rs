@@ -6,7 +6,6 @@ use std::ffi::CString;
 use std::mem::{size_of, MaybeUninit};
 use std::os::raw::c_char;
 use std::ptr::null;
-use std::sync::Arc;
 
 type Init<T> = unsafe extern "C" fn(*mut T, usize) -> sys::mimo_status;
 
@@ -32,7 +31,7 @@ fn given(text: *const c_char) -> Result<Option<CString>> {
 
 /// One infant: where it is, what it senses, what of it acts. Made by [`Scene::default_agent`](crate::Scene) or
 /// [`AgentConfig::new`].
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct AgentConfig {
     raw: sys::mimo_agent_config,
     name: CString,
@@ -156,7 +155,7 @@ impl AgentConfig {
 }
 
 /// A rigid object of one primitive shape: a red sphere of 4 cm radius and 0.1 kg that moves freely, unless changed.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Object {
     raw: sys::mimo_object_config,
     name: CString,
@@ -215,7 +214,7 @@ impl Object {
 }
 
 /// An MJCF document with one body, as an object: a toy with parts, a piece of furniture, a robot.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Model {
     raw: sys::mimo_model_config,
     name: CString,
@@ -267,7 +266,7 @@ impl Model {
 }
 
 /// How a world is simulated.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct EnvConfig {
     raw: sys::mimo_env_config,
     task: Option<CString>,
@@ -351,7 +350,7 @@ impl EnvConfig {
     /// Receives the library's messages during create, reset and step, on the calling thread. A panic in it is
     /// caught and dropped. It is shared by clones of the world.
     pub fn log(&mut self, log: impl Fn(Level, &str) + Send + Sync + 'static) -> &mut Self {
-        self.log = Some(Arc::new(Box::new(log)));
+        self.log = Some(Log::new(log));
         self
     }
 }

@@ -20,13 +20,15 @@
 //! that may run at the same time on one handle, and `&mut self` methods those that need it for themselves.
 //!
 //! Constants (`MIMO_BODY_POSITION`, ...) and everything that has no safe form yet are in [`sys`].
-#![warn(missing_docs)]
+#![warn(missing_docs, missing_debug_implementations)]
 
 pub use mimo_sys as sys;
 
 mod batch;
 mod block;
+mod camera;
 mod config;
+mod env;
 mod error;
 mod field;
 mod gaze;
@@ -41,17 +43,19 @@ mod world;
 
 pub use batch::{Batch, BatchConfig, BatchResults};
 pub use block::{Block, Observation};
+pub use camera::Camera;
 pub use config::{AgentConfig, EnvConfig, Model, Object};
+pub use env::Env;
 pub use error::{Error, Kind, Result};
 pub use field::{Field, Type};
 pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use limits::Limits;
 pub use log::Level;
-pub use picture::{Camera, Picture};
+pub use picture::Picture;
 pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
 pub use senses::Senses;
 pub use task::{Judgement, Task, Whom};
-pub use world::{Contact, Env, Step, TouchSensor, World};
+pub use world::{Contact, Step, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {

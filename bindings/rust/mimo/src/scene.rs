@@ -1,13 +1,14 @@
 //! Scenes: rooms, objects and infants.
+use crate::camera::Camera;
 use crate::config::{defaults, pointer, AgentConfig, Model, Object};
 use crate::error::{c_string, check, text, Result};
 use crate::limits::Limits;
-use crate::picture::Camera;
 use crate::sys;
 use crate::task::{self, Shared, Task};
 use std::ptr::{null, null_mut, NonNull};
 
 /// A description of what is to be simulated. Worlds that were made of it live on without it.
+#[derive(Debug)]
 pub struct Scene {
     handle: NonNull<sys::mimo_scene>,
     // Worlds made of it take a share.

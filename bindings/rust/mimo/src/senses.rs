@@ -11,6 +11,7 @@ use std::os::raw::c_void;
 use std::ptr::{null_mut, NonNull};
 
 /// Senses that look at a host's own MuJoCo model, and never change it.
+#[derive(Debug)]
 pub struct Senses {
     handle: NonNull<sys::mimo_senses>,
     // Outlives the handle, which points to it.

@@ -3,6 +3,7 @@ use crate::error::{c_string, Kind, Result};
 use crate::sys;
 use crate::world::World;
 use std::any::Any;
+use std::fmt;
 use std::os::raw::c_void;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::Arc;
@@ -49,6 +50,12 @@ pub(crate) struct Kept {
     task: Box<dyn Task>,
     // As it was when the library was told.
     memory: usize,
+}
+
+impl fmt::Debug for Kept {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        out.debug_struct("Task").field("memory", &self.memory).finish_non_exhaustive()
+    }
 }
 
 /// Whoever owns a handle made with a task owns a share of it.

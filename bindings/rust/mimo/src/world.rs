@@ -1,17 +1,13 @@
-//! Worlds: one of its own (Env), or one of a batch.
+//! What can be done with a world, whoever owns it.
 use crate::block::Block;
-use crate::config::EnvConfig;
 use crate::error::{c_string, check, text, Error, Kind, Result};
 use crate::field::Field;
-use crate::log::Log;
-use crate::scene::Scene;
 use crate::sys;
-use crate::task::Shared;
-use std::ops::{Deref, DerefMut};
+use std::fmt;
 use std::os::raw::c_void;
-use std::ptr::{null, null_mut, NonNull};
+use std::ptr::{null, null_mut};
 
-/// A simulated world. What can be done with it does not depend on who owns it: an [`Env`], or a
+/// A simulated world. What can be done with it does not depend on who owns it: an [`Env`](crate::Env), or a
 /// [`Batch`](crate::Batch).
 ///
 /// A reference to it *is* the library's handle, and it has no size of its own: a world cannot be moved out of its
@@ -75,6 +71,12 @@ pub(crate) fn memory(block: Option<&mut Block>) -> (*mut c_void, usize) {
     match block {
         Some(block) => (block.as_bytes_mut().as_mut_ptr() as *mut c_void, block.as_bytes().len()),
         None => (null_mut(), 0),
+    }
+}
+
+impl fmt::Debug for World {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        out.debug_struct("World").field("handle", &self.handle()).finish()
     }
 }
 
@@ -364,64 +366,5 @@ fn contact(ids: &[i32; 4], values: &[f64; 19]) -> Contact {
         distance: values[12],
         force: part(values, 13),
         torque: part(values, 16),
-    }
-}
-
-/// A world of its own.
-pub struct Env {
-    handle: NonNull<sys::mimo_env>,
-    // Both outlive the handle, which points to them.
-    log: Option<Log>,
-    task: Option<Shared>,
-}
-
-// As World; log and task are Send and Sync.
-unsafe impl Send for Env {}
-unsafe impl Sync for Env {}
-
-impl Env {
-    /// The usual case in one call: a built-in scene by name with its own infant and task.
-    pub fn make(scene: &str) -> Result<Env> {
-        let scene = c_string(scene)?;
-        let mut handle = null_mut();
-        check(unsafe { sys::mimo_env_make(scene.as_ptr(), &mut handle) })?;
-        Ok(Env::own(handle, None, None))
-    }
-
-    /// Compiles a scene and makes a world of it, in its initial state.
-    pub fn new(scene: &Scene, config: &EnvConfig) -> Result<Env> {
-        let mut handle = null_mut();
-        config.with_raw(|raw| check(unsafe { sys::mimo_env_create(scene.handle(), raw, &mut handle) }))?;
-        Ok(Env::own(handle, config.log.clone(), scene.task.clone()))
-    }
-
-    /// Another world of the same scene and config, in the same state. The model is shared.
-    pub fn try_clone(&self) -> Result<Env> {
-        let mut handle = null_mut();
-        check(unsafe { sys::mimo_env_clone(self.handle.as_ptr(), &mut handle) })?;
-        Ok(Env::own(handle, self.log.clone(), self.task.clone()))
-    }
-
-    fn own(handle: *mut sys::mimo_env, log: Option<Log>, task: Option<Shared>) -> Env {
-        Env { handle: NonNull::new(handle).expect("a handle"), log, task }
-    }
-}
-
-impl Deref for Env {
-    type Target = World;
-    fn deref(&self) -> &World {
-        unsafe { World::of(self.handle.as_ptr()) }
-    }
-}
-
-impl DerefMut for Env {
-    fn deref_mut(&mut self) -> &mut World {
-        unsafe { World::of(self.handle.as_ptr()) }
-    }
-}
-
-impl Drop for Env {
-    fn drop(&mut self) {
-        unsafe { sys::mimo_env_destroy(self.handle.as_ptr()) }
     }
 }

@@ -179,3 +179,16 @@ fn handles_move_between_threads() {
         }
     });
 }
+
+/// `{:?}` of what holds megabytes says what is in them.
+#[test]
+fn everything_prints() {
+    let env = Env::make("benchmark").unwrap();
+    let block = env.new_block().unwrap();
+    let said = format!("{:?} {:?}", block, block.world(0));
+    assert!(said.contains("\"proprioception/position\"") && said.len() < block.as_bytes().len() / 10);
+    assert!(format!("{:?}", *env).starts_with("World { handle: 0x"));
+    let mut config = EnvConfig::new().unwrap();
+    config.log(|_, _| ());
+    assert!(format!("{:?} {:?}", env, config).contains("log: Some(Log)"));
+}
