@@ -125,8 +125,13 @@ struct Dtype<double> {
 class Block {
  public:
   explicit Block(std::size_t bytes) : room_(bytes + 63), bytes_(bytes) {}
-  Block(Block &&) = default;
-  Block &operator=(Block &&) = default;
+  /// What was moved from has no bytes.
+  Block(Block &&other) noexcept : room_(std::move(other.room_)), bytes_(other.bytes_) { other.bytes_ = 0; }
+  Block &operator=(Block &&other) noexcept {
+    room_.swap(other.room_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
   Block(const Block &other) : Block(other.bytes_) { *this = other; }
   Block &operator=(const Block &other) {
     if (this == &other) return *this;
@@ -142,10 +147,16 @@ class Block {
   const std::uint8_t *data() const { return room_.data() + padding(); }
   std::size_t bytes() const { return bytes_; }
 
-  /// The elements of a field; throws std::invalid_argument when the field holds another type.
+  /// The elements of a field; throws std::invalid_argument when the field holds another type, std::out_of_range when it
+  /// lies outside: it is a field of something else, or the block was moved from.
   template <typename T>
   View<const T> view(const mimo_field &field) const {
-    if (field.dtype != Dtype<T>::value) throw std::invalid_argument(std::string(field.name) + " has another dtype");
+    const std::string name = field.name == nullptr ? "the field" : field.name;
+    if (field.dtype != Dtype<T>::value) throw std::invalid_argument(name + " has another dtype");
+    if (field.bytes > bytes_ || field.offset > bytes_ - field.bytes) {
+      throw std::out_of_range(name + " ends at byte " + std::to_string(field.offset + field.bytes) + " of a block of " +
+                              std::to_string(bytes_));
+    }
     return View<const T>(reinterpret_cast<const T *>(data() + field.offset), field.bytes / sizeof(T));
   }
 
@@ -280,6 +291,12 @@ struct Result {
   bool truncated;
 };
 
+/// The same for all agents, in memory that is made once: Env::make_results.
+struct Results {
+  std::vector<double> reward;
+  std::vector<std::uint8_t> terminated, truncated;
+};
+
 class Env : public Handle<mimo_env, detail::destroy_env> {
  public:
   explicit Env(mimo_env *env) : Handle(env) {}
@@ -297,6 +314,10 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   }
 
   Block make_block() const { return detail::block_of<mimo_env>(get(), mimo_env_observation_size); }
+  Results make_results() const {
+    const std::size_t count = agent_count();
+    return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count)};
+  }
   std::vector<mimo_field> fields() const {
     return detail::fields_of<mimo_env>(get(), mimo_env_observation_size, mimo_env_observation_field);
   }
@@ -307,16 +328,22 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
   void observe(Block &block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
 
-  /// One step of all agents; an empty vector of actions leaves the controls as they are.
-  std::vector<Result> step(const std::vector<float> &actions, Block &block) {
-    const std::size_t count = agent_count();
-    std::vector<double> reward(count);
-    std::vector<std::uint8_t> terminated(count), truncated(count);
+  /// One step of all agents; an empty vector of actions leaves the controls as they are. Allocates nothing.
+  void step(const std::vector<float> &actions, Block &block, Results &results) {
+    const std::size_t agents = results.reward.size();
+    if (results.terminated.size() != agents || results.truncated.size() != agents) {
+      throw std::invalid_argument("vectors of the results differ in length");
+    }
     check(mimo_env_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), block.data(), block.bytes(),
-                        reward.data(), terminated.data(), truncated.data(), count));
+                        results.reward.data(), results.terminated.data(), results.truncated.data(), agents));
+  }
+  /// The same with results of its own.
+  std::vector<Result> step(const std::vector<float> &actions, Block &block) {
+    Results all = make_results();
+    step(actions, block, all);
     std::vector<Result> results;
-    for (std::size_t i = 0; i < count; ++i) {
-      results.push_back(Result{reward[i], terminated[i] != 0, truncated[i] != 0});
+    for (std::size_t i = 0; i < all.reward.size(); ++i) {
+      results.push_back(Result{all.reward[i], all.terminated[i] != 0, all.truncated[i] != 0});
     }
     return results;
   }

@@ -1,8 +1,25 @@
 // mimo.hpp: handles, blocks, states and batches do what the C functions below them do.
+#include <cstdlib>
 #include <cstring>
 #include <mimo/mimo.hpp>
+#include <new>
 
 #include "support/capi.h"
+
+namespace {
+
+std::size_t allocations = 0;
+
+}  // namespace
+
+// Every allocation of C++ in this program, in the header as in the library below it.
+void* operator new(std::size_t bytes) {
+  ++allocations;
+  if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -23,6 +40,68 @@ void check_errors() {
   } catch (const mimo::Exception& error) {
     CHECK(error.status() == MIMO_E_NOT_FOUND);
     CHECK(std::strstr(error.what(), "nowhere") != nullptr);
+  }
+}
+
+bool lies_outside(const mimo::Block& block, const mimo_field& field) {
+  try {
+    block.view<float>(field);
+    return false;
+  } catch (const std::out_of_range& error) {
+    return std::strstr(error.what(), field.name) != nullptr;
+  }
+}
+
+void check_blocks() {
+  mimo::Env env = mimo::make("reach");
+  const mimo_field field = env.field("proprioception/velocity");
+  mimo::Block from = env.make_block();
+  const std::size_t bytes = from.bytes();
+  env.reset(1, from);
+  const mimo::Block kept = from;
+  mimo::Block to = std::move(from);
+  CHECK(from.bytes() == 0 && from.data() == nullptr);
+  CHECK(lies_outside(from, field));
+  CHECK(to.bytes() == bytes && std::memcmp(to.data(), kept.data(), bytes) == 0);
+  from = std::move(to);
+  CHECK(to.bytes() == 0 && lies_outside(to, field));
+  CHECK(from.view<float>(field).size() == 47);  // MIMo's joints in reach
+  from = kept;
+  CHECK(reinterpret_cast<std::uintptr_t>(from.data()) % 64 == 0);
+
+  mimo::Block less(field.offset + field.bytes - 1);
+  CHECK(lies_outside(less, field));
+  mimo_field broken = field;
+  broken.offset = SIZE_MAX - 3;
+  CHECK(lies_outside(from, broken));
+  try {
+    from.view<double>(mimo_field{});
+    CHECK(false);
+  } catch (const std::invalid_argument&) {
+  }
+}
+
+void check_steps_that_allocate_nothing() {
+  mimo::Env env = mimo::make("reach"), twin = mimo::make("reach");
+  mimo::Block block = env.make_block(), other = env.make_block();
+  mimo::Results results = env.make_results();
+  const std::vector<float> actions(env.action_size(), 0.3F);
+  env.reset(4, block);
+  twin.reset(4, other);
+  env.step(actions, block, results);
+  const std::size_t before = allocations;
+  for (int i = 0; i < 10; ++i) env.step(actions, block, results);
+  CHECK(allocations == before);
+  mimo::Result last = {};
+  for (int i = 0; i < 11; ++i) last = twin.step(actions, other)[0];
+  CHECK(allocations > before);
+  CHECK(std::memcmp(block.data(), other.data(), block.bytes()) == 0);
+  CHECK(results.reward[0] == last.reward && (results.terminated[0] != 0) == last.terminated);
+  results.truncated.clear();
+  try {
+    env.step(actions, block, results);
+    CHECK(false);
+  } catch (const std::invalid_argument&) {
   }
 }
 
@@ -82,6 +161,8 @@ void check_batch() {
 
 int main() {
   check_errors();
+  check_blocks();
+  check_steps_that_allocate_nothing();
   check_states();
   check_batch();
   return failures();
