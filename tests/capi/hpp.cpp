@@ -1,4 +1,5 @@
 // mimo.hpp: handles, blocks, states and batches do what the C functions below them do.
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <mimo/mimo.hpp>
@@ -8,14 +9,17 @@
 
 namespace {
 
-std::size_t allocations = 0;
+std::atomic<std::size_t> allocations{0};
 
 }  // namespace
 
 // Every allocation of C++ in this program, in the header as in the library below it.
-void* operator new(std::size_t bytes) {
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   ++allocations;
-  if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
+  return std::malloc(bytes > 0 ? bytes : 1);
+}
+void* operator new(std::size_t bytes) {
+  if (void* memory = operator new(bytes, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -5,7 +5,7 @@ namespace Mimo
     /// <summary>The native library that the system found.</summary>
     internal static class Library
     {
-        private const uint Abi = 0; // MIMO_ABI_VERSION of the mimo.h that these sources are for
+        internal const uint Abi = 0; // MIMO_ABI_VERSION of the mimo.h that these sources are for
 
         private static bool isGood;
 

@@ -64,6 +64,7 @@ internal static partial class Tests
             var differ = ours.Except(theirs).Union(theirs.Except(ours)).Select(one => one.Key).Distinct().ToList();
             Check(theirs.Count > 1 && differ.Count == 0, type.Name + ": " + string.Join(" ", differ));
         };
+        Check(defined["MIMO_ABI_VERSION"] == Library.Abi, "another ABI version");
         const string kinds = "BODY|JOINT|GEOM|SITE|CAMERA|ACTUATOR|SENSOR";
         compare(typeof(Kind), "MIMO_", kinds);
         compare(typeof(Quantity), "MIMO_", "(?:" + kinds + ")_[A-Z_]+");

@@ -169,6 +169,13 @@ fn errors_and_panics_of_tasks_are_errors_of_the_step() {
         let error = env.step(&[], None).unwrap_err();
         assert_eq!(error.kind(), kind);
         assert!(error.message().ends_with(why), "{}", error);
+
+        let (scene, config) = (scene(Broken(number)), BatchConfig::new(2).unwrap());
+        let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
+        let mut results = batch.new_results().unwrap();
+        let error = batch.step(&[], None, &mut results).unwrap_err();
+        assert!(error.kind() == kind && error.message().ends_with(why), "{}", error);
+        assert!(batch.world_error(1).unwrap().ends_with(why));
     }
     let mut scene = scene(Broken(1));
     scene.clear_task().unwrap();
