@@ -146,7 +146,7 @@ namespace Mimo
             int status;
             IntPtr message;
             MimoException.Check(Native.mimo_batch_world_error(handle, (UIntPtr)checked((uint)world), out status, out message));
-            return Text.Of(message);
+            return Utf8.Of(message);
         }
 
         /// <summary>Observes the current states, without changing trajectories.</summary>
@@ -175,7 +175,7 @@ namespace Mimo
         public void SetFace(string name, int agent = 0, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_set_face(handle, (UIntPtr)agent, Text.Bytes(name), chosen, CountOf(chosen)));
+            MimoException.Check(Native.mimo_batch_set_face(handle, (UIntPtr)agent, Utf8.Bytes(name), chosen, CountOf(chosen)));
         }
 
         /// <summary>The states of all worlds, one after the other; all have the same size.</summary>

@@ -60,7 +60,7 @@ namespace Mimo
         {
             Library.Require();
             EnvHandle made;
-            MimoException.Check(Native.mimo_env_make(Text.Bytes(scene), out made));
+            MimoException.Check(Native.mimo_env_make(Utf8.Bytes(scene), out made));
             return made;
         }
 

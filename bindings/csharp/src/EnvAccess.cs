@@ -108,7 +108,7 @@ namespace Mimo
         public int Find(Kind kind, string name)
         {
             int id;
-            MimoException.Check(Native.mimo_env_find(handle, (int)kind, Text.Bytes(name), out id));
+            MimoException.Check(Native.mimo_env_find(handle, (int)kind, Utf8.Bytes(name), out id));
             return id;
         }
 
@@ -117,7 +117,7 @@ namespace Mimo
         {
             IntPtr name;
             MimoException.Check(Native.mimo_env_name(handle, (int)kind, id, out name));
-            return Text.Of(name);
+            return Utf8.Of(name);
         }
 
         /// <summary>Reads a quantity of many at once; values is as long as all of them together need.</summary>

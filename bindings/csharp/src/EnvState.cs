@@ -14,7 +14,7 @@ namespace Mimo
                 Library.Require();
                 var names = new List<string>();
                 for (var name = Native.mimo_face_name(UIntPtr.Zero); name != IntPtr.Zero; name = Native.mimo_face_name((UIntPtr)names.Count))
-                    names.Add(Text.Of(name));
+                    names.Add(Utf8.Of(name));
                 return names;
             }
         }
@@ -53,13 +53,13 @@ namespace Mimo
         {
             IntPtr name;
             MimoException.Check(Native.mimo_env_face(handle, (UIntPtr)agent, out name));
-            return Text.Of(name);
+            return Utf8.Of(name);
         }
 
         /// <summary>Gives an infant another face; pictures show it from the next one on.</summary>
         public void SetFace(string name, int agent = 0)
         {
-            MimoException.Check(Native.mimo_env_set_face(handle, (UIntPtr)agent, Text.Bytes(name)));
+            MimoException.Check(Native.mimo_env_set_face(handle, (UIntPtr)agent, Utf8.Bytes(name)));
         }
 
         /// <summary>Holds a joint (its id) at an angle (rad), softly, from the next step on.</summary>

@@ -13,7 +13,7 @@ namespace Mimo
         /// <summary>"MIMO_E_NOT_FOUND".</summary>
         public string StatusName { get; }
 
-        internal MimoException(int status) : this(status, Text.Of(Native.mimo_status_name(status)), Text.Of(Native.mimo_last_error())) { }
+        internal MimoException(int status) : this(status, Utf8.Of(Native.mimo_status_name(status)), Utf8.Of(Native.mimo_last_error())) { }
 
         internal MimoException(int status, string name, string message) : base(message)
         {
@@ -29,7 +29,7 @@ namespace Mimo
     }
 
     /// <summary>UTF-8 strings; netstandard2.0 has no marshalling of its own for them.</summary>
-    internal static class Text
+    internal static class Utf8
     {
         internal static string Of(IntPtr text)
         {
@@ -55,7 +55,7 @@ namespace Mimo
 
         internal PinnedText(string text)
         {
-            if (text != null) handle = GCHandle.Alloc(Text.Bytes(text), GCHandleType.Pinned);
+            if (text != null) handle = GCHandle.Alloc(Utf8.Bytes(text), GCHandleType.Pinned);
         }
 
         internal IntPtr Pointer => handle.IsAllocated ? handle.AddrOfPinnedObject() : IntPtr.Zero;

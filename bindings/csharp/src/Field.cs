@@ -54,7 +54,7 @@ namespace Mimo
             Array.Copy(all, shape, shape.Length);
             return new Field
             {
-                Name = Text.Of(field.name), Unit = Text.Of(field.unit), Type = (FieldType)field.dtype,
+                Name = Utf8.Of(field.name), Unit = Utf8.Of(field.unit), Type = (FieldType)field.dtype,
                 Shape = shape, Offset = (int)field.offset, Bytes = (int)field.bytes
             };
         }

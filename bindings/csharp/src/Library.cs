@@ -16,7 +16,7 @@ namespace Mimo
             if (isGood) return;
             var found = AbiFound();
             if (found != Abi)
-                throw Unusable("libmimo " + Text.Of(Native.mimo_version()) + " has ABI version " + found +
+                throw Unusable("libmimo " + Utf8.Of(Native.mimo_version()) + " has ABI version " + found +
                     ", expected " + Abi + ": take these sources and the library from the same release");
             isGood = true;
         }

@@ -1,8 +1,10 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Threading;
+using Mimo.Callbacks;
 
-namespace Mimo
+// Apart from Mimo: Unity has an attribute of this name too, and a script may use both namespaces.
+namespace Mimo.Callbacks
 {
     /// <summary>Marks a static method that native code calls; Unity's IL2CPP looks for an attribute of this name.</summary>
     [AttributeUsage(AttributeTargets.Method)]
@@ -10,7 +12,10 @@ namespace Mimo
     {
         internal MonoPInvokeCallbackAttribute(Type type) { }
     }
+}
 
+namespace Mimo
+{
     /// <summary>The way of a message from the library to a user's delegate, which it keeps alive. Worlds and their clones
     /// share it; the last one that is destroyed lets it go.</summary>
     internal sealed class Logging
@@ -49,7 +54,7 @@ namespace Mimo
         {
             try
             {
-                ((Action<int, string>)GCHandle.FromIntPtr(user).Target)(level, Text.Of(message));
+                ((Action<int, string>)GCHandle.FromIntPtr(user).Target)(level, Utf8.Of(message));
             }
             catch (Exception)
             {

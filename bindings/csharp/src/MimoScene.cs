@@ -87,7 +87,7 @@ namespace Mimo
         }
 
         /// <summary>Gives a scene that has none a room: "playroom".</summary>
-        public void SetRoom(string name) { MimoException.Check(Native.mimo_scene_set_room(Handle, Text.Bytes(name))); }
+        public void SetRoom(string name) { MimoException.Check(Native.mimo_scene_set_room(Handle, Utf8.Bytes(name))); }
 
         /// <summary>Adds an MJCF document with one body as an object: a file, or a text. All its names get its name and '/'
         /// before them.</summary>
@@ -110,26 +110,26 @@ namespace Mimo
         /// starts.</summary>
         public void Weld(string body, string other = null)
         {
-            MimoException.Check(Native.mimo_scene_weld(Handle, Text.Bytes(body), Text.Bytes(other), null));
+            MimoException.Check(Native.mimo_scene_weld(Handle, Utf8.Bytes(body), Utf8.Bytes(other), null));
         }
 
         /// <summary>Holds a hinge or slide softly, and starts it there, rad or m.</summary>
         public void Lock(string joint, double value)
         {
-            MimoException.Check(Native.mimo_scene_lock(Handle, Text.Bytes(joint), value));
+            MimoException.Check(Native.mimo_scene_lock(Handle, Utf8.Bytes(joint), value));
         }
 
         /// <summary>Sets where a hinge or slide starts, rad or m.</summary>
         public void SetPose(string joint, double value)
         {
-            MimoException.Check(Native.mimo_scene_set_pose(Handle, Text.Bytes(joint), value));
+            MimoException.Check(Native.mimo_scene_set_pose(Handle, Utf8.Bytes(joint), value));
         }
 
         /// <summary>Writes the scene as scene.xml, with its textures and meshes in assets, for any program with MuJoCo.
         /// The folder is made where it is not there; files that are there with other content are not overwritten.</summary>
         public void Save(string folder)
         {
-            MimoException.Check(Native.mimo_scene_save(Handle, Text.Bytes(folder)));
+            MimoException.Check(Native.mimo_scene_save(Handle, Utf8.Bytes(folder)));
         }
 
         /// <summary>Adds a rigid object.</summary>
@@ -177,7 +177,7 @@ namespace Mimo
         /// <summary>Has an agent's proprioception read this hinge or slide; the first call takes away all others.</summary>
         public void ReadJoint(string joint, int agent = 0)
         {
-            MimoException.Check(Native.mimo_scene_read_joint(Handle, agent, Text.Bytes(joint)));
+            MimoException.Check(Native.mimo_scene_read_joint(Handle, agent, Utf8.Bytes(joint)));
         }
 
         /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
@@ -189,20 +189,20 @@ namespace Mimo
             {
                 struct_size = (uint)Structs.Size<LimitsStruct>(), gain = gain, noise = noise, delay = delay, blur = blur
             };
-            MimoException.Check(Native.mimo_scene_limit_sense(Handle, agent, Text.Bytes(path), ref limits));
+            MimoException.Check(Native.mimo_scene_limit_sense(Handle, agent, Utf8.Bytes(path), ref limits));
         }
 
         /// <summary>Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there; a body of
         /// null: everywhere.</summary>
         public void SetTouch(int agent, string body, double spacing)
         {
-            MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Text.Bytes(body), spacing));
+            MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Utf8.Bytes(body), spacing));
         }
 
         /// <summary>Sets a parameter of a task, "reach/success_reward", for worlds made from now on.</summary>
         public void SetParameter(string name, double value)
         {
-            MimoException.Check(Native.mimo_scene_set_parameter(Handle, Text.Bytes(name), value));
+            MimoException.Check(Native.mimo_scene_set_parameter(Handle, Utf8.Bytes(name), value));
         }
 
         /// <summary>Frees the scene.</summary>

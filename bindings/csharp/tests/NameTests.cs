@@ -22,7 +22,7 @@ internal static partial class Tests
         "FixedJoint Flare FlareLayer Font FrustumPlanes GameObject Gizmos GL Gradient Graphic Graphics Grid GUI GUILayout Gyroscope Handheld " +
         "Hash128 HideFlags HingeJoint HumanBone HumanPose HumanTrait Image Input Joint Joint2D JointDrive JointLimits JointMotor JointSpring " +
         "JsonUtility KeyCode Keyframe Label LayerMask LightProbes Light LightType LineRenderer LOD Lightmapping Material Mathf Matrix3x2 " +
-        "Matrix4x4 Mesh MeshCollider MeshFilter MeshInstance3D MeshRenderer Microphone MonoBehaviour Motion Network Node Node2D Node3D " +
+        "Matrix4x4 Mesh MeshCollider MeshFilter MeshInstance3D MeshRenderer Microphone MonoBehaviour MonoPInvokeCallbackAttribute Motion Network Node Node2D Node3D " +
         "NodePath Object OS Outline ParticleSystem Physics Physics2D PhysicMaterial Ping Plane PlayerPrefs Polygon2D Pose Projection Projector " +
         "Profiler QualitySettings Quaternion QueryTriggerInteraction Random Range Ray Ray2D RaycastHit Rect Rect2 Rect2I RectInt RectOffset RectTransform " +
         "RefCounted ReflectionProbe Renderer RenderBuffer RenderMode RenderSettings RenderTexture Resolution Resource Resources RigidBody3D " +
@@ -38,7 +38,8 @@ internal static partial class Tests
         var common = new[] { "System", "System.Collections.Generic", "System.Diagnostics", "System.IO", "System.Linq", "System.Threading" };
         foreach (var assembly in new[] { typeof(object).Assembly, typeof(Enumerable).Assembly, typeof(Uri).Assembly })
             taken.UnionWith(assembly.GetExportedTypes().Where(type => common.Contains(type.Namespace)).Select(type => type.Name));
-        var ours = typeof(Env).Assembly.GetExportedTypes().Where(type => type.Namespace == "Mimo").Select(type => type.Name).ToList();
+        // Also what is not public: in Unity these sources are part of the scripts' own assembly.
+        var ours = typeof(Env).Assembly.GetTypes().Where(type => type.Namespace == "Mimo" && !type.IsNested).Select(type => type.Name).ToList();
         Check(ours.Count > 20, "no types");
         var clashes = ours.Where(taken.Contains).ToList();
         Check(clashes.Count == 0, string.Join(" ", clashes));
