@@ -209,13 +209,19 @@ const SchemaElement* find(const SchemaElement& known, const char* self, const ch
   return found == known.children.end() ? nullptr : &found->second;
 }
 
-void check(pugi::xml_node node, const SchemaElement& known, Report& report) {
-  check_attributes(node, known, report);
+struct Known {
+  pugi::xml_node node;
+  const SchemaElement* kind;
+};
+
+// Adds the children that are known; the others are left out or refused.
+void check_children(const Known& parent, std::vector<Known>& known, Report& report) {
+  pugi::xml_node node = parent.node;
   for (pugi::xml_node child = node.first_child(); child;) {
     const pugi::xml_node next = child.next_sibling();
-    const SchemaElement* kind = find(known, node.name(), child.name());
+    const SchemaElement* kind = find(*parent.kind, node.name(), child.name());
     if (child.type() == pugi::node_element && kind != nullptr) {
-      check(child, *kind, report);
+      known.push_back({child, kind});
     } else if (child.type() == pugi::node_element) {
       const std::string what = format("<{}> in <{}>", child.name(), node.name());
       if (!is_harmless_element(child)) refuse(child, what);
@@ -223,6 +229,19 @@ void check(pugi::xml_node node, const SchemaElement& known, Report& report) {
       node.remove_child(child);
     }
     child = next;
+  }
+}
+
+// In the document's order, and without recursion: hosts have small stacks, documents deep nests.
+void check(pugi::xml_node root, const SchemaElement& known, Report& report) {
+  std::vector<Known> waiting = {{root, &known}};
+  while (!waiting.empty()) {
+    const Known next = waiting.back();
+    waiting.pop_back();
+    check_attributes(next.node, *next.kind, report);
+    const auto before = static_cast<std::ptrdiff_t>(waiting.size());
+    check_children(next, waiting, report);
+    std::reverse(waiting.begin() + before, waiting.end());
   }
 }
 

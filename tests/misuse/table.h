@@ -4,6 +4,7 @@
 #define MIMO_TESTS_MISUSE_TABLE_H
 
 #include "mimo/mimo.h"
+#include "support/first_sizes.h"
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
@@ -175,10 +176,6 @@ int rows_failures(void);
   { FAULT_STRUCT_SIZE, #m "'s struct_size is " #n, MEMBER(m), 0, (int64_t)(n), 0, NULL, MIMO_E_STRUCT_SIZE, names }
 #define STRUCT_LATER(m, t, tail, status, names) \
   { FAULT_STRUCT_TAIL, #m " is of a later version, tail " #tail, MEMBER(m), tail, sizeof(t), 0, NULL, status, names }
-/* Structs may have grown; smaller than at first they never were. */
-#define MIMO_FIRST_SIZE(type, bytes) enum { type##_first = (bytes) }
-#include "capi/first_sizes.h"
-#undef MIMO_FIRST_SIZE
 #define BAD_SIZES(m, t, names) \
   STRUCT_IS(m, 0, names), STRUCT_IS(m, t##_first - 1, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
 /* A struct that is read, and one that is filled. */
