@@ -261,13 +261,14 @@ function help_says_how_to_call()
   for i = 1:numel(files)
     [~, name] = fileparts(files(i).name);
     text = help(name);
-    signature = regexp(fileread(fullfile(folder, files(i).name)), '^function ([^\n]*)', 'tokens', 'once'){1};
-    wanted = [name '\(' ];
+    signature = regexp(fileread(fullfile(folder, files(i).name)), '^function ([^\n]*)', 'tokens', 'once');
+    signature = signature{1};
+    wanted = [name '\('];
     outputs = regexp(signature, '^(.*?) *=', 'tokens', 'once');
     if ~isempty(outputs), wanted = [regexptranslate('escape', outputs{1}) ' = ' wanted]; end
     assert(~isempty(regexp(text, wanted, 'once')), [name ': no call ' wanted]);
-    inputs = regexp(signature, '\((.*)\)', 'tokens', 'once'){1};
-    inputs = strsplit(inputs, ', ');
+    inputs = regexp(signature, '\((.*)\)', 'tokens', 'once');
+    inputs = strsplit(inputs{1}, ', ');
     for k = 1:numel(inputs)
       word = strrep(inputs{k}, 'varargin', 'value');
       assert(~isempty(regexp(text, ['\<' word 's?\>'], 'once')), [name ': nothing about ' word]);
