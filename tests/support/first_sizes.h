@@ -1,4 +1,4 @@
-/* The sizes that structs had at first, as enumerators: mimo_field_first. They may have grown; smaller they never were. */
+/* The sizes that structs had at first, as enumerators such as mimo_field_first. They may have grown. */
 #ifndef MIMO_TESTS_FIRST_SIZES_H
 #define MIMO_TESTS_FIRST_SIZES_H
 
