@@ -3,6 +3,6 @@
 s#\]\((\.\./)*(docs/)?images/#](#g
 s#\]\((\.\./)*include/mimo/mimo\.h\)#](mimo_8h.html)#g
 s#\]\(data/#](source/docs/data/#g
-s#\]\((\.\./)*((examples|tests/zoo|CITATION\.cff|LICENSE)(/[^)]*)?)\)#](source/\2)#g
+s#\]\((\.\./)*((examples|CITATION\.cff|LICENSE)(/[^)]*)?)\)#](source/\2)#g
 # doxygen has other names for headings.
 s#\.md\#[^)]*\)#.md)#g
