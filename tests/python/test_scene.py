@@ -130,6 +130,6 @@ def test_documents_have_limits(tmp_path):
         mimo.World(scene.copy(), renderer="none")
     with pytest.raises(mimo.Error, match="lies outside the document's folder"):
         mimo.Scene(file=room / "room.xml", confined=True)
-    with pytest.raises(TypeError, match="unexpected keyword argument 'max_width'.* There are: .*max_elements"):
+    with pytest.raises(TypeError, match=r"unexpected keyword argument 'max_width'.* There are: .*max_elements"):
         mimo.Scene(max_width=3)
     mimo.World(mimo.Scene(file=room / "room.xml", max_iterations=60), renderer="none").close()
