@@ -19,9 +19,9 @@
  *     Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
  *               mimo_last_error() then holds one line that names the argument, its value and what was
  *               expected. When an argument is refused, nothing is written anywhere.
- *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque. Destroy accepts NULL; a destroyed handle is refused by
- *               every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before
- *               fork() answers MIMO_E_FORKED in the child.
+ *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque. Destroy accepts NULL; a destroyed handle is
+ *               refused by every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made
+ *               before fork() answers MIMO_E_FORKED in the child.
  *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
  *               take a handle without const need it for themselves; different handles are independent.
  *               Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
@@ -31,8 +31,8 @@
  *               MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
  *               is said where it is declared.
  *     Structs   Versioned structs start with struct_size and are filled by their _init function, called as
- *               mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to 0. They only
- *               ever grow at the end. Reserved fields are 0.
+ *               mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to
+ *               0. They only ever grow at the end. Reserved fields are 0.
  *     Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
  *               of a free joint is linear in the world frame, then angular in the body's own frame.
  */
@@ -56,7 +56,7 @@ extern "C" {
 #define MIMO_VERSION_MINOR 1 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_ABI_VERSION 0   /**< Changes when old callers would break; equals the SONAME's number. */
-#define MIMO_API_MAJOR 0     /**< Version of this interface, 0.9: what is declared here. docs/abi.md says what may change. */
+#define MIMO_API_MAJOR 0     /**< Version of what is declared here, 0.9; docs/abi.md says what may change. */
 #define MIMO_API_MINOR 9     /**< Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`. */
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
@@ -68,7 +68,7 @@ typedef int32_t mimo_status;
 #define MIMO_E_BUFFER_TOO_SMALL -3 /**< A caller's buffer is shorter than needed; nothing was written. */
 #define MIMO_E_STRUCT_SIZE -4      /**< struct_size unknown, or an unknown tail of the struct is not zero. */
 #define MIMO_E_NOT_FOUND -5        /**< No body, joint, scene, file... of that name. */
-#define MIMO_E_MODEL -6            /**< A model does not compile; the message is MuJoCo's. */
+#define MIMO_E_MODEL -6            /**< A model does not compile, or asks for too much; see docs/guide/errors.md. */
 #define MIMO_E_SIMULATION -7       /**< The simulation failed or diverged; reset makes the world usable again. */
 #define MIMO_E_RENDER -8           /**< The renderer failed. */
 #define MIMO_E_UNSUPPORTED -9      /**< Not possible here, for example no OSMesa on this machine. */
@@ -89,19 +89,21 @@ MIMO_API const char *mimo_mujoco_version(void) MIMO_NOEXCEPT;
 MIMO_API const char *mimo_status_name(mimo_status status) MIMO_NOEXCEPT;
 
 /**
- * What the last failed call on this thread complained about, one line, never NULL, "" if nothing failed yet.
- * The string belongs to the library and is valid until the next failing call on the same thread. Calls that
- * succeed, and the destroy functions, leave it alone. Within a function of your own task it is "" at first, and what fails
- * there is not seen outside, unless the task fails with it. Messages are UTF-8.
+ * What the last failed call on this thread complained about, one line, never NULL, "" if nothing failed yet. The string
+ * belongs to the library and is valid until the next failing call on the same thread. Calls that succeed, and the
+ * destroy functions, leave it alone. Within a function of your own task it is "" at first, and what fails there is not
+ * seen outside, unless the task fails with it. Messages are UTF-8.
  */
 MIMO_API const char *mimo_last_error(void) MIMO_NOEXCEPT;
 
 /**
- * What the last failed call that was given this handle first complained about: for runtimes that move work from thread to
- * thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their scene.
- * mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and mimo_last_error.
+ * What the last failed call that was given this handle first complained about: for runtimes that move work from thread
+ * to thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their
+ * scene. mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and
+ * mimo_last_error.
  * @param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses.
- * @param text     receives the message, zero-terminated, "" if nothing failed yet; NULL with capacity 0 asks for its length only.
+ * @param text     receives the message, zero-terminated, "" if nothing failed yet; NULL with capacity 0 asks for its
+ *                 length only.
  * @param capacity 1024 bytes are enough for any message.
  * @param length   receives the length without the terminating zero; may be NULL.
  * Errors: as everywhere, but they change no handle's message. Any thread may ask, also while others use the handle.
@@ -157,7 +159,8 @@ typedef struct mimo_scene_config {
   uint64_t max_keyframes;   /**< Default 10000. */
   uint64_t max_iterations;  /**< Iterations of each solver in a physics step. Default 10000. */
   uint64_t max_world_bytes; /**< What the buffers of one world may need, as estimated. Default 4294967296. */
-  uint32_t confined;        /**< 1: includes and assets must lie in the folder of the document that names them, or below; 0: anywhere. */
+  uint32_t confined;        /**< 1: includes and assets must lie in the folder of the document that names them, or
+                                 below; 0: anywhere. */
   uint32_t limits_reserved; /**< 0. */
 } mimo_scene_config;
 
@@ -193,10 +196,10 @@ MIMO_API mimo_status mimo_scene_set_room(mimo_scene *scene, const char *name) MI
 #define MIMO_PROPRIOCEPTION_VELOCITY 0x01u     /**< Joint velocities, rad/s. */
 #define MIMO_PROPRIOCEPTION_TORQUE 0x02u       /**< Three-axis torque sensors at the joints, Nm. */
 #define MIMO_PROPRIOCEPTION_LIMIT 0x04u        /**< Limit sensors, 1 at a joint's limit. */
-#define MIMO_PROPRIOCEPTION_ACTUATION 0x08u    /**< Control inputs and motor torques; under position control targets; of muscles activations and forces. */
+#define MIMO_PROPRIOCEPTION_ACTUATION 0x08u    /**< Controls and torques of motors, targets, or what muscles do. */
 #define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
 #define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
-#define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, one number: sum of (command^2 * strength) over count and sum of strengths, 0 to 1. */
+#define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, 0 to 1: see docs/guide/muscles.md. */
 #define MIMO_PROPRIOCEPTION_DEFAULT 0x2fu      /**< All but JOINT_TORQUE and EFFORT, as the original. */
 #define MIMO_PROPRIOCEPTION_ALL 0x7fu          /**< Everything. */
 
@@ -205,19 +208,20 @@ MIMO_API mimo_status mimo_scene_set_room(mimo_scene *scene, const char *name) MI
 #define MIMO_VISION_SEGMENTATION 0x04u /**< Geom id of each pixel, int32 H x W, -1 is background. */
 
 #define MIMO_ACTUATION_TORQUE 0   /**< An action is a motor's share of its largest torque. */
-#define MIMO_ACTUATION_POSITION 1 /**< An action is the angle at which a joint is to be, rad; a soft lock takes it there. */
+#define MIMO_ACTUATION_POSITION 1 /**< An action is the angle to which a soft lock takes a joint, rad. */
 /**
- * Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first all
- * muscles that pull to the negative side, "act:.../negative", then all that pull to the positive side. Joints lose their
- * springs and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their activation
- * towards the action and pull; the motor's control input then is torque over gear, and a world's own gear makes them
- * stronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see models/README.md.
+ * Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first
+ * all muscles that pull to the negative side, "act:.../negative", then all that pull to the positive side. Joints lose
+ * their springs and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their
+ * activation towards the action and pull; the motor's control input then is torque over gear, and a world's own gear
+ * makes them stronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see
+ * models/README.md.
  *
  * Fields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with
  * which it would pull now.
  */
 #define MIMO_ACTUATION_MUSCLE 2
-#define MIMO_ACTUATION_MUJOCO_MUSCLE 3 /**< The same with MuJoCo's own muscle model: activation rises in 0.01 s and falls in 0.04 s. */
+#define MIMO_ACTUATION_MUJOCO_MUSCLE 3 /**< By MuJoCo's muscle model: activation rises in 0.01 s, falls in 0.04 s. */
 
 #define MIMO_ACT_TRUNK 0x01u       /**< Three motors. */
 #define MIMO_ACT_HEAD 0x02u        /**< Three. */
@@ -235,20 +239,21 @@ MIMO_API mimo_status mimo_scene_set_room(mimo_scene *scene, const char *name) MI
 
 #define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */
 #define MIMO_TOUCH_NORMAL_FORCE 0x2u /**< touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE. */
-#define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: how what touches slides over the skin, along its tangents, m/s. */
-#define MIMO_TOUCH_FRICTION_USE 0x8u /**< touch/friction_use, N x 1: share of the possible friction in use; 1: at its limit. */
+#define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: how it slides over the skin, along its tangents, m/s. */
+#define MIMO_TOUCH_FRICTION_USE 0x8u /**< touch/friction_use, N x 1: share of the possible friction in use; 1: all. */
 
 #define MIMO_TOUCH_NEAREST 1  /**< The nearest sensor feels all of a touch. */
-#define MIMO_TOUCH_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to zero at twice the spacing. */
-#define MIMO_TOUCH_GAUSSIAN 3 /**< Weights fall as a bell of standard deviation 2/3 spacing, cut off at twice the spacing. */
+#define MIMO_TOUCH_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to 0 at twice the spacing. */
+#define MIMO_TOUCH_GAUSSIAN 3 /**< Weights fall as a bell of deviation 2/3 spacing, cut off at twice the spacing. */
 
 #define MIMO_FRAME_BODY 1  /**< The frame of the body that the sensor sits on. */
 #define MIMO_FRAME_WORLD 2 /**< The frame of the world. */
-#define MIMO_FRAME_SKIN 3  /**< The frame of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors. */
+#define MIMO_FRAME_SKIN 3  /**< Of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors. */
 
 /**
- * Name of the index-th face of the built-in bodies, or NULL past the last: "neutral", "enjoyment", "sadness", "surprise",
- * "disgust", "anger", "fear". Static string. Further ones are materials of your own MJCF named "mimo_face_<name>".
+ * Name of the index-th face of the built-in bodies, or NULL past the last: "neutral", "enjoyment", "sadness",
+ * "surprise", "disgust", "anger", "fear". Static string. Further ones are materials of your own MJCF named
+ * "mimo_face_<name>".
  */
 MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
 
@@ -264,10 +269,11 @@ MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
  */
 typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
-  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant, see mimo_scene_add_agent. */
+  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
   const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
-  const char *body;            /**< "mitten", "fingers" (hands with five fingers, feet with a big toe); or "scene": the body is part of the scene's MJCF. */
-  double position[3];          /**< Of the root body mimo_location, metres, world frame. The soles of who stands are 0.33 below. */
+  const char *body;            /**< "mitten", "fingers" (hands with five fingers, feet with a big toe); or "scene": the
+                                    body is part of the scene's MJCF. */
+  double position[3];          /**< Of the root body mimo_location, m, world frame; standing soles are 0.33 below. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
   uint32_t vestibular;         /**< 1: accelerometer and gyroscope in the head; 0: none. */
@@ -278,16 +284,17 @@ typedef struct mimo_agent_config {
   uint32_t actuation;          /**< A MIMO_ACTUATION_ constant. Default torque. */
   double vision_fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
   uint32_t acts;               /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
-  uint32_t normalize_actions;  /**< 1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
+  uint32_t normalize_actions;  /**< 1: actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
   uint32_t touch;              /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
-  int32_t touch_response;      /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch. */
+  int32_t touch_response;      /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much. */
   int32_t touch_frame;         /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
   uint32_t touch_reserved;     /**< 0. */
-  double touch_scale;          /**< Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1. */
+  double touch_scale;          /**< Divides the usual distances between sensors: 2 makes 4 times as many. Default 1. */
   double touch_slip_threshold; /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
   const char *face;            /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */
-  const char *root;            /**< With body "scene": the body of the model that the agent consists of, with all below it; "world": everything. NULL: an infant. */
-  const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels, in its frame; NULL: the infant's head. */
+  const char *root;            /**< With body "scene": the body of the model that the agent consists of, with all below
+                                    it; "world": everything. NULL: an infant. */
+  const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels; NULL: the infant's head. */
 } mimo_agent_config;
 
 /**
@@ -297,9 +304,10 @@ typedef struct mimo_agent_config {
 MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position
- * and orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,
- * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init.
+ * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and
+ * orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,
+ * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as
+ * mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agent_config *config,
@@ -309,23 +317,23 @@ MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agen
  * Adds an infant.
  *
  * In a scene that names no place for its first infant and where none is given, it stands on what stands still at the
- * origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to 4 m
- * away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place, or
- * finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log.
+ * origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to
+ * 4 m away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place,
+ * or finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log.
  * @param config NULL means the scene's own, see mimo_scene_default_agent.
  * @param agent  receives its number, 0 for the first; may be NULL.
  * Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five
- * fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several agents,
- * and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where its compiler
- * settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a composite, and for
- * global coordinates.
+ * fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several
+ * agents, and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where
+ * its compiler settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a
+ * composite, and for global coordinates.
  */
 MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
                                           int32_t *agent) MIMO_NOEXCEPT;
 
 /**
- * Adds all infants that the scene names (its MJCF's custom text "mimo:infants", "anna ben"), each at a place of its own;
- * in a scene that names none a single one.
+ * Adds all infants that the scene names (its MJCF's custom text "mimo:infants", "anna ben"), each at a place of its
+ * own; in a scene that names none a single one.
  * @param config what they have in common; a name only where the scene gives none, a place only where there is just one.
  *               NULL: the scene's own, see mimo_scene_default_agent.
  * @param count  receives how many were added; may be NULL.
@@ -357,10 +365,13 @@ MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, int32_t agent, con
 /** How much less an agent senses than there is to be sensed. What is not limited costs nothing. */
 typedef struct mimo_limits {
   uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
-  uint32_t delay;       /**< Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0. */
+  uint32_t delay;       /**< Steps by which what is sensed comes late, up to 1000; before that, what the episode began
+                             with. Default 0. */
   double gain;          /**< Factor of all values, 0 to 3.4e38 (the largest float). Default 1. */
-  double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit (colours: levels of 255). Default 0. */
-  double blur;          /**< Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000. */
+  double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit
+                             (colours: levels of 255). Default 0. */
+  double blur;          /**< Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0
+                             (default): sharp. 0.05 to 1000. */
 } mimo_limits;
 
 /**
@@ -418,7 +429,7 @@ MIMO_API mimo_status mimo_scene_add_object(mimo_scene *scene, const mimo_object_
 typedef struct mimo_model_config {
   uint32_t struct_size;  /**< sizeof(mimo_model_config), set by mimo_model_config_init. */
   uint32_t fixed;        /**< 1: it gets no free joint; 0: it moves freely, unless its body has joints of its own. */
-  const char *name;      /**< Needed: letters, digits, '_', '-' and '.'. All names in the document get it and '/' before them. */
+  const char *name;      /**< Needed: letters, digits, '_', '-', '.'. Goes with '/' before all names in the document. */
   const char *file;      /**< Path of an MJCF file; what it includes and its meshes lie relative to its folder. */
   const char *xml;       /**< Or MJCF text; relative paths start from the working directory. */
   double position[3];    /**< Where its body is, metres, world frame; in place of what the document says. */
@@ -435,14 +446,14 @@ MIMO_API mimo_status mimo_model_config_init(mimo_model_config *config, size_t si
  * Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,
  * equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,
  * "cup/handle", so the same document may be added often; the free joint, and a body without a name, have the object's.
- * Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits
- * are converted to the scene's settings.
- * What else stands in its worldbody (floor, lights) does not come along, nor do its solver options, keyframes, sizes and
- * visual settings: there the scene's count. Nor do keyframes of the scene stay: they are positions of other joints.
- * Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just one
- * body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...); MIMO_E_UNSUPPORTED
- * for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT for a name in use, and
- * for fixed = 1 where the body has a free joint.
+ * Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits are
+ * converted to the scene's settings. What else stands in its worldbody (floor, lights) does not come along, nor do its
+ * solver options, keyframes, sizes and visual settings: there the scene's count. Nor do keyframes of the scene stay:
+ * they are positions of other joints.
+ * Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just
+ * one body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...);
+ * MIMO_E_UNSUPPORTED for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT
+ * for a name in use, and for fixed = 1 where the body has a free joint.
  */
 MIMO_API mimo_status mimo_scene_add_model(mimo_scene *scene, const mimo_model_config *config) MIMO_NOEXCEPT;
 
@@ -458,8 +469,8 @@ MIMO_API mimo_status mimo_scene_weld(mimo_scene *scene, const char *body, const 
                                      const double *pose) MIMO_NOEXCEPT;
 
 /**
- * Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the locks
- * of the joints that it moves.
+ * Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the
+ * locks of the joints that it moves.
  * @param joint name of a joint in the scene, "anna/robot:left_knee".
  * @param value rad or m, within the joint's range.
  * Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has.
@@ -474,11 +485,12 @@ MIMO_API mimo_status mimo_scene_lock(mimo_scene *scene, const char *joint, doubl
  */
 MIMO_API mimo_status mimo_scene_set_pose(mimo_scene *scene, const char *joint, double value) MIMO_NOEXCEPT;
 
-/** A camera whose pictures are fields of the observation: "vision/NAME", "vision/NAME_depth", "vision/NAME_segmentation". */
+/** A camera whose pictures are fields: "vision/NAME", "vision/NAME_depth", "vision/NAME_segmentation". */
 typedef struct mimo_camera_config {
   uint32_t struct_size; /**< sizeof(mimo_camera_config), set by mimo_camera_config_init. */
   uint32_t outputs;     /**< MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB. */
-  const char *name;     /**< A camera of the scene's MJCF or of an infant, "anna/eye_left"; with placed = 1 the name of a new one. */
+  const char *name;     /**< A camera of the scene's MJCF or of an infant, "anna/eye_left"; with placed = 1 the name of
+                             a new one. */
   uint32_t width;       /**< Pixels, 1 to 4096. Default 256. */
   uint32_t height;      /**< Pixels, 1 to 4096. Default 256. */
   double fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one. */
@@ -486,11 +498,12 @@ typedef struct mimo_camera_config {
   uint32_t reserved;    /**< 0. */
   const char *body;     /**< Body that carries it, by its name in the model; NULL: it stands still in the world. */
   double position[3];   /**< Where it is, metres, in the frame of the body. */
-  double look_at[3];    /**< The point in the middle of its picture, metres, in the frame of the body, whose z axis points up in the picture. */
+  double look_at[3];    /**< The point in the middle of its picture, metres, in the frame of the body, whose z axis
+                             points up in the picture. */
 } mimo_camera_config;
 
 /**
- * Fills a config with defaults: an existing camera without a name; a new one would look from (1.5, 0, 0.8) at (0, 0, 0.4).
+ * Fills a config with defaults: a camera of the model, no name yet; a new one looks from (1.5, 0, 0.8) at (0, 0, 0.4).
  * @param size sizeof(mimo_camera_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_camera_config_init(mimo_camera_config *config, size_t size) MIMO_NOEXCEPT;
@@ -506,8 +519,8 @@ MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_
 /**
  * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it
  * names "mimo/..." are the built-in ones, installed as share/mimo/models.
- * Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the scene
- *         does not compile.
+ * Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the
+ *         scene does not compile.
  * @param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only.
  * @param length receives the length without the terminating zero; may be NULL.
  */
@@ -515,11 +528,11 @@ MIMO_API mimo_status mimo_scene_xml(const mimo_scene *scene, char *text, size_t 
                                     size_t *length) MIMO_NOEXCEPT;
 
 /**
- * Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all textures,
- * meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere.
+ * Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all
+ * textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere.
  * @param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten.
- * Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for
- *         one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND
+ *         for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then.
  */
 MIMO_API mimo_status mimo_scene_save(const mimo_scene *scene, const char *folder) MIMO_NOEXCEPT;
 
@@ -534,7 +547,7 @@ typedef struct mimo_parameter {
   const char *description; /**< One line; with unit. Static. */
   double standard;         /**< Value unless set. */
   double low;              /**< Smallest allowed value. */
-  double high;             /**< Largest allowed value. Parameters from 0 to 1 may be switches; the description says so. */
+  double high;             /**< Largest allowed value. From 0 to 1 it may be a switch; the description says so. */
 } mimo_parameter;
 
 /** Number of parameters of all tasks together. */
@@ -565,7 +578,7 @@ typedef struct mimo_env mimo_env;
 
 #define MIMO_DISABLE_CONTACT 0x1u    /**< No contacts. */
 #define MIMO_DISABLE_GRAVITY 0x2u    /**< No gravity. */
-#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< MuJoCo's mj_step as it is. Else constraints are solved by libmimo where the Jacobian is sparse: the same to rounding, and faster. */
+#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< mj_step as it is, instead of libmimo's solver: same to rounding, slower. */
 
 #define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
 #define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror what is before them. */
@@ -577,18 +590,22 @@ typedef struct mimo_env mimo_env;
 /** How a world is simulated. */
 typedef struct mimo_env_config {
   uint32_t struct_size;    /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
-  uint32_t frame_skip;     /**< Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms in built-in scenes. Default 0: the scene's own, mostly 2. */
+  uint32_t frame_skip;     /**< Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms
+                                in built-in scenes. Default 0: the scene's own, mostly 2. */
   int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
   uint32_t disable;        /**< MIMO_DISABLE_ bits. */
-  const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene allows, else osmesa; or "none": then eyes must be off. */
-  uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps). */
+  const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene
+                                allows, else osmesa; or "none": then eyes must be off. */
+  uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's parameter episode_steps. */
   uint32_t timing;         /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
   mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
   void *log_user;          /**< Passed to log. */
   const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
-  uint32_t render;         /**< MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT. */
-  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa. */
-  uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them. Pictures do not differ. Default 1; best so in batches, whose worlds are drawn side by side. */
+  uint32_t render;         /**< MIMO_RENDER_ bits (_DEFAULT): what pictures show. What is left out costs nothing. */
+  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or
+                                what the model tells OSMesa. */
+  uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
+                                Pictures do not differ. Default 1, which is best in batches. */
   uint32_t reserved;       /**< 0. */
 } mimo_env_config;
 
@@ -603,7 +620,7 @@ MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) 
  * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
  * @param scene  is not needed any more afterwards.
  * @param config NULL means defaults.
- * Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
+ * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
  *         and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another
  *         version lies in the program's global scope.
  */
@@ -649,7 +666,7 @@ MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agen
 #define MIMO_F64 4 /**< double */
 
 #define MIMO_AT_END 1        /**< Belongs to the end of the step. */
-#define MIMO_AT_LAST_START 2 /**< Belongs to the start of the last physics step, one time step of the model before the end: 5 ms in built-in scenes. */
+#define MIMO_AT_LAST_START 2 /**< Belongs to the start of the last physics step, one time step before the end. */
 
 /** One field of the observation block. */
 typedef struct mimo_field {
@@ -762,10 +779,10 @@ MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIM
 #define MIMO_JOINT_FORCE 3          /**< Joint: 1, 3 or 6; generalised force applied by you until changed. Writable. */
 #define MIMO_JOINT_ACCELERATION 4   /**< Joint: 1, 3 or 6. */
 #define MIMO_JOINT_RANGE 5          /**< Joint: 2, low and high; -inf and inf when not limited. */
-#define MIMO_BODY_POSITION 6        /**< Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint. */
-#define MIMO_BODY_ORIENTATION 7     /**< Body: 4, w x y z. Writable for bodies with a free joint. */
+#define MIMO_BODY_POSITION 6        /**< Body: 3, of its frame's origin, world, m. Writable with a free joint. */
+#define MIMO_BODY_ORIENTATION 7     /**< Body: 4, w x y z. Writable with a free joint. */
 #define MIMO_BODY_VELOCITY 8        /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
-#define MIMO_BODY_FORCE 9           /**< Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable. */
+#define MIMO_BODY_FORCE 9           /**< Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE. */
 #define MIMO_BODY_MASS 10           /**< Body: 1, kg. */
 #define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
 #define MIMO_GEOM_POSITION 12       /**< Geom: 3, world, m. */
@@ -778,7 +795,7 @@ MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIM
 #define MIMO_ACTUATOR_CONTROL 19    /**< Actuator: 1, control input. Writable. */
 #define MIMO_ACTUATOR_FORCE 20      /**< Actuator: 1, N or Nm. */
 #define MIMO_SENSOR_VALUE 21        /**< Sensor: its dimension. */
-#define MIMO_ACTUATOR_GEAR 22       /**< Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable. */
+#define MIMO_ACTUATOR_GEAR 22       /**< Actuator: 1, Nm at control 1; of this world, outlives resets. Writable. */
 
 /** How many of a kind (MIMO_BODY ...) the world has. */
 MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
@@ -816,11 +833,15 @@ MIMO_API mimo_status mimo_env_get(const mimo_env *env, int32_t quantity, const i
 MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
                                   const double *values, size_t value_count) MIMO_NOEXCEPT;
 
-/** Recomputes poses (bodies, geoms, sites, cameras) from the current joint positions. The trajectory stays as it was. */
+/** Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions. The trajectory stays as it was. */
 MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;
 
-#define MIMO_CONTACT_IDS 4     /**< Per contact: geom 1, geom 2, body of geom 1, body of geom 2. */
-#define MIMO_CONTACT_VALUES 19 /**< Per contact: position 3, frame 9 (rows: normal from geom 1 to geom 2, two tangents; world), distance 1 (negative: overlap), force on body 2 in that frame 3, torque 3. */
+#define MIMO_CONTACT_IDS 4 /**< Per contact: geom 1, geom 2, body of geom 1, body of geom 2. */
+/**
+ * Per contact: position 3; frame 9 (rows: normal from geom 1 to geom 2, two tangents; world); distance 1 (negative:
+ * overlap); force on body 2 in that frame 3, torque 3.
+ */
+#define MIMO_CONTACT_VALUES 19
 
 /**
  * The contacts that the last physics step computed (or reset), with their forces.
@@ -855,17 +876,17 @@ MIMO_API mimo_status mimo_env_touch_sensors(const mimo_env *env, size_t agent, i
 /** Where an infant looks. */
 typedef struct mimo_gaze {
   uint32_t struct_size;      /**< sizeof(mimo_gaze), set by the caller. */
-  uint32_t meets;            /**< 1: the lines of sight come closest to each other before both eyes; 0: they lead apart. */
+  uint32_t meets;            /**< 1: the lines of sight come closest before both eyes; 0: they lead apart. */
   double left_position[3];   /**< Of the left eye's camera, world, m. */
   double left_direction[3];  /**< Its line of sight, unit vector, world. */
   double right_position[3];  /**< Of the right eye's camera. */
   double right_direction[3]; /**< Its line of sight. */
   double vergence;           /**< Angle between the lines of sight, rad; negative where they lead apart. */
-  double point[3];           /**< Where they meet: half-way between them where they are closest, world, m; zero if they do not. */
+  double point[3];           /**< Where they meet: half-way where they are closest, world, m; zero if they do not. */
   double miss;               /**< How far they pass each other there, m. */
 } mimo_gaze;
 
-/** Reads where an agent looks, by the poses of its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first. */
+/** Where an agent looks, by its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first. */
 MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze *gaze) MIMO_NOEXCEPT;
 
 #define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
@@ -878,8 +899,8 @@ MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze 
  * control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0.
  * @param point    three numbers, metres, world frame.
  * @param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD.
- * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD swivel
- *                 and tilt of the head before them. May be NULL.
+ * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD
+ *                 swivel and tilt of the head before them. May be NULL.
  * @param angles   receives their angles, rad, cut to the joints' ranges; may be NULL.
  * @param capacity how many joints the arrays have room for.
  * @param count    receives how many there are; may be NULL.
@@ -904,7 +925,7 @@ MIMO_API mimo_status mimo_env_look_at(mimo_env *env, size_t agent, const double 
  * ------------------------------------------------------------------------------------------------- */
 
 #define MIMO_PICTURE_RGBA 0x1u      /**< Four bytes a pixel, the last one 255. */
-#define MIMO_PICTURE_BOTTOM_UP 0x2u /**< Row 0 is the bottom, as textures of OpenGL and Unity have it; also of depth and segmentation. */
+#define MIMO_PICTURE_BOTTOM_UP 0x2u /**< Row 0 is the bottom, as in OpenGL's textures; of depth, too. */
 
 /** What to draw. */
 typedef struct mimo_picture_config {
@@ -940,8 +961,8 @@ MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *c
  * Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it.
  * @param config NULL means defaults, as in mimo_env_render.
  * @param points count x 3, metres, world frame, C order; finite.
- * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's
- *               axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
+ * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the
+ *               camera's axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
  */
 MIMO_API mimo_status mimo_env_project(const mimo_env *env, const mimo_picture_config *config, const double *points,
                                       size_t count, double *pixels) MIMO_NOEXCEPT;
@@ -999,7 +1020,7 @@ MIMO_API mimo_status mimo_env_outcome(const mimo_env *env, size_t agent, uint8_t
  */
 MIMO_API mimo_status mimo_env_set_face(mimo_env *env, size_t agent, const char *name) MIMO_NOEXCEPT;
 
-/** The face that an agent shows. @param name receives a string owned by the environment; "" for a body without faces. */
+/** The face that an agent shows. @param name receives a string owned by the environment; "" where it has no faces. */
 MIMO_API mimo_status mimo_env_face(const mimo_env *env, size_t agent, const char **name) MIMO_NOEXCEPT;
 
 /**
@@ -1069,17 +1090,26 @@ MIMO_API mimo_status mimo_env_clone(const mimo_env *env, mimo_env **clone) MIMO_
 /** Many worlds. Needs itself alone like an environment; its threads are its own business. */
 typedef struct mimo_batch mimo_batch;
 
-#define MIMO_AUTORESET_NONE 0      /**< Worlds go on when an episode has ended, until mimo_batch_reset. */
-#define MIMO_AUTORESET_NEXT_STEP 1 /**< The step after the end of an episode starts a new one, instead of acting: its reward is 0, both flags are 0, its block is that of the reset. */
-#define MIMO_AUTORESET_SAME_STEP 2 /**< The step that ends an episode also starts the next one: reward and flags are of the old episode, the block is of the new one; the last block of the old one goes to final_blocks. */
+#define MIMO_AUTORESET_NONE 0 /**< Worlds go on when an episode has ended, until mimo_batch_reset. */
+/**
+ * The step after the end of an episode starts a new one instead of acting: its reward is 0, both flags are 0, its block
+ * is that of the reset.
+ */
+#define MIMO_AUTORESET_NEXT_STEP 1
+/**
+ * The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is
+ * the first of the new one; the last block of the old one goes to final_blocks.
+ */
+#define MIMO_AUTORESET_SAME_STEP 2
 
 /** How many worlds, and what happens when one's episode ends. Modes are those of Gymnasium's vector environments. */
 typedef struct mimo_batch_config {
   uint32_t struct_size;    /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
   uint32_t worlds;         /**< At least 1. Default 1. */
   uint32_t threads;        /**< 0 (default): as many as the machine has cores; never more than worlds. */
-  int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. An agent whose episode goes on when another's ends is truncated. */
-  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
+  int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
+  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in
+                                the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
   uint32_t reserved;       /**< 0. */
 } mimo_batch_config;
 
@@ -1091,14 +1121,17 @@ MIMO_API mimo_status mimo_batch_config_init(mimo_batch_config *config, size_t si
 
 /**
  * Compiles a scene once and makes worlds of it. Until seeded, world i's random numbers are those of seed i.
- * @param env_config   for all worlds; NULL means defaults. Messages of the worlds are delivered on the thread that calls.
+ * @param env_config   for all worlds; NULL means defaults. Messages of the worlds come on the thread that calls.
  * @param batch_config NULL means defaults.
  * Errors: as mimo_env_create.
  */
 MIMO_API mimo_status mimo_batch_create(const mimo_scene *scene, const mimo_env_config *env_config,
                                        const mimo_batch_config *batch_config, mimo_batch **batch) MIMO_NOEXCEPT;
 
-/** Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and destroyed handles are ignored. */
+/**
+ * Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and
+ * destroyed handles are ignored.
+ */
 MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
 
 /** Number of worlds and of threads; either may be NULL. */
@@ -1148,7 +1181,8 @@ typedef struct mimo_batch_results {
   uint8_t *was_reset;     /**< Per world: 1 when this step started a new episode: the block is its first. */
   uint8_t *final_written; /**< Per world: 1 when its final block was written. */
   size_t worlds;          /**< Length of the three arrays above. */
-  void *final_blocks;     /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows stay as they are. */
+  void *final_blocks;     /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows
+                               stay as they are. */
   size_t final_bytes;     /**< Length, as that of the blocks. */
 } mimo_batch_results;
 
@@ -1157,7 +1191,7 @@ typedef struct mimo_batch_results {
  * @param actions worlds x mimo_env_action_size; NULL with action_count 0 leaves all controls as they are.
  * @param blocks  receives the observations; NULL with block_bytes 0 skips the senses.
  * @param results NULL: not wanted.
- * Errors: those of the first world that did not do what was asked and was not restarted; all others have made their step.
+ * Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on.
  */
 MIMO_API mimo_status mimo_batch_step(mimo_batch *batch, const float *actions, size_t action_count, void *blocks,
                                      size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;
@@ -1237,7 +1271,7 @@ typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, size_t worl
 typedef mimo_status (*mimo_task_evaluate_fn)(void *user, const mimo_env *env, size_t world, size_t agent, void *memory,
                                              double *reward, int32_t *outcome);
 
-/** A task. Worlds of a batch call its functions at the same time, on different threads: what `user` points to is shared. */
+/** A task. Worlds of a batch call its functions at the same time, on several threads: `user` is shared. */
 typedef struct mimo_task {
   uint32_t struct_size;           /**< sizeof(mimo_task), set by mimo_task_init. */
   uint32_t reserved;              /**< 0. */
@@ -1268,13 +1302,13 @@ MIMO_API mimo_status mimo_env_random(mimo_env *env, double *values, size_t count
  *     senses: of the same model in the same state they give the same bytes.
  * ------------------------------------------------------------------------------------------------- */
 
-/** Senses that are attached to a host's model. Needs itself alone; the model and data may be read by others meanwhile. */
+/** Senses that are attached to a host's model. Needs itself alone; others may read model and data meanwhile. */
 typedef struct mimo_senses mimo_senses;
 
 /**
  * Attaches senses to a model.
- * @param scene       describes the agents (mimo_scene_add_agent with body "scene", and a root where it is no infant), their
- *                    skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards.
+ * @param scene       describes the agents (mimo_scene_add_agent with body "scene", and a root where it is no infant),
+ *                    their skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards.
  * @param config      renderer, render, samples, render_threads and log count; NULL means defaults.
  * @param model       the host's mjModel. It outlives the senses and keeps its sizes.
  * @param mujoco_version mj_version() of the host; has to be that of mimo_mujoco_version, 222 for "2.2.2".
@@ -1311,9 +1345,9 @@ MIMO_API mimo_status mimo_senses_touch_sensors(const mimo_senses *senses, size_t
 
 /**
  * Senses what the data hold: after mj_step the fields belong to the times that mimo_field says, after mj_forward all of
- * them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for models
- * with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are those of
- * the last stage.
+ * them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for
+ * models with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are
+ * those of the last stage.
  * @param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped.
  * @param block receives the observation, every byte of it.
  */

@@ -1,5 +1,4 @@
-// Spring-damper muscles: an action is a motor's share of its largest torque, the joints' springs and dampers do the
-// rest.
+// An action is a motor's share of its largest torque; the joints' springs and dampers stand for tissue.
 #pragma once
 
 #include "actuation/actuation.h"

@@ -1,8 +1,7 @@
 // A few threads that share a job: worlds of a batch, or rows of a picture.
 //
-// A pool of our own, because none that Debian has fits: oneTBB and OpenMP are shared by the whole process and would
-// meet the host's (MATLAB and NumPy bring theirs), header-only ones allocate a std::function for every task. All that
-// is needed here is one job at a time, "call this for each of n items", and a hand-over without an allocation.
+// All that is needed is one job at a time, "call this for each of n items", handed over without an allocation. Why no
+// library does it: docs/adr/0008-thread-pool.md.
 #pragma once
 
 #include <atomic>

@@ -18,7 +18,7 @@ class Attached {
   const Layout& layout() const { return observer_.layout(); }
   const std::vector<Perception>& agents() const { return agents_; }
 
-  // What is sensed of data of the model: as they are, so of the last step that its owner made.
+  // What is sensed in data of the model, as they are: of the last step that their owner made.
   void observe(const mjData& data, std::uint8_t* block) const { observer_.observe(*model_, data, block, nullptr); }
 
  private:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "support/block.h"
@@ -29,13 +30,33 @@ TEST(Vestibular, AtRestShowsUp) {
   }
 }
 
-// In free fall there is nothing to feel; springs move the head a little, hence the tolerance.
-TEST(Vestibular, FreeFallFeelsNothing) {
+// Pushes each part of the infant with its mass times an acceleration, so that the body moves as one.
+void push(env::World& world, const Eigen::Vector3d& acceleration) {
+  const mjModel& model = world.model();
+  const int root = model.body_rootid[world.agents()[0].body.head];
+  for (int body = 0; body < model.nbody; ++body) {
+    if (model.body_rootid[body] != root) continue;
+    Eigen::Map<Eigen::Vector3d>(world.physics().data().xfrc_applied + 6 * body) = model.body_mass[body] * acceleration;
+  }
+}
+
+// In free fall there is nothing to feel but what springs and limits move the head by. A push of the whole body comes on
+// top, as seen from the head.
+TEST(Vestibular, FreeFallFeelsNothingButAPush) {
   const auto world = benchmark_world();
   Observation block(*world);
   world->reset(nullptr, block.data());
   const std::vector<double> falling = wide(block["vestibular/acceleration"]);
   EXPECT_LT(std::abs(falling[2]), 0.5);
+
+  const Eigen::Vector3d acceleration(1.5, -2, 3);
+  push(*world, acceleration);
+  world->observe(block.data());
+  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Eigen::Map<const Rows> head(world->data().xmat + 9 * world->agents()[0].body.head);
+  Eigen::Vector3d felt = head.transpose() * acceleration;
+  felt += Eigen::Map<const Eigen::Vector3d>(falling.data());
+  EXPECT_TRUE(close({felt[0], felt[1], felt[2]}, wide(block["vestibular/acceleration"]).data(), {0, 1e-5}));
 }
 
 // The infant turns as a whole: the head turns with it. At qpos0 all frames are the world's.

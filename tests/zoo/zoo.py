@@ -190,11 +190,12 @@ def grouped(pairs):
 
 
 def shortened(message):
-    """A message without what differs from file to file, so that equal reasons are one row."""
+    """A message as code, without what differs from file to file, so that equal reasons are one row."""
     message = re.sub(r"^MIMO_E_\w+: |^Error: |Object name = .*", "", message)
     message = re.sub(r"\S*/packages/\S*/", "", message)
     message = re.sub(r"^\S+\.xml, line \d+: (\w*\s?Error: )?", "", message)
-    return message.strip()[:150].replace("|", "\\|")
+    text = message.strip()[:150].replace("|", "\\|").replace("'", '"')  # doxygen ends code at an apostrophe
+    return f"`{text}`"
 
 
 def tables(visits, expected, versions):

@@ -42,7 +42,7 @@ bool buried(const std::vector<Part>& parts, const Part& own, const Vec3& point) 
   });
 }
 
-// The skin's own directions at a point (see docs/touch.md).
+// The skin's own directions at a point (see docs/guide/touch.md).
 Eigen::Matrix3d skin_frame(const Vec3& normal) {
   const double kNearlyAlong = 0.984807753012208;  // cosine of 10 degrees
   const Vec3 along = std::abs(normal.x()) > kNearlyAlong ? Vec3::UnitY() : Vec3::UnitX();

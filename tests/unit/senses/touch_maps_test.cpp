@@ -155,6 +155,9 @@ TEST(TouchSkin, LeavesOutWhatIsBuried) {
     const Shape box{Shape::Kind::kBox, {0.06, 0.02, 0.02}}, sphere{Shape::Kind::kSphere, {0.05, 0, 0}};
     EXPECT_FALSE(inside(s.geom == 0 ? box : sphere, s.position));
   }
+  // One for each cm^2 of what is not buried: the sphere's 314 less twice the box's end of 16, and of the box two ends
+  // of 16 with four sides of 4 x 1.4 (it leaves the sphere at 4.6 on average).
+  EXPECT_NEAR(count(skin), 314 - 2 * 16 + 2 * (16 + 4 * 4 * 1.4), 0.1 * 359);
 }
 
 TEST(TouchSkin, APointInsideAnotherGeomIsLeftOutAndHidesNothing) {

@@ -10,7 +10,7 @@ pub const MIMO_VERSION_MINOR: u32 = 1;
 pub const MIMO_VERSION_PATCH: u32 = 0;
 #[doc = "Changes when old callers would break; equals the SONAME's number."]
 pub const MIMO_ABI_VERSION: u32 = 0;
-#[doc = "Version of this interface, 0.9: what is declared here. docs/abi.md says what may change."]
+#[doc = "Version of what is declared here, 0.9; docs/abi.md says what may change."]
 pub const MIMO_API_MAJOR: u32 = 0;
 #[doc = "Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`."]
 pub const MIMO_API_MINOR: u32 = 9;
@@ -26,7 +26,7 @@ pub const MIMO_E_BUFFER_TOO_SMALL: i32 = -3;
 pub const MIMO_E_STRUCT_SIZE: i32 = -4;
 #[doc = "No body, joint, scene, file... of that name."]
 pub const MIMO_E_NOT_FOUND: i32 = -5;
-#[doc = "A model does not compile; the message is MuJoCo's."]
+#[doc = "A model does not compile, or asks for too much; see docs/guide/errors.md."]
 pub const MIMO_E_MODEL: i32 = -6;
 #[doc = "The simulation failed or diverged; reset makes the world usable again."]
 pub const MIMO_E_SIMULATION: i32 = -7;
@@ -50,13 +50,13 @@ pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 pub const MIMO_PROPRIOCEPTION_TORQUE: u32 = 2;
 #[doc = "Limit sensors, 1 at a joint's limit."]
 pub const MIMO_PROPRIOCEPTION_LIMIT: u32 = 4;
-#[doc = "Control inputs and motor torques; under position control targets; of muscles activations and forces."]
+#[doc = "Controls and torques of motors, targets, or what muscles do."]
 pub const MIMO_PROPRIOCEPTION_ACTUATION: u32 = 8;
 #[doc = "Torque about each joint's own axis, Nm."]
 pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
 #[doc = "Joint angles, rad."]
 pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
-#[doc = "proprioception/effort, one number: sum of (command^2 * strength) over count and sum of strengths, 0 to 1."]
+#[doc = "proprioception/effort, 0 to 1: see docs/guide/muscles.md."]
 pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
 #[doc = "All but JOINT_TORQUE and EFFORT, as the original."]
 pub const MIMO_PROPRIOCEPTION_DEFAULT: u32 = 47;
@@ -70,11 +70,11 @@ pub const MIMO_VISION_DEPTH: u32 = 2;
 pub const MIMO_VISION_SEGMENTATION: u32 = 4;
 #[doc = "An action is a motor's share of its largest torque."]
 pub const MIMO_ACTUATION_TORQUE: u32 = 0;
-#[doc = "An action is the angle at which a joint is to be, rad; a soft lock takes it there."]
+#[doc = "An action is the angle to which a soft lock takes a joint, rad."]
 pub const MIMO_ACTUATION_POSITION: u32 = 1;
-#[doc = "Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first all\nmuscles that pull to the negative side, \"act:.../negative\", then all that pull to the positive side. Joints lose their\nsprings and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their activation\ntowards the action and pull; the motor's control input then is torque over gear, and a world's own gear makes them\nstronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see models/README.md.\n\nFields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with\nwhich it would pull now."]
+#[doc = "Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first\nall muscles that pull to the negative side, \"act:.../negative\", then all that pull to the positive side. Joints lose\ntheir springs and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their\nactivation towards the action and pull; the motor's control input then is torque over gear, and a world's own gear\nmakes them stronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see\nmodels/README.md.\n\nFields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with\nwhich it would pull now."]
 pub const MIMO_ACTUATION_MUSCLE: u32 = 2;
-#[doc = "The same with MuJoCo's own muscle model: activation rises in 0.01 s and falls in 0.04 s."]
+#[doc = "By MuJoCo's muscle model: activation rises in 0.01 s, falls in 0.04 s."]
 pub const MIMO_ACTUATION_MUJOCO_MUSCLE: u32 = 3;
 #[doc = "Three motors."]
 pub const MIMO_ACT_TRUNK: u32 = 1;
@@ -106,21 +106,21 @@ pub const MIMO_ACT_NONE: u32 = 2147483648;
 pub const MIMO_TOUCH_FORCE: u32 = 1;
 #[doc = "touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE."]
 pub const MIMO_TOUCH_NORMAL_FORCE: u32 = 2;
-#[doc = "touch/slip, N x 2: how what touches slides over the skin, along its tangents, m/s."]
+#[doc = "touch/slip, N x 2: how it slides over the skin, along its tangents, m/s."]
 pub const MIMO_TOUCH_SLIP: u32 = 4;
-#[doc = "touch/friction_use, N x 1: share of the possible friction in use; 1: at its limit."]
+#[doc = "touch/friction_use, N x 1: share of the possible friction in use; 1: all."]
 pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
 #[doc = "The nearest sensor feels all of a touch."]
 pub const MIMO_TOUCH_NEAREST: u32 = 1;
-#[doc = "Weights fall linearly with the distance along the skin, to zero at twice the spacing."]
+#[doc = "Weights fall linearly with the distance along the skin, to 0 at twice the spacing."]
 pub const MIMO_TOUCH_LINEAR: u32 = 2;
-#[doc = "Weights fall as a bell of standard deviation 2/3 spacing, cut off at twice the spacing."]
+#[doc = "Weights fall as a bell of deviation 2/3 spacing, cut off at twice the spacing."]
 pub const MIMO_TOUCH_GAUSSIAN: u32 = 3;
 #[doc = "The frame of the body that the sensor sits on."]
 pub const MIMO_FRAME_BODY: u32 = 1;
 #[doc = "The frame of the world."]
 pub const MIMO_FRAME_WORLD: u32 = 2;
-#[doc = "The frame of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors."]
+#[doc = "Of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors."]
 pub const MIMO_FRAME_SKIN: u32 = 3;
 #[doc = "size: radius."]
 pub const MIMO_SHAPE_SPHERE: u32 = 1;
@@ -142,7 +142,7 @@ pub const MIMO_JACOBIAN_SPARSE: u32 = 2;
 pub const MIMO_DISABLE_CONTACT: u32 = 1;
 #[doc = "No gravity."]
 pub const MIMO_DISABLE_GRAVITY: u32 = 2;
-#[doc = "MuJoCo's mj_step as it is. Else constraints are solved by libmimo where the Jacobian is sparse: the same to rounding, and faster."]
+#[doc = "mj_step as it is, instead of libmimo's solver: same to rounding, slower."]
 pub const MIMO_DISABLE_OWN_SOLVER: u32 = 4;
 #[doc = "Lights cast shadows."]
 pub const MIMO_RENDER_SHADOWS: u32 = 1;
@@ -166,7 +166,7 @@ pub const MIMO_F32: u32 = 3;
 pub const MIMO_F64: u32 = 4;
 #[doc = "Belongs to the end of the step."]
 pub const MIMO_AT_END: u32 = 1;
-#[doc = "Belongs to the start of the last physics step, one time step of the model before the end: 5 ms in built-in scenes."]
+#[doc = "Belongs to the start of the last physics step, one time step before the end."]
 pub const MIMO_AT_LAST_START: u32 = 2;
 #[doc = "Rigid bodies; 0 is the world."]
 pub const MIMO_BODY: u32 = 1;
@@ -192,13 +192,13 @@ pub const MIMO_JOINT_FORCE: u32 = 3;
 pub const MIMO_JOINT_ACCELERATION: u32 = 4;
 #[doc = "Joint: 2, low and high; -inf and inf when not limited."]
 pub const MIMO_JOINT_RANGE: u32 = 5;
-#[doc = "Body: 3, of its frame's origin, world, m. Writable for bodies with a free joint."]
+#[doc = "Body: 3, of its frame's origin, world, m. Writable with a free joint."]
 pub const MIMO_BODY_POSITION: u32 = 6;
-#[doc = "Body: 4, w x y z. Writable for bodies with a free joint."]
+#[doc = "Body: 4, w x y z. Writable with a free joint."]
 pub const MIMO_BODY_ORIENTATION: u32 = 7;
 #[doc = "Body: 6, linear (m/s) of its origin and angular (rad/s), world frame."]
 pub const MIMO_BODY_VELOCITY: u32 = 8;
-#[doc = "Body: 6, force (N) and torque (Nm) at its centre of mass, world frame, applied by you until changed. Writable."]
+#[doc = "Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE."]
 pub const MIMO_BODY_FORCE: u32 = 9;
 #[doc = "Body: 1, kg."]
 pub const MIMO_BODY_MASS: u32 = 10;
@@ -224,11 +224,11 @@ pub const MIMO_ACTUATOR_CONTROL: u32 = 19;
 pub const MIMO_ACTUATOR_FORCE: u32 = 20;
 #[doc = "Sensor: its dimension."]
 pub const MIMO_SENSOR_VALUE: u32 = 21;
-#[doc = "Actuator: 1, torque at control input 1, Nm; in this world only, outlives resets. Writable."]
+#[doc = "Actuator: 1, Nm at control 1; of this world, outlives resets. Writable."]
 pub const MIMO_ACTUATOR_GEAR: u32 = 22;
 #[doc = "Per contact: geom 1, geom 2, body of geom 1, body of geom 2."]
 pub const MIMO_CONTACT_IDS: u32 = 4;
-#[doc = "Per contact: position 3, frame 9 (rows: normal from geom 1 to geom 2, two tangents; world), distance 1 (negative: overlap), force on body 2 in that frame 3, torque 3."]
+#[doc = "Per contact: position 3; frame 9 (rows: normal from geom 1 to geom 2, two tangents; world); distance 1 (negative:\noverlap); force on body 2 in that frame 3, torque 3."]
 pub const MIMO_CONTACT_VALUES: u32 = 19;
 #[doc = "Per sensor: outward normal 3, first tangent 3, second tangent 3; body frame."]
 pub const MIMO_TOUCH_FRAME_VALUES: u32 = 9;
@@ -240,13 +240,13 @@ pub const MIMO_LOOK_HEAD: u32 = 1;
 pub const MIMO_LOOK_JOINTS: u32 = 8;
 #[doc = "Four bytes a pixel, the last one 255."]
 pub const MIMO_PICTURE_RGBA: u32 = 1;
-#[doc = "Row 0 is the bottom, as textures of OpenGL and Unity have it; also of depth and segmentation."]
+#[doc = "Row 0 is the bottom, as in OpenGL's textures; of depth, too."]
 pub const MIMO_PICTURE_BOTTOM_UP: u32 = 2;
 #[doc = "Worlds go on when an episode has ended, until mimo_batch_reset."]
 pub const MIMO_AUTORESET_NONE: u32 = 0;
-#[doc = "The step after the end of an episode starts a new one, instead of acting: its reward is 0, both flags are 0, its block is that of the reset."]
+#[doc = "The step after the end of an episode starts a new one instead of acting: its reward is 0, both flags are 0, its block\nis that of the reset."]
 pub const MIMO_AUTORESET_NEXT_STEP: u32 = 1;
-#[doc = "The step that ends an episode also starts the next one: reward and flags are of the old episode, the block is of the new one; the last block of the old one goes to final_blocks."]
+#[doc = "The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is\nthe first of the new one; the last block of the old one goes to final_blocks."]
 pub const MIMO_AUTORESET_SAME_STEP: u32 = 2;
 #[doc = "The episode goes on."]
 pub const MIMO_OUTCOME_NONE: u32 = 0;
@@ -275,18 +275,20 @@ extern "C" {
     pub fn mimo_status_name(status: mimo_status) -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "What the last failed call on this thread complained about, one line, never NULL, \"\" if nothing failed yet."]
-    #[doc = "The string belongs to the library and is valid until the next failing call on the same thread. Calls that"]
-    #[doc = "succeed, and the destroy functions, leave it alone. Within a function of your own task it is \"\" at first, and what fails"]
-    #[doc = "there is not seen outside, unless the task fails with it. Messages are UTF-8."]
+    #[doc = "What the last failed call on this thread complained about, one line, never NULL, \"\" if nothing failed yet. The string"]
+    #[doc = "belongs to the library and is valid until the next failing call on the same thread. Calls that succeed, and the"]
+    #[doc = "destroy functions, leave it alone. Within a function of your own task it is \"\" at first, and what fails there is not"]
+    #[doc = "seen outside, unless the task fails with it. Messages are UTF-8."]
     pub fn mimo_last_error() -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "What the last failed call that was given this handle first complained about: for runtimes that move work from thread to"]
-    #[doc = "thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their scene."]
-    #[doc = "mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and mimo_last_error."]
+    #[doc = "What the last failed call that was given this handle first complained about: for runtimes that move work from thread"]
+    #[doc = "to thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their"]
+    #[doc = "scene. mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and"]
+    #[doc = "mimo_last_error."]
     #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses."]
-    #[doc = "@param text     receives the message, zero-terminated, \"\" if nothing failed yet; NULL with capacity 0 asks for its length only."]
+    #[doc = "@param text     receives the message, zero-terminated, \"\" if nothing failed yet; NULL with capacity 0 asks for its"]
+    #[doc = "                length only."]
     #[doc = "@param capacity 1024 bytes are enough for any message."]
     #[doc = "@param length   receives the length without the terminating zero; may be NULL."]
     #[doc = "Errors: as everywhere, but they change no handle's message. Any thread may ask, also while others use the handle."]
@@ -351,7 +353,8 @@ pub struct mimo_scene_config {
     pub max_iterations: u64,
     #[doc = "What the buffers of one world may need, as estimated. Default 4294967296."]
     pub max_world_bytes: u64,
-    #[doc = "1: includes and assets must lie in the folder of the document that names them, or below; 0: anywhere."]
+    #[doc = "1: includes and assets must lie in the folder of the document that names them, or"]
+    #[doc = "below; 0: anywhere."]
     pub confined: u32,
     #[doc = "0."]
     pub limits_reserved: u32,
@@ -386,8 +389,9 @@ extern "C" {
     pub fn mimo_scene_set_room(scene: *mut mimo_scene, name: *const std::os::raw::c_char) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\", \"surprise\","]
-    #[doc = "\"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named \"mimo_face_<name>\"."]
+    #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\","]
+    #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named"]
+    #[doc = "\"mimo_face_<name>\"."]
     pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
 }
 #[doc = "One agent: where it is, what it senses, what of it acts. Mostly an infant; with `root` any part of a model that"]
@@ -403,13 +407,14 @@ extern "C" {
 pub struct mimo_agent_config {
     #[doc = "sizeof(mimo_agent_config), set by mimo_agent_config_init."]
     pub struct_size: u32,
-    #[doc = "1: position and orientation below count; 0: the scene's own place for an infant, see mimo_scene_add_agent."]
+    #[doc = "1: position and orientation below count; 0: the scene's own place for an infant."]
     pub place_given: u32,
     #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the body is part of the scene's MJCF."]
+    #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the"]
+    #[doc = "body is part of the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
-    #[doc = "Of the root body mimo_location, metres, world frame. The soles of who stands are 0.33 below."]
+    #[doc = "Of the root body mimo_location, m, world frame; standing soles are 0.33 below."]
     pub position: [f64; 3usize],
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
@@ -431,25 +436,26 @@ pub struct mimo_agent_config {
     pub vision_fovy: f64,
     #[doc = "MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice."]
     pub acts: u32,
-    #[doc = "1: all actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
+    #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
     pub normalize_actions: u32,
     #[doc = "MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE."]
     pub touch: u32,
-    #[doc = "MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much of a touch."]
+    #[doc = "MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much."]
     pub touch_response: i32,
     #[doc = "MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components."]
     pub touch_frame: i32,
     #[doc = "0."]
     pub touch_reserved: u32,
-    #[doc = "Divides the usual distances between sensors: 2 makes about 4 times as many. Default 1."]
+    #[doc = "Divides the usual distances between sensors: 2 makes 4 times as many. Default 1."]
     pub touch_scale: f64,
     #[doc = "Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005."]
     pub touch_slip_threshold: f64,
     #[doc = "The face that it shows at first, see mimo_face_name; NULL: neutral."]
     pub face: *const std::os::raw::c_char,
-    #[doc = "With body \"scene\": the body of the model that the agent consists of, with all below it; \"world\": everything. NULL: an infant."]
+    #[doc = "With body \"scene\": the body of the model that the agent consists of, with all below"]
+    #[doc = "it; \"world\": everything. NULL: an infant."]
     pub root: *const std::os::raw::c_char,
-    #[doc = "Site or body whose motion the vestibular sense feels, in its frame; NULL: the infant's head."]
+    #[doc = "Site or body whose motion the vestibular sense feels; NULL: the infant's head."]
     pub vestibular_at: *const std::os::raw::c_char,
 }
 extern "C" {
@@ -458,9 +464,10 @@ extern "C" {
     pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position"]
-    #[doc = "and orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,"]
-    #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as mimo_agent_config_init."]
+    #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
+    #[doc = "orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,"]
+    #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as"]
+    #[doc = "mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(
         scene: *const mimo_scene,
@@ -472,16 +479,16 @@ extern "C" {
     #[doc = "Adds an infant."]
     #[doc = ""]
     #[doc = "In a scene that names no place for its first infant and where none is given, it stands on what stands still at the"]
-    #[doc = "origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to 4 m"]
-    #[doc = "away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place, or"]
-    #[doc = "finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log."]
+    #[doc = "origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to"]
+    #[doc = "4 m away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place,"]
+    #[doc = "or finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log."]
     #[doc = "@param config NULL means the scene's own, see mimo_scene_default_agent."]
     #[doc = "@param agent  receives its number, 0 for the first; may be NULL."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five"]
-    #[doc = "fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several agents,"]
-    #[doc = "and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where its compiler"]
-    #[doc = "settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a composite, and for"]
-    #[doc = "global coordinates."]
+    #[doc = "fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several"]
+    #[doc = "agents, and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where"]
+    #[doc = "its compiler settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a"]
+    #[doc = "composite, and for global coordinates."]
     pub fn mimo_scene_add_agent(
         scene: *mut mimo_scene,
         config: *const mimo_agent_config,
@@ -489,8 +496,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Adds all infants that the scene names (its MJCF's custom text \"mimo:infants\", \"anna ben\"), each at a place of its own;"]
-    #[doc = "in a scene that names none a single one."]
+    #[doc = "Adds all infants that the scene names (its MJCF's custom text \"mimo:infants\", \"anna ben\"), each at a place of its"]
+    #[doc = "own; in a scene that names none a single one."]
     #[doc = "@param config what they have in common; a name only where the scene gives none, a place only where there is just one."]
     #[doc = "              NULL: the scene's own, see mimo_scene_default_agent."]
     #[doc = "@param count  receives how many were added; may be NULL."]
@@ -533,13 +540,16 @@ extern "C" {
 pub struct mimo_limits {
     #[doc = "sizeof(mimo_limits), set by mimo_limits_init."]
     pub struct_size: u32,
-    #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began with. Default 0."]
+    #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began"]
+    #[doc = "with. Default 0."]
     pub delay: u32,
     #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
     pub gain: f64,
-    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit (colours: levels of 255). Default 0."]
+    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit"]
+    #[doc = "(colours: levels of 255). Default 0."]
     pub noise: f64,
-    #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0 (default): sharp. 0.05 to 1000."]
+    #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0"]
+    #[doc = "(default): sharp. 0.05 to 1000."]
     pub blur: f64,
 }
 extern "C" {
@@ -608,7 +618,7 @@ pub struct mimo_model_config {
     pub struct_size: u32,
     #[doc = "1: it gets no free joint; 0: it moves freely, unless its body has joints of its own."]
     pub fixed: u32,
-    #[doc = "Needed: letters, digits, '_', '-' and '.'. All names in the document get it and '/' before them."]
+    #[doc = "Needed: letters, digits, '_', '-', '.'. Goes with '/' before all names in the document."]
     pub name: *const std::os::raw::c_char,
     #[doc = "Path of an MJCF file; what it includes and its meshes lie relative to its folder."]
     pub file: *const std::os::raw::c_char,
@@ -628,14 +638,14 @@ extern "C" {
     #[doc = "Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,"]
     #[doc = "equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,"]
     #[doc = "\"cup/handle\", so the same document may be added often; the free joint, and a body without a name, have the object's."]
-    #[doc = "Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits"]
-    #[doc = "are converted to the scene's settings."]
-    #[doc = "What else stands in its worldbody (floor, lights) does not come along, nor do its solver options, keyframes, sizes and"]
-    #[doc = "visual settings: there the scene's count. Nor do keyframes of the scene stay: they are positions of other joints."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just one"]
-    #[doc = "body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...); MIMO_E_UNSUPPORTED"]
-    #[doc = "for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT for a name in use, and"]
-    #[doc = "for fixed = 1 where the body has a free joint."]
+    #[doc = "Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits are"]
+    #[doc = "converted to the scene's settings. What else stands in its worldbody (floor, lights) does not come along, nor do its"]
+    #[doc = "solver options, keyframes, sizes and visual settings: there the scene's count. Nor do keyframes of the scene stay:"]
+    #[doc = "they are positions of other joints."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just"]
+    #[doc = "one body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...);"]
+    #[doc = "MIMO_E_UNSUPPORTED for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT"]
+    #[doc = "for a name in use, and for fixed = 1 where the body has a free joint."]
     pub fn mimo_scene_add_model(scene: *mut mimo_scene, config: *const mimo_model_config) -> mimo_status;
 }
 extern "C" {
@@ -653,8 +663,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the locks"]
-    #[doc = "of the joints that it moves."]
+    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the"]
+    #[doc = "locks of the joints that it moves."]
     #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
     #[doc = "@param value rad or m, within the joint's range."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has."]
@@ -675,7 +685,7 @@ extern "C" {
         value: f64,
     ) -> mimo_status;
 }
-#[doc = "A camera whose pictures are fields of the observation: \"vision/NAME\", \"vision/NAME_depth\", \"vision/NAME_segmentation\"."]
+#[doc = "A camera whose pictures are fields: \"vision/NAME\", \"vision/NAME_depth\", \"vision/NAME_segmentation\"."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_camera_config {
@@ -683,7 +693,8 @@ pub struct mimo_camera_config {
     pub struct_size: u32,
     #[doc = "MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB."]
     pub outputs: u32,
-    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name of a new one."]
+    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name of"]
+    #[doc = "a new one."]
     pub name: *const std::os::raw::c_char,
     #[doc = "Pixels, 1 to 4096. Default 256."]
     pub width: u32,
@@ -699,11 +710,12 @@ pub struct mimo_camera_config {
     pub body: *const std::os::raw::c_char,
     #[doc = "Where it is, metres, in the frame of the body."]
     pub position: [f64; 3usize],
-    #[doc = "The point in the middle of its picture, metres, in the frame of the body, whose z axis points up in the picture."]
+    #[doc = "The point in the middle of its picture, metres, in the frame of the body, whose z axis"]
+    #[doc = "points up in the picture."]
     pub look_at: [f64; 3usize],
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: an existing camera without a name; a new one would look from (1.5, 0, 0.8) at (0, 0, 0.4)."]
+    #[doc = "Fills a config with defaults: a camera of the model, no name yet; a new one looks from (1.5, 0, 0.8) at (0, 0, 0.4)."]
     #[doc = "@param size sizeof(mimo_camera_config) as the caller knows it."]
     pub fn mimo_camera_config_init(config: *mut mimo_camera_config, size: usize) -> mimo_status;
 }
@@ -717,8 +729,8 @@ extern "C" {
 extern "C" {
     #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
     #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
-    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the scene"]
-    #[doc = "        does not compile."]
+    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the"]
+    #[doc = "        scene does not compile."]
     #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only."]
     #[doc = "@param length receives the length without the terminating zero; may be NULL."]
     pub fn mimo_scene_xml(
@@ -729,11 +741,11 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all textures,"]
-    #[doc = "meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
+    #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all"]
+    #[doc = "textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
     #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for"]
-    #[doc = "        one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND"]
+    #[doc = "        for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
     pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
 extern "C" {
@@ -756,7 +768,7 @@ pub struct mimo_parameter {
     pub standard: f64,
     #[doc = "Smallest allowed value."]
     pub low: f64,
-    #[doc = "Largest allowed value. Parameters from 0 to 1 may be switches; the description says so."]
+    #[doc = "Largest allowed value. From 0 to 1 it may be a switch; the description says so."]
     pub high: f64,
 }
 extern "C" {
@@ -796,15 +808,17 @@ pub struct mimo_env {
 pub struct mimo_env_config {
     #[doc = "sizeof(mimo_env_config), set by mimo_env_config_init."]
     pub struct_size: u32,
-    #[doc = "Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms in built-in scenes. Default 0: the scene's own, mostly 2."]
+    #[doc = "Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms"]
+    #[doc = "in built-in scenes. Default 0: the scene's own, mostly 2."]
     pub frame_skip: u32,
     #[doc = "A MIMO_JACOBIAN_ constant."]
     pub jacobian: i32,
     #[doc = "MIMO_DISABLE_ bits."]
     pub disable: u32,
-    #[doc = "\"ray\" (our own, on the CPU), \"osmesa\" (MuJoCo's), \"auto\" (default): ray where the scene allows, else osmesa; or \"none\": then eyes must be off."]
+    #[doc = "\"ray\" (our own, on the CPU), \"osmesa\" (MuJoCo's), \"auto\" (default): ray where the scene"]
+    #[doc = "allows, else osmesa; or \"none\": then eyes must be off."]
     pub renderer: *const std::os::raw::c_char,
-    #[doc = "Steps after which an episode is truncated; 0: the task's own (its parameter episode_steps)."]
+    #[doc = "Steps after which an episode is truncated; 0: the task's parameter episode_steps."]
     pub max_steps: u32,
     #[doc = "1: mimo_env_timing counts; costs a few clock reads a step."]
     pub timing: u32,
@@ -814,11 +828,13 @@ pub struct mimo_env_config {
     pub log_user: *mut std::os::raw::c_void,
     #[doc = "See mimo_task_name; NULL: the scene's own. Every agent has the task for itself."]
     pub task: *const std::os::raw::c_char,
-    #[doc = "MIMO_RENDER_ bits: what pictures show. What is left out costs nothing. Default MIMO_RENDER_DEFAULT."]
+    #[doc = "MIMO_RENDER_ bits (_DEFAULT): what pictures show. What is left out costs nothing."]
     pub render: u32,
-    #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or what the model tells OSMesa."]
+    #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or"]
+    #[doc = "what the model tells OSMesa."]
     pub samples: u32,
-    #[doc = "Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them. Pictures do not differ. Default 1; best so in batches, whose worlds are drawn side by side."]
+    #[doc = "Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them."]
+    #[doc = "Pictures do not differ. Default 1, which is best in batches."]
     pub render_threads: u32,
     #[doc = "0."]
     pub reserved: u32,
@@ -833,7 +849,7 @@ extern "C" {
     #[doc = "Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched."]
     #[doc = "@param scene  is not needed any more afterwards."]
     #[doc = "@param config NULL means defaults."]
-    #[doc = "Errors: MIMO_E_MODEL with MuJoCo's message; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on"]
+    #[doc = "Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on"]
     #[doc = "        and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another"]
     #[doc = "        version lies in the program's global scope."]
     pub fn mimo_env_create(
@@ -1091,7 +1107,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the current joint positions. The trajectory stays as it was."]
+    #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions. The trajectory stays as it was."]
     pub fn mimo_env_update(env: *mut mimo_env) -> mimo_status;
 }
 extern "C" {
@@ -1138,7 +1154,7 @@ extern "C" {
 pub struct mimo_gaze {
     #[doc = "sizeof(mimo_gaze), set by the caller."]
     pub struct_size: u32,
-    #[doc = "1: the lines of sight come closest to each other before both eyes; 0: they lead apart."]
+    #[doc = "1: the lines of sight come closest before both eyes; 0: they lead apart."]
     pub meets: u32,
     #[doc = "Of the left eye's camera, world, m."]
     pub left_position: [f64; 3usize],
@@ -1150,13 +1166,13 @@ pub struct mimo_gaze {
     pub right_direction: [f64; 3usize],
     #[doc = "Angle between the lines of sight, rad; negative where they lead apart."]
     pub vergence: f64,
-    #[doc = "Where they meet: half-way between them where they are closest, world, m; zero if they do not."]
+    #[doc = "Where they meet: half-way where they are closest, world, m; zero if they do not."]
     pub point: [f64; 3usize],
     #[doc = "How far they pass each other there, m."]
     pub miss: f64,
 }
 extern "C" {
-    #[doc = "Reads where an agent looks, by the poses of its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first."]
+    #[doc = "Where an agent looks, by its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first."]
     pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
 }
 extern "C" {
@@ -1164,8 +1180,8 @@ extern "C" {
     #[doc = "control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0."]
     #[doc = "@param point    three numbers, metres, world frame."]
     #[doc = "@param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD."]
-    #[doc = "@param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD swivel"]
-    #[doc = "                and tilt of the head before them. May be NULL."]
+    #[doc = "@param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD"]
+    #[doc = "                swivel and tilt of the head before them. May be NULL."]
     #[doc = "@param angles   receives their angles, rad, cut to the joints' ranges; may be NULL."]
     #[doc = "@param capacity how many joints the arrays have room for."]
     #[doc = "@param count    receives how many there are; may be NULL."]
@@ -1246,8 +1262,8 @@ extern "C" {
     #[doc = "Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it."]
     #[doc = "@param config NULL means defaults, as in mimo_env_render."]
     #[doc = "@param points count x 3, metres, world frame, C order; finite."]
-    #[doc = "@param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the camera's"]
-    #[doc = "              axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing."]
+    #[doc = "@param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the"]
+    #[doc = "              camera's axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing."]
     pub fn mimo_env_project(
         env: *const mimo_env,
         config: *const mimo_picture_config,
@@ -1329,7 +1345,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" for a body without faces."]
+    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" where it has no faces."]
     pub fn mimo_env_face(
         env: *const mimo_env,
         agent: usize,
@@ -1413,9 +1429,10 @@ pub struct mimo_batch_config {
     pub worlds: u32,
     #[doc = "0 (default): as many as the machine has cores; never more than worlds."]
     pub threads: u32,
-    #[doc = "A MIMO_AUTORESET_ constant. An agent whose episode goes on when another's ends is truncated."]
+    #[doc = "A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated."]
     pub autoreset: i32,
-    #[doc = "1: a world whose simulation fails starts a new episode, as after an end (with NONE: in the same step). 0: it stays failed until mimo_batch_reset or a state is loaded."]
+    #[doc = "1: a world whose simulation fails starts a new episode, as after an end (with NONE: in"]
+    #[doc = "the same step). 0: it stays failed until mimo_batch_reset or a state is loaded."]
     pub restart_failed: u32,
     #[doc = "0."]
     pub reserved: u32,
@@ -1427,7 +1444,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Compiles a scene once and makes worlds of it. Until seeded, world i's random numbers are those of seed i."]
-    #[doc = "@param env_config   for all worlds; NULL means defaults. Messages of the worlds are delivered on the thread that calls."]
+    #[doc = "@param env_config   for all worlds; NULL means defaults. Messages of the worlds come on the thread that calls."]
     #[doc = "@param batch_config NULL means defaults."]
     #[doc = "Errors: as mimo_env_create."]
     pub fn mimo_batch_create(
@@ -1438,7 +1455,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and destroyed handles are ignored."]
+    #[doc = "Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and"]
+    #[doc = "destroyed handles are ignored."]
     pub fn mimo_batch_destroy(batch: *mut mimo_batch);
 }
 extern "C" {
@@ -1506,7 +1524,8 @@ pub struct mimo_batch_results {
     pub final_written: *mut u8,
     #[doc = "Length of the three arrays above."]
     pub worlds: usize,
-    #[doc = "With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows stay as they are."]
+    #[doc = "With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows"]
+    #[doc = "stay as they are."]
     pub final_blocks: *mut std::os::raw::c_void,
     #[doc = "Length, as that of the blocks."]
     pub final_bytes: usize,
@@ -1516,7 +1535,7 @@ extern "C" {
     #[doc = "@param actions worlds x mimo_env_action_size; NULL with action_count 0 leaves all controls as they are."]
     #[doc = "@param blocks  receives the observations; NULL with block_bytes 0 skips the senses."]
     #[doc = "@param results NULL: not wanted."]
-    #[doc = "Errors: those of the first world that did not do what was asked and was not restarted; all others have made their step."]
+    #[doc = "Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on."]
     pub fn mimo_batch_step(
         batch: *mut mimo_batch,
         actions: *const f32,
@@ -1644,7 +1663,7 @@ pub type mimo_task_evaluate_fn = ::std::option::Option<
         outcome: *mut i32,
     ) -> mimo_status,
 >;
-#[doc = "A task. Worlds of a batch call its functions at the same time, on different threads: what `user` points to is shared."]
+#[doc = "A task. Worlds of a batch call its functions at the same time, on several threads: `user` is shared."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task {
@@ -1675,7 +1694,7 @@ extern "C" {
     #[doc = "Numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream."]
     pub fn mimo_env_random(env: *mut mimo_env, values: *mut f64, count: usize) -> mimo_status;
 }
-#[doc = "Senses that are attached to a host's model. Needs itself alone; the model and data may be read by others meanwhile."]
+#[doc = "Senses that are attached to a host's model. Needs itself alone; others may read model and data meanwhile."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_senses {
@@ -1683,8 +1702,8 @@ pub struct mimo_senses {
 }
 extern "C" {
     #[doc = "Attaches senses to a model."]
-    #[doc = "@param scene       describes the agents (mimo_scene_add_agent with body \"scene\", and a root where it is no infant), their"]
-    #[doc = "                   skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards."]
+    #[doc = "@param scene       describes the agents (mimo_scene_add_agent with body \"scene\", and a root where it is no infant),"]
+    #[doc = "                   their skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards."]
     #[doc = "@param config      renderer, render, samples, render_threads and log count; NULL means defaults."]
     #[doc = "@param model       the host's mjModel. It outlives the senses and keeps its sizes."]
     #[doc = "@param mujoco_version mj_version() of the host; has to be that of mimo_mujoco_version, 222 for \"2.2.2\"."]
@@ -1748,9 +1767,9 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Senses what the data hold: after mj_step the fields belong to the times that mimo_field says, after mj_forward all of"]
-    #[doc = "them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for models"]
-    #[doc = "with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are those of"]
-    #[doc = "the last stage."]
+    #[doc = "them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for"]
+    #[doc = "models with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are"]
+    #[doc = "those of the last stage."]
     #[doc = "@param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped."]
     #[doc = "@param block receives the observation, every byte of it."]
     pub fn mimo_senses_observe(
