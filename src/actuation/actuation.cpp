@@ -23,6 +23,22 @@ void Actuation::apply(Span<const float> actions, engine::Physics& physics) {
   }
 }
 
+Feedback Actuation::feedback(const mjModel& model, const body::Body& body, const Options& options) const {
+  Feedback feedback;
+  if (options.felt) feedback = feel(model, body);
+  if (!options.effort) return feedback;
+  observation::Field field;
+  field.name = "proprioception/effort";
+  field.shape = {1};
+  field.time = observation::Time::kEnd;
+  field.low = 0;
+  field.labels = {"effort"};
+  feedback.exertion.push_back({field, [this](const mjModel& model_now, const mjData& data, float* out) {
+                                 *out = static_cast<float>(effort(model_now, data));
+                               }});
+  return feedback;
+}
+
 std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& agent, const Options& options) {
   body::Body body = agent;
   if (options.none) body.actuators.clear();

@@ -5,23 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "actuation/feedback.h"
 #include "base/bytes.h"
 #include "base/span.h"
 #include "body/body.h"
-#include "senses/sense.h"
 
 namespace mimo::actuation {
 
 // As mimo.h numbers them (MIMO_ACTUATION_...).
 enum class Mode : int { kTorque = 0, kPosition = 1, kMuscle = 2, kMujocoMuscle = 3 };
 
-// Muscles have fields of their own, see Actuation::fields.
 inline bool is_muscle(Mode mode) { return mode == Mode::kMuscle || mode == Mode::kMujocoMuscle; }
 
 struct Options {
   Mode mode = Mode::kTorque;
   bool normalize = false;  // actions from -1 to 1 are mapped to the bounds, linearly
   bool none = false;       // the agent leaves its actuators to others
+  bool felt = true;        // the agent senses its commands
+  bool effort = false;     // and what they cost
 };
 
 class Actuation {
@@ -45,9 +46,8 @@ class Actuation {
 
   // What the present commands cost, 0 to 1: their squares, weighted by the strength of the motors.
   virtual double effort(const mjModel& model, const mjData& data) const = 0;
-  // What the infant feels of its commands beyond what physics tells: fields, and their values now.
-  virtual std::vector<senses::Field> fields(const mjModel&) const { return {}; }
-  virtual void feel(const mjData&, std::size_t /*field*/, float* /*out*/) const {}
+  // What the options want the agent to feel of its commands. This object outlives it.
+  Feedback feedback(const mjModel& model, const body::Body& body, const Options& options) const;
 
   // What it remembers beside the physics: always the same number of bytes. A load that throws may leave it half
   // loaded; the world then loads what was there before.
@@ -60,6 +60,8 @@ class Actuation {
   void add(std::string name, double low, double high);
 
  private:
+  // All that there is to feel, of all actuators of a body: also of those that are left to others.
+  virtual Feedback feel(const mjModel& model, const body::Body& body) const = 0;
   virtual void command(std::size_t index, double value, engine::Physics& physics) = 0;
 
   struct Range {

@@ -1,20 +1,19 @@
-// What an infant feels of its own commands: what its actuation has to tell, and how much effort they cost.
+// What an infant feels of its own commands.
 #pragma once
 
-#include "actuation/actuation.h"
+#include <vector>
+
+#include "body/body.h"
+#include "observation/signals.h"
 
 namespace mimo::actuation {
 
-class Feedback : public senses::Sense {
- public:
-  // The actuation outlives it.
-  Feedback(const mjModel& model, const Actuation& actuation, bool own_fields, bool effort);
-  senses::Part part() const override { return senses::Part::kProprioception; }
-  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
-
- private:
-  const Actuation& actuation_;
-  std::size_t own_ = 0;  // fields of the actuation, which come first
+struct Feedback {
+  std::vector<observation::Signal> commands;  // what its motors are told; a part of proprioception
+  std::vector<observation::Signal> exertion;  // how its muscles work, and what that costs; after all other senses
 };
+
+// A field with one number for each of some actuators.
+observation::Field actuator_field(const mjModel& model, const std::vector<int>& actuators, const char* name);
 
 }  // namespace mimo::actuation

@@ -107,26 +107,25 @@ double Muscle::effort(const mjModel&, const mjData&) const {
   return most > 0 ? spent / (static_cast<double>(size()) * most) : 0;
 }
 
-std::vector<senses::Field> Muscle::fields(const mjModel&) const {
-  senses::Field activation;
+Feedback Muscle::feel(const mjModel&, const body::Body&) const {
+  observation::Field activation;
   activation.name = "proprioception/activation";
   activation.shape = {size()};
   activation.frame = "actuator";
-  activation.time = senses::Time::kEnd;
+  activation.time = observation::Time::kEnd;
   activation.low = 0;
   activation.high = 1;
   activation.labels = names();
-  senses::Field force = activation;
-  force.name = "proprioception/muscle_force";
-  force.high = std::numeric_limits<double>::infinity();
-  return {activation, force};
-}
-
-void Muscle::feel(const mjData& data, std::size_t field, float* out) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    const Joint& joint = joints_[i % joints_.size()];
-    out[i] = static_cast<float>(field == 0 ? side(i).activation : force(joint, side(i), data));
-  }
+  observation::Field strength = activation;
+  strength.name = "proprioception/muscle_force";
+  strength.high = std::numeric_limits<double>::infinity();
+  const auto activations = [this](const mjModel&, const mjData&, float* out) {
+    for (std::size_t i = 0; i < size(); ++i) out[i] = static_cast<float>(side(i).activation);
+  };
+  const auto forces = [this](const mjModel&, const mjData& data, float* out) {
+    for (std::size_t i = 0; i < size(); ++i) out[i] = static_cast<float>(force(joint(i), side(i), data));
+  };
+  return {{}, {{activation, activations}, {strength, forces}}};
 }
 
 void Muscle::save(ByteWriter& to) const {

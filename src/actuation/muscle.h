@@ -18,8 +18,6 @@ class Muscle : public Actuation {
   void reset(engine::Physics& physics) override;
   void advance(engine::Physics& physics) override;
   double effort(const mjModel& model, const mjData& data) const override;
-  std::vector<senses::Field> fields(const mjModel& model) const override;
-  void feel(const mjData& data, std::size_t field, float* out) const override;
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
 
@@ -51,7 +49,9 @@ class Muscle : public Actuation {
   // What it pulls with, in torque per unit of slope.
   virtual double force(const Side& side, double length, double velocity, double fastest) const = 0;
 
+  Feedback feel(const mjModel& model, const body::Body& body) const override;
   void command(std::size_t index, double value, engine::Physics& physics) override;
+  const Joint& joint(std::size_t action) const { return joints_[action % joints_.size()]; }
   double force(const Joint& joint, const Side& side, const mjData& data) const;
   Side& side(std::size_t action) { return joints_[action % joints_.size()].sides[action / joints_.size()]; }
   const Side& side(std::size_t action) const { return const_cast<Muscle*>(this)->side(action); }

@@ -7,16 +7,26 @@
 
 namespace mimo::actuation {
 
+namespace {
+
 using engine::Kind;
 
+std::vector<body::Motor> motors_with_locks(const mjModel& model, const body::Body& body) {
+  std::vector<body::Motor> motors = body::motors(model, body);
+  for (const body::Motor& motor : motors) {
+    if (motor.lock >= 0) continue;
+    fail(Status::kUnsupported, "position control: joint {} of {} has no equality that could hold it",
+         engine::name(model, Kind::kJoint, motor.joint.id), engine::name(model, Kind::kActuator, motor.id));
+  }
+  return motors;
+}
+
+}  // namespace
+
 Position::Position(const mjModel& model, const body::Body& body, bool normalize)
-    : Actuation(normalize), motors_(body::motors(model, body)) {
+    : Actuation(normalize), motors_(motors_with_locks(model, body)) {
   for (const body::Motor& motor : motors_) {
     const char* name = engine::name(model, Kind::kActuator, motor.id);
-    if (motor.lock < 0) {
-      fail(Status::kUnsupported, "position control: joint {} of {} has no equality that could hold it",
-           engine::name(model, Kind::kJoint, motor.joint.id), name);
-    }
     if (!std::isfinite(motor.joint.low)) {
       fail(Status::kUnsupported, "position control: joint {} of {} has no range",
            engine::name(model, Kind::kJoint, motor.joint.id), name);
@@ -31,6 +41,23 @@ void Position::reset(engine::Physics& physics) {
 
 bool Position::holds(int lock) const {
   return std::any_of(motors_.begin(), motors_.end(), [=](const body::Motor& motor) { return motor.lock == lock; });
+}
+
+Feedback Position::feel(const mjModel& model, const body::Body& body) const {
+  std::vector<body::Joint> joints;
+  std::vector<int> locks;
+  for (const body::Motor& motor : motors_with_locks(model, body)) {
+    joints.push_back(motor.joint);
+    locks.push_back(motor.lock);
+  }
+  observation::Field field = actuator_field(model, body.actuators, "target");
+  field.unit = body::units_of(model, joints).position;
+  field.frame = "joint";
+  return {{{field,
+            [locks](const mjModel& now, const mjData&, float* out) {
+              for (const int lock : locks) *out++ = static_cast<float>(engine::lock_angle(now, lock));
+            }}},
+          {}};
 }
 
 void Position::command(std::size_t index, double value, engine::Physics& physics) {

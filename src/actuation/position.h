@@ -17,6 +17,8 @@ class Position : public Actuation {
   double effort(const mjModel&, const mjData&) const override { return 0; }
 
  private:
+  // The angles at which joints are held.
+  Feedback feel(const mjModel& model, const body::Body& body) const override;
   void command(std::size_t index, double value, engine::Physics& physics) override;
 
   std::vector<body::Motor> motors_;

@@ -39,6 +39,34 @@ void Torque::command(std::size_t index, double value, engine::Physics& physics) 
   physics.data().ctrl[actuators_[index]] = value;
 }
 
+// What an infant's motors are told is known as torque as well; the actuators of others may be servos or muscles.
+Feedback Torque::feel(const mjModel& model, const body::Body& body) const {
+  const std::vector<int>& ids = body.actuators;
+  Feedback feedback;
+  feedback.commands.push_back(
+      {actuator_field(model, ids, "control"), [ids](const mjModel&, const mjData& data, float* out) {
+         for (const int id : ids) *out++ = static_cast<float>(data.ctrl[id]);
+       }});
+  if (body.infant) {
+    observation::Field field = actuator_field(model, ids, "motor_torque");
+    field.unit = "Nm";
+    field.frame = "joint";
+    feedback.commands.push_back({field, [ids](const mjModel& now, const mjData& data, float* out) {
+                                   for (const int id : ids) {
+                                     *out++ = static_cast<float>(now.actuator_gear[6 * id] * data.ctrl[id]);
+                                   }
+                                 }});
+  } else {
+    observation::Field field = actuator_field(model, ids, "actuator_force");
+    field.unit = "N or Nm";
+    field.time = observation::Time::kLastStart;
+    feedback.commands.push_back({field, [ids](const mjModel&, const mjData& data, float* out) {
+                                   for (const int id : ids) *out++ = static_cast<float>(data.actuator_force[id]);
+                                 }});
+  }
+  return feedback;
+}
+
 double Torque::effort(const mjModel& model, const mjData& data) const {
   double spent = 0, most = 0;
   for (const int id : actuators_) {

@@ -12,6 +12,7 @@ class Torque : public Actuation {
   double effort(const mjModel& model, const mjData& data) const override;
 
  private:
+  Feedback feel(const mjModel& model, const body::Body& body) const override;
   void command(std::size_t index, double value, engine::Physics& physics) override;
 
   std::vector<int> actuators_;

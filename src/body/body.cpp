@@ -105,6 +105,13 @@ std::vector<Motor> motors(const mjModel& model, const Body& body) {
   return motors;
 }
 
+Units units_of(const mjModel& model, const std::vector<Joint>& joints) {
+  const auto slides = [&](const Joint& joint) { return model.jnt_type[joint.id] == mjJNT_SLIDE; };
+  if (std::none_of(joints.begin(), joints.end(), slides)) return {"rad", "rad/s", "Nm"};
+  if (std::all_of(joints.begin(), joints.end(), slides)) return {"m", "m/s", "N"};
+  return {"rad or m", "rad/s or m/s", "Nm or N"};
+}
+
 double mass(const mjModel& model, const Body& body) { return model.body_subtreemass[body.root]; }
 
 double height(const mjModel& model, const mjData& data, const Body& body) {

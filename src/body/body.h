@@ -68,6 +68,12 @@ Body find_part(const mjModel& model, const std::string& root);
 // Its motors in the order of `actuators`.
 std::vector<Motor> motors(const mjModel& model, const Body& body);
 
+// Of the quantities of joints, of which there may be hinges, slides, or both.
+struct Units {
+  const char *position, *velocity, *force;
+};
+Units units_of(const mjModel& model, const std::vector<Joint>& joints);
+
 double mass(const mjModel& model, const Body& body);
 
 // Vertical extent of the body's geoms at the poses that data holds, m.

@@ -19,9 +19,7 @@ senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   options.velocity = has(MIMO_PROPRIOCEPTION_VELOCITY);
   options.torque = has(MIMO_PROPRIOCEPTION_TORQUE);
   options.limit = has(MIMO_PROPRIOCEPTION_LIMIT);
-  options.actuation = has(MIMO_PROPRIOCEPTION_ACTUATION);
   options.joint_torque = has(MIMO_PROPRIOCEPTION_JOINT_TORQUE);
-  options.effort = has(MIMO_PROPRIOCEPTION_EFFORT);
   options.limit_threshold = config.limit_threshold;
   return options;
 }
@@ -60,7 +58,12 @@ actuation::Options actuation(const mimo_agent_config& config) {
   require(config.actuation <= MIMO_ACTUATION_MUJOCO_MUSCLE,
           "actuation is {}, expected a MIMO_ACTUATION_ constant, 0 to 3", config.actuation);
   check_flag(config.normalize_actions, "normalize_actions");
-  return {static_cast<actuation::Mode>(config.actuation), config.normalize_actions != 0};
+  actuation::Options options;
+  options.mode = static_cast<actuation::Mode>(config.actuation);
+  options.normalize = config.normalize_actions != 0;
+  options.felt = (config.proprioception & MIMO_PROPRIOCEPTION_ACTUATION) != 0;
+  options.effort = (config.proprioception & MIMO_PROPRIOCEPTION_EFFORT) != 0;
+  return options;
 }
 
 env::AgentOptions agent_options(const mimo_agent_config& config) {

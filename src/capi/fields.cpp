@@ -10,7 +10,7 @@ namespace {
 
 using senses::touch::Sensor;
 
-const senses::Field& field_at(const env::Layout& layout, std::size_t index) {
+const observation::Field& field_at(const observation::Layout& layout, std::size_t index) {
   require(index < layout.size(), "index is {}, but there are {} fields", index, layout.size());
   return layout[index];
 }
@@ -28,13 +28,13 @@ void describe(Span<const Sensor> sensors, const SensorArrays& to) {
 
 }  // namespace
 
-void describe_size(const env::Layout& layout, std::size_t* bytes, std::size_t* fields) {
+void describe_size(const observation::Layout& layout, std::size_t* bytes, std::size_t* fields) {
   if (bytes != nullptr) *bytes = layout.bytes();
   if (fields != nullptr) *fields = layout.size();
 }
 
-void describe_field(const env::Layout& layout, std::size_t index, mimo_field* field) {
-  const senses::Field& inside = field_at(layout, index);
+void describe_field(const observation::Layout& layout, std::size_t index, mimo_field* field) {
+  const observation::Field& inside = field_at(layout, index);
   mimo_field ours{};
   ours.dtype = static_cast<int32_t>(inside.type);
   ours.name = inside.name.c_str();
@@ -50,13 +50,13 @@ void describe_field(const env::Layout& layout, std::size_t index, mimo_field* fi
   write_described(field, ours, "field");
 }
 
-const char* label_of(const env::Layout& layout, std::size_t index, std::size_t element) {
-  const senses::Field& field = field_at(layout, index);
+const char* label_of(const observation::Layout& layout, std::size_t index, std::size_t element) {
+  const observation::Field& field = field_at(layout, index);
   require(element < field.count(), "element is {}, but {} has {} elements", element, field.name, field.count());
   return field.label(element);
 }
 
-std::uint8_t* block_of(const env::Layout& layout, void* block, std::size_t bytes) {
+std::uint8_t* block_of(const observation::Layout& layout, void* block, std::size_t bytes) {
   auto* start = static_cast<std::uint8_t*>(block);
   check_buffer(start, bytes, layout.bytes(), "block");
   return start;

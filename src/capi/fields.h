@@ -1,18 +1,18 @@
 // What observations consist of, the same for environments and for attached senses.
 #pragma once
 
-#include "env/layout.h"
 #include "mimo/mimo.h"
+#include "observation/layout.h"
 #include "senses/touch/skin.h"
 
 namespace mimo::capi {
 
-void describe_size(const env::Layout& layout, std::size_t* bytes, std::size_t* fields);
-void describe_field(const env::Layout& layout, std::size_t index, mimo_field* field);
-const char* label_of(const env::Layout& layout, std::size_t index, std::size_t element);
+void describe_size(const observation::Layout& layout, std::size_t* bytes, std::size_t* fields);
+void describe_field(const observation::Layout& layout, std::size_t index, mimo_field* field);
+const char* label_of(const observation::Layout& layout, std::size_t index, std::size_t element);
 
 // The start of a caller's block that is long enough, or null.
-std::uint8_t* block_of(const env::Layout& layout, void* block, std::size_t bytes);
+std::uint8_t* block_of(const observation::Layout& layout, void* block, std::size_t bytes);
 
 // Where the sensors of a skin go; all may be null.
 struct SensorArrays {

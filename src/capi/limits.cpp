@@ -19,7 +19,7 @@ mimo_limits default_limits() {
   return limits;
 }
 
-senses::Limits limits_from(const mimo_limits& config) {
+observation::Limits limits_from(const mimo_limits& config) {
   require(config.delay <= kLatest, "delay is {}, expected up to {} steps", config.delay, kLatest);
   require(config.gain >= 0 && config.gain <= kMost, "gain is {}, expected a factor from 0 to {:.4g}", config.gain,
           kMost);

@@ -10,15 +10,15 @@ extern "C" {
 mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
   return guard(env, [&] {
     const env::Timing& inner = open(env).world.timing();
-    const auto of = [&](senses::Part part) { return inner.senses[static_cast<std::size_t>(part)]; };
+    const auto of = [&](observation::Part part) { return inner.senses[static_cast<std::size_t>(part)]; };
     mimo_timing ours{};
     ours.steps = inner.steps;
     ours.total = inner.total;
     ours.physics = inner.physics;
-    ours.touch = of(senses::Part::kTouch);
-    ours.vision = of(senses::Part::kVision);
-    ours.proprioception = of(senses::Part::kProprioception);
-    ours.vestibular = of(senses::Part::kVestibular);
+    ours.touch = of(observation::Part::kTouch);
+    ours.vision = of(observation::Part::kVision);
+    ours.proprioception = of(observation::Part::kProprioception);
+    ours.vestibular = of(observation::Part::kVestibular);
     write_described(timing, ours, "timing");
   });
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "actuation/feedback.h"
 #include "base/fail.h"
+#include "observation/signals.h"
 
 namespace mimo::env {
 namespace {
@@ -28,23 +28,13 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
                  std::size_t number, render::Renderer* renderer) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
-  Agent agent{perceive(model, options, renderer), options.name, {}, nullptr, nullptr};
+  Agent agent{perceive(model, options, renderer), options.name, {}, nullptr};
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);
-  agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
   agent.task = make_task(model, agent.body, number);
-  const bool own_fields = options.proprioception.actuation;
-  auto feedback =
-      std::make_unique<actuation::Feedback>(model, *agent.actuation, own_fields, options.proprioception.effort);
-  if (!feedback->fields().empty()) {
-    name_fields(options, *feedback);
-    agent.senses.push_back(std::move(feedback));
-  }
-  if (auto sense = agent.task->make_sense(model)) {
-    name_fields(options, *sense);
-    agent.senses.push_back(std::move(sense));
-  }
+  add_sense(agent, options,
+            std::make_unique<observation::Signals>(observation::Part::kTask, agent.task->signals(model)));
   return agent;
 }
 

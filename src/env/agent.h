@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "actuation/actuation.h"
 #include "body/faces.h"
 #include "env/options.h"
 #include "env/perception.h"
@@ -15,7 +14,6 @@ namespace mimo::env {
 struct Agent : Perception {
   std::string name;
   body::Faces faces;
-  std::unique_ptr<actuation::Actuation> actuation;
   std::unique_ptr<tasks::Task> task;
   std::size_t action_offset = 0;
   double mass = 0;

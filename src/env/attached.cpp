@@ -14,15 +14,17 @@ Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agen
       fail(Status::kUnsupported, "limits of \"{}\": attached senses have no past and no random numbers",
            agent.limits.front().path);
     }
-    if (agent.proprioception.effort || actuation::is_muscle(agent.actuation.mode)) {
+    if (agent.actuation.effort || actuation::is_muscle(agent.actuation.mode)) {
       fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
     }
-    agents_.push_back(perceive(*model_, agent, renderer_.get()));
+    AgentOptions idle = agent;
+    idle.actuation.none = true;
+    agents_.push_back(perceive(*model_, idle, renderer_.get()));
   }
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
   }
-  for (const CameraOptions& camera : options.cameras) observer_.add_camera(*model_, camera, renderer_.get());
+  for (const CameraOptions& camera : options.cameras) observer_.add(make_camera(*model_, camera, renderer_.get()));
 }
 
 }  // namespace mimo::env

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "env/observer.h"
 #include "env/perception.h"
+#include "observation/observer.h"
 #include "render/renderer.h"
 
 namespace mimo::env {
@@ -15,7 +15,7 @@ class Attached {
   Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
 
   const mjModel& model() const { return *model_; }
-  const Layout& layout() const { return observer_.layout(); }
+  const observation::Layout& layout() const { return observer_.layout(); }
   const std::vector<Perception>& agents() const { return agents_; }
 
   // What is sensed in data of the model, as they are: of the last step that their owner made.
@@ -25,7 +25,7 @@ class Attached {
   engine::ModelPtr model_;
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Perception> agents_;
-  Observer observer_;
+  observation::Observer observer_;
 };
 
 }  // namespace mimo::env

@@ -9,7 +9,7 @@
 #include "actuation/actuation.h"
 #include "base/log.h"
 #include "engine/physics.h"
-#include "env/limits.h"
+#include "observation/limited_senses.h"
 #include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
@@ -29,8 +29,8 @@ struct AgentOptions {
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
-  std::string face;                // that it shows at first; "": the model's own
-  std::vector<PathLimits> limits;  // of its senses
+  std::string face;                             // that it shows at first; "": the model's own
+  std::vector<observation::PathLimits> limits;  // of its senses
   // That of the same agent in another world of the same model, to be shared instead of made anew.
   std::shared_ptr<const senses::touch::Skin> skin = nullptr;
 

@@ -4,16 +4,13 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "observation/signals.h"
 #include "senses/proprioception.h"
 #include "senses/vestibular.h"
 #include "senses/vision.h"
 
 namespace mimo::env {
 namespace {
-
-bool any(const senses::ProprioceptionOptions& p) {
-  return p.position || p.velocity || p.torque || p.limit || p.actuation || p.joint_torque;
-}
 
 body::Body find(const mjModel& model, const AgentOptions& options) {
   return options.root.empty() ? body::find_body(model, options.prefix()) : body::find_part(model, options.root);
@@ -49,34 +46,44 @@ std::shared_ptr<const senses::touch::Skin> make_skin(const mjModel& model, const
 
 Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer) {
   Perception agent;
+  const auto add = [&](std::unique_ptr<observation::Sense> sense) { add_sense(agent, options, std::move(sense)); };
   agent.body = find(model, options);
-  if (any(options.proprioception)) {
-    senses::ProprioceptionOptions proprioception = options.proprioception;
-    proprioception.position_control = options.actuation.mode == actuation::Mode::kPosition;
-    if (actuation::is_muscle(options.actuation.mode)) proprioception.actuation = false;  // muscles tell by themselves
-    agent.senses.push_back(std::make_unique<senses::Proprioception>(
-        model, chosen_joints(model, agent.body, options.joints), proprioception));
+  agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
+  actuation::Feedback feedback = agent.actuation->feedback(model, agent.body, options.actuation);
+  if (options.proprioception.any() || options.actuation.felt) {
+    add(senses::make_proprioception(model, chosen_joints(model, agent.body, options.joints), options.proprioception,
+                                    std::move(feedback.commands)));
   }
-  if (options.vestibular) {
-    agent.senses.push_back(senses::make_vestibular(model, agent.body, options.vestibular_at));
-  }
+  if (options.vestibular) add(senses::make_vestibular(model, agent.body, options.vestibular_at));
   if (options.touch.any()) {
     agent.skin = options.skin != nullptr ? options.skin : make_skin(model, agent.body, options.touch);
-    agent.senses.push_back(std::make_unique<senses::Touch>(agent.skin, options.touch));
+    add(std::make_unique<senses::Touch>(agent.skin, options.touch));
   }
   if (options.vision.any()) {
     if (renderer == nullptr) {
       fail(Status::kInvalidArgument, "renderer \"none\": the eyes are on; switch vision off or choose a renderer");
     }
-    agent.senses.push_back(
-        std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
+    add(std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
   }
-  for (const auto& sense : agent.senses) name_fields(options, *sense);
+  add(std::make_unique<observation::Signals>(observation::Part::kProprioception, std::move(feedback.exertion)));
   return agent;
 }
 
-void name_fields(const AgentOptions& options, senses::Sense& sense) {
-  for (senses::Field& field : sense.fields()) field.name = options.prefix() + field.name;
+std::unique_ptr<observation::Sense> make_camera(const mjModel& model, const CameraOptions& options,
+                                                render::Renderer* renderer) {
+  if (renderer == nullptr) {
+    fail(Status::kInvalidArgument, "renderer \"none\": camera \"{}\" is to be observed; choose a renderer",
+         options.camera);
+  }
+  const int camera = engine::find_or_fail(model, engine::Kind::kCamera, options.camera);
+  const std::vector<senses::Lens> lenses = {{"vision/" + options.camera, camera}};
+  return std::make_unique<senses::Vision>(model, lenses, options.vision, *renderer);
+}
+
+void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<observation::Sense> sense) {
+  if (sense->fields().empty()) return;
+  for (observation::Field& field : sense->fields()) field.name = options.prefix() + field.name;
+  agent.senses.push_back(std::move(sense));
 }
 
 }  // namespace mimo::env

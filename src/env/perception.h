@@ -4,23 +4,29 @@
 #include <memory>
 #include <vector>
 
+#include "actuation/actuation.h"
 #include "body/body.h"
 #include "env/options.h"
-#include "senses/sense.h"
+#include "observation/sense.h"
 #include "senses/touch/touch.h"
 
 namespace mimo::env {
 
 struct Perception {
   body::Body body;
-  std::vector<std::unique_ptr<senses::Sense>> senses;
+  std::unique_ptr<actuation::Actuation> actuation;  // whose commands are felt
+  std::vector<std::unique_ptr<observation::Sense>> senses;
   std::shared_ptr<const senses::touch::Skin> skin;  // null without touch
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.
 Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer);
 
-// Puts the agent's name before those of a sense's fields.
-void name_fields(const AgentOptions& options, senses::Sense& sense);
+// One more sense, unless it has no fields; the agent's name goes before theirs.
+void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<observation::Sense> sense);
+
+// A camera that belongs to no agent; the renderer is null where there is none.
+std::unique_ptr<observation::Sense> make_camera(const mjModel& model, const CameraOptions& options,
+                                                render::Renderer* renderer);
 
 }  // namespace mimo::env

@@ -1,11 +1,9 @@
 // Where a step's time goes.
 #pragma once
 
-#include <array>
-#include <chrono>
 #include <cstdint>
 
-#include "senses/sense.h"
+#include "observation/observer.h"
 
 namespace mimo::env {
 
@@ -13,24 +11,7 @@ struct Timing {
   std::uint64_t steps = 0;
   double total = 0;
   double physics = 0;
-  std::array<double, 5> senses{};  // by senses::Part
-};
-
-// Adds the seconds of its own life to a sum; does nothing when switched off.
-class Stopwatch {
- public:
-  Stopwatch(bool on, double& sum) : sum_(on ? &sum : nullptr) {
-    if (sum_ != nullptr) start_ = std::chrono::steady_clock::now();
-  }
-  ~Stopwatch() {
-    if (sum_ != nullptr) *sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double* sum_;
-  std::chrono::steady_clock::time_point start_;
+  observation::PartTimes senses{};
 };
 
 }  // namespace mimo::env

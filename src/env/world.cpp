@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/stopwatch.h"
 #include "engine/custom.h"
 #include "engine/stored_pose.h"
 
@@ -37,7 +38,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   const TaskMaker make_task = task_maker();
   render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
-  for (const CameraOptions& camera : options_.cameras) observer_.add_camera(physics_.model(), camera, eyes);
+  for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
   for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits);
   limits_.make_room(layout());
   start();
@@ -188,7 +189,7 @@ void World::sense(std::uint8_t* block, Moment moment) {
   std::uint8_t* to = block == nullptr && limits_.late() ? limits_.room() : block;
   if (to == nullptr) return;
   const bool timed = options_.timing && moment == Moment::kStep;
-  observer_.observe(model(), data(), to, timed ? &timing_ : nullptr);
+  observer_.observe(model(), data(), to, timed ? &timing_.senses : nullptr);
   switch (moment) {
     case Moment::kStart: return limits_.begin(to);
     case Moment::kStep: return limits_.step(to, elapsed_);

@@ -8,10 +8,10 @@
 #include "base/random.h"
 #include "engine/physics.h"
 #include "env/agent.h"
-#include "env/observer.h"
 #include "env/options.h"
 #include "env/state.h"
 #include "env/timing.h"
+#include "observation/observer.h"
 #include "render/renderer.h"
 
 namespace mimo::env {
@@ -32,7 +32,7 @@ class World {
   engine::Physics& physics() { return physics_; }
   const engine::Physics& physics() const { return physics_; }
   const std::vector<Agent>& agents() const { return agents_; }
-  const Layout& layout() const { return observer_.layout(); }
+  const observation::Layout& layout() const { return observer_.layout(); }
   std::size_t action_size() const { return action_size_; }
   // Agent and index in its actuation of an action.
   std::pair<const Agent*, std::size_t> action(std::size_t index) const;
@@ -100,8 +100,8 @@ class World {
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
-  Observer observer_;
-  Limits limits_;
+  observation::Observer observer_;
+  observation::LimitedSenses limits_;
   Random random_;
   std::size_t action_size_ = 0;
   std::uint64_t elapsed_ = 0;

@@ -1,9 +1,9 @@
-#include "senses/blur.h"
+#include "observation/blur.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace mimo::senses {
+namespace mimo::observation {
 namespace {
 
 constexpr std::size_t kChannels = 3;
@@ -75,4 +75,4 @@ void blur(std::uint8_t* rgb, std::size_t height, std::size_t width, const std::v
   for (std::size_t y = 0; y < height; ++y) blur_row(room.data() + y * row, width, kernel, rgb + y * row);
 }
 
-}  // namespace mimo::senses
+}  // namespace mimo::observation

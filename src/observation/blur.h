@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace mimo::senses {
+namespace mimo::observation {
 
 // Half of a Gaussian, from its middle outwards, normalised as a whole: of `cycles` per degree half the contrast is
 // left.
@@ -16,4 +16,4 @@ std::vector<float> blur_kernel(double cycles, double pixels_per_degree);
 void blur(std::uint8_t* rgb, std::size_t height, std::size_t width, const std::vector<float>& kernel,
           std::vector<float>& room);
 
-}  // namespace mimo::senses
+}  // namespace mimo::observation

@@ -1,6 +1,6 @@
-#include "senses/sense.h"
+#include "observation/field.h"
 
-namespace mimo::senses {
+namespace mimo::observation {
 
 std::size_t size_of(Type type) {
   switch (type) {
@@ -20,4 +20,4 @@ std::size_t Field::count() const {
 
 const char* Field::label(std::size_t i) const { return i < labels.size() ? labels[i].c_str() : ""; }
 
-}  // namespace mimo::senses
+}  // namespace mimo::observation

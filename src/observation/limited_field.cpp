@@ -1,4 +1,4 @@
-#include "senses/limited_field.h"
+#include "observation/limited_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include "base/fail.h"
 #include "base/random.h"
-#include "senses/blur.h"
+#include "observation/blur.h"
 
-namespace mimo::senses {
+namespace mimo::observation {
 namespace {
 
 bool is_picture(const Field& field) { return field.type == Type::kU8 && field.shape.size() == 3; }
@@ -77,4 +77,4 @@ void LimitedField::recall(std::uint8_t* block, std::uint64_t step) const {
   if (!past_.empty()) std::copy_n(past_.data() + slot_offset(step + 1), field_.bytes(), block + field_.offset);
 }
 
-}  // namespace mimo::senses
+}  // namespace mimo::observation

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "senses/sense.h"
+#include "observation/field.h"
 
-namespace mimo::senses {
+namespace mimo::observation {
 
 struct Limits {
   double gain = 1;   // factor
@@ -51,4 +51,4 @@ class LimitedField {
   std::vector<std::uint8_t> past_;  // the last delay + 1 times the field
 };
 
-}  // namespace mimo::senses
+}  // namespace mimo::observation

@@ -1,4 +1,4 @@
-#include "env/limits.h"
+#include "observation/limited_senses.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include "base/fail.h"
 #include "base/hash.h"
 
-namespace mimo::env {
+namespace mimo::observation {
 namespace {
 
 bool leads_to(const std::string& path, const std::string& field) {
@@ -14,10 +14,10 @@ bool leads_to(const std::string& path, const std::string& field) {
 }
 
 // Of depth and segmentation, whose numbers are no brightness, only the delay is meant unless they are named.
-senses::Limits meant_for(const senses::Field& field, const std::string& path, const senses::Limits& limits) {
-  const bool in_colour = field.type == senses::Type::kU8;
+Limits meant_for(const Field& field, const std::string& path, const Limits& limits) {
+  const bool in_colour = field.type == Type::kU8;
   if (field.frame != "camera" || in_colour || field.name == path) return limits;
-  senses::Limits late;
+  Limits late;
   late.delay = limits.delay;
   return late;
 }
@@ -34,8 +34,8 @@ std::string names(const Layout& layout, const std::string& prefix) {
 
 }  // namespace
 
-void Limits::add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths) {
-  std::vector<senses::Limits> chosen(layout.size());
+void LimitedSenses::add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths) {
+  std::vector<Limits> chosen(layout.size());
   for (const PathLimits& entry : paths) {
     const std::string path = prefix + entry.path;
     bool found = false;
@@ -54,13 +54,13 @@ void Limits::add(const Layout& layout, const std::string& prefix, const std::vec
   }
 }
 
-void Limits::make_room(const Layout& layout) {
-  const bool late = std::any_of(fields_.begin(), fields_.end(),
-                                [](const senses::LimitedField& field) { return field.limits().delay > 0; });
+void LimitedSenses::make_room(const Layout& layout) {
+  const bool late =
+      std::any_of(fields_.begin(), fields_.end(), [](const LimitedField& field) { return field.limits().delay > 0; });
   if (late) room_.resize(layout.bytes());
 }
 
-void Limits::start(const Random& random) {
+void LimitedSenses::start(const Random& random) {
   if (fields_.empty()) return;
   std::array<std::uint8_t, 32> bytes{};
   ByteWriter writer{Span<std::uint8_t>(bytes)};
@@ -70,7 +70,7 @@ void Limits::start(const Random& random) {
   seed_ = hash.value();
 }
 
-void Limits::weaken(std::uint8_t* block, std::uint64_t step) {
+void LimitedSenses::weaken(std::uint8_t* block, std::uint64_t step) {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     Hash hash;
     hash.add(seed_);
@@ -80,34 +80,34 @@ void Limits::weaken(std::uint8_t* block, std::uint64_t step) {
   }
 }
 
-void Limits::begin(std::uint8_t* block) {
+void LimitedSenses::begin(std::uint8_t* block) {
   weaken(block, 0);
-  for (senses::LimitedField& field : fields_) field.begin(block);
+  for (LimitedField& field : fields_) field.begin(block);
 }
 
-void Limits::step(std::uint8_t* block, std::uint64_t step) {
+void LimitedSenses::step(std::uint8_t* block, std::uint64_t step) {
   weaken(block, step);
-  for (senses::LimitedField& field : fields_) {
+  for (LimitedField& field : fields_) {
     field.keep(block, step);
     field.recall(block, step);
   }
 }
 
-void Limits::look(std::uint8_t* block, std::uint64_t step) {
+void LimitedSenses::look(std::uint8_t* block, std::uint64_t step) {
   weaken(block, step);
-  for (const senses::LimitedField& field : fields_) field.recall(block, step);
+  for (const LimitedField& field : fields_) field.recall(block, step);
 }
 
-void Limits::save(ByteWriter& to) const {
+void LimitedSenses::save(ByteWriter& to) const {
   if (fields_.empty()) return;
   to.put(seed_);
-  for (const senses::LimitedField& field : fields_) field.save(to);
+  for (const LimitedField& field : fields_) field.save(to);
 }
 
-void Limits::load(ByteReader& from) {
+void LimitedSenses::load(ByteReader& from) {
   if (fields_.empty()) return;
   seed_ = from.take<std::uint64_t>();
-  for (senses::LimitedField& field : fields_) field.load(from);
+  for (LimitedField& field : fields_) field.load(from);
 }
 
-}  // namespace mimo::env
+}  // namespace mimo::observation

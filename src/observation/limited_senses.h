@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "base/random.h"
-#include "env/layout.h"
-#include "senses/limited_field.h"
+#include "observation/layout.h"
+#include "observation/limited_field.h"
 
-namespace mimo::env {
+namespace mimo::observation {
 
 // Limits of a field, or of all below a path.
 struct PathLimits {
   std::string path;  // "touch", "proprioception/velocity"
-  senses::Limits limits;
+  Limits limits;
 };
 
-class Limits {
+class LimitedSenses {
  public:
   // `prefix` is that of the agent's fields. Where several concern a field, the last one counts. Throws
   // Status::kNotFound for a path that leads to no field.
@@ -41,9 +41,9 @@ class Limits {
  private:
   void weaken(std::uint8_t* block, std::uint64_t step);
 
-  std::vector<senses::LimitedField> fields_;
+  std::vector<LimitedField> fields_;
   std::vector<std::uint8_t> room_;
   std::uint64_t seed_ = 0;
 };
 
-}  // namespace mimo::env
+}  // namespace mimo::observation

@@ -1,32 +1,33 @@
 // All that is sensed of one model, laid out in one block: by a world of its own, or of somebody else's simulation.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
-#include "env/layout.h"
-#include "env/options.h"
-#include "env/timing.h"
-#include "senses/sense.h"
+#include "observation/layout.h"
+#include "observation/sense.h"
 
-namespace mimo::env {
+namespace mimo::observation {
+
+using PartTimes = std::array<double, kParts>;  // seconds, by Part
 
 class Observer {
  public:
-  // The sense outlives the observer. Throws where a field of that name is there already.
-  void add(senses::Sense& sense);
-  // A camera that belongs to no agent; the renderer is null where there is none.
-  void add_camera(const mjModel& model, const CameraOptions& options, render::Renderer* renderer);
+  // Both throw where a field of that name is there already. The sense outlives the observer.
+  void add(Sense& sense);
+  // One that belongs to nobody else.
+  void add(std::unique_ptr<Sense> sense);
 
   const Layout& layout() const { return layout_; }
 
-  // Fills every byte of the block; `timing` learns how long each sense took, null: nobody wants to know.
-  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, Timing* timing) const;
+  // Fills every byte of the block, and adds what each part took to `times`; null: nobody wants to know.
+  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, PartTimes* times) const;
 
  private:
-  std::vector<senses::Sense*> senses_;
-  std::vector<std::unique_ptr<senses::Sense>> cameras_;
+  std::vector<Sense*> senses_;
+  std::vector<std::unique_ptr<Sense>> own_;
   Layout layout_;
 };
 
-}  // namespace mimo::env
+}  // namespace mimo::observation

@@ -1,8 +1,11 @@
 // Where the joints are, how fast they move, what pulls at them, and how near they are to their limits.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "body/body.h"
-#include "senses/sense.h"
+#include "observation/signals.h"
 
 namespace mimo::senses {
 
@@ -11,37 +14,15 @@ struct ProprioceptionOptions {
   bool velocity = true;
   bool torque = true;  // three axes at each joint sensor
   bool limit = true;
-  bool actuation = true;
   bool joint_torque = false;       // about each joint's own axis
   double limit_threshold = 0.035;  // rad
-  bool position_control = false;   // actuation means target angles then
-  bool effort = false;             // what the commands cost; the actuation writes it
+
+  bool any() const { return position || velocity || torque || limit || joint_torque; }
 };
 
-class Proprioception : public Sense {
- public:
-  Proprioception(const mjModel& model, body::Body body, const ProprioceptionOptions& options);
-  Part part() const override { return Part::kProprioception; }
-  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
-
- private:
-  using Writer = void (Proprioception::*)(const mjModel&, const mjData&, float*) const;
-
-  void add(Field field, Writer writer);
-  void write_position(const mjModel& model, const mjData& data, float* out) const;
-  void write_velocity(const mjModel& model, const mjData& data, float* out) const;
-  void write_torque(const mjModel& model, const mjData& data, float* out) const;
-  void write_limit(const mjModel& model, const mjData& data, float* out) const;
-  void write_control(const mjModel& model, const mjData& data, float* out) const;
-  void write_motor_torque(const mjModel& model, const mjData& data, float* out) const;
-  void write_actuator_force(const mjModel& model, const mjData& data, float* out) const;
-  void write_target(const mjModel& model, const mjData& data, float* out) const;
-  void write_joint_torque(const mjModel& model, const mjData& data, float* out) const;
-
-  body::Body body_;
-  std::vector<int> locks_;  // of the motors' joints, under position control
-  double threshold_;
-  std::vector<Writer> writers_;  // one per field
-};
+// `commands` are what the agent feels of what its motors are told.
+std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, const body::Body& body,
+                                                        const ProprioceptionOptions& options,
+                                                        std::vector<observation::Signal> commands);
 
 }  // namespace mimo::senses

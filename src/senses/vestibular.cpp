@@ -9,8 +9,8 @@ namespace {
 
 using engine::Kind;
 
-Field field(const char* name, const char* unit, const char* frame) {
-  Field field;
+observation::Field field(const char* name, const char* unit, const char* frame) {
+  observation::Field field;
   field.name = std::string("vestibular/") + name;
   field.shape = {3};
   field.unit = unit;
@@ -19,8 +19,8 @@ Field field(const char* name, const char* unit, const char* frame) {
   return field;
 }
 
-Field acceleration(const char* frame) { return field("acceleration", "m/s^2", frame); }
-Field angular_velocity(const char* frame) { return field("angular_velocity", "rad/s", frame); }
+observation::Field acceleration(const char* frame) { return field("acceleration", "m/s^2", frame); }
+observation::Field angular_velocity(const char* frame) { return field("angular_velocity", "rad/s", frame); }
 
 void copy(const double* from, float* to) {
   std::transform(from, from + 3, to, [](double value) { return static_cast<float>(value); });
@@ -61,7 +61,8 @@ void Organ::write(const mjModel& model, const mjData& data, std::uint8_t* block)
   copy(motion.angular_velocity.data(), at<float>(block, 1));
 }
 
-std::unique_ptr<Sense> make_vestibular(const mjModel& model, const body::Body& body, const std::string& place) {
+std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
+                                                    const std::string& place) {
   if (!place.empty()) return std::make_unique<Organ>(find_place(model, place));
   require(
       body.infant,

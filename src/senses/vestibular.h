@@ -6,15 +6,15 @@
 
 #include "body/body.h"
 #include "engine/motion.h"
-#include "senses/sense.h"
+#include "observation/sense.h"
 
 namespace mimo::senses {
 
 // An infant's: MuJoCo's accelerometer and gyroscope in the middle of the head, in the head's frame.
-class Vestibular : public Sense {
+class Vestibular : public observation::Sense {
  public:
   explicit Vestibular(const body::Body& body);
-  Part part() const override { return Part::kVestibular; }
+  observation::Part part() const override { return observation::Part::kVestibular; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
  private:
@@ -22,10 +22,10 @@ class Vestibular : public Sense {
 };
 
 // The same at any place of a model, which needs no sensors for it; in the frame of the site or body.
-class Organ : public Sense {
+class Organ : public observation::Sense {
  public:
   explicit Organ(engine::Place place);
-  Part part() const override { return Part::kVestibular; }
+  observation::Part part() const override { return observation::Part::kVestibular; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
  private:
@@ -33,6 +33,7 @@ class Organ : public Sense {
 };
 
 // At a site or body of that name; "" for the infant's own. Throws Status::kNotFound with the sites that there are.
-std::unique_ptr<Sense> make_vestibular(const mjModel& model, const body::Body& body, const std::string& place);
+std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
+                                                    const std::string& place);
 
 }  // namespace mimo::senses

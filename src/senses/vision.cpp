@@ -50,13 +50,13 @@ Vision::Vision(const mjModel& model, const std::vector<Lens>& lenses, const Visi
 Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   const double far = model.vis.map.zfar * model.stat.extent;
   View view{lens.camera, kNone, kNone, kNone};
-  if (options_.rgb) view.rgb = add(lens.path, Type::kU8, "", 0, 255);
-  if (options_.depth) view.depth = add(lens.path + "_depth", Type::kF32, "m", 0, far);
+  if (options_.rgb) view.rgb = add(lens.path, observation::Type::kU8, "", 0, 255);
+  if (options_.depth) view.depth = add(lens.path + "_depth", observation::Type::kF32, "m", 0, far);
   if (options_.segmentation) {
-    view.segmentation = add(lens.path + "_segmentation", Type::kI32, "", -1, model.ngeom - 1);
+    view.segmentation = add(lens.path + "_segmentation", observation::Type::kI32, "", -1, model.ngeom - 1);
   }
   const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];
-  for (Field& field : fields_) {
+  for (observation::Field& field : fields_) {
     if (field.pixels_per_degree == 0) field.pixels_per_degree = pixels_per_degree(fovy);  // those just added
   }
   return view;
@@ -67,12 +67,12 @@ double Vision::pixels_per_degree(double fovy) const {
   return options_.height / 2.0 / std::tan(fovy / 2 * kDegree) * kDegree;
 }
 
-int Vision::add(const std::string& name, Type type, const char* unit, double low, double high) {
-  Field field;
+int Vision::add(const std::string& name, observation::Type type, const char* unit, double low, double high) {
+  observation::Field field;
   field.name = name;
   field.type = type;
   field.shape = {static_cast<std::size_t>(options_.height), static_cast<std::size_t>(options_.width)};
-  if (type == Type::kU8) field.shape.push_back(3);
+  if (type == observation::Type::kU8) field.shape.push_back(3);
   field.unit = unit;
   field.frame = "camera";
   field.low = low;

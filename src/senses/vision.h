@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "body/body.h"
+#include "observation/sense.h"
 #include "render/renderer.h"
-#include "senses/sense.h"
 
 namespace mimo::senses {
 
@@ -30,12 +30,12 @@ struct Lens {
 // The infant's eyes; all cameras that another agent carries. Throws Status::kNotFound where there are none.
 std::vector<Lens> eyes(const mjModel& model, const body::Body& body);
 
-class Vision : public Sense {
+class Vision : public observation::Sense {
  public:
   // The renderer outlives the sense.
   Vision(const mjModel& model, const std::vector<Lens>& lenses, const VisionOptions& options,
          render::Renderer& renderer);
-  Part part() const override { return Part::kVision; }
+  observation::Part part() const override { return observation::Part::kVision; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
  private:
@@ -46,7 +46,7 @@ class Vision : public Sense {
     int rgb, depth, segmentation;
   };
 
-  int add(const std::string& name, Type type, const char* unit, double low, double high);
+  int add(const std::string& name, observation::Type type, const char* unit, double low, double high);
   // In the middle of the picture of a camera with this field of view.
   double pixels_per_degree(double fovy) const;
   View view(const mjModel& model, const Lens& lens);

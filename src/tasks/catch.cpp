@@ -40,28 +40,6 @@ constexpr Parameter kParameters[] = {
 // Steps for which the factors of the actions stay.
 constexpr std::uint64_t kJitterShortest = 10, kJitterLongest = 50;
 
-// The infant knows how large the ball is.
-class RadiusSense : public senses::Sense {
- public:
-  explicit RadiusSense(int geom) : geom_(geom) {
-    senses::Field field;
-    field.name = "task/ball_radius";
-    field.shape = {1};
-    field.unit = "m";
-    field.time = senses::Time::kEnd;
-    field.low = 0;
-    field.labels = {"radius"};
-    fields_.push_back(std::move(field));
-  }
-  senses::Part part() const override { return senses::Part::kTask; }
-  void write(const mjModel& model, const mjData&, std::uint8_t* block) override {
-    *at<float>(block, 0) = static_cast<float>(model.geom_size[3 * geom_]);
-  }
-
- private:
-  int geom_;
-};
-
 class Catch : public Task {
  public:
   Catch(const mjModel& model, const body::Body& body, const Settings& settings);
@@ -72,9 +50,7 @@ class Catch : public Task {
   void follow(engine::Physics& physics) override;
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
-  std::unique_ptr<senses::Sense> make_sense(const mjModel& model) override {
-    return std::make_unique<RadiusSense>(model.body_geomadr[ball_]);
-  }
+  std::vector<observation::Signal> signals(const mjModel& model) const override;
 
  private:
   enum { kContact, kEffort, kFailure, kSuccess };
@@ -195,6 +171,21 @@ void Catch::follow(engine::Physics& physics) {
   if (!track_) return;
   gaze_.look_at(position(physics, ball_) + gaze_offset_, physics);
   physics.update_poses_at_last_start(gaze_.joints());
+}
+
+// The infant knows how large the ball is.
+std::vector<observation::Signal> Catch::signals(const mjModel& model) const {
+  observation::Field field;
+  field.name = "task/ball_radius";
+  field.shape = {1};
+  field.unit = "m";
+  field.time = observation::Time::kEnd;
+  field.low = 0;
+  field.labels = {"radius"};
+  const int geom = model.body_geomadr[ball_];
+  return {{field, [geom](const mjModel& now, const mjData&, float* out) {
+             *out = static_cast<float>(now.geom_size[3 * geom]);
+           }}};
 }
 
 void Catch::save(ByteWriter& to) const {

@@ -22,32 +22,6 @@ constexpr Parameter kParameters[] = {
      "Physics steps without control that lead from the stored pose to the start"},
 };
 
-// The target as the infant is told it: one number for each body with skin, 1 for the target, 0 for all others.
-class TargetSense : public senses::Sense {
- public:
-  TargetSense(const mjModel& model, const std::vector<int>& bodies, const std::size_t& target) : target_(target) {
-    senses::Field field;
-    field.name = "task/target";
-    field.shape = {bodies.size()};
-    field.time = senses::Time::kEnd;
-    field.low = 0;
-    field.high = 1;
-    for (const int body : bodies) field.labels.emplace_back(engine::name(model, engine::Kind::kBody, body));
-    fields_.push_back(std::move(field));
-  }
-
-  senses::Part part() const override { return senses::Part::kTask; }
-
-  void write(const mjModel&, const mjData&, std::uint8_t* block) override {
-    float* out = at<float>(block, 0);
-    std::fill_n(out, fields_[0].count(), 0.0f);
-    out[target_] = 1;
-  }
-
- private:
-  const std::size_t& target_;
-};
-
 // Bodies that the scene gives a skin, in model order; all bodies of an infant whose scene says nothing.
 std::vector<int> skin_of(const mjModel& model, const body::Body& body) {
   std::vector<int> bodies;
@@ -70,9 +44,7 @@ class Selfbody : public Task {
   void evaluate(const engine::Physics& physics) override;
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
-  std::unique_ptr<senses::Sense> make_sense(const mjModel& model) override {
-    return std::make_unique<TargetSense>(model, skin_, target_);
-  }
+  std::vector<observation::Signal> signals(const mjModel& model) const override;
 
  private:
   enum { kSuccess, kDistance, kNoTouch };
@@ -118,7 +90,21 @@ void Selfbody::reset(engine::Physics& physics, Random& random) {
   target_felt_ = fingers_felt_ = false;
 }
 
-// The stored pose is a sketch: locks, couplings and gravity pull it to where the infant really sits, at rest.
+// The target as the infant is told it: one number for each body with skin, 1 for the target, 0 for all others.
+std::vector<observation::Signal> Selfbody::signals(const mjModel& model) const {
+  observation::Field field;
+  field.name = "task/target";
+  field.shape = {skin_.size()};
+  field.time = observation::Time::kEnd;
+  field.low = 0;
+  field.high = 1;
+  for (const int body : skin_) field.labels.emplace_back(engine::name(model, engine::Kind::kBody, body));
+  return {{field, [this](const mjModel&, const mjData&, float* out) {
+             std::fill_n(out, skin_.size(), 0.0f);
+             out[target_] = 1;
+           }}};
+}
+
 void Selfbody::save(ByteWriter& to) const {
   Task::save(to);
   to.put(std::uint64_t{target_});
@@ -135,6 +121,7 @@ void Selfbody::load(ByteReader& from) {
   fingers_felt_ = from.take_flag();
 }
 
+// The stored pose is a sketch: locks, couplings and gravity pull it to where the infant really sits, at rest.
 void Selfbody::settle(engine::Physics& physics) {
   physics.step(settle_steps_);
   mjData& data = physics.data();

@@ -9,7 +9,7 @@
 #include "base/span.h"
 #include "body/body.h"
 #include "engine/physics.h"
-#include "senses/sense.h"
+#include "observation/signals.h"
 #include "tasks/parameters.h"
 
 namespace mimo::tasks {
@@ -37,8 +37,8 @@ class Task {
   virtual void evaluate(const engine::Physics&) {}
   // After the evaluation: what the task itself moves.
   virtual void follow(engine::Physics&) {}
-  // What it adds to the observation, or null. The task outlives it.
-  virtual std::unique_ptr<senses::Sense> make_sense(const mjModel&) { return nullptr; }
+  // What it adds to the observation. The task outlives them.
+  virtual std::vector<observation::Signal> signals(const mjModel&) const { return {}; }
 
   Span<const Term> terms() const { return terms_; }
   double reward() const;

@@ -55,7 +55,7 @@ void bench_step(double scale, bool all_outputs, int steps) {
   options.slip = options.friction_use = all_outputs;
   senses::Touch sense(make_skin(scale), options);
   std::size_t bytes = 0;
-  for (senses::Field& field : sense.fields()) {
+  for (observation::Field& field : sense.fields()) {
     field.offset = bytes;
     bytes += field.bytes();
   }

@@ -19,7 +19,7 @@ class Observation {
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
   std::vector<float> operator[](const std::string& name) const {
-    const senses::Field& field = find(name);
+    const observation::Field& field = find(name);
     std::vector<float> values(field.count());
     std::memcpy(values.data(), bytes_.data() + field.offset, field.bytes());
     return values;
@@ -27,7 +27,7 @@ class Observation {
 
   // The element with this label, "robot:left_elbow".
   float at(const std::string& name, const std::string& label) const {
-    const senses::Field& field = find(name);
+    const observation::Field& field = find(name);
     for (std::size_t i = 0; i < field.count(); ++i) {
       if (label == field.label(i)) return (*this)[name][i];
     }
@@ -36,7 +36,7 @@ class Observation {
   }
 
  private:
-  const senses::Field& find(const std::string& name) const {
+  const observation::Field& find(const std::string& name) const {
     for (std::size_t i = 0; i < world_->layout().size(); ++i) {
       if (world_->layout()[i].name == name) return world_->layout()[i];
     }

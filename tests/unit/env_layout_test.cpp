@@ -18,7 +18,7 @@ constexpr std::size_t kJoints = 47, kMotors = 44, kTorqueSites = 21;
 std::map<std::string, std::vector<std::size_t>> shapes(const env::World& world) {
   std::map<std::string, std::vector<std::size_t>> result;
   for (std::size_t i = 0; i < world.layout().size(); ++i) {
-    const senses::Field& field = world.layout()[i];
+    const observation::Field& field = world.layout()[i];
     EXPECT_EQ(result.count(field.name), 0u) << field.name << " is there twice";
     result[field.name] = field.shape;
   }
@@ -44,7 +44,7 @@ TEST(EnvLayout, FieldsOfTheMittenBody) {
 
 TEST(EnvLayout, FieldsDoNotOverlap) {
   const auto world = benchmark_world(all_senses());
-  const env::Layout& layout = world->layout();
+  const observation::Layout& layout = world->layout();
   std::size_t end = 0;
   for (std::size_t i = 0; i < layout.size(); ++i) {
     EXPECT_EQ(layout[i].offset % 64, 0u) << layout[i].name;
@@ -61,7 +61,7 @@ TEST(EnvLayout, FieldsDoNotOverlap) {
 TEST(EnvLayout, LabelsNameEveryElement) {
   const auto world = benchmark_world(all_senses());
   for (std::size_t i = 0; i < world->layout().size(); ++i) {
-    const senses::Field& field = world->layout()[i];
+    const observation::Field& field = world->layout()[i];
     if (field.name.rfind("touch/", 0) == 0) continue;  // mimo_env_touch_sensors describes these
     std::set<std::string> labels;
     for (std::size_t k = 0; k < field.count(); ++k) labels.insert(field.label(k));
@@ -113,9 +113,7 @@ TEST(EnvLayout, SwitchesRemoveTheirFields) {
       {"velocity", [](env::AgentOptions& o) { o.proprioception.velocity = false; }, {p + "velocity"}},
       {"torque", [](env::AgentOptions& o) { o.proprioception.torque = false; }, {p + "torque"}},
       {"limit", [](env::AgentOptions& o) { o.proprioception.limit = false; }, {p + "limit"}},
-      {"actuation",
-       [](env::AgentOptions& o) { o.proprioception.actuation = false; },
-       {p + "control", p + "motor_torque"}},
+      {"actuation", [](env::AgentOptions& o) { o.actuation.felt = false; }, {p + "control", p + "motor_torque"}},
       {"joint torque", [](env::AgentOptions& o) { o.proprioception.joint_torque = false; }, {p + "joint_torque"}},
       {"vestibular",
        [](env::AgentOptions& o) { o.vestibular = false; },
@@ -135,7 +133,8 @@ TEST(EnvLayout, NoSensesAtAll) {
   env::AgentOptions options = blind();
   options.vestibular = false;
   options.touch.force = false;
-  options.proprioception = {false, false, false, false, false, false, 0.035};
+  options.proprioception = {false, false, false, false, false, 0.035};
+  options.actuation.felt = false;
   const auto world = benchmark_world(options);
   EXPECT_EQ(world->layout().size(), 0u);
   EXPECT_EQ(world->layout().bytes(), 0u);

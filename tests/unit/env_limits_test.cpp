@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "senses/blur.h"
+#include "observation/blur.h"
 #include "support/block.h"
 #include "support/scenes.h"
 
@@ -15,18 +15,18 @@ using Values = std::vector<float>;
 constexpr const char* kVelocity = "proprioception/velocity";
 constexpr std::uint64_t kSeed = 5;
 
-senses::Limits gain(double factor) { return {factor, 0, 0, 0}; }
-senses::Limits noise(double deviation) { return {1, deviation, 0, 0}; }
-senses::Limits delay(int steps) { return {1, 0, 0, steps}; }
+observation::Limits gain(double factor) { return {factor, 0, 0, 0}; }
+observation::Limits noise(double deviation) { return {1, deviation, 0, 0}; }
+observation::Limits delay(int steps) { return {1, 0, 0, steps}; }
 
-env::AgentOptions limited(const std::vector<env::PathLimits>& limits) {
+env::AgentOptions limited(const std::vector<observation::PathLimits>& limits) {
   env::AgentOptions options = blind();
   options.touch.everywhere = 0.1;
   options.limits = limits;
   return options;
 }
 
-std::unique_ptr<env::World> world_with(const std::vector<env::PathLimits>& limits) {
+std::unique_ptr<env::World> world_with(const std::vector<observation::PathLimits>& limits) {
   return benchmark_world(limited(limits));
 }
 
@@ -147,7 +147,7 @@ TEST(Limits, NothingOfTheLastEpisodeIsSensed) {
 }
 
 TEST(Limits, ArePartOfTheState) {
-  const std::vector<env::PathLimits> limits = {{"proprioception", {0.9, 0.05, 0, 4}}, {"touch", delay(2)}};
+  const std::vector<observation::PathLimits> limits = {{"proprioception", {0.9, 0.05, 0, 4}}, {"touch", delay(2)}};
   const auto one = world_with(limits), other = world_with(limits);
   episode(*one, kVelocity, 12);
   std::vector<std::uint8_t> state(one->state_bytes());
@@ -204,7 +204,7 @@ TEST(Blur, HalvesTheContrastAtItsFrequency) {
       picture[i] =
           static_cast<std::uint8_t>(std::lround(128 + 120 * std::sin(2 * kPi * cycles / kPixelsPerDegree * x)));
     }
-    senses::blur(picture.data(), kSize, kSize, senses::blur_kernel(blurred, kPixelsPerDegree), room);
+    observation::blur(picture.data(), kSize, kSize, observation::blur_kernel(blurred, kPixelsPerDegree), room);
     std::uint8_t least = 255, most = 0;
     for (std::size_t x = 64; x < 192; ++x) {
       least = std::min(least, picture[(100 * kSize + x) * 3]);
@@ -222,7 +222,7 @@ TEST(Blur, LeavesEvenColoursAndBrightness) {
   for (std::size_t i = 0; i < picture.size(); ++i) picture[i] = static_cast<std::uint8_t>(40 * (i % 3) + 17);
   const auto before = picture;
   std::vector<float> room(picture.size());
-  senses::blur(picture.data(), 20, 30, senses::blur_kernel(0.3, 4.3), room);
+  observation::blur(picture.data(), 20, 30, observation::blur_kernel(0.3, 4.3), room);
   EXPECT_EQ(picture, before);
 }
 
@@ -243,7 +243,7 @@ TEST(Limits, ConcernPicturesInColour) {
   const auto& layout = perfect->layout();
   int darker = 0, softer = 0;
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    const senses::Field& field = layout[i];
+    const observation::Field& field = layout[i];
     for (std::size_t at = field.offset; at < field.offset + field.bytes(); ++at) {
       const int before = all.bytes()[at], after = weak.bytes()[at];
       if (field.name == "vision/eye_left") {

@@ -70,9 +70,9 @@ TEST(EnvStep, FieldsBelongToTheirTime) {
   world->observe(after.data());
   std::size_t at_start = 0;
   for (std::size_t i = 0; i < world->layout().size(); ++i) {
-    const senses::Field& field = world->layout()[i];
+    const observation::Field& field = world->layout()[i];
     SCOPED_TRACE(field.name);
-    if (field.time == senses::Time::kLastStart) {
+    if (field.time == observation::Time::kLastStart) {
       EXPECT_EQ(block[field.name], before[field.name]);
       EXPECT_NE(block[field.name], after[field.name]);
       ++at_start;

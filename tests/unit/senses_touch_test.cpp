@@ -72,7 +72,7 @@ TEST(TouchInfant, FieldsAreDescribed) {
   options.touch.slip = options.touch.friction_use = true;
   options.touch.frame = TouchFrame::kSkin;
   const auto world = benchmark_world(options);
-  std::map<std::string, const senses::Field*> fields;
+  std::map<std::string, const observation::Field*> fields;
   for (std::size_t i = 0; i < world->layout().size(); ++i) fields[world->layout()[i].name] = &world->layout()[i];
   const std::size_t sensors = sensors_of(*world).size();
   EXPECT_EQ(fields.at("touch/force")->shape, (std::vector<std::size_t>{sensors, 3}));
@@ -82,7 +82,7 @@ TEST(TouchInfant, FieldsAreDescribed) {
   EXPECT_EQ(fields.at("touch/slip")->unit, "m/s");
   EXPECT_EQ(fields.at("touch/friction_use")->shape, (std::vector<std::size_t>{sensors, 1}));
   for (const auto& [name, field] : fields) {
-    EXPECT_TRUE(name.rfind("touch/", 0) != 0 || field->time == senses::Time::kLastStart);
+    EXPECT_TRUE(name.rfind("touch/", 0) != 0 || field->time == observation::Time::kLastStart);
   }
 }
 

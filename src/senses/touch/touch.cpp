@@ -94,7 +94,7 @@ Touch::Touch(std::shared_ptr<const touch::Skin> skin, const TouchOptions& option
 int Touch::add(bool wanted, const char* name, std::size_t width, const char* unit, const char* frame) {
   const std::size_t sensors = skin_->sensors().size();
   if (!wanted || sensors == 0) return kNone;
-  Field field;
+  observation::Field field;
   field.name = name;
   field.shape = {sensors, width};
   field.unit = unit;
@@ -106,7 +106,7 @@ int Touch::add(bool wanted, const char* name, std::size_t width, const char* uni
 }
 
 void Touch::write(const mjModel& model, const mjData& data, std::uint8_t* block) {
-  for (const Field& field : fields_) std::fill_n(block + field.offset, field.bytes(), std::uint8_t{0});
+  for (const observation::Field& field : fields_) std::fill_n(block + field.offset, field.bytes(), std::uint8_t{0});
   if (fields_.empty()) return;
   for (int i = 0; i < data.ncon; ++i) {
     const bool first = skin_->covers(model.geom_bodyid[data.contact[i].geom1]);

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "body/body.h"
-#include "senses/sense.h"
+#include "observation/sense.h"
 #include "senses/touch/options.h"
 #include "senses/touch/press.h"
 
@@ -13,10 +13,10 @@ namespace mimo::senses {
 // The bodies that get a skin, with their spacings. Throws for a body by name that is not there or cannot be touched.
 std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body& body, const TouchOptions& options);
 
-class Touch : public Sense {
+class Touch : public observation::Sense {
  public:
   Touch(std::shared_ptr<const touch::Skin> skin, const TouchOptions& options);
-  Part part() const override { return Part::kTouch; }
+  observation::Part part() const override { return observation::Part::kTouch; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
   const touch::Skin& skin() const { return *skin_; }

@@ -1,0 +1,35 @@
+// A field: one of the arrays that an observation consists of.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace mimo::observation {
+
+enum class Type : int { kU8 = 1, kI32 = 2, kF32 = 3, kF64 = 4 };
+enum class Time : int { kEnd = 1, kLastStart = 2 };
+
+std::size_t size_of(Type type);
+
+struct Field {
+  std::string name;  // path, "proprioception/position"
+  Type type = Type::kF32;
+  std::vector<std::size_t> shape;  // 1 to 4 entries
+  std::string unit;
+  std::string frame;
+  Time time = Time::kLastStart;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  std::vector<std::string> labels;  // one per element of the flattened field; empty for pictures
+  double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else
+  std::size_t offset = 0;           // in the block; set by the layout
+
+  std::size_t count() const;
+  std::size_t bytes() const { return count() * size_of(type); }
+  // What element i of the flattened field is; "" where there are no labels.
+  const char* label(std::size_t i) const;
+};
+
+}  // namespace mimo::observation

@@ -1,0 +1,29 @@
+// Senses made of signals: fields of numbers, each with the function that fills it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "observation/sense.h"
+
+namespace mimo::observation {
+
+struct Signal {
+  Field field;  // of float
+  // Fills all of the field.
+  std::function<void(const mjModel& model, const mjData& data, float* out)> write;
+};
+
+class Signals : public Sense {
+ public:
+  // A signal without any numbers is left out.
+  Signals(Part part, std::vector<Signal> signals);
+  Part part() const override { return part_; }
+  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
+
+ private:
+  Part part_;
+  std::vector<decltype(Signal::write)> writers_;  // one per field
+};
+
+}  // namespace mimo::observation
