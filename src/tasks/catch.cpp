@@ -7,7 +7,7 @@
 #include "engine/custom.h"
 #include "engine/joints.h"
 #include "tasks/contacts.h"
-#include "tasks/gaze.h"
+#include "tasks/tracking.h"
 #include "tasks/vectors.h"
 
 namespace mimo::tasks {
@@ -61,7 +61,7 @@ class Catch : public Task {
   int ball_, palm_;
   int ball_address_;  // in qpos
   std::vector<int> skin_;
-  Gaze gaze_;
+  Tracking tracking_;
   std::uint64_t hold_steps_;
   double lost_below_, lost_beyond_, contact_reward_, success_reward_, failure_reward_, effort_weight_;
   double radius_low_, radius_high_, mass_low_, mass_high_, gaze_error_, jitter_;
@@ -81,7 +81,7 @@ Catch::Catch(const mjModel& model, const body::Body& body, const Settings& setti
       ball_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
       palm_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_hand")),
       ball_address_(engine::free_joint_address(model, ball_)),
-      gaze_(model, body) {
+      tracking_(model, body) {
   if (!engine::is_ball(model, ball_)) {
     fail(Status::kModel, "body {}target: catch needs a ball, a free body of one sphere", body.prefix);
   }
@@ -120,7 +120,7 @@ void Catch::reset(engine::Physics& physics, Random& random) {
   for (double& offset : gaze_offset_) offset = random.uniform(-gaze_error_, gaze_error_);
   settle(physics);
   physics.update_poses();
-  if (track_) gaze_.look_at(position(physics, ball_) + gaze_offset_, physics);
+  if (track_) tracking_.look_at(position(physics, ball_) + gaze_offset_, physics);
   touched_ = false;
   held_ = 0;
   jitter_left_ = 0;
@@ -169,8 +169,8 @@ void Catch::evaluate(const engine::Physics& physics) {
 
 void Catch::follow(engine::Physics& physics) {
   if (!track_) return;
-  gaze_.look_at(position(physics, ball_) + gaze_offset_, physics);
-  physics.update_poses_at_last_start(gaze_.joints());
+  tracking_.look_at(position(physics, ball_) + gaze_offset_, physics);
+  physics.update_poses_at_last_start(tracking_.joints());
 }
 
 // The infant knows how large the ball is.

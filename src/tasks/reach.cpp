@@ -5,7 +5,7 @@
 
 #include "engine/joints.h"
 #include "tasks/contacts.h"
-#include "tasks/gaze.h"
+#include "tasks/tracking.h"
 #include "tasks/vectors.h"
 
 namespace mimo::tasks {
@@ -51,7 +51,7 @@ class Reach : public Task {
   int target_address_;  // in qpos
   std::vector<int> arm_;
   std::vector<int> motors_;
-  Gaze gaze_;
+  Tracking tracking_;
   bool original_rules_, track_;
   double success_displacement_, success_reward_, distance_weight_;
   int warm_up_steps_;
@@ -68,7 +68,7 @@ Reach::Reach(const mjModel& model, const body::Body& body, const Settings& setti
       target_address_(engine::free_joint_address(model, target_)),
       arm_(body::subtree(model, engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_upper_arm"))),
       motors_(body.actuators),
-      gaze_(model, body) {
+      tracking_(model, body) {
   const auto get = [&](const char* name) { return settings[std::string("reach/") + name]; };
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));
   ends_ = get("ends_on_success") != 0;
@@ -86,7 +86,7 @@ void Reach::reset(engine::Physics& physics, Random& random) {
   warm_up(physics, random);
   place_target(physics, random);
   physics.update_poses();
-  if (track_) gaze_.look_at(position(physics, target_), physics);
+  if (track_) tracking_.look_at(position(physics, target_), physics);
   target_start_ = position(physics, target_);
   touched_ = false;
 }
@@ -101,7 +101,7 @@ void Reach::warm_up(engine::Physics& physics, Random& random) {
       data.ctrl[motor] = random.uniform(range[0], range[1]);
     }
     physics.step(1);
-    if (track_) gaze_.look_at(position(physics, target_), physics);
+    if (track_) tracking_.look_at(position(physics, target_), physics);
   }
   std::fill_n(data.ctrl, model.nu, 0.0);
   std::fill_n(data.qvel, model.nv, 0.0);
@@ -139,8 +139,8 @@ void Reach::evaluate(const engine::Physics& physics) {
 
 void Reach::follow(engine::Physics& physics) {
   if (!track_) return;
-  gaze_.look_at(position(physics, target_), physics);
-  physics.update_poses_at_last_start(gaze_.joints());
+  tracking_.look_at(position(physics, target_), physics);
+  physics.update_poses_at_last_start(tracking_.joints());
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 namespace mimo::tasks {
 
-class Gaze {
+class Tracking {
  public:
-  Gaze(const mjModel& model, const body::Body& body);
+  Tracking(const mjModel& model, const body::Body& body);
 
   // From where the head is; angles beyond a joint's range are cut to it.
   void look_at(const Eigen::Vector3d& point, engine::Physics& physics) const;

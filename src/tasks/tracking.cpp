@@ -1,4 +1,4 @@
-#include "tasks/gaze.h"
+#include "tasks/tracking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,14 +26,14 @@ const body::Joint& joint_of(const mjModel& model, const body::Body& body, const 
 
 }  // namespace
 
-Gaze::Gaze(const mjModel& model, const body::Body& body) : head_(body.head) {
+Tracking::Tracking(const mjModel& model, const body::Body& body) : head_(body.head) {
   for (std::size_t i = 0; i < kJoints.size(); ++i) {
     joints_[i] = joint_of(model, body, kJoints[i]);
     addresses_[i] = joints_[i].qpos;
   }
 }
 
-void Gaze::look_at(const Eigen::Vector3d& point, engine::Physics& physics) const {
+void Tracking::look_at(const Eigen::Vector3d& point, engine::Physics& physics) const {
   Eigen::Vector3d to = point - position(physics, head_);
   const double distance = to.norm();
   to.z() -= kEyeHeight;
