@@ -28,15 +28,15 @@ double ellipsoid_depth(const Vec3& radii, const Vec3& point) {
 // How deep a point lies below the surface; negative outside. Exact near the surface.
 double depth(const Shape& shape, const Vec3& point) {
   const Vec3& size = shape.size;
-  switch (shape.kind) {
-    case Shape::Kind::kNone: return -1;
-    case Shape::Kind::kSphere: return size.x() - point.norm();
-    case Shape::Kind::kCapsule: return size.x() - distance_to_axis(point, size.y());
-    case Shape::Kind::kCylinder:
+  switch (shape.form) {
+    case Shape::Form::kNone: return -1;
+    case Shape::Form::kSphere: return size.x() - point.norm();
+    case Shape::Form::kCapsule: return size.x() - distance_to_axis(point, size.y());
+    case Shape::Form::kCylinder:
       return std::min(size.x() - std::hypot(point.x(), point.y()), size.y() - std::abs(point.z()));
-    case Shape::Kind::kBox: return (size - point.cwiseAbs()).minCoeff();
-    case Shape::Kind::kEllipsoid: return ellipsoid_depth(size, point);
-    case Shape::Kind::kMesh: return shape.hull->depth(point);
+    case Shape::Form::kBox: return (size - point.cwiseAbs()).minCoeff();
+    case Shape::Form::kEllipsoid: return ellipsoid_depth(size, point);
+    case Shape::Form::kMesh: return shape.hull->depth(point);
   }
   return -1;
 }
@@ -50,13 +50,13 @@ bool has_shape(const mjModel& model, int geom) {
 Shape shape_of(const mjModel& model, int geom) {
   const Vec3 size(model.geom_size + 3 * geom);
   switch (model.geom_type[geom]) {
-    case mjGEOM_SPHERE: return {Shape::Kind::kSphere, size};
-    case mjGEOM_CAPSULE: return {Shape::Kind::kCapsule, size};
-    case mjGEOM_CYLINDER: return {Shape::Kind::kCylinder, size};
-    case mjGEOM_BOX: return {Shape::Kind::kBox, size};
-    case mjGEOM_ELLIPSOID: return {Shape::Kind::kEllipsoid, size};
+    case mjGEOM_SPHERE: return {Shape::Form::kSphere, size};
+    case mjGEOM_CAPSULE: return {Shape::Form::kCapsule, size};
+    case mjGEOM_CYLINDER: return {Shape::Form::kCylinder, size};
+    case mjGEOM_BOX: return {Shape::Form::kBox, size};
+    case mjGEOM_ELLIPSOID: return {Shape::Form::kEllipsoid, size};
     case mjGEOM_MESH:
-      return {Shape::Kind::kMesh, Vec3::Zero(), std::make_shared<const Hull>(hull_of(model, model.geom_dataid[geom]))};
+      return {Shape::Form::kMesh, Vec3::Zero(), std::make_shared<const Hull>(hull_of(model, model.geom_dataid[geom]))};
     default: return {};
   }
 }

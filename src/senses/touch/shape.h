@@ -13,9 +13,9 @@ using Vec3 = Eigen::Vector3d;
 struct Hull;
 
 struct Shape {
-  enum class Kind { kNone, kSphere, kCapsule, kCylinder, kBox, kEllipsoid, kMesh };
+  enum class Form { kNone, kSphere, kCapsule, kCylinder, kBox, kEllipsoid, kMesh };
 
-  Kind kind = Kind::kNone;
+  Form form = Form::kNone;
   Vec3 size = Vec3::Zero();  // as MuJoCo's: radius; radius and half length; three half lengths or radii
   std::shared_ptr<const Hull> hull = nullptr;  // of a mesh
 };

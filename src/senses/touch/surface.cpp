@@ -9,14 +9,14 @@ constexpr double kPi = 3.14159265358979323846;
 
 double area(const Shape& shape) {
   const Vec3& s = shape.size;
-  switch (shape.kind) {
-    case Shape::Kind::kSphere: return 4 * kPi * s.x() * s.x();
-    case Shape::Kind::kCapsule: return 4 * kPi * s.x() * (s.x() + s.y());
-    case Shape::Kind::kCylinder: return 2 * kPi * s.x() * (s.x() + 2 * s.y());
-    case Shape::Kind::kBox: return 8 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
-    case Shape::Kind::kEllipsoid: return 4 * kPi * s.maxCoeff() * s.maxCoeff();
-    case Shape::Kind::kMesh: return shape.hull->area();
-    case Shape::Kind::kNone: break;
+  switch (shape.form) {
+    case Shape::Form::kSphere: return 4 * kPi * s.x() * s.x();
+    case Shape::Form::kCapsule: return 4 * kPi * s.x() * (s.x() + s.y());
+    case Shape::Form::kCylinder: return 2 * kPi * s.x() * (s.x() + 2 * s.y());
+    case Shape::Form::kBox: return 8 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+    case Shape::Form::kEllipsoid: return 4 * kPi * s.maxCoeff() * s.maxCoeff();
+    case Shape::Form::kMesh: return shape.hull->area();
+    case Shape::Form::kNone: break;
   }
   return 0;
 }
@@ -32,14 +32,14 @@ double expected_points(const Shape& shape, double spacing) {
 
 Surface sample(const Shape& shape, double spacing) {
   const Vec3& size = shape.size;
-  switch (shape.kind) {
-    case Shape::Kind::kSphere: return sample_sphere(size.x(), spacing);
-    case Shape::Kind::kCapsule: return sample_capsule(size.x(), size.y(), spacing);
-    case Shape::Kind::kCylinder: return sample_cylinder(size.x(), size.y(), spacing);
-    case Shape::Kind::kBox: return sample_box(size, spacing);
-    case Shape::Kind::kEllipsoid: return sample_ellipsoid(size, spacing);
-    case Shape::Kind::kMesh: return sample_mesh(*shape.hull, spacing);
-    case Shape::Kind::kNone: break;
+  switch (shape.form) {
+    case Shape::Form::kSphere: return sample_sphere(size.x(), spacing);
+    case Shape::Form::kCapsule: return sample_capsule(size.x(), size.y(), spacing);
+    case Shape::Form::kCylinder: return sample_cylinder(size.x(), size.y(), spacing);
+    case Shape::Form::kBox: return sample_box(size, spacing);
+    case Shape::Form::kEllipsoid: return sample_ellipsoid(size, spacing);
+    case Shape::Form::kMesh: return sample_mesh(*shape.hull, spacing);
+    case Shape::Form::kNone: break;
   }
   return {};
 }

@@ -14,7 +14,7 @@ class Feeler {
   Feeler(const engine::ModelPtr& model, const std::vector<BodySpacing>& bodies, const TouchOptions& options = {})
       : physics(model, {}), sense(std::make_shared<const Skin>(physics.model(), bodies), options) {
     std::size_t offset = 0;
-    for (Field& field : sense.fields()) {
+    for (observation::Field& field : sense.fields()) {
       field.offset = offset;
       offset += field.bytes();
     }
@@ -27,8 +27,8 @@ class Feeler {
     sense.write(physics.model(), physics.data(), block_.data());
   }
 
-  const Field& field(const std::string& name) const {
-    for (const Field& field : sense.fields()) {
+  const observation::Field& field(const std::string& name) const {
+    for (const observation::Field& field : sense.fields()) {
       if (field.name == name) return field;
     }
     throw std::out_of_range("no field " + name);
@@ -36,7 +36,7 @@ class Feeler {
 
   // One row of a field, by sensor.
   Eigen::VectorXd row(const std::string& name, std::size_t sensor) const {
-    const Field& f = field(name);
+    const observation::Field& f = field(name);
     const std::size_t width = f.shape.at(1);
     std::vector<float> values(width);
     std::memcpy(values.data(), block_.data() + f.offset + 4 * width * sensor, 4 * width);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kAccuracy = 1e-12;
 
-using Kind = Shape::Kind;
+using Form = Shape::Form;
 
 // The counts of the original, written out anew: not in terms of the code under test.
 int box_count(const Vec3& half, double spacing) {
@@ -64,14 +64,14 @@ int cylinder_count(double radius, double half_length, double spacing) {
 
 int formula(const Shape& shape, double spacing) {
   const Vec3& s = shape.size;
-  switch (shape.kind) {
-    case Kind::kBox: return box_count(s, spacing);
-    case Kind::kSphere: return sphere_count(s.x(), spacing);
-    case Kind::kEllipsoid: return sphere_count(s.maxCoeff(), spacing);
-    case Kind::kCapsule: return capsule_count(s.x(), s.y(), spacing);
-    case Kind::kCylinder: return cylinder_count(s.x(), s.y(), spacing);
-    case Kind::kMesh:  // touch_maps_test.cpp
-    case Kind::kNone: break;
+  switch (shape.form) {
+    case Form::kBox: return box_count(s, spacing);
+    case Form::kSphere: return sphere_count(s.x(), spacing);
+    case Form::kEllipsoid: return sphere_count(s.maxCoeff(), spacing);
+    case Form::kCapsule: return capsule_count(s.x(), s.y(), spacing);
+    case Form::kCylinder: return cylinder_count(s.x(), s.y(), spacing);
+    case Form::kMesh:  // touch_maps_test.cpp
+    case Form::kNone: break;
   }
   return 0;
 }
@@ -80,14 +80,14 @@ int formula(const Shape& shape, double spacing) {
 double off_surface(const Shape& shape, const Vec3& p) {
   const Vec3& s = shape.size;
   const double radial = std::hypot(p.x(), p.y());
-  switch (shape.kind) {
-    case Kind::kBox: return std::abs((p.cwiseAbs() - s).maxCoeff());
-    case Kind::kSphere: return std::abs(p.norm() - s.x());
-    case Kind::kEllipsoid: return std::abs(p.cwiseQuotient(s).norm() - 1) * s.minCoeff();
-    case Kind::kCapsule: return std::abs(std::hypot(radial, std::max(0.0, std::abs(p.z()) - s.y())) - s.x());
-    case Kind::kCylinder: return std::abs(std::max(radial - s.x(), std::abs(p.z()) - s.y()));
-    case Kind::kMesh:  // touch_maps_test.cpp
-    case Kind::kNone: break;
+  switch (shape.form) {
+    case Form::kBox: return std::abs((p.cwiseAbs() - s).maxCoeff());
+    case Form::kSphere: return std::abs(p.norm() - s.x());
+    case Form::kEllipsoid: return std::abs(p.cwiseQuotient(s).norm() - 1) * s.minCoeff();
+    case Form::kCapsule: return std::abs(std::hypot(radial, std::max(0.0, std::abs(p.z()) - s.y())) - s.x());
+    case Form::kCylinder: return std::abs(std::max(radial - s.x(), std::abs(p.z()) - s.y()));
+    case Form::kMesh:  // touch_maps_test.cpp
+    case Form::kNone: break;
   }
   return 1;
 }
@@ -159,47 +159,47 @@ TEST_P(SurfacePoints, NeighboursAreNearAndConnected) {
 // The geoms of the mitten body, and some that are harder: exact multiples, needles, flat ones, ones that become a
 // point.
 const Case kCases[] = {
-    {"palm", {Kind::kBox, {0.0281, 0.01, 0.0208}}, 0.007},
-    {"fingers", {Kind::kBox, {0.0228, 0.01, 0.0207}}, 0.002},
-    {"fingers", {Kind::kBox, {0.0228, 0.01, 0.0207}}, 0.008},
-    {"sole", {Kind::kBox, {0.035, 0.025, 0.01}}, 0.015},
-    {"sole", {Kind::kBox, {0.035, 0.025, 0.01}}, 0.06},
-    {"cube", {Kind::kBox, {0.01, 0.01, 0.01}}, 0.01},
-    {"plate", {Kind::kBox, {0.1, 0.1, 0.001}}, 0.02},
-    {"head", {Kind::kSphere, {0.0735, 0, 0}}, 0.013},
-    {"head", {Kind::kSphere, {0.0735, 0, 0}}, 0.0735},
-    {"eye", {Kind::kSphere, {0.01125, 0, 0}}, 1.0},
-    {"egg", {Kind::kEllipsoid, {0.03, 0.05, 0.04}}, 0.008},
-    {"egg", {Kind::kEllipsoid, {0.03, 0.05, 0.04}}, 0.06},
-    {"hip", {Kind::kCapsule, {0.048, 0.043, 0}}, 0.025},
-    {"upper leg", {Kind::kCapsule, {0.037, 0.0625, 0}}, 0.027},
-    {"lower leg", {Kind::kCapsule, {0.029, 0.044, 0}}, 0.019},
-    {"three around", {Kind::kCapsule, {0.01, 0.02, 0}}, 0.025},
-    {"too thin", {Kind::kCapsule, {0.021, 0.028, 0}}, 0.152},
-    {"heel", {Kind::kCylinder, {0.0249, 0.0099, 0}}, 0.015},
-    {"toe tips", {Kind::kCylinder, {0.01, 0.025, 0}}, 0.010},
-    {"fingertips", {Kind::kCylinder, {0.0102, 0.023, 0}}, 0.002},
-    {"coin", {Kind::kCylinder, {0.03, 0.001, 0}}, 0.01},
+    {"palm", {Form::kBox, {0.0281, 0.01, 0.0208}}, 0.007},
+    {"fingers", {Form::kBox, {0.0228, 0.01, 0.0207}}, 0.002},
+    {"fingers", {Form::kBox, {0.0228, 0.01, 0.0207}}, 0.008},
+    {"sole", {Form::kBox, {0.035, 0.025, 0.01}}, 0.015},
+    {"sole", {Form::kBox, {0.035, 0.025, 0.01}}, 0.06},
+    {"cube", {Form::kBox, {0.01, 0.01, 0.01}}, 0.01},
+    {"plate", {Form::kBox, {0.1, 0.1, 0.001}}, 0.02},
+    {"head", {Form::kSphere, {0.0735, 0, 0}}, 0.013},
+    {"head", {Form::kSphere, {0.0735, 0, 0}}, 0.0735},
+    {"eye", {Form::kSphere, {0.01125, 0, 0}}, 1.0},
+    {"egg", {Form::kEllipsoid, {0.03, 0.05, 0.04}}, 0.008},
+    {"egg", {Form::kEllipsoid, {0.03, 0.05, 0.04}}, 0.06},
+    {"hip", {Form::kCapsule, {0.048, 0.043, 0}}, 0.025},
+    {"upper leg", {Form::kCapsule, {0.037, 0.0625, 0}}, 0.027},
+    {"lower leg", {Form::kCapsule, {0.029, 0.044, 0}}, 0.019},
+    {"three around", {Form::kCapsule, {0.01, 0.02, 0}}, 0.025},
+    {"too thin", {Form::kCapsule, {0.021, 0.028, 0}}, 0.152},
+    {"heel", {Form::kCylinder, {0.0249, 0.0099, 0}}, 0.015},
+    {"toe tips", {Form::kCylinder, {0.01, 0.025, 0}}, 0.010},
+    {"fingertips", {Form::kCylinder, {0.0102, 0.023, 0}}, 0.002},
+    {"coin", {Form::kCylinder, {0.03, 0.001, 0}}, 0.01},
 };
 INSTANTIATE_TEST_SUITE_P(Geoms, SurfacePoints, testing::ValuesIn(kCases));
 
 TEST(Inside, APointOnTheSurfaceIsOutside) {
-  EXPECT_FALSE(inside({Kind::kSphere, {1, 0, 0}}, {1, 0, 0}));
-  EXPECT_FALSE(inside({Kind::kSphere, {1, 0, 0}}, {1 - 0.5e-9, 0, 0}));
-  EXPECT_TRUE(inside({Kind::kSphere, {1, 0, 0}}, {1 - 2e-9, 0, 0}));
+  EXPECT_FALSE(inside({Form::kSphere, {1, 0, 0}}, {1, 0, 0}));
+  EXPECT_FALSE(inside({Form::kSphere, {1, 0, 0}}, {1 - 0.5e-9, 0, 0}));
+  EXPECT_TRUE(inside({Form::kSphere, {1, 0, 0}}, {1 - 2e-9, 0, 0}));
 }
 
 TEST(Inside, FollowsEachShape) {
-  EXPECT_TRUE(inside({Kind::kBox, {1, 2, 3}}, {0.99, -1.99, 2.99}));
-  EXPECT_FALSE(inside({Kind::kBox, {1, 2, 3}}, {0.99, -2.01, 0}));
-  EXPECT_TRUE(inside({Kind::kCapsule, {1, 2, 0}}, {0, 0.5, 2.8}));
-  EXPECT_FALSE(inside({Kind::kCapsule, {1, 2, 0}}, {0, 0.7, 2.8}));
-  EXPECT_TRUE(inside({Kind::kCylinder, {1, 2, 0}}, {0, 0.9, 1.9}));
-  EXPECT_FALSE(inside({Kind::kCylinder, {1, 2, 0}}, {0.8, 0.8, 0}));
-  EXPECT_FALSE(inside({Kind::kCylinder, {1, 2, 0}}, {0, 0.9, 2.1}));
-  EXPECT_TRUE(inside({Kind::kEllipsoid, {1, 2, 3}}, {0, 0, 2.99}));
-  EXPECT_TRUE(inside({Kind::kEllipsoid, {1, 2, 3}}, {0, 0, 0}));
-  EXPECT_FALSE(inside({Kind::kEllipsoid, {1, 2, 3}}, {0.8, 1.6, 0}));
+  EXPECT_TRUE(inside({Form::kBox, {1, 2, 3}}, {0.99, -1.99, 2.99}));
+  EXPECT_FALSE(inside({Form::kBox, {1, 2, 3}}, {0.99, -2.01, 0}));
+  EXPECT_TRUE(inside({Form::kCapsule, {1, 2, 0}}, {0, 0.5, 2.8}));
+  EXPECT_FALSE(inside({Form::kCapsule, {1, 2, 0}}, {0, 0.7, 2.8}));
+  EXPECT_TRUE(inside({Form::kCylinder, {1, 2, 0}}, {0, 0.9, 1.9}));
+  EXPECT_FALSE(inside({Form::kCylinder, {1, 2, 0}}, {0.8, 0.8, 0}));
+  EXPECT_FALSE(inside({Form::kCylinder, {1, 2, 0}}, {0, 0.9, 2.1}));
+  EXPECT_TRUE(inside({Form::kEllipsoid, {1, 2, 3}}, {0, 0, 2.99}));
+  EXPECT_TRUE(inside({Form::kEllipsoid, {1, 2, 3}}, {0, 0, 0}));
+  EXPECT_FALSE(inside({Form::kEllipsoid, {1, 2, 3}}, {0.8, 1.6, 0}));
   EXPECT_FALSE(inside({}, {0, 0, 0}));
 }
 
