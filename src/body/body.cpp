@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/fail.h"
+#include "engine/custom.h"
 #include "engine/ground.h"
 #include "engine/joints.h"
 
@@ -61,6 +63,19 @@ std::vector<int> subtree(const mjModel& model, int root) {
     while (ancestor > root) ancestor = model.body_parentid[ancestor];
     if (ancestor == root) bodies.push_back(body);
   }
+  return bodies;
+}
+
+std::vector<int> bodies_with_skin(const mjModel& model, const Body& body) {
+  std::vector<int> bodies;
+  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", Kind::kBody)) {
+    bodies.push_back(entry.id);
+  }
+  if (bodies.empty()) {
+    std::copy_if(body.bodies.begin(), body.bodies.end(), std::back_inserter(bodies),
+                 [&](int id) { return model.body_geomnum[id] > 0; });
+  }
+  std::sort(bodies.begin(), bodies.end());
   return bodies;
 }
 

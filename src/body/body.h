@@ -54,6 +54,10 @@ Sensor sensor(const mjModel& model, int id);
 // A body and all bodies below it, in model order.
 std::vector<int> subtree(const mjModel& model, int root);
 
+// Those of its bodies that have a skin, in model order: what the scene's document names in "mimo:touch"; where it says
+// nothing, all that have a surface.
+std::vector<int> bodies_with_skin(const mjModel& model, const Body& body);
+
 // The right hand's fingers: one body of a mitten hand, all bones of a hand with five. Throws Status::kNotFound for an
 // infant without a right hand.
 std::vector<int> right_fingers(const mjModel& model, const Body& body);

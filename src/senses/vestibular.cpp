@@ -1,8 +1,10 @@
 #include "senses/vestibular.h"
 
-#include <algorithm>
+#include <Eigen/Core>
 
 #include "base/fail.h"
+#include "engine/motion.h"
+#include "observation/signals.h"
 
 namespace mimo::senses {
 namespace {
@@ -22,9 +24,42 @@ observation::Field field(const char* name, const char* unit, const char* frame) 
 observation::Field acceleration(const char* frame) { return field("acceleration", "m/s^2", frame); }
 observation::Field angular_velocity(const char* frame) { return field("angular_velocity", "rad/s", frame); }
 
-void copy(const double* from, float* to) {
-  std::transform(from, from + 3, to, [](double value) { return static_cast<float>(value); });
+void narrow(const double* from, float* to) {
+  Eigen::Map<Eigen::Vector3f>{to} = Eigen::Map<const Eigen::Vector3d>(from).cast<float>();
 }
+
+// What one of MuJoCo's sensors says.
+observation::Signal reading(observation::Field field, const body::Sensor& sensor) {
+  const int address = sensor.address;
+  return {std::move(field),
+          [address](const mjModel&, const mjData& data, float* out) { narrow(data.sensordata + address, out); }};
+}
+
+// An infant's: MuJoCo's accelerometer and gyroscope in its head.
+std::vector<observation::Signal> readings(const body::Body& body) {
+  std::vector<observation::Signal> signals;
+  if (body.accelerometer) signals.push_back(reading(acceleration("head"), *body.accelerometer));
+  if (body.gyroscope) signals.push_back(reading(angular_velocity("head"), *body.gyroscope));
+  return signals;
+}
+
+// The same at any place of a model, which needs no sensors for it.
+class Organ : public observation::Sense {
+ public:
+  explicit Organ(engine::Place place) : place_(place) {
+    const char* frame = place.kind == Kind::kSite ? "site" : "body";
+    fields_ = {acceleration(frame), angular_velocity(frame)};
+  }
+  observation::Part part() const override { return observation::Part::kVestibular; }
+  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override {
+    const engine::Motion motion = engine::motion_of(model, data, place_);
+    narrow(motion.acceleration.data(), at<float>(block, 0));
+    narrow(motion.angular_velocity.data(), at<float>(block, 1));
+  }
+
+ private:
+  engine::Place place_;
+};
 
 // Sites come first, as they are made for sensors.
 engine::Place find_place(const mjModel& model, const std::string& name) {
@@ -35,32 +70,6 @@ engine::Place find_place(const mjModel& model, const std::string& name) {
 
 }  // namespace
 
-Vestibular::Vestibular(const body::Body& body) {
-  if (body.accelerometer) {
-    fields_.push_back(acceleration("head"));
-    addresses_.push_back(body.accelerometer->address);
-  }
-  if (body.gyroscope) {
-    fields_.push_back(angular_velocity("head"));
-    addresses_.push_back(body.gyroscope->address);
-  }
-}
-
-void Vestibular::write(const mjModel&, const mjData& data, std::uint8_t* block) {
-  for (std::size_t i = 0; i < addresses_.size(); ++i) copy(data.sensordata + addresses_[i], at<float>(block, i));
-}
-
-Organ::Organ(engine::Place place) : place_(place) {
-  const char* frame = place.kind == Kind::kSite ? "site" : "body";
-  fields_ = {acceleration(frame), angular_velocity(frame)};
-}
-
-void Organ::write(const mjModel& model, const mjData& data, std::uint8_t* block) {
-  const engine::Motion motion = engine::motion_of(model, data, place_);
-  copy(motion.acceleration.data(), at<float>(block, 0));
-  copy(motion.angular_velocity.data(), at<float>(block, 1));
-}
-
 std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
                                                     const std::string& place) {
   if (!place.empty()) return std::make_unique<Organ>(find_place(model, place));
@@ -68,7 +77,7 @@ std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const 
       body.infant,
       "vestibular is 1, but the agent is no infant: vestibular_at has to name a site or body that carries the organ, "
       "or vestibular = 0");
-  return std::make_unique<Vestibular>(body);
+  return std::make_unique<observation::Signals>(observation::Part::kVestibular, readings(body));
 }
 
 }  // namespace mimo::senses

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "engine/custom.h"
 #include "engine/joints.h"
 #include "tasks/contacts.h"
 #include "tasks/tracking.h"
@@ -81,14 +80,11 @@ Catch::Catch(const mjModel& model, const body::Body& body, const Settings& setti
       ball_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
       palm_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_hand")),
       ball_address_(engine::free_joint_address(model, ball_)),
+      skin_(body::bodies_with_skin(model, body)),
       tracking_(model, body) {
   if (!engine::is_ball(model, ball_)) {
     fail(Status::kModel, "body {}target: catch needs a ball, a free body of one sphere", body.prefix);
   }
-  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", engine::Kind::kBody)) {
-    skin_.push_back(entry.id);
-  }
-  if (skin_.empty()) skin_ = body.bodies;
   const auto get = [&](const char* name) { return settings[std::string("catch/") + name]; };
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));
   ends_ = get("ends") != 0;

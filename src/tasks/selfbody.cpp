@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "engine/custom.h"
 #include "tasks/contacts.h"
 #include "tasks/vectors.h"
 
@@ -21,20 +20,6 @@ constexpr Parameter kParameters[] = {
     {"selfbody/settle_steps", 25, 0, 10000,
      "Physics steps without control that lead from the stored pose to the start"},
 };
-
-// Bodies that the scene gives a skin, in model order; all bodies of an infant whose scene says nothing.
-std::vector<int> skin_of(const mjModel& model, const body::Body& body) {
-  std::vector<int> bodies;
-  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", engine::Kind::kBody)) {
-    bodies.push_back(entry.id);
-  }
-  if (bodies.empty()) {
-    std::copy_if(body.bodies.begin(), body.bodies.end(), std::back_inserter(bodies),
-                 [&](int id) { return model.body_geomnum[id] > 0; });
-  }
-  std::sort(bodies.begin(), bodies.end());
-  return bodies;
-}
 
 class Selfbody : public Task {
  public:
@@ -65,7 +50,7 @@ class Selfbody : public Task {
 Selfbody::Selfbody(const mjModel& model, const body::Body& body, const Settings& settings)
     : Task({{"success", 0}, {"distance", 0}, {"no_touch", 0}}),
       fingers_(body::right_fingers(model, body)),
-      skin_(skin_of(model, body)),
+      skin_(body::bodies_with_skin(model, body)),
       settled_(static_cast<std::size_t>(model.nq)) {
   // The arm that touches has skin, but is no target.
   const auto arm =

@@ -3,16 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 
 namespace mimo::senses::touch {
 namespace {
 
-// A direction in the tangent plane, or a turn of it, as complex numbers would have it.
-struct Plane {
-  double x, y;
-};
-Plane turned(const Plane& v, const Plane& turn) { return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x}; }
+// A direction in the tangent plane, or a turn of it.
+using Plane = std::complex<double>;
 
 // From a sensor to its neighbour.
 struct Step {
@@ -33,8 +31,7 @@ Step step_between(const Sensor& from, const Sensor& to, int to_index) {
   const Vec3 tangent = Eigen::Quaterniond::FromTwoVectors(to.normal(), from.normal()) * to.frame.row(1).transpose();
   const double scale = length / std::max(level.norm(), 1e-12);
   const auto in_plane = [&](const Vec3& v) { return Plane{v.dot(from.frame.row(1)), v.dot(from.frame.row(2))}; };
-  const Plane offset = in_plane(along);
-  return {to_index, length, {scale * offset.x, scale * offset.y}, in_plane(tangent)};
+  return {to_index, length, scale * in_plane(along), in_plane(tangent)};
 }
 
 // The steps from each sensor, one sensor after the other.
@@ -79,8 +76,8 @@ class Walk {
       queue_.pop_back();
       const Place here = places_[static_cast<std::size_t>(sensor)];
       if (length > here.length) continue;  // a shorter way had been found
-      if (std::hypot(here.offset.x, here.offset.y) <= reach_) {
-        map.push_back({first + sensor, static_cast<float>(here.offset.x), static_cast<float>(here.offset.y)});
+      if (std::abs(here.offset) <= reach_) {
+        map.push_back({first + sensor, static_cast<float>(here.offset.real()), static_cast<float>(here.offset.imag())});
       }
       for (const Step& step : graph_.from(static_cast<std::size_t>(sensor))) walk(source, here, step);
     }
@@ -98,9 +95,7 @@ class Walk {
     const double length = here.length + step.length;
     const Place& there = places_[static_cast<std::size_t>(step.to)];
     if (length > 1.2 * reach_ || (there.source == source && there.length <= length)) return;
-    const Plane offset = turned(step.offset, here.turn);
-    visit(step.to,
-          {source, length, {here.offset.x + offset.x, here.offset.y + offset.y}, turned(step.turn, here.turn)});
+    visit(step.to, {source, length, here.offset + step.offset * here.turn, step.turn * here.turn});
   }
 
   void visit(int sensor, const Place& place) {
