@@ -44,20 +44,17 @@ bool Position::holds(int lock) const {
 }
 
 Feedback Position::feel(const mjModel& model, const body::Body& body) const {
-  std::vector<body::Joint> joints;
   std::vector<int> locks;
-  for (const body::Motor& motor : motors_with_locks(model, body)) {
-    joints.push_back(motor.joint);
-    locks.push_back(motor.lock);
-  }
+  for (const body::Motor& motor : motors_with_locks(model, body)) locks.push_back(motor.lock);
   observation::Field field = actuator_field(model, body.actuators, "target");
-  field.unit = body::units_of(model, joints).position;
+  field.unit = body::units_of(model, body.joints).position;
   field.frame = "joint";
-  return {{{field,
-            [locks](const mjModel& now, const mjData&, float* out) {
-              for (const int lock : locks) *out++ = static_cast<float>(engine::lock_angle(now, lock));
-            }}},
-          {}};
+  Feedback feedback;
+  feedback.commands.push_back({field, [locks](const mjModel& now, const mjData&, float* out) {
+                                 for (const int lock : locks)
+                                   *out++ = static_cast<float>(engine::lock_angle(now, lock));
+                               }});
+  return feedback;
 }
 
 void Position::command(std::size_t index, double value, engine::Physics& physics) {

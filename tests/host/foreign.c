@@ -191,6 +191,11 @@ static void check_lacks(void) {
   scene = scene_of(&config);
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "effort and muscles", attach(scene, h, &senses));
   mimo_scene_destroy(scene);
+  config.actuation = MIMO_ACTUATION_POSITION;
+  scene = scene_of(&config);
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "position control: joint hip_left of swing_left has no equality that could hold it",
+              attach(scene, h, &senses));
+  mimo_scene_destroy(scene);
   config.actuation = MIMO_ACTUATION_TORQUE;
   config.touch = MIMO_TOUCH_FORCE;
   scene = scene_of(&config);
