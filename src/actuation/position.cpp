@@ -51,8 +51,9 @@ Feedback Position::feel(const mjModel& model, const body::Body& body) const {
   field.frame = "joint";
   Feedback feedback;
   feedback.commands.push_back({field, [locks](const mjModel& now, const mjData&, float* out) {
-                                 for (const int lock : locks)
+                                 for (const int lock : locks) {
                                    *out++ = static_cast<float>(engine::lock_angle(now, lock));
+                                 }
                                }});
   return feedback;
 }
