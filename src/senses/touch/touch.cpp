@@ -149,8 +149,7 @@ void Touch::add_force(const Vec3& world, const Eigen::Matrix3d& rotation, Span<c
   for (const Share& share : shares) {
     const auto sensor = static_cast<std::size_t>(share.sensor);
     const Vec3 own = share.weight * (in_skin ? Vec3(skin_->sensors()[sensor].frame * force) : force);
-    for (int axis = 0; axis < 3; ++axis)
-      out[3 * sensor + static_cast<std::size_t>(axis)] += static_cast<float>(own[axis]);
+    Eigen::Map<Eigen::Vector3f>{out + 3 * sensor} += own.cast<float>();
   }
 }
 
@@ -162,8 +161,7 @@ void Touch::add_slip(const Vec3& slip, const Vec3& normal, double normal_force, 
     const Eigen::Matrix3d& frame = skin_->sensors()[sensor].frame;
     const Vec3 tilted = Eigen::Quaterniond::FromTwoVectors(normal, frame.row(0).transpose()) * slip;
     const Eigen::Vector2d own = share.weight * normal_force * (frame.bottomRows<2>() * tilted);
-    out[2 * sensor] += static_cast<float>(own.x());
-    out[2 * sensor + 1] += static_cast<float>(own.y());
+    Eigen::Map<Eigen::Vector2f>{out + 2 * sensor} += own.cast<float>();
   }
 }
 
