@@ -18,7 +18,7 @@ Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agen
       fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
     }
     AgentOptions idle = agent;
-    idle.actuation.none = true;
+    idle.actuation.none = true;  // the host commands
     agents_.push_back(perceive(*model_, idle, renderer_.get()));
   }
   for (const Perception& agent : agents_) {
