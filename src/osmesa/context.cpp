@@ -1,4 +1,4 @@
-#include "render/osmesa_context.h"
+#include "osmesa/context.h"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 
 #include "base/fail.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
 // The process whose Mesa has started its drawing threads; 0 before the first context. A forked child inherits Mesa's
@@ -26,14 +26,14 @@ void refuse_forked() {
 }
 
 template <typename Function>
-void look_up(const OsmesaLibrary& library, const char* name, Function& function) {
+void look_up(const Library& library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(library.GetProcAddress(name));
   if (function == nullptr) fail(Status::kRender, "the installed OSMesa has no function {}", name);
 }
 
 }  // namespace
 
-OsmesaContext::OsmesaContext(const OsmesaLibrary& library) : library_(library) {
+Context::Context(const Library& library) : library_(library) {
   refuse_forked();
   look_up(library, "glBindRenderbuffer", gl_.BindRenderbuffer);
   look_up(library, "glRenderbufferStorageMultisample", gl_.RenderbufferStorageMultisample);
@@ -46,17 +46,17 @@ OsmesaContext::OsmesaContext(const OsmesaLibrary& library) : library_(library) {
   if (context_ == nullptr) fail(Status::kRender, "OSMesa cannot create a context");
 }
 
-OsmesaContext::~OsmesaContext() {
+Context::~Context() {
   if (!forked()) library_.DestroyContext(context_);
 }
 
-OsmesaContext::Current::Current(OsmesaContext& context) : library_(context.library_), host_(context.library_) {
+Context::Current::Current(Context& context) : library_(context.library_), host_(context.library_) {
   refuse_forked();
   if (!library_.MakeCurrent(context.context_, context.pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
     fail(Status::kRender, "OSMesa cannot make its context current");
   }
 }
 
-OsmesaContext::Current::~Current() { library_.MakeCurrent(nullptr, nullptr, 0, 0, 0); }
+Context::Current::~Current() { library_.MakeCurrent(nullptr, nullptr, 0, 0, 0); }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -5,30 +5,30 @@
 
 #include <array>
 
-#include "render/host_contexts.h"
-#include "render/osmesa_library.h"
+#include "osmesa/host_contexts.h"
+#include "osmesa/library.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
-class OsmesaContext {
+class Context {
  public:
   // Throws Status::kRender, and Status::kForked in a process that was forked from one that has drawn.
-  explicit OsmesaContext(const OsmesaLibrary& library);
-  ~OsmesaContext();
-  OsmesaContext(const OsmesaContext&) = delete;
-  OsmesaContext& operator=(const OsmesaContext&) = delete;
+  explicit Context(const Library& library);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
 
   // The context is current on this thread while this lives; afterwards the host's is again. Throws what the
   // constructor throws.
   class Current {
    public:
-    explicit Current(OsmesaContext& context);
+    explicit Current(Context& context);
     ~Current();
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 
    private:
-    const OsmesaLibrary& library_;
+    const Library& library_;
     HostContexts host_;
   };
 
@@ -44,11 +44,11 @@ class OsmesaContext {
   const Functions& gl() const { return gl_; }
 
  private:
-  const OsmesaLibrary library_;
+  const Library library_;
   Functions gl_;
   OSMesaContext context_ = nullptr;
   // The context's own frame buffer, of one pixel: MuJoCo draws into another.
   std::array<unsigned char, 4> pixel_{};
 };
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,4 +1,4 @@
-#include "render/exit_handlers.h"
+#include "osmesa/exit_handlers.h"
 
 #include <dlfcn.h>
 #include <unistd.h>
@@ -6,12 +6,12 @@
 #include <mutex>
 #include <new>
 
-#include "render/import_slot.h"
+#include "osmesa/import_slot.h"
 
 // What atexit() is made of.
 extern "C" int __cxa_atexit(void (*function)(void*), void* argument, void* library);  // NOLINT: the C library's name
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
 struct Handler {
@@ -50,4 +50,4 @@ void keep_exit_handlers_from_children(const void* inside) {
   });
 }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,6 +1,6 @@
-#include "render/host_contexts.h"
+#include "osmesa/host_contexts.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
 // The functions' types are spelled out here: GLX's and EGL's headers are not needed to build libmimo.
@@ -50,7 +50,7 @@ HostEgl::~HostEgl() {
   library_.find<EglMakeCurrent>("eglMakeCurrent")(display_, draw_, read_, context_);
 }
 
-HostOsmesa::HostOsmesa(const OsmesaLibrary& library) : library_(library), context_(library.GetCurrentContext()) {
+HostOsmesa::HostOsmesa(const Library& library) : library_(library), context_(library.GetCurrentContext()) {
   if (context_ == nullptr) return;
   GLint format = 0;  // belongs to the context, not needed to make it current
   if (!library_.GetColorBuffer(context_, &width_, &height_, &format, &buffer_)) context_ = nullptr;
@@ -61,4 +61,4 @@ HostOsmesa::~HostOsmesa() {
   if (context_ != nullptr) library_.MakeCurrent(context_, buffer_, static_cast<GLenum>(type_), width_, height_);
 }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

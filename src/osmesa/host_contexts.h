@@ -2,10 +2,10 @@
 // again afterwards, as if nothing had happened.
 #pragma once
 
-#include "render/loaded_library.h"
-#include "render/osmesa_library.h"
+#include "osmesa/library.h"
+#include "osmesa/loaded_library.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
 class HostGlx {
  public:
@@ -39,13 +39,13 @@ class HostEgl {
 
 class HostOsmesa {
  public:
-  explicit HostOsmesa(const OsmesaLibrary& library);
+  explicit HostOsmesa(const Library& library);
   ~HostOsmesa();
   HostOsmesa(const HostOsmesa&) = delete;
   HostOsmesa& operator=(const HostOsmesa&) = delete;
 
  private:
-  const OsmesaLibrary& library_;
+  const Library& library_;
   OSMesaContext context_ = nullptr;
   void* buffer_ = nullptr;
   GLint width_ = 0;
@@ -57,7 +57,7 @@ class HostOsmesa {
 // take a context of the others for its own. So it is asked last, when the others have none.
 class HostContexts {
  public:
-  explicit HostContexts(const OsmesaLibrary& library) : osmesa_(library) {}
+  explicit HostContexts(const Library& library) : osmesa_(library) {}
 
  private:
   HostGlx glx_;
@@ -65,4 +65,4 @@ class HostContexts {
   HostOsmesa osmesa_;
 };
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

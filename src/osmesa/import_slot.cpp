@@ -1,4 +1,4 @@
-#include "render/import_slot.h"
+#include "osmesa/import_slot.h"
 
 #include <link.h>
 #include <sys/mman.h>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
 struct ImportSlot::Search {
   const void* inside;
@@ -106,4 +106,4 @@ void* ImportSlot::exchange(void* function) {
   return before;
 }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,11 +1,11 @@
-#include "render/osmesa_library.h"
+#include "osmesa/library.h"
 
 #include <dlfcn.h>
 
 #include "base/fail.h"
-#include "render/exit_handlers.h"
+#include "osmesa/exit_handlers.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
 void* open_first(const std::vector<std::string>& names) {
@@ -28,9 +28,9 @@ void look_up(void* handle, const char* name, Function& function) {
 
 }  // namespace
 
-OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
+Library load_library(const std::vector<std::string>& names) {
   void* handle = open_first(names);
-  OsmesaLibrary library;
+  Library library;
   look_up(handle, "OSMesaCreateContextExt", library.CreateContextExt);
   look_up(handle, "OSMesaDestroyContext", library.DestroyContext);
   look_up(handle, "OSMesaMakeCurrent", library.MakeCurrent);
@@ -42,4 +42,4 @@ OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
   return library;
 }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

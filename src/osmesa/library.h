@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
 // Named like what they stand for, without the prefix OSMesa.
-struct OsmesaLibrary {
+struct Library {
   decltype(&OSMesaCreateContextExt) CreateContextExt = nullptr;
   decltype(&OSMesaDestroyContext) DestroyContext = nullptr;
   decltype(&OSMesaMakeCurrent) MakeCurrent = nullptr;
@@ -21,10 +21,10 @@ struct OsmesaLibrary {
 };
 
 // Debian 12 has .8; .6 is the name in older releases, the last one that of the development package.
-inline const std::vector<std::string> kOsmesaNames = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+inline const std::vector<std::string> kLibraryNames = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 
 // Loads the first of these libraries that is there; it stays loaded until the process ends, because Mesa's threads and
 // MuJoCo's function pointers live on in it. Throws Status::kUnsupported.
-OsmesaLibrary load_osmesa(const std::vector<std::string>& names = kOsmesaNames);
+Library load_library(const std::vector<std::string>& names = kLibraryNames);
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,4 +1,4 @@
-#include "render/loaded_library.h"
+#include "osmesa/loaded_library.h"
 
 #include <dlfcn.h>
 #include <link.h>
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
 struct Search {
@@ -50,4 +50,4 @@ LoadedLibrary::~LoadedLibrary() {
 
 void* LoadedLibrary::address(const char* name) const { return handle_ == nullptr ? nullptr : dlsym(handle_, name); }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

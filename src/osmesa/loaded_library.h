@@ -4,7 +4,7 @@
 #include <array>
 #include <initializer_list>
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
 // Path of the first loaded library whose file name starts with one of the prefixes; "" when there is none. First in
 // the order of loading.
@@ -29,4 +29,4 @@ class LoadedLibrary {
   void* handle_ = nullptr;
 };
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,4 +1,4 @@
-#include "render/mujoco_binding.h"
+#include "osmesa/mujoco_binding.h"
 
 #include <dlfcn.h>
 
@@ -6,17 +6,17 @@
 #include <thread>
 
 #include "base/fail.h"
-#include "render/import_slot.h"
-#include "render/loaded_library.h"
+#include "osmesa/import_slot.h"
+#include "osmesa/loaded_library.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
 std::mutex one_at_a_time;
 bool confirmed = false;
 
 // Goes the same steps as MuJoCo's look-up.
-bool finds_osmesa_by_itself(const OsmesaLibrary& library) {
+bool finds_osmesa_by_itself(const Library& library) {
   void* process = dlopen(nullptr, RTLD_LAZY);
   if (dlsym(process, "eglGetProcAddress") != nullptr) return false;
   if (void* osmesa = dlsym(process, "OSMesaGetProcAddress")) {
@@ -44,7 +44,7 @@ void* leading_dlsym(void* handle, const char* name) {
 // Lets libmujoco call leading_dlsym instead of dlsym.
 class MujocoBinding::Detour {
  public:
-  explicit Detour(const OsmesaLibrary& library) : slot_(dlsym(RTLD_DEFAULT, "mjr_makeContext"), "dlsym") {
+  explicit Detour(const Library& library) : slot_(dlsym(RTLD_DEFAULT, "mjr_makeContext"), "dlsym") {
     led_thread = std::this_thread::get_id();
     led_to = reinterpret_cast<void*>(library.GetProcAddress);
     if (!slot_.empty()) original_ = slot_.exchange(reinterpret_cast<void*>(leading_dlsym));
@@ -62,7 +62,7 @@ class MujocoBinding::Detour {
   void* original_ = nullptr;
 };
 
-MujocoBinding::MujocoBinding(const OsmesaLibrary& library) : lock_(one_at_a_time) {
+MujocoBinding::MujocoBinding(const Library& library) : lock_(one_at_a_time) {
   if (!confirmed && !finds_osmesa_by_itself(library)) detour_ = std::make_unique<Detour>(library);
 }
 
@@ -70,4 +70,4 @@ MujocoBinding::~MujocoBinding() = default;
 
 void MujocoBinding::confirm() { confirmed = true; }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

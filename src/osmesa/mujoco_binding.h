@@ -14,15 +14,15 @@
 #include <memory>
 #include <mutex>
 
-#include "render/osmesa_library.h"
+#include "osmesa/library.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
 // While this lives, MuJoCo's look-up on this thread finds OSMesa. Only one lives at a time, because the functions that
 // MuJoCo keeps are global. Throws Status::kUnsupported where the look-up cannot be led.
 class MujocoBinding {
  public:
-  explicit MujocoBinding(const OsmesaLibrary& library);
+  explicit MujocoBinding(const Library& library);
   ~MujocoBinding();
   MujocoBinding(const MujocoBinding&) = delete;
   MujocoBinding& operator=(const MujocoBinding&) = delete;
@@ -37,4 +37,4 @@ class MujocoBinding {
   std::unique_ptr<Detour> detour_;
 };
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,4 +1,4 @@
-#include "render/osmesa.h"
+#include "osmesa/renderer.h"
 
 #include <mujoco/mujoco.h>
 
@@ -8,16 +8,16 @@
 
 #include "base/fail.h"
 #include "engine/guard.h"
-#include "render/mujoco_binding.h"
-#include "render/osmesa_context.h"
-#include "render/osmesa_library.h"
+#include "osmesa/context.h"
+#include "osmesa/library.h"
+#include "osmesa/mujoco_binding.h"
 #include "render/pixels.h"
 #include "render/visual_scene.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 namespace {
 
-using Current = OsmesaContext::Current;
+using Current = Context::Current;
 
 // One function of MuJoCo under the guard.
 template <typename Call>
@@ -32,8 +32,7 @@ void run(const char* what, const LogSink& log, Call&& call) {
 class Canvas {
  public:
   // `samples` a pixel; 0: what the model says. OpenGL may give fewer.
-  Canvas(const mjModel& model, int samples, const OsmesaLibrary& library, const OsmesaContext& context,
-         const LogSink& log);
+  Canvas(const mjModel& model, int samples, const Library& library, const Context& context, const LogSink& log);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -46,13 +45,12 @@ class Canvas {
  private:
   void store(GLuint buffer, GLenum format, int samples);
 
-  const OsmesaContext::Functions& gl_;
+  const Context::Functions& gl_;
   const LogSink& log_;
   mjrContext buffers_;
 };
 
-Canvas::Canvas(const mjModel& model, int samples, const OsmesaLibrary& library, const OsmesaContext& context,
-               const LogSink& log)
+Canvas::Canvas(const mjModel& model, int samples, const Library& library, const Context& context, const LogSink& log)
     : gl_(context.gl()), log_(log) {
   mjr_defaultContext(&buffers_);
   // MuJoCo 2.2.2 checks for 1000 textures but has room for 100.
@@ -108,42 +106,44 @@ void Canvas::draw(mjvScene* scene, int width, int height, unsigned char* rgb, fl
   run("MuJoCo cannot read the picture", log_, [&] { mjr_readPixels(rgb, depth, rectangle, &buffers_); });
 }
 
-class OsmesaRenderer final : public Renderer {
+class OsmesaRenderer final : public render::Renderer {
  public:
-  OsmesaRenderer(engine::ModelPtr model, const Quality& quality, const LogSink& log, const OsmesaLibrary& library)
+  OsmesaRenderer(engine::ModelPtr model, const render::Quality& quality, const LogSink& log, const Library& library)
       : model_(std::move(model)), samples_(quality.samples), log_(log), library_(library), scene_(*model_, quality) {}
   ~OsmesaRenderer() override { forget(); }
 
-  void draw(const mjModel& model, const mjData& data, const View& view, const Picture& picture) override;
+  void draw(const mjModel& model, const mjData& data, const render::View& view,
+            const render::Picture& picture) override;
 
  private:
-  void draw_current(const Picture& picture);
-  void paint(const Picture& picture);
-  void measure(const Picture& picture);
+  void draw_current(const render::Picture& picture);
+  void paint(const render::Picture& picture);
+  void measure(const render::Picture& picture);
   void forget() noexcept;
 
   engine::ModelPtr model_;
   int samples_;
   LogSink log_;
-  const OsmesaLibrary library_;
-  VisualScene scene_;
+  const Library library_;
+  render::VisualScene scene_;
   std::vector<unsigned char> ids_;
   // Made for the first picture: a world that never draws pays nothing.
-  std::unique_ptr<OsmesaContext> context_;
+  std::unique_ptr<Context> context_;
   std::unique_ptr<Canvas> canvas_;
 };
 
-void check(const View& view, const Picture& picture) {
+void check(const render::View& view, const render::Picture& picture) {
   require(picture.width > 0 && picture.height > 0, "a picture of {}x{} pixels", picture.width, picture.height);
   require(view.fovy > 0 && view.fovy < 180, "a field of view of {} degrees; expected more than 0 and less than 180",
           view.fovy);
 }
 
-void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const View& view, const Picture& picture) {
+void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const render::View& view,
+                          const render::Picture& picture) {
   check(view, picture);
   scene_.update(model, data, view);
   try {
-    if (!context_) context_ = std::make_unique<OsmesaContext>(library_);
+    if (!context_) context_ = std::make_unique<Context>(library_);
     draw_current(picture);
   } catch (...) {
     forget();  // an error amid OpenGL calls leaves a context in no known state; the next picture begins with a new one
@@ -151,7 +151,7 @@ void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const View& 
   }
 }
 
-void OsmesaRenderer::draw_current(const Picture& picture) {
+void OsmesaRenderer::draw_current(const render::Picture& picture) {
   const Current current(*context_);
   if (!canvas_) canvas_ = std::make_unique<Canvas>(*model_, samples_, library_, *context_, log_);
   canvas_->make_room(picture.width, picture.height);
@@ -159,30 +159,30 @@ void OsmesaRenderer::draw_current(const Picture& picture) {
   if (picture.depth != nullptr || picture.segmentation != nullptr) measure(picture);
 }
 
-void OsmesaRenderer::paint(const Picture& picture) {
+void OsmesaRenderer::paint(const render::Picture& picture) {
   scene_.show_ids(false);
   canvas_->draw(scene_.get(), picture.width, picture.height, picture.rgb, nullptr);
-  flip_rows(picture.rgb, static_cast<std::size_t>(picture.width) * 3, picture.height);
+  render::flip_rows(picture.rgb, static_cast<std::size_t>(picture.width) * 3, picture.height);
 }
 
 // Depth and ids come from a drawing of their own. The samples of the coloured one lie beside the pixels' centres, and
 // it leaves transparent geoms out of the depth; in this one MuJoCo switches multisampling off and everything is opaque,
 // so ids are not averaged and each pixel's depth is that of the geom it names.
-void OsmesaRenderer::measure(const Picture& picture) {
+void OsmesaRenderer::measure(const render::Picture& picture) {
   const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   const bool segment = picture.segmentation != nullptr;
   if (segment && ids_.size() < 3 * count) ids_.resize(3 * count);
   scene_.show_ids(true);
   canvas_->draw(scene_.get(), picture.width, picture.height, segment ? ids_.data() : nullptr, picture.depth);
   if (segment) {
-    ids_to_geoms(ids_.data(), count, scene_.geoms(), picture.segmentation);
-    flip_rows(reinterpret_cast<unsigned char*>(picture.segmentation), static_cast<std::size_t>(picture.width) * 4,
-              picture.height);
+    render::ids_to_geoms(ids_.data(), count, scene_.geoms(), picture.segmentation);
+    render::flip_rows(reinterpret_cast<unsigned char*>(picture.segmentation),
+                      static_cast<std::size_t>(picture.width) * 4, picture.height);
   }
   if (picture.depth != nullptr) {
-    depth_to_metres(picture.depth, count, scene_.near(), scene_.far());
-    flip_rows(reinterpret_cast<unsigned char*>(picture.depth), static_cast<std::size_t>(picture.width) * 4,
-              picture.height);
+    render::depth_to_metres(picture.depth, count, scene_.near(), scene_.far());
+    render::flip_rows(reinterpret_cast<unsigned char*>(picture.depth), static_cast<std::size_t>(picture.width) * 4,
+                      picture.height);
   }
 }
 
@@ -202,13 +202,14 @@ void OsmesaRenderer::forget() noexcept {
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log,
-                                               const std::vector<std::string>& libraries) {
-  return std::make_unique<OsmesaRenderer>(std::move(model), quality, log, load_osmesa(libraries));
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
+                                                const LogSink& log, const std::vector<std::string>& libraries) {
+  return std::make_unique<OsmesaRenderer>(std::move(model), quality, log, load_library(libraries));
 }
 
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log) {
-  return make_osmesa_renderer(std::move(model), quality, log, kOsmesaNames);
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
+                                                const LogSink& log) {
+  return make_renderer(std::move(model), quality, log, kLibraryNames);
 }
 
-}  // namespace mimo::render
+}  // namespace mimo::osmesa

@@ -1,15 +1,22 @@
-// The OSMesa renderer, with names of the library that tests can choose.
+// MuJoCo's own pictures through OSMesa, which is loaded at run time.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/log.h"
+#include "engine/model.h"
 #include "render/renderer.h"
 
-namespace mimo::render {
+namespace mimo::osmesa {
 
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log,
-                                               const std::vector<std::string>& libraries);
+// Throws Status::kUnsupported where there is no OSMesa.
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
+                                                const LogSink& log);
 
-}  // namespace mimo::render
+// The same with other names of the library.
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
+                                                const LogSink& log, const std::vector<std::string>& libraries);
+
+}  // namespace mimo::osmesa

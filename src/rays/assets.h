@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "engine/model.h"
-#include "render/ray/meshes.h"
-#include "render/ray/skins.h"
-#include "render/ray/textures.h"
+#include "rays/meshes.h"
+#include "rays/skins.h"
+#include "rays/textures.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 struct Assets {
   explicit Assets(const engine::ModelPtr& model) : textures(*model), meshes(*model), skins(skin_patterns(model)) {}
@@ -18,4 +18,4 @@ struct Assets {
   const std::vector<SkinPattern> skins;
 };
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -1,8 +1,8 @@
-#include "render/ray/extras.h"
+#include "rays/extras.h"
 
 #include <algorithm>
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 bool Extras::any(const mjModel& model) {
   const auto is_spatial = [&](int first) { return model.wrap_type[first] != mjWRAP_JOINT; };
@@ -11,11 +11,11 @@ bool Extras::any(const mjModel& model) {
 }
 
 Extras::Extras(const mjModel& model, const std::vector<SkinPattern>& patterns)
-    : list_(model, {}, VisualScene::Shown::kExtras) {
-  for (const SkinPattern& pattern : patterns) skins_.push_back({&pattern, pattern.mesh(), {}});
+    : list_(model, {}, render::VisualScene::Shown::kExtras) {
+  for (const SkinPattern& pattern : patterns) skins_.push_back({&pattern, pattern.mesh()});
 }
 
-void Extras::update(const mjModel& model, const mjData& data, const View& view) {
+void Extras::update(const mjModel& model, const mjData& data, const render::View& view) {
   list_.update(model, data, view);
   const mjvScene& now = list_.scene();
   for (int i = 0; i < count(); ++i) {
@@ -29,8 +29,8 @@ void Extras::update(const mjModel& model, const mjData& data, const View& view) 
 
 const Mesh& Extras::skin(int id, double* place) const {
   const Skin& skin = skins_[static_cast<std::size_t>(id)];
-  std::copy(skin.place.begin(), skin.place.end(), place);
+  std::copy_n(skin.place.data(), 3, place);
   return skin.mesh;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -4,13 +4,12 @@
 #include <mujoco/mjmodel.h>
 #include <mujoco/mjvisualize.h>
 
-#include <array>
 #include <vector>
 
-#include "render/ray/skins.h"
+#include "rays/skins.h"
 #include "render/visual_scene.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 class Extras {
  public:
@@ -19,7 +18,7 @@ class Extras {
   Extras(const mjModel& model, const std::vector<SkinPattern>& patterns);
 
   // Throws Status::kRender.
-  void update(const mjModel& model, const mjData& data, const View& view);
+  void update(const mjModel& model, const mjData& data, const render::View& view);
 
   int most() const { return list_.scene().maxgeom; }
   int count() const { return list_.scene().ngeom; }
@@ -31,11 +30,11 @@ class Extras {
   struct Skin {
     const SkinPattern* pattern;
     Mesh mesh;
-    std::array<double, 3> place;
+    Vec place = Vec::Zero();
   };
 
-  VisualScene list_;
+  render::VisualScene list_;
   std::vector<Skin> skins_;
 };
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -1,18 +1,18 @@
 // Where rays meet solids.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_INTERSECT_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_INTERSECT_INL_H
-#undef MIMO_RENDER_RAY_INTERSECT_INL_H
+#if defined(MIMO_RAYS_INTERSECT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_INTERSECT_INL_H
+#undef MIMO_RAYS_INTERSECT_INL_H
 #else
-#define MIMO_RENDER_RAY_INTERSECT_INL_H
+#define MIMO_RAYS_INTERSECT_INL_H
 #endif
 
-#include "render/ray/lanes-inl.h"
-#include "render/ray/mesh-inl.h"
-#include "render/ray/scene.h"
+#include "rays/lanes-inl.h"
+#include "rays/mesh-inl.h"
+#include "rays/solids.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids but meshes are
@@ -99,7 +99,7 @@ HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

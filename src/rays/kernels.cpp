@@ -3,7 +3,7 @@
 //
 // Nothing here is fused or approximated by the hardware: sums, products, quotients and roots are IEEE's, so that all
 // paths give the same picture, bit by bit.
-#include "render/ray/kernels.h"
+#include "rays/kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 // The vectors below are members of structs, which scalable vectors cannot be; of the x86 sets, these are enough.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/ray/kernels.cpp"
+#define HWY_TARGET_INCLUDE "rays/kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -22,12 +22,12 @@
 #define HWY_INLINE inline
 #endif
 
-#include "render/ray/coloring-inl.h"
-#include "render/ray/lanes-inl.h"
-#include "render/ray/tile-inl.h"
+#include "rays/coloring-inl.h"
+#include "rays/lanes-inl.h"
+#include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 HWY_INLINE std::uint32_t Average(const std::uint32_t* color, int samples) {
@@ -64,13 +64,14 @@ HWY_INLINE void Pack(const std::uint32_t* from, int count, std::uint8_t* to) {
   PackOneByOne(from + done, count - done, to + 3 * done);
 }
 
-void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32_t* color) {
-  const int n = job.samples;
+void WriteColor(const Grid& grid, int tile_row, int tile_column, const std::uint32_t* color) {
+  const int n = grid.samples;
   const int size = kTile / n;
-  const int width = std::min(size, job.width - tile_column * size);
-  const int height = std::min(size, job.height - tile_row * size);
+  const int width = std::min(size, grid.width - tile_column * size);
+  const int height = std::min(size, grid.height - tile_row * size);
   for (int row = 0; row < height; ++row) {
-    std::uint8_t* to = job.rgb + 3 * (static_cast<std::size_t>(tile_row * size + row) * job.width + tile_column * size);
+    std::uint8_t* to =
+        grid.rgb + 3 * (static_cast<std::size_t>(tile_row * size + row) * grid.width + tile_column * size);
     const std::uint32_t* from = color + row * n * kTile;
     if (n == 1) {
       Pack(from, width, to);
@@ -84,63 +85,64 @@ void WriteColor(const Job& job, int tile_row, int tile_column, const std::uint32
 }
 
 // Where the rays of a tile meet the solid that one of the camera's aspects shows.
-void Meet(const Scene& scene, int index, Tile& tile) {
-  const Window w = WindowOf(scene.camera.aspects[index], tile);
-  if (!IsEmpty(w)) Cast<false>(scene, scene.camera, index, tile, w, &scene.near_plane, tile.t, tile.id, tile.face);
+void Meet(const Solids& solids, const Camera& camera, int index, Tile& tile) {
+  const Window w = WindowOf(camera.aspects[index], tile);
+  if (!IsEmpty(w)) Cast<false>(solids, camera, index, tile, w, &camera.near_plane, tile.t, tile.id, tile.face);
 }
 
-void WriteShapes(const Job& job, int tile_row, int tile_column, const Tile& tile) {
-  const Scene& scene = *job.scene;
-  const int width = std::min(kTile, job.columns - tile_column * kTile);
-  const int height = std::min(kTile, job.rows - tile_row * kTile);
+void WriteShapes(const Grid& grid, int tile_row, int tile_column, const Tile& tile) {
+  const Frame& frame = *grid.frame;
+  const int width = std::min(kTile, grid.columns - tile_column * kTile);
+  const int height = std::min(kTile, grid.rows - tile_row * kTile);
   for (int row = 0; row < height; ++row) {
-    const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * job.columns + tile_column * kTile;
+    const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * grid.columns + tile_column * kTile;
     for (int column = 0; column < width; ++column) {
       const int i = row * kTile + column;
-      const bool hit = tile.id[i] >= 0 && tile.t[i] <= scene.far_plane;
-      if (job.depth != nullptr) job.depth[start + column] = hit ? tile.t[i] : scene.far_plane;
-      if (job.segmentation != nullptr) {
-        job.segmentation[start + column] = hit ? scene.solids[scene.camera.aspects[tile.id[i]].solid].id : -1;
+      const bool hit = tile.id[i] >= 0 && tile.t[i] <= frame.camera.far_plane;
+      if (grid.depth != nullptr) grid.depth[start + column] = hit ? tile.t[i] : frame.camera.far_plane;
+      if (grid.segmentation != nullptr) {
+        grid.segmentation[start + column] = hit ? frame.solids[frame.camera.aspects[tile.id[i]].solid].id : -1;
       }
     }
   }
 }
 
-void DrawOneTile(const Job& job, int index) {
-  const Scene& scene = *job.scene;
-  const int tile_row = index / job.tile_columns();
-  const int tile_column = index % job.tile_columns();
+void DrawOneTile(const Grid& grid, int index) {
+  const Frame& frame = *grid.frame;
+  const int tile_row = index / grid.tile_columns();
+  const int tile_column = index % grid.tile_columns();
   Tile tile;
-  tile.dx = job.dx;
-  tile.dy = job.dy;
+  tile.dx = grid.dx;
+  tile.dy = grid.dy;
   for (int k = 0; k < kTile; ++k) {
-    tile.x[k] = job.x + static_cast<float>(tile_column * kTile + k) * job.dx;
-    tile.y[k] = job.y + static_cast<float>(tile_row * kTile + k) * job.dy;
+    tile.x[k] = grid.x + static_cast<float>(tile_column * kTile + k) * grid.dx;
+    tile.y[k] = grid.y + static_cast<float>(tile_row * kTile + k) * grid.dy;
   }
   std::fill_n(tile.t, kRays, kMiss);
   std::fill_n(tile.id, kRays, -1);
-  if (scene.meshes) std::fill_n(tile.face, kRays, 0);
-  for (int k = 0; k < scene.camera.count; ++k) {
-    if (!scene.solids[scene.camera.aspects[k].solid].transparent) Meet(scene, k, tile);
+  if (frame.solids.meshes()) std::fill_n(tile.face, kRays, 0);
+  for (int k = 0; k < frame.camera.count; ++k) {
+    if (!frame.solids[frame.camera.aspects[k].solid].transparent) Meet(frame.solids, frame.camera, k, tile);
   }
-  if (job.rgb != nullptr) {
+  if (grid.rgb != nullptr) {
     FindDepths(tile);
     alignas(64) std::uint32_t color[kRays];
-    ColorTile(scene, tile, color);
-    WriteColor(job, tile_row, tile_column, color);
+    ColorTile(frame, tile, color);
+    WriteColor(grid, tile_row, tile_column, color);
   }
-  if (job.depth == nullptr && job.segmentation == nullptr) return;
-  for (int k = 0; k < scene.transparent_count; ++k) Meet(scene, scene.transparent[k], tile);
-  WriteShapes(job, tile_row, tile_column, tile);
+  if (grid.depth == nullptr && grid.segmentation == nullptr) return;
+  for (int k = 0; k < frame.camera.transparent_count; ++k)
+    Meet(frame.solids, frame.camera, frame.camera.transparent[k], tile);
+  WriteShapes(grid, tile_row, tile_column, tile);
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 std::vector<Path> paths() {
   std::vector<Path> result;
@@ -170,6 +172,6 @@ std::vector<Path> paths() {
   return result;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 
 #endif  // HWY_ONCE

@@ -1,30 +1,13 @@
 // The part that runs once for each vector of rays, compiled for several instruction sets.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
-#include "render/ray/scene.h"
+#include "rays/grid.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
-// A picture to be drawn, as a grid of rays: ray (column, row) has the slopes x + column * dx, y + row * dy.
-struct Job {
-  const Scene* scene = nullptr;
-  int columns = 0, rows = 0;  // of rays: the picture's times `samples`
-  float x = 0, y = 0, dx = 0, dy = 0;
-  int samples = 1;            // rays a pixel along each axis; divides kTile
-  int width = 0, height = 0;  // of the picture
-  std::uint8_t* rgb = nullptr;
-  float* depth = nullptr;                // only with one sample a pixel
-  std::int32_t* segmentation = nullptr;  // likewise
-
-  int tile_columns() const { return (columns + kTile - 1) / kTile; }
-  int tiles() const { return tile_columns() * ((rows + kTile - 1) / kTile); }
-};
-
-using DrawTile = void (*)(const Job& job, int tile);
+using DrawTile = void (*)(const Grid& grid, int tile);
 
 struct Path {
   const char* name;
@@ -34,4 +17,4 @@ struct Path {
 // What this build has for this machine, best first; never empty.
 std::vector<Path> paths();
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

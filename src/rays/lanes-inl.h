@@ -1,10 +1,10 @@
 // A vector of rays: short names for what is done with numbers of which each ray has its own.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_LANES_INL_H
-#undef MIMO_RENDER_RAY_LANES_INL_H
+#if defined(MIMO_RAYS_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_LANES_INL_H
+#undef MIMO_RAYS_LANES_INL_H
 #else
-#define MIMO_RENDER_RAY_LANES_INL_H
+#define MIMO_RAYS_LANES_INL_H
 #endif
 
 #include <hwy/highway.h>
@@ -12,10 +12,11 @@
 #include <array>
 #include <cstdint>
 
-#include "render/ray/scene.h"
+#include "rays/grid.h"
+#include "rays/materials.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -102,7 +103,7 @@ HWY_INLINE V Pow(const Power& power, V x) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,25 +1,25 @@
 // The light on a solid, and its texture there.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_LIGHTING_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_LIGHTING_INL_H
-#undef MIMO_RENDER_RAY_LIGHTING_INL_H
+#if defined(MIMO_RAYS_LIGHTING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_LIGHTING_INL_H
+#undef MIMO_RAYS_LIGHTING_INL_H
 #else
-#define MIMO_RENDER_RAY_LIGHTING_INL_H
+#define MIMO_RAYS_LIGHTING_INL_H
 #endif
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "render/ray/lanes-inl.h"
-#include "render/ray/mesh-inl.h"
-#include "render/ray/sampling-inl.h"
-#include "render/ray/scene.h"
-#include "render/ray/shadows-inl.h"
-#include "render/ray/tile-inl.h"
+#include "rays/frame.h"
+#include "rays/lanes-inl.h"
+#include "rays/mesh-inl.h"
+#include "rays/sampling-inl.h"
+#include "rays/shadows-inl.h"
+#include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // The part of v along the normal n.
@@ -29,10 +29,10 @@ HWY_INLINE V Along(const V3& n, const V3& v) {
 }
 
 // A colour behind so much fog.
-HWY_INLINE V3 Fogged(const Scene& scene, const V3& color, V depth) {
-  const V part = (depth - Set(scene.fog_start)) * Set(scene.fog_scale);
+HWY_INLINE V3 Fogged(const Fog& fog, const V3& color, V depth) {
+  const V part = (depth - Set(fog.start)) * Set(fog.scale);
   const V f = hn::Min(hn::Max(part, Zero()), Set(1.0F));
-  return color * (Set(1.0F) - f) + Set(scene.fog_rgb) * f;
+  return color * (Set(1.0F) - f) + Set(fog.rgb) * f;
 }
 
 // The colours of a tile's rays.
@@ -46,7 +46,7 @@ enum class Brush { kPut, kAdd, kBlend };
 
 // What is painted: the rays of a tile that met the solid which aspect `index` shows.
 struct Subject {
-  const Scene* scene;
+  const Frame* frame;
   const Eye* eye;
   int index;
   const Tile* tile;
@@ -163,10 +163,6 @@ HWY_INLINE bool Shine(const Light& light, const LocalLight& place, const Materia
   return true;
 }
 
-HWY_INLINE const LocalLight& PlaceOf(const Scene& scene, const Aspect& aspect, int light) {
-  return scene.local[static_cast<std::size_t>(aspect.solid) * kMaxLights + light];
-}
-
 HWY_INLINE V3 AtMostWhite(const V3& color) {
   const V one = Set(1.0F);
   return {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
@@ -190,15 +186,15 @@ HWY_INLINE V3 Reflected(const Light& light, const Beam& beam, const V3& rgb) {
 // it in a pass of its own.
 template <Kind kKind, bool kGray>
 HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, int i) {
-  const Scene& scene = *subject.scene;
-  const Material& material = scene.solids[aspect.solid].material;
+  const Frame& frame = *subject.frame;
+  const Material& material = frame.solids[aspect.solid].material;
   const Spot at = SpotAt<kKind>(material, ray, p, n);
   const V dim = Set(subject.dim);
   const V3 rgb = Set(material.rgb) * dim;
-  V3 color = rgb * Set(scene.ambient) + Set(material.emission) * dim;
+  V3 color = rgb * Set(frame.lights.ambient()) + Set(material.emission) * dim;
   V3 extra = {Zero(), Zero(), Zero()};  // of lights with shadows
-  for (int k = 0; k < scene.light_count; ++k) {
-    const Light& light = scene.lights[k];
+  for (int k = 0; k < frame.lights.count(); ++k) {
+    const Light& light = frame.lights[k];
     const bool separate = subject.shades != nullptr && light.caster >= 0;
     V lit = Set(1.0F);
     if (separate) {
@@ -206,7 +202,7 @@ HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, c
       if (All(hn::Eq(lit, Zero()))) continue;
     }
     Beam beam;
-    if (!Shine<kKind>(light, PlaceOf(scene, aspect, k), material, at, beam)) continue;
+    if (!Shine<kKind>(light, frame.lights.at(aspect.solid, k), material, at, beam)) continue;
     const V3 reflected = Reflected<kGray>(light, beam, rgb);
     if (separate) {
       // It does not reach faces that look away from it either, not even with its ambient part.
@@ -259,44 +255,44 @@ HWY_INLINE V Spread(const Subject& subject, const Aspect& aspect, const Material
 template <Kind kKind>
 HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, V t,
                        int i) {
-  const Scene& scene = *subject.scene;
-  const Material& material = scene.solids[aspect.solid].material;
+  const Frame& frame = *subject.frame;
+  const Material& material = frame.solids[aspect.solid].material;
   const Texture& texture = *material.texture;
   const bool cube = material.mapping == Mapping::kCube;
   if (kKind == Kind::kMesh && material.mapping == Mapping::kGiven) {
-    const SkinAt skin(*scene.solids[aspect.solid].mesh, FaceAt(subject, i), p);
+    const SurfaceAt surface(*frame.solids[aspect.solid].mesh, FaceAt(subject, i), p);
     const Steps steps = StepsAt<kKind>(subject, aspect, ray, n, t);
     const V wide = Set(static_cast<float>(texture.width));
     const V high = Set(static_cast<float>(texture.height));
     const auto spread = [&](const V3& step) {
-      const V x = skin.change(0, step) * wide;
-      const V y = skin.change(1, step) * high;
+      const V x = surface.change(0, step) * wide;
+      const V y = surface.change(1, step) * high;
       return x * x + y * y;
     };
-    return Sample<false>(scene.texels, texture, hn::Zero(DI()), Repeated(skin.texture(0)), Repeated(skin.texture(1)),
-                         LevelOf(hn::Max(spread(steps.x), spread(steps.y))));
+    return Sample<false>(frame.texels, texture, hn::Zero(DI()), Repeated(surface.texture(0)),
+                         Repeated(surface.texture(1)), LevelOf(hn::Max(spread(steps.x), spread(steps.y))));
   }
   if (!cube) {
     const V u = Repeated(p.x * Set(material.scale[0]) - Set(0.5F));
     const V v = Repeated(p.y * Set(material.scale[1]) - Set(0.5F));
     // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
     if (kKind == Kind::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
-      return SampleLarge<false>(scene.texels, texture, hn::Zero(DI()), u, v);
+      return SampleLarge<false>(frame.texels, texture, hn::Zero(DI()), u, v);
     }
     const V spread = Spread<kKind>(subject, aspect, material, ray, n, t, false);
-    return Sample<false>(scene.texels, texture, hn::Zero(DI()), u, v, LevelOf(spread));
+    return Sample<false>(frame.texels, texture, hn::Zero(DI()), u, v, LevelOf(spread));
   }
   const V fold = Set(material.fold);
   const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
   const V3 q = {p.x * Set(material.scale[0]), p.y * Set(material.scale[1]),
                 z * Set(material.scale[2]) + (p.z - z) * Set(material.scale[3])};
-  return SampleCube(scene.texels, texture, q, Spread<kKind>(subject, aspect, material, ray, n, t, true));
+  return SampleCube(frame.texels, texture, q, Spread<kKind>(subject, aspect, material, ray, n, t, true));
 }
 
 // On a plane at height h, neighbouring rays meet at most t |ray|^2 / h * t * dx apart.
 HWY_INLINE float SharpUpTo(const Subject& subject, const Aspect& aspect) {
   const Tile& tile = *subject.tile;
-  const Material& material = subject.scene->solids[aspect.solid].material;
+  const Material& material = subject.frame->solids[aspect.solid].material;
   if (material.mapping != Mapping::kFlat) return 0;
   const float x = std::max(std::abs(tile.x[0]), std::abs(tile.x[kTile - 1]));
   const float y = std::max(std::abs(tile.y[0]), std::abs(tile.y[kTile - 1]));
@@ -306,7 +302,7 @@ HWY_INLINE float SharpUpTo(const Subject& subject, const Aspect& aspect) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,14 +1,13 @@
-#include "render/ray/lights.h"
+#include "rays/lights.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "render/ray/aspects.h"
-#include "render/ray/materials.h"
-#include "render/ray/vectors.h"
+#include "base/angle.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 Light headlight(const mjModel& model, const Vec& direction) {
@@ -24,8 +23,8 @@ Light headlight(const mjModel& model, const Vec& direction) {
 Light light_of(const mjModel& model, const mjData& data, int i) {
   Light light;
   light.directional = model.light_directional[i] != 0;
-  std::copy_n(data.light_xpos + 3 * i, 3, light.position.begin());
-  std::copy_n(data.light_xdir + 3 * i, 3, light.direction.begin());
+  light.position = Eigen::Map<const Vec>(data.light_xpos + 3 * i);
+  light.direction = Eigen::Map<const Vec>(data.light_xdir + 3 * i);
   light.ambient = three(model.light_ambient + 3 * i);
   light.diffuse = three(model.light_diffuse + 3 * i);
   light.specular = three(model.light_specular + 3 * i);
@@ -41,88 +40,92 @@ Light light_of(const mjModel& model, const mjData& data, int i) {
 
 // A light as an eye.
 void open_eye(const Light& light, double cutoff, Eye& eye) {
+  const Vec forward = unit(light.direction);
+  const Vec helper = std::abs(forward[0]) < 0.7 ? Vec(1, 0, 0) : Vec(0, 1, 0);
+  const Vec right = unit(helper.cross(forward));
   eye.position = light.position;
-  eye.axes[2] = unit(light.direction);
-  const Vec helper = std::abs(eye.axes[2][0]) < 0.7 ? Vec{1, 0, 0} : Vec{0, 1, 0};
-  eye.axes[0] = unit(cross(helper, eye.axes[2]));
-  eye.axes[1] = cross(eye.axes[2], eye.axes[0]);
+  eye.axes << right, forward.cross(right), forward;
   eye.rays = light.directional ? Rays::kParallel : light.spot && cutoff <= 80 ? Rays::kPerspective : Rays::kAround;
-}
-
-// What shading would else find out anew for every pixel.
-void sum_up(Scene& scene) {
-  scene.ambient = scene.light_count == 0 ? 0.3F : 0.0F;
-  scene.gray = true;
-  for (int i = 0; i < scene.light_count; ++i) {
-    Light& light = scene.lights[i];
-    for (const auto* rgb : {&light.ambient, &light.diffuse, &light.specular}) {
-      scene.gray = scene.gray && (*rgb)[0] == (*rgb)[1] && (*rgb)[1] == (*rgb)[2];
-    }
-    light.bright = light.specular[0] > 0 || light.specular[1] > 0 || light.specular[2] > 0;
-  }
-}
-
-void turn_to_solids(Scene& scene) {
-  for (int i = 0; i < scene.solid_count; ++i) {
-    for (int k = 0; k < scene.light_count; ++k) {
-      LocalLight& to = scene.local[static_cast<std::size_t>(i) * kMaxLights + k];
-      const Vec direction = to_local(scene.solids[i], scene.lights[k].direction);
-      to.direction = narrow(direction);
-      to.position = scene.lights[k].directional
-                        ? narrow({-direction[0], -direction[1], -direction[2]})
-                        : narrow(to_local(scene.solids[i], minus(scene.lights[k].position, scene.solids[i].position)));
-    }
-  }
 }
 
 // An unlimited opaque plane never comes between a light and what a camera on the same side sees.
 bool never_shades(const Solid& solid, const Eye& light, const Eye& camera) {
   if (solid.kind != Kind::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
-  const Vec normal = column(solid.rotation, 2);
+  const Vec normal = solid.rotation.col(2);
   const double light_side =
-      light.rays == Rays::kParallel ? -dot(light.axes[2], normal) : dot(minus(light.position, solid.position), normal);
-  return light_side * dot(minus(camera.position, solid.position), normal) > 0;
+      light.rays == Rays::kParallel ? -dot(light.axes.col(2), normal) : dot(light.position - solid.position, normal);
+  return light_side * dot(camera.position - solid.position, normal) > 0;
 }
 
 }  // namespace
 
-void gather_lights(const mjModel& model, const mjData& data, bool shadows, Scene& scene) {
-  scene.light_count = 0;
-  scene.caster_count = 0;
-  if (model.vis.headlight.active) scene.lights[scene.light_count++] = headlight(model, scene.camera.axes[2]);
-  for (int i = 0; i < model.nlight && scene.light_count < kMaxLights; ++i) {
+Lights::Lights(const mjModel& model, std::size_t most) : local_(most * kMaxLights) {
+  int shadows = 0;
+  for (int i = 0; i < model.nlight && shadows < kMaxLights; ++i) shadows += model.light_castshadow[i] != 0;
+  for (int i = 0; i < shadows; ++i) casters_[i].aspects.resize(most);
+}
+
+void Lights::gather(const mjModel& model, const mjData& data, const Solids& solids, const Camera& camera,
+                    bool shadows) {
+  count_ = 0;
+  caster_count_ = 0;
+  if (model.vis.headlight.active) lights_[count_++] = headlight(model, camera.axes.col(2));
+  for (int i = 0; i < model.nlight && count_ < kMaxLights; ++i) {
     if (!model.light_active[i]) continue;
     Light light = light_of(model, data, i);
     if (shadows && model.light_castshadow[i]) {
-      light.caster = scene.caster_count++;
-      open_eye(light, model.light_cutoff[i], scene.casters[light.caster]);
+      light.caster = caster_count_++;
+      open_eye(light, model.light_cutoff[i], casters_[light.caster]);
     }
-    scene.lights[scene.light_count++] = light;
+    lights_[count_++] = light;
   }
-  sum_up(scene);
-  turn_to_solids(scene);
+  sum_up();
+  turn_to_solids(solids);
+  cast_shadows(solids, camera);
 }
 
-void cast_shadows(Scene& scene) {
-  const Eye& camera = scene.camera;
-  for (int k = 0; k < scene.caster_count; ++k) {
-    Eye& eye = scene.casters[k];
+// What shading would else find out anew for every pixel.
+void Lights::sum_up() {
+  ambient_ = count_ == 0 ? 0.3F : 0.0F;
+  gray_ = true;
+  for (int i = 0; i < count_; ++i) {
+    Light& light = lights_[i];
+    for (const auto* rgb : {&light.ambient, &light.diffuse, &light.specular}) {
+      gray_ = gray_ && (*rgb)[0] == (*rgb)[1] && (*rgb)[1] == (*rgb)[2];
+    }
+    light.bright = light.specular[0] > 0 || light.specular[1] > 0 || light.specular[2] > 0;
+  }
+}
+
+void Lights::turn_to_solids(const Solids& solids) {
+  for (int i = 0; i < solids.count(); ++i) {
+    for (int k = 0; k < count_; ++k) {
+      LocalLight& to = local_[static_cast<std::size_t>(i) * kMaxLights + k];
+      const Vec direction = to_local(solids[i], lights_[k].direction);
+      to.direction = narrow(direction);
+      to.position = narrow(lights_[k].directional ? Vec(-direction)
+                                                  : to_local(solids[i], lights_[k].position - solids[i].position));
+    }
+  }
+}
+
+void Lights::cast_shadows(const Solids& solids, const Camera& camera) {
+  for (int k = 0; k < caster_count_; ++k) {
+    Caster& eye = casters_[k];
     eye.count = 0;
     eye.reach = eye.wide = eye.high = std::numeric_limits<double>::max();
-    for (int i = 0; i < scene.solid_count; ++i) {
-      if (never_shades(scene.solids[i], eye, camera)) continue;
+    for (int i = 0; i < solids.count(); ++i) {
+      if (never_shades(solids[i], eye, camera)) continue;
       // MuJoCo lets transparent things cast shadows, too. A light of parallel rays shines from infinitely far away.
-      look_at(scene.solids[i], i, eye, eye.rays == Rays::kParallel ? -kEverywhere : 0.0);
+      eye.look_at(solids[i], i, eye.rays == Rays::kParallel ? -kEverywhere : 0.0);
     }
-    for (int i = 0; i < eye.count; ++i) eye.aspects[i].self = scene.seen[eye.aspects[i].solid];
-    const auto turn = [&eye](const Vec& v) {
-      return narrow({dot(eye.axes[0], v), dot(eye.axes[1], v), dot(eye.axes[2], v)});
-    };
-    eye.o = turn(minus(camera.position, eye.position));
-    eye.a = turn(camera.axes[2]);
-    eye.bx = turn(camera.axes[0]);
-    eye.by = turn(camera.axes[1]);
+    for (int i = 0; i < eye.count; ++i) eye.aspects[i].self = camera.seen[eye.aspects[i].solid];
+    const auto turn = [&eye](const Vec& v) { return narrow(seen_from(eye.axes, v)); };
+    eye.o = turn(camera.position - eye.position);
+    eye.a = turn(camera.axes.col(2));
+    eye.bx = turn(camera.axes.col(0));
+    eye.by = turn(camera.axes.col(1));
   }
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

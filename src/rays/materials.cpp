@@ -1,12 +1,12 @@
-#include "render/ray/materials.h"
+#include "rays/materials.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "render/ray/vectors.h"
+#include "rays/vectors.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 // OpenGL's object coordinates are those of a unit shape that is then scaled, except for prescaled ones.
@@ -75,6 +75,7 @@ Material material_of(const mjModel& model, int id, const float* rgba, const Shap
     if (is_default) color = model.mat_rgba + 4 * id;
     emission = model.mat_emission[id];
     material.specular = model.mat_specular[id];
+    material.reflectance = model.mat_reflectance[id];
     shininess = model.mat_shininess[id];
     material.texture = textures.find(model.mat_texid[id]);
   }
@@ -86,4 +87,4 @@ Material material_of(const mjModel& model, int id, const float* rgba, const Shap
   return material;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -1,21 +1,20 @@
 // Where rays meet meshes, and what is there.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_MESH_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_MESH_INL_H
-#undef MIMO_RENDER_RAY_MESH_INL_H
+#if defined(MIMO_RAYS_MESH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_MESH_INL_H
+#undef MIMO_RAYS_MESH_INL_H
 #else
-#define MIMO_RENDER_RAY_MESH_INL_H
+#define MIMO_RAYS_MESH_INL_H
 #endif
 
 #include <cstddef>
 #include <cstdint>
 
-#include "render/ray/lanes-inl.h"
-#include "render/ray/meshes.h"
-#include "render/ray/scene.h"
+#include "rays/lanes-inl.h"
+#include "rays/meshes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 struct Ray {
@@ -105,10 +104,10 @@ HWY_NOINLINE Encounter MeetMesh(const Mesh& mesh, const Ray& ray, V from, V limi
 
 // What is known of points p of triangles `face`. Each of these must be one of this mesh: lanes whose result is not used
 // read, too.
-class SkinAt {
+class SurfaceAt {
  public:
-  HWY_INLINE SkinAt(const Mesh& mesh, VI face, const V3& p)
-      : table_(mesh.skins[0].corner.data()), at_(hn::Mul(face, SetI(kSkinFloats))) {
+  HWY_INLINE SurfaceAt(const Mesh& mesh, VI face, const V3& p)
+      : table_(mesh.surfaces[0].corner.data()), at_(hn::Mul(face, SetI(kSurfaceFloats))) {
     const V3 from_corner = p - three(0);
     u_ = Dot(three(3), from_corner);
     v_ = Dot(three(6), from_corner);
@@ -134,7 +133,7 @@ class SkinAt {
 };
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,5 +1,6 @@
-#include "render/ray/mesh_builder.h"
+#include "rays/mesh_builder.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,7 @@
 
 #include "base/fail.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 constexpr int kLeaf = 4;
@@ -48,15 +49,17 @@ void measure(Mesh& mesh) {
 }  // namespace
 
 Vec normal_of(const Corners& corners) {
-  return unit(cross(minus(corners[1].place, corners[0].place), minus(corners[2].place, corners[0].place)));
+  const Vec e1 = corners[1].place - corners[0].place;
+  const Vec e2 = corners[2].place - corners[0].place;
+  return unit(e1.cross(e2));
 }
 
-bool form(const Corners& corners, Triangle& triangle, Skin& skin) {
+bool form(const Corners& corners, Triangle& triangle, Surface& surface) {
   for (const Corner& corner : corners) {
-    if (!std::all_of(corner.place.begin(), corner.place.end(), is_near)) return false;
+    if (!std::all_of(corner.place.data(), corner.place.data() + 3, is_near)) return false;
   }
-  const Vec e1 = minus(corners[1].place, corners[0].place);
-  const Vec e2 = minus(corners[2].place, corners[0].place);
+  const Vec e1 = corners[1].place - corners[0].place;
+  const Vec e2 = corners[2].place - corners[0].place;
   const double a = dot(e1, e1);
   const double b = dot(e1, e2);
   const double c = dot(e2, e2);
@@ -65,13 +68,12 @@ bool form(const Corners& corners, Triangle& triangle, Skin& skin) {
   triangle.corner = narrow(corners[0].place);
   triangle.edge1 = narrow(e1);
   triangle.edge2 = narrow(e2);
-  const Vec none = {0, 0, 0};
-  skin.corner = triangle.corner;
-  skin.to_u = narrow(plus(plus(none, e1, c / area), e2, -b / area));
-  skin.to_v = narrow(plus(plus(none, e2, a / area), e1, -b / area));
-  skin.normal = narrow(corners[0].normal);
-  skin.normal_u = narrow(minus(corners[1].normal, corners[0].normal));
-  skin.normal_v = narrow(minus(corners[2].normal, corners[0].normal));
+  surface.corner = triangle.corner;
+  surface.to_u = narrow(c / area * e1 + -b / area * e2);
+  surface.to_v = narrow(a / area * e2 + -b / area * e1);
+  surface.normal = narrow(corners[0].normal);
+  surface.normal_u = narrow(corners[1].normal - corners[0].normal);
+  surface.normal_v = narrow(corners[2].normal - corners[0].normal);
   return true;
 }
 
@@ -97,21 +99,21 @@ void refit(Mesh& mesh) {
 }
 
 MeshBuilder::MeshBuilder(double most) {
-  if (most * kSkinFloats <= std::numeric_limits<std::int32_t>::max()) return;
+  if (most * kSurfaceFloats <= std::numeric_limits<std::int32_t>::max()) return;
   fail(Status::kUnsupported, "a mesh or height field of the model is too large for the ray renderer");
 }
 
 void MeshBuilder::add(const Corners& corners, bool keep) {
   Triangle triangle;
-  Skin skin;
-  if (!form(corners, triangle, skin) && !keep) return;
+  Surface surface;
+  if (!form(corners, triangle, surface) && !keep) return;
   for (int k = 0; k < 2; ++k) {
-    skin.texture[k] = static_cast<float>(corners[0].texture[k]);
-    skin.texture_u[k] = static_cast<float>(corners[1].texture[k] - corners[0].texture[k]);
-    skin.texture_v[k] = static_cast<float>(corners[2].texture[k] - corners[0].texture[k]);
+    surface.texture[k] = static_cast<float>(corners[0].texture[k]);
+    surface.texture_u[k] = static_cast<float>(corners[1].texture[k] - corners[0].texture[k]);
+    surface.texture_v[k] = static_cast<float>(corners[2].texture[k] - corners[0].texture[k]);
   }
   triangles_.push_back(triangle);
-  skins_.push_back(skin);
+  surfaces_.push_back(surface);
 }
 
 void MeshBuilder::add_flat(const Vec& a, const Vec& b, const Vec& c) {
@@ -134,7 +136,7 @@ Mesh MeshBuilder::finish(bool textured) {
   split(0, 0, count, mesh.nodes);
   for (const int i : order_) {
     mesh.triangles.push_back(triangles_[i]);
-    mesh.skins.push_back(skins_[i]);
+    mesh.surfaces.push_back(surfaces_[i]);
   }
   measure(mesh);
   return mesh;
@@ -181,4 +183,4 @@ void MeshBuilder::split(int index, int first, int count, std::vector<Node>& node
   split(node.first + 1, first + half, count - half, nodes);
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

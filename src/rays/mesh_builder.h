@@ -4,13 +4,14 @@
 #include <array>
 #include <vector>
 
-#include "render/ray/meshes.h"
-#include "render/ray/vectors.h"
+#include "rays/meshes.h"
+#include "rays/vectors.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 struct Corner {
-  Vec place{}, normal{};
+  Vec place = Vec::Zero();
+  Vec normal = Vec::Zero();
   std::array<double, 2> texture{};
 };
 using Corners = std::array<Corner, 3>;
@@ -19,7 +20,7 @@ Vec normal_of(const Corners& corners);
 
 // A triangle as rays meet it and what is known of its points; false where it has no area, or is too large or too far
 // away for floats: nothing of such a one is seen.
-bool form(const Corners& corners, Triangle& triangle, Skin& skin);
+bool form(const Corners& corners, Triangle& triangle, Surface& surface);
 
 // Boxes around triangles that have moved, in a tree that stays as it is; and the box around them all.
 void refit(Mesh& mesh);
@@ -41,8 +42,8 @@ class MeshBuilder {
   void split(int index, int first, int count, std::vector<Node>& nodes);
 
   std::vector<Triangle> triangles_;
-  std::vector<Skin> skins_;
+  std::vector<Surface> surfaces_;
   std::vector<int> order_;
 };
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -1,11 +1,11 @@
-#include "render/ray/meshes.h"
+#include "rays/meshes.h"
 
 #include <algorithm>
 
-#include "render/ray/mesh_builder.h"
-#include "render/ray/vectors.h"
+#include "rays/mesh_builder.h"
+#include "rays/vectors.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 // As MuJoCo draws them: with texture coordinates, normals are those of the vertices; without, only where they are near
@@ -19,8 +19,8 @@ Mesh mesh_of(const mjModel& model, int id) {
     Corners corners;
     for (int k = 0; k < 3; ++k) {
       const std::ptrdiff_t vertex = first + face[k];
-      std::copy_n(model.mesh_vert + 3 * vertex, 3, corners[k].place.begin());
-      std::copy_n(model.mesh_normal + 3 * vertex, 3, corners[k].normal.begin());
+      corners[k].place = Eigen::Map<const Eigen::Vector3f>(model.mesh_vert + 3 * vertex).cast<double>();
+      corners[k].normal = Eigen::Map<const Eigen::Vector3f>(model.mesh_normal + 3 * vertex).cast<double>();
       if (texture >= 0) {
         const float* place = model.mesh_texcoord + 2 * (static_cast<std::ptrdiff_t>(texture) + face[k]);
         std::copy_n(place, 2, corners[k].texture.begin());
@@ -44,10 +44,10 @@ Mesh field_of(const mjModel& model, int id) {
   const double* size = model.hfield_size + 4 * static_cast<std::ptrdiff_t>(id);
   const float* data = model.hfield_data + model.hfield_adr[id];
   const auto at = [=](int row, int column) {
-    return Vec{size[0] * (2.0 * column / (columns - 1) - 1), size[1] * (2.0 * row / (rows - 1) - 1),
-               size[2] * data[static_cast<std::ptrdiff_t>(row) * columns + column]};
+    return Vec(size[0] * (2.0 * column / (columns - 1) - 1), size[1] * (2.0 * row / (rows - 1) - 1),
+               size[2] * data[static_cast<std::ptrdiff_t>(row) * columns + column]);
   };
-  const auto below = [=](const Vec& p) { return Vec{p[0], p[1], -size[3]}; };
+  const auto below = [=](const Vec& p) { return Vec(p[0], p[1], -size[3]); };
   MeshBuilder builder(2.0 * (rows + 1) * (columns + 1));
   const auto wall = [&](const Vec& a, const Vec& b) {  // with its inside to the left of the way from a to b
     builder.add_flat(a, below(a), below(b));
@@ -85,4 +85,4 @@ const Mesh* Meshes::find(int geom_type, int data_id) const {
   return data_id >= 0 && data_id < static_cast<int>(all.size()) ? &all[data_id] : nullptr;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 // A triangle as rays meet it, counter-clockwise seen from outside.
 struct Triangle {
@@ -16,13 +16,13 @@ struct Triangle {
 
 // What is known of each point p of a triangle. It lies at  corner + u edge1 + v edge2  with u = to_u . (p - corner) and
 // v = to_v . (p - corner); normals and texture coordinates are those of the corner, plus u and v times these changes.
-struct Skin {
+struct Surface {
   std::array<float, 3> corner{}, to_u{}, to_v{};
   std::array<float, 3> normal{}, normal_u{}, normal_v{};
   std::array<float, 2> texture{}, texture_u{}, texture_v{};
 };
-constexpr int kSkinFloats = 24;
-static_assert(sizeof(Skin) == kSkinFloats * sizeof(float));
+constexpr int kSurfaceFloats = 24;
+static_assert(sizeof(Surface) == kSurfaceFloats * sizeof(float));
 
 // A box of the tree that bounds triangles.
 struct Node {
@@ -37,9 +37,9 @@ struct Mesh {
 
   std::vector<Node> nodes;  // the root first; none if there are no triangles
   std::vector<Triangle> triangles;
-  std::vector<Skin> skins;      // of the same triangles
-  std::array<float, 3> half{};  // of the box around the origin that holds it all
-  bool textured = false;        // has texture coordinates of its own
+  std::vector<Surface> surfaces;  // of the same triangles
+  std::array<float, 3> half{};    // of the box around the origin that holds it all
+  bool textured = false;          // has texture coordinates of its own
 };
 
 class Meshes {
@@ -53,4 +53,4 @@ class Meshes {
   std::vector<Mesh> meshes_, fields_;
 };
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

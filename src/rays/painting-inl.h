@@ -1,20 +1,20 @@
 // Solids, painted onto the colours of a tile.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_PAINTING_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_PAINTING_INL_H
-#undef MIMO_RENDER_RAY_PAINTING_INL_H
+#if defined(MIMO_RAYS_PAINTING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_PAINTING_INL_H
+#undef MIMO_RAYS_PAINTING_INL_H
 #else
-#define MIMO_RENDER_RAY_PAINTING_INL_H
+#define MIMO_RAYS_PAINTING_INL_H
 #endif
 
-#include "render/ray/lanes-inl.h"
-#include "render/ray/lighting-inl.h"
-#include "render/ray/scene.h"
-#include "render/ray/smooth-inl.h"
-#include "render/ray/tile-inl.h"
+#include "rays/frame.h"
+#include "rays/lanes-inl.h"
+#include "rays/lighting-inl.h"
+#include "rays/smooth-inl.h"
+#include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // Puts colour where `mine` holds.
@@ -39,8 +39,8 @@ template <Kind kKind, bool kGray, Brush kBrush>
 HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const Aspect& aspect = subject.eye->aspects[subject.index];
-  const Scene& scene = *subject.scene;
-  const Solid& solid = scene.solids[aspect.solid];
+  const Frame& frame = *subject.frame;
+  const Solid& solid = frame.solids[aspect.solid];
   if (kKind == Kind::kPlane) subject.sharp = SharpUpTo(subject, aspect);
   for (int row = w.row0; row <= w.row1; ++row) {
     for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
@@ -53,7 +53,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
       const V3 p = Set(aspect.o) + ray * t;
       V3 n;
       if constexpr (kKind == Kind::kMesh) {
-        n = SkinAt(*solid.mesh, FaceAt(subject, i), p).normal();
+        n = SurfaceAt(*solid.mesh, FaceAt(subject, i), p).normal();
       } else {
         n = Normal<kKind>(solid, p);
       }
@@ -63,7 +63,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
         color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
       }
       color = AtMostWhite(color);
-      if (kBrush != Brush::kPut && scene.fog) color = Fogged(scene, color, t);
+      if (kBrush != Brush::kPut && frame.backdrop.fog.shown) color = Fogged(frame.backdrop.fog, color, t);
       Put<kBrush>(color, mine, solid.material.alpha, i, canvas);
     }
   }
@@ -72,7 +72,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
 // The light of a plane in a tile where it is smooth. Shadows are those of each ray.
 HWY_NOINLINE void PaintSmoothLight(const Subject& subject, const Smooth& smooth, const Window& w, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
-  const Scene& scene = *subject.scene;
+  const Frame& frame = *subject.frame;
   for (int row = w.row0; row <= w.row1; ++row) {
     for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
       const int i = row * kTile + column;
@@ -80,7 +80,7 @@ HWY_NOINLINE void PaintSmoothLight(const Subject& subject, const Smooth& smooth,
       if (None(mine)) continue;
       const V x = AcrossTile(column);
       V3 color = ColorAt(smooth.color, smooth.channels, row, x);
-      for (int k = 0; k < scene.caster_count; ++k) {
+      for (int k = 0; k < frame.lights.caster_count(); ++k) {
         if (!smooth.reached[k]) continue;
         color = color + ColorAt(smooth.extra[k], smooth.channels, row, x) * LitAt(subject.shades[k], i);
       }
@@ -93,9 +93,9 @@ HWY_NOINLINE void PaintSmoothLight(const Subject& subject, const Smooth& smooth,
 HWY_NOINLINE void PaintSmoothTexture(const Subject& subject, const Smooth& smooth, const Window& w, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const Aspect& aspect = subject.eye->aspects[subject.index];
-  const Material& material = subject.scene->solids[aspect.solid].material;
+  const Material& material = subject.frame->solids[aspect.solid].material;
   const Texture& texture = *material.texture;
-  const std::uint32_t* const texels = subject.scene->texels;
+  const std::uint32_t* const texels = subject.frame->texels;
   const VI face = hn::Zero(DI());
   const int first = w.column0 / lanes * lanes;
   TapStore fine;
@@ -151,7 +151,7 @@ HWY_INLINE std::size_t CountMine(const Subject& subject) {
 // Whether that was all there is to do. For few rays it is not worth while.
 inline bool PaintSmoothPlane(const Subject& subject, const Window& w, Canvas& canvas) {
   const Aspect& aspect = subject.eye->aspects[subject.index];
-  const Material& material = subject.scene->solids[aspect.solid].material;
+  const Material& material = subject.frame->solids[aspect.solid].material;
   const std::size_t count = CountMine(subject);
   if (count < kRays / 8) return count == 0;
   Probes probes;
@@ -166,7 +166,7 @@ inline bool PaintSmoothPlane(const Subject& subject, const Window& w, Canvas& ca
 
 template <Kind kKind, Brush kBrush>
 HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& canvas) {
-  if (subject.scene->gray) {
+  if (subject.frame->lights.gray()) {
     PaintKind<kKind, true, kBrush>(subject, w, canvas);
   } else {
     PaintKind<kKind, false, kBrush>(subject, w, canvas);
@@ -175,7 +175,7 @@ HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& 
 
 template <Brush kBrush>
 void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
-  switch (subject.scene->solids[subject.eye->aspects[subject.index].solid].kind) {
+  switch (subject.frame->solids[subject.eye->aspects[subject.index].solid].kind) {
     case Kind::kPlane:
       if (kBrush == Brush::kPut && PaintSmoothPlane(subject, w, canvas)) break;
       PaintGrayOrNot<Kind::kPlane, kBrush>(subject, w, canvas);
@@ -190,7 +190,7 @@ void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,20 +1,20 @@
 // The colours of textures at points of them.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_SAMPLING_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_SAMPLING_INL_H
-#undef MIMO_RENDER_RAY_SAMPLING_INL_H
+#if defined(MIMO_RAYS_SAMPLING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_SAMPLING_INL_H
+#undef MIMO_RAYS_SAMPLING_INL_H
 #else
-#define MIMO_RENDER_RAY_SAMPLING_INL_H
+#define MIMO_RAYS_SAMPLING_INL_H
 #endif
 
 #include <algorithm>
 #include <cstdint>
 
-#include "render/ray/lanes-inl.h"
-#include "render/ray/textures.h"
+#include "rays/lanes-inl.h"
+#include "rays/textures.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // Full brightness in the 16-bit numbers that filtering works with: that of a texel times the sum of two weights.
@@ -289,7 +289,7 @@ HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, co
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

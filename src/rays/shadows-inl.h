@@ -1,22 +1,22 @@
 // Which points of a tile a light reaches.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_SHADOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_SHADOWS_INL_H
-#undef MIMO_RENDER_RAY_SHADOWS_INL_H
+#if defined(MIMO_RAYS_SHADOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_SHADOWS_INL_H
+#undef MIMO_RAYS_SHADOWS_INL_H
 #else
-#define MIMO_RENDER_RAY_SHADOWS_INL_H
+#define MIMO_RAYS_SHADOWS_INL_H
 #endif
 
 #include <algorithm>
 #include <cmath>
 
-#include "render/ray/intersect-inl.h"
-#include "render/ray/lanes-inl.h"
-#include "render/ray/scene.h"
-#include "render/ray/tile-inl.h"
+#include "rays/intersect-inl.h"
+#include "rays/lanes-inl.h"
+#include "rays/lights.h"
+#include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // The points of a tile as a light sees them, and how far they are lit.
@@ -137,7 +137,7 @@ bool MayShade(const Aspect& aspect, const Reach& reach) {
 
 // Bounds of all that a tile may show between two depths; false where there are none.
 template <Rays kRaysKind>
-bool BoundTile(const Eye& light, const Tile& tile, Reach& reach) {
+bool BoundTile(const Caster& light, const Tile& tile, Reach& reach) {
   const float x[2] = {tile.x[0], tile.x[kTile - 1]};
   const float y[2] = {tile.y[0], tile.y[kTile - 1]};
   const float t[2] = {tile.nearest, tile.farthest};
@@ -170,7 +170,7 @@ bool BoundTile(const Eye& light, const Tile& tile, Reach& reach) {
 // The tile's points in the light's frame, all of them lit, and their bounds; false if there are none. (Behind a
 // spotlight nothing is lit.)
 template <Rays kRaysKind>
-bool PlacePoints(const Eye& light, const Tile& tile, Shade& shade, Reach& reach) {
+bool PlacePoints(const Caster& light, const Tile& tile, Shade& shade, Reach& reach) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 a = Set(light.a);
   const V3 bx = Set(light.bx);
@@ -211,7 +211,7 @@ bool PlacePoints(const Eye& light, const Tile& tile, Shade& shade, Reach& reach)
 }
 
 template <Rays kRaysKind>
-void CastShadows(const Scene& scene, const Eye& light, const Tile& tile, Shade& shade) {
+void CastShadows(const Solids& solids, const Caster& light, const Tile& tile, Shade& shade) {
   Reach reach;
   const Aspect* const first = light.aspects.data();
   const Aspect* const end = first + light.count;
@@ -219,12 +219,12 @@ void CastShadows(const Scene& scene, const Eye& light, const Tile& tile, Shade& 
   shade.dark = !BoundTile<kRaysKind>(light, tile, reach) || std::any_of(first, end, shades);
   if (!shade.dark || !PlacePoints<kRaysKind>(light, tile, shade, reach)) return;
   for (const Aspect* aspect = first; aspect < end; ++aspect) {
-    if (shades(*aspect) && !Shadow<kRaysKind>(scene.solids[aspect->solid], *aspect, tile, shade)) return;
+    if (shades(*aspect) && !Shadow<kRaysKind>(solids[aspect->solid], *aspect, tile, shade)) return;
   }
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,19 +1,18 @@
-#include "render/ray/skins.h"
+#include "rays/skins.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "engine/physics.h"
-#include "render/ray/mesh_builder.h"
-#include "render/ray/vectors.h"
+#include "rays/mesh_builder.h"
+#include "rays/vectors.h"
 #include "render/visual_scene.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 Vec vertex(const float* of, int i) {
-  const float* v = of + 3 * static_cast<std::ptrdiff_t>(i);
-  return {v[0], v[1], v[2]};
+  return Eigen::Map<const Eigen::Vector3f>(of + 3 * static_cast<std::ptrdiff_t>(i)).cast<double>();
 }
 
 }  // namespace
@@ -38,27 +37,27 @@ SkinPattern::SkinPattern(const mjModel& model, int id, const float* vertices) {
   for (const int i : builder.order()) corners_.push_back(faces[static_cast<std::size_t>(i)]);
 }
 
-std::array<double, 3> SkinPattern::drape(const float* vertices, const float* normals, Mesh& mesh) const {
+Vec SkinPattern::drape(const float* vertices, const float* normals, Mesh& mesh) const {
   constexpr double kMost = std::numeric_limits<double>::max();
-  Vec low = {kMost, kMost, kMost};
-  Vec high = {-kMost, -kMost, -kMost};
+  Vec low = Vec::Constant(kMost);
+  Vec high = Vec::Constant(-kMost);
   for (const auto& triangle : corners_) {
     for (const int i : triangle) {
       const Vec v = vertex(vertices, i);
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k) {
         low[k] = std::min(low[k], v[k]);
         high[k] = std::max(high[k], v[k]);
       }
     }
   }
-  const Vec middle = {0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1], 0.5 * low[2] + 0.5 * high[2]};
+  const Vec middle = 0.5 * low + 0.5 * high;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k].place = minus(vertex(vertices, corners_[i][k]), middle);
+      corners[k].place = vertex(vertices, corners_[i][k]) - middle;
       corners[k].normal = vertex(normals, corners_[i][k]);
     }
-    if (!form(corners, mesh.triangles[i], mesh.skins[i])) mesh.triangles[i] = {};  // no ray meets it
+    if (!form(corners, mesh.triangles[i], mesh.surfaces[i])) mesh.triangles[i] = {};  // no ray meets it
   }
   refit(mesh);
   return middle;
@@ -69,7 +68,7 @@ std::vector<SkinPattern> skin_patterns(const engine::ModelPtr& model) {
   if (model->nskin == 0) return patterns;
   engine::Physics reference(model, {});
   reference.forward();
-  VisualScene scene(*model, {}, VisualScene::Shown::kExtras);
+  render::VisualScene scene(*model, {}, render::VisualScene::Shown::kExtras);
   scene.update(*model, reference.data(), {});
   for (int i = 0; i < model->nskin; ++i) {
     patterns.emplace_back(*model, i, scene.scene().skinvert + 3 * static_cast<std::ptrdiff_t>(model->skin_vertadr[i]));
@@ -77,4 +76,4 @@ std::vector<SkinPattern> skin_patterns(const engine::ModelPtr& model) {
   return patterns;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

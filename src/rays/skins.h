@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "engine/model.h"
-#include "render/ray/meshes.h"
+#include "rays/meshes.h"
+#include "rays/vectors.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 // A skin in the model's reference pose. Which triangles a box of its tree holds is settled there, once for a model:
 // pictures do not depend on those before.
@@ -18,7 +19,7 @@ class SkinPattern {
   const Mesh& mesh() const { return mesh_; }
   // Moves the corners of a copy of the mesh to where the skin's vertices are now. Returns the place around which it
   // lies.
-  std::array<double, 3> drape(const float* vertices, const float* normals, Mesh& mesh) const;
+  Vec drape(const float* vertices, const float* normals, Mesh& mesh) const;
 
  private:
   Mesh mesh_;
@@ -28,4 +29,4 @@ class SkinPattern {
 // Of all skins of a model.
 std::vector<SkinPattern> skin_patterns(const engine::ModelPtr& model);
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

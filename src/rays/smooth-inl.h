@@ -1,21 +1,21 @@
 // What changes little across a tile of a plane: computed at a few rays only, interpolated between them.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_SMOOTH_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_SMOOTH_INL_H
-#undef MIMO_RENDER_RAY_SMOOTH_INL_H
+#if defined(MIMO_RAYS_SMOOTH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_SMOOTH_INL_H
+#undef MIMO_RAYS_SMOOTH_INL_H
 #else
-#define MIMO_RENDER_RAY_SMOOTH_INL_H
+#define MIMO_RAYS_SMOOTH_INL_H
 #endif
 
 #include <algorithm>
 #include <cmath>
 
-#include "render/ray/lanes-inl.h"
-#include "render/ray/lighting-inl.h"
-#include "render/ray/scene.h"
+#include "rays/frame.h"
+#include "rays/lanes-inl.h"
+#include "rays/lighting-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // Where a tile is probed, from -1 to 1 between its first and last column or row: three times three points that a
@@ -163,18 +163,19 @@ HWY_INLINE V3 ColorAt(const Sheet (&sheets)[3], int channels, int row, V x) {
 
 inline bool SmoothLight(const Subject& subject, const Aspect& aspect, const Probes& probes, Smooth& smooth) {
   constexpr float kTolerance = 0.25F / 255;
-  const Scene& scene = *subject.scene;
-  const Material& material = scene.solids[aspect.solid].material;
+  const Frame& frame = *subject.frame;
+  const Material& material = frame.solids[aspect.solid].material;
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 rgb = Set(material.rgb);
   const auto equal = [](const std::array<float, 3>& v) { return v[0] == v[1] && v[1] == v[2]; };
-  smooth.channels = scene.gray && equal(material.rgb) && equal(material.emission) ? 1 : 3;
+  smooth.channels = frame.lights.gray() && equal(material.rgb) && equal(material.emission) ? 1 : 3;
   alignas(64) float color[3][kProbes];
   alignas(64) float extra[3][kProbes];
-  for (int k = 0; k < 3; ++k) std::fill_n(color[k], kProbes, scene.ambient * material.rgb[k] + material.emission[k]);
-  for (int k = 0; k < scene.light_count; ++k) {
-    const Light& light = scene.lights[k];
-    const LocalLight& place = PlaceOf(scene, aspect, k);
+  for (int k = 0; k < 3; ++k)
+    std::fill_n(color[k], kProbes, frame.lights.ambient() * material.rgb[k] + material.emission[k]);
+  for (int k = 0; k < frame.lights.count(); ++k) {
+    const Light& light = frame.lights[k];
+    const LocalLight& place = frame.lights.at(aspect.solid, k);
     if (!IsGentle(light, place, material, probes)) return false;
     const bool separate = light.caster >= 0;
     bool reached = false;
@@ -211,7 +212,7 @@ inline bool SmoothLight(const Subject& subject, const Aspect& aspect, const Prob
 }
 
 inline bool SmoothLevel(const Subject& subject, const Aspect& aspect, const Probes& probes, Smooth& smooth) {
-  const Material& material = subject.scene->solids[aspect.solid].material;
+  const Material& material = subject.frame->solids[aspect.solid].material;
   const int lanes = static_cast<int>(hn::Lanes(D()));
   alignas(64) float level[kProbes];
   for (int i = 0; i < kProbes; i += lanes) {
@@ -224,7 +225,7 @@ inline bool SmoothLevel(const Subject& subject, const Aspect& aspect, const Prob
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,11 +1,11 @@
-#include "render/ray/textures.h"
+#include "rays/textures.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "base/fail.h"
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 std::uint32_t channel(std::uint32_t texel, int k) { return (texel >> (8 * k)) & 255U; }
@@ -117,4 +117,4 @@ const Texture* Textures::sky() const {
   return found == textures_.end() ? nullptr : &*found;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace mimo::render::ray {
+namespace mimo::rays {
 
 struct Texture {
   static constexpr int kMaxLevels = 16;
@@ -39,4 +39,4 @@ class Textures {
   std::vector<std::uint32_t> texels_;
 };
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays

@@ -1,21 +1,21 @@
 // The rays of one tile, cast at one solid after the other.
 // Compiled once for each instruction set, see kernels.cpp.
-#if defined(MIMO_RENDER_RAY_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIMO_RENDER_RAY_TILE_INL_H
-#undef MIMO_RENDER_RAY_TILE_INL_H
+#if defined(MIMO_RAYS_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_TILE_INL_H
+#undef MIMO_RAYS_TILE_INL_H
 #else
-#define MIMO_RENDER_RAY_TILE_INL_H
+#define MIMO_RAYS_TILE_INL_H
 #endif
 
 #include <algorithm>
 #include <cstdint>
 
-#include "render/ray/intersect-inl.h"
-#include "render/ray/lanes-inl.h"
-#include "render/ray/scene.h"
+#include "rays/eye.h"
+#include "rays/intersect-inl.h"
+#include "rays/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // The rays of one tile and what they meet.
@@ -114,10 +114,10 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
 }
 
 template <bool kFromEach>
-void Cast(const Scene& scene, const Eye& eye, int index, const Tile& tile, const Window& w, const float* from,
+void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, const Window& w, const float* from,
           float* best, std::int32_t* id, std::int32_t* face) {
   const Aspect& aspect = eye.aspects[index];
-  const Solid& solid = scene.solids[aspect.solid];
+  const Solid& solid = solids[aspect.solid];
   switch (solid.kind) {
     case Kind::kPlane: CastAt<Kind::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
     case Kind::kSphere: CastAt<Kind::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
@@ -134,7 +134,7 @@ void Cast(const Scene& scene, const Eye& eye, int index, const Tile& tile, const
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
 HWY_AFTER_NAMESPACE();
 
 #endif

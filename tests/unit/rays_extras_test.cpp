@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render_agreement.h"
-#include "render_ray_support.h"
+#include "unit/rays/agreement.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -81,9 +81,9 @@ TEST_P(Extras, LookTheSame) {
   const engine::ModelPtr model = model_of(GetParam());
   render::Quality quality;
   quality.shadows = GetParam().shadows;
-  const auto reference = osmesa(model, quality);
+  const auto reference = osmesa_for(model, quality);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
-  Studio studio(model, render::RayOptions(quality));
+  Studio studio(model, rays::Options(quality));
   double difference = 0;
   int seen = 0;
   Agreement agreement;
@@ -148,8 +148,8 @@ Case skin() { return {"", curtain(), kBones, "", true}; }
 // A picture does not depend on those before, nor on whether it is drawn with others' assets.
 TEST(RayExtras, NothingStays) {
   const engine::ModelPtr model = model_of(skin());
-  render::RayOptions options;
-  options.assets = render::make_ray_assets(model);
+  rays::Options options;
+  options.assets = rays::make_assets(model);
   Studio used(model, options);
   Studio fresh(model, {});
   const render::View view = render::orbit_view({0, 0, 0.25}, 1.5, 80, -20, 45);
@@ -176,8 +176,8 @@ TEST(RayExtras, EveryInstructionSet) {
   pose(best, 1);
   const render::View view = render::orbit_view({0, 0, 0.25}, 1.5, 80, -20, 45);
   const Shot expected = best.shoot(view, 150, 110);
-  for (const std::string& path : render::ray_simd_paths()) {
-    render::RayOptions options;
+  for (const std::string& path : rays::simd_paths()) {
+    rays::Options options;
     options.simd = path;
     Studio studio(model, options);
     pose(studio, 1);

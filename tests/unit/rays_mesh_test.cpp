@@ -3,8 +3,8 @@
 #include <string>
 
 #include "base/format.h"
-#include "render_agreement.h"
-#include "render_ray_support.h"
+#include "unit/rays/agreement.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -78,7 +78,7 @@ class Meshes : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Meshes, LookTheSame) {
   const engine::ModelPtr model = scene(GetParam().body);
-  const auto reference = osmesa(model);
+  const auto reference = osmesa_for(model);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
   Studio studio(model, {});
   double difference = 0;
@@ -132,7 +132,7 @@ TEST(RayMesh, DepthOfAFace) {
   EXPECT_NEAR(shot.depth[shot.at(16, 16)], 0.8, 1e-5);
   // Its back, from within, is not seen.
   view.position = {0.1, 0.1, 0.05};
-  view.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};  // upwards
+  view.rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;  // upwards
   EXPECT_EQ(studio.shoot(view).middle_id(), -1);
 }
 
@@ -142,7 +142,7 @@ TEST(RayMesh, ShadesItself) {
       "<light directional='true' pos='2 0 0' dir='-1 0 -.02' diffuse='1 1 1' specular='0 0 0'/>"
       "<geom type='mesh' mesh='smooth' material='mat'/>";
   Studio studio(world(body, assets()));
-  render::RayOptions options;
+  rays::Options options;
   options.shadows = false;
   Studio lit(world(body, assets()), options);
   // The inner side at x = -0.2 looks towards +x, where the tube at x = 0.2..0.4 is in the way.
@@ -158,8 +158,8 @@ TEST(RayMesh, EveryInstructionSet) {
       "hfield='hills' "
       "pos='0 0 -.3'/><geom type='mesh' mesh='plain' pos='.2 .2 .3' rgba='.3 .4 .9 .5'/>");
   Studio best(model, {});
-  for (const std::string& path : render::ray_simd_paths()) {
-    render::RayOptions options;
+  for (const std::string& path : rays::simd_paths()) {
+    rays::Options options;
     options.simd = path;
     Studio studio(model, options);
     for (const int azimuth : {10, 130, 250}) {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <random>
 
-#include "render_agreement.h"
-#include "render_ray_support.h"
 #include "support/scenes.h"
+#include "unit/rays/agreement.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -13,9 +13,9 @@ namespace {
 TEST(RayOsmesa, TheInfantsEyes) {
   const engine::ModelPtr model = room_with_infant("benchmark");
   const_cast<mjModel&>(*model).vis.quality.offsamples = 0;
-  const auto reference = osmesa(model);
+  const auto reference = osmesa_for(model);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
-  const auto ray = render::make_ray_renderer(model, {});
+  const auto ray = rays::make_renderer(model, {});
   engine::Physics physics(model, {});
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -44,7 +44,7 @@ TEST(RayOsmesa, TheInfantsEyes) {
 TEST(RayOsmesa, TheInfantFromOutside) {
   const engine::ModelPtr model = room_with_infant("benchmark");
   const_cast<mjModel&>(*model).vis.quality.offsamples = 0;
-  const auto reference = osmesa(model);
+  const auto reference = osmesa_for(model);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
   Studio studio(model, {});
   Agreement agreement;
@@ -78,10 +78,10 @@ TEST_P(Switches, LooksTheSame) {
       {}, {});
   render::Quality quality;
   quality.*GetParam().on = GetParam().value;
-  const auto reference = osmesa(model, quality);
+  const auto reference = osmesa_for(model, quality);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
-  const auto plain = render::make_osmesa_renderer(model, {}, {});
-  Studio studio(model, render::RayOptions(quality));
+  const auto plain = osmesa::make_renderer(model, {}, {});
+  Studio studio(model, rays::Options(quality));
   const render::View view = render::orbit_view({0, 0, 0.3}, 2, 60, -15, 60);
   Shot theirs(160, 160), before(160, 160);
   reference->draw(*model, studio.physics().data(), view, theirs.picture());
@@ -119,9 +119,9 @@ TEST(RayOsmesa, FogBeforeMirrorsGlassAndHaze) {
       {}, {});
   render::Quality quality;
   quality.fog = true;
-  const auto reference = osmesa(model, quality);
+  const auto reference = osmesa_for(model, quality);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
-  Studio studio(model, render::RayOptions(quality));
+  Studio studio(model, rays::Options(quality));
   const render::View view = render::orbit_view({-1.5, 0, 0.3}, 3.5, 180, -12, 45);
   Shot theirs(160, 160);
   reference->draw(*model, studio.physics().data(), view, theirs.picture());
@@ -147,7 +147,7 @@ TEST_P(Feature, LooksTheSame) {
             "<material name='mirror' reflectance='.5' specular='0' rgba='.3 .3 .3 1'/>",
             "<headlight ambient='.3 .3 .3' diffuse='.3 .3 .3'/>"),
       {}, {});
-  const auto reference = osmesa(model);
+  const auto reference = osmesa_for(model);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
   Studio studio(model, {});
   double difference = 0;

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "base/status.h"
-#include "render_ray_support.h"
 #include "support/scenes.h"
+#include "unit/rays/support.h"
 
 namespace {
 
@@ -68,10 +68,10 @@ TEST(RaySame, EveryInstructionSet) {
   for (const engine::ModelPtr& model : scenes) {
     Studio best(model, {});
     const std::vector<Shot> expected = views(best);
-    const std::vector<std::string> paths = render::ray_simd_paths();
+    const std::vector<std::string> paths = rays::simd_paths();
     EXPECT_FALSE(paths.empty());
     for (const std::string& path : paths) {
-      render::RayOptions options;
+      rays::Options options;
       options.simd = path;
       Studio studio(model, options);
       const std::vector<Shot> actual = views(studio);
@@ -82,7 +82,7 @@ TEST(RaySame, EveryInstructionSet) {
       }
     }
   }
-  render::RayOptions unknown;
+  rays::Options unknown;
   unknown.simd = "MMX";
   EXPECT_THROW(Studio(scenes[0], unknown), Error);
 }
@@ -90,7 +90,7 @@ TEST(RaySame, EveryInstructionSet) {
 TEST(RaySame, ThreadsOfAFrame) {
   const engine::ModelPtr model = engine::compile(everything(), {}, {});
   Studio single(model, {});
-  render::RayOptions options;
+  rays::Options options;
   options.threads = 5;
   Studio many(model, options);
   const std::vector<Shot> expected = views(single);
@@ -103,8 +103,8 @@ TEST(RaySame, ThreadsOfAFrame) {
 
 TEST(RaySame, SixtyFourRenderersOnEightThreads) {
   const engine::ModelPtr model = benchmark_model();
-  render::RayOptions options;
-  options.assets = render::make_ray_assets(model);
+  rays::Options options;
+  options.assets = rays::make_assets(model);
   std::vector<std::unique_ptr<Studio>> studios;
   for (int i = 0; i < 64; ++i) studios.push_back(std::make_unique<Studio>(model, options));
   const render::View view = render::orbit_view({0, 0, 0.4}, 1.5, 150, -20, 45);
@@ -127,13 +127,13 @@ TEST(RaySame, SixtyFourRenderersOnEightThreads) {
 
 TEST(RaySame, NoAllocationAFrameAndLittleMemory) {
   const engine::ModelPtr model = benchmark_model();
-  render::RayOptions options;
-  options.assets = render::make_ray_assets(model);
+  rays::Options options;
+  options.assets = rays::make_assets(model);
   Studio studio(model, options);
   Shot shot(256, 256);
   const render::View view = render::orbit_view({0, 0, 0.4}, 1.5, 150, -20, 45);
   const long bytes_before = allocated;
-  const auto renderer = render::make_ray_renderer(model, options);
+  const auto renderer = rays::make_renderer(model, options);
   renderer->draw(*model, studio.physics().data(), view, shot.picture());
   EXPECT_LT(allocated - bytes_before, 4 << 20);
   const long before = allocations;

@@ -1,8 +1,10 @@
-// What the OSMesa renderer draws. Distances and places are those of the world in render_fixture.h.
+// What the OSMesa renderer draws. Distances and places are those of the world in render/fixture.h.
 // This test replaces operator new to count; the compiler takes the pair of malloc and free for a mistake.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
+
+#include "osmesa/renderer.h"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -19,9 +21,8 @@
 #include <thread>
 
 #include "engine/guard.h"
-#include "render/osmesa.h"
-#include "render/osmesa_library.h"
-#include "render_fixture.h"
+#include "osmesa/library.h"
+#include "unit/osmesa/fixture.h"
 
 // Counts what this program's C++ code allocates. Sanitizers have allocators of their own.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -42,7 +43,7 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 #endif
 
-namespace mimo::render::test {
+namespace mimo::osmesa::test {
 namespace {
 
 TEST(Osmesa, DepthIsTheDistanceAlongTheAxis) {
@@ -106,7 +107,7 @@ TEST(Osmesa, IdsAndDepthAreNotAveragedByMultisampling) {
   mjModel single = *world.model;
   single.vis.quality.offsamples = 0;
   const auto smooth = renderer_for(world);
-  const auto sharp = make_osmesa_renderer({&single, [](const mjModel*) {}}, Quality{}, LogSink{});
+  const auto sharp = make_renderer({&single, [](const mjModel*) {}}, Quality{}, LogSink{});
   const Image with = take(*smooth, world, 200, 150), without = take(*sharp, world, 200, 150);
   EXPECT_NE(with.rgb, without.rgb);  // edges are smooth
   EXPECT_EQ(with.segmentation, without.segmentation);
@@ -179,7 +180,7 @@ TEST(Osmesa, IsMujocosOwnPicture) {
   const World world;
   const auto renderer = renderer_for(world);
   const Image image = take(*renderer, world, 96, 64);
-  const OsmesaLibrary library = load_osmesa();
+  const Library library = load_library();
   OSMesaContext context = library.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr);
   std::array<unsigned char, 4> pixel{};
   ASSERT_TRUE(library.MakeCurrent(context, pixel.data(), GL_UNSIGNED_BYTE, 1, 1));
@@ -301,7 +302,7 @@ TEST(Osmesa, DoesNotAllocateOnceItHasDrawn) {
 TEST(Osmesa, MissingLibraryNamesThePackage) {
   const World world;
   try {
-    make_osmesa_renderer(world.model, Quality{}, LogSink{}, {"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
+    make_renderer(world.model, Quality{}, LogSink{}, {"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::kUnsupported);
@@ -312,14 +313,12 @@ TEST(Osmesa, MissingLibraryNamesThePackage) {
 
 TEST(Osmesa, AnotherLibraryOfThatNameIsRefused) {
   const World world;
-  EXPECT_EQ(status_of([&] { make_osmesa_renderer(world.model, Quality{}, LogSink{}, {"libm.so.6"}); }),
-            Status::kUnsupported);
+  EXPECT_EQ(status_of([&] { make_renderer(world.model, Quality{}, LogSink{}, {"libm.so.6"}); }), Status::kUnsupported);
 }
 
 TEST(Osmesa, NextNameIsTried) {
   const World world;
-  take(*make_osmesa_renderer(world.model, Quality{}, LogSink{},
-                             {"libNoSuchMesa.so", "libOSMesa.so.8", "libOSMesa.so.6"}),
+  take(*make_renderer(world.model, Quality{}, LogSink{}, {"libNoSuchMesa.so", "libOSMesa.so.8", "libOSMesa.so.6"}),
        world);
 }
 
@@ -363,4 +362,4 @@ TEST(Osmesa, RefusesMoreTexturesThanMujocoHasRoomFor) {
 }
 
 }  // namespace
-}  // namespace mimo::render::test
+}  // namespace mimo::osmesa::test

@@ -10,14 +10,16 @@
 #include <string>
 
 #include "base/status.h"
-#include "render_ray_support.h"
+#include "osmesa/renderer.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 
 // MuJoCo's own renderer; null where this machine has none.
-inline std::unique_ptr<render::Renderer> osmesa(const engine::ModelPtr& model, const render::Quality& quality = {}) {
+inline std::unique_ptr<render::Renderer> osmesa_for(const engine::ModelPtr& model,
+                                                    const render::Quality& quality = {}) {
   try {
-    return render::make_osmesa_renderer(model, quality, {});
+    return osmesa::make_renderer(model, quality, {});
   } catch (const Error& error) {
     if (error.status() != Status::kUnsupported) throw;
     return nullptr;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "render_ray_support.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -123,8 +123,8 @@ class Strange {
     static const engine::ModelPtr original = engine::compile(with_tendon(scene()), {}, {});
     return {mj_copyModel(nullptr, original.get()), mj_deleteModel};
   }
-  static render::RayOptions options(int samples) {
-    render::RayOptions options;
+  static rays::Options options(int samples) {
+    rays::Options options;
     options.samples = samples;
     options.fog = true;
     return options;
@@ -180,7 +180,7 @@ TEST(RayExtremes, Cameras) {
     }
     for (int k = 0; k < 9; k += 4) {
       strange.view = usual;
-      strange.view.rotation[k] = odd;
+      strange.view.rotation.data()[k] = odd;
       strange.draw();
     }
     strange.view = usual;

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/status.h"
-#include "render_ray_support.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -117,7 +117,7 @@ TEST_P(EachLight, CastsShadows) {
   const render::View view = render::orbit_view({0, 0, 0}, 1, 90, -35, 40);
   for (const char* kind : {"sphere", "capsule", "ellipsoid", "cylinder", "box"}) {
     const std::string body = kFloor + format(fmt::runtime(ball), kind);
-    render::RayOptions plain;
+    rays::Options plain;
     plain.shadows = false;
     Studio dark(world(body + GetParam()));
     Studio bright(world(body + GetParam()), plain);
@@ -176,7 +176,7 @@ TEST(RayLight, Mirrors) {
     const render::View view = render::orbit_view({0, 0, 0}, 1, 90, -39, 10);
     EXPECT_EQ(studio.shoot(view).middle_id(), 0) << mirror;
     EXPECT_TRUE(color_near({0.45, 0.225, 0}, studio.shoot(view).middle(), 2)) << mirror;
-    render::RayOptions dull;
+    rays::Options dull;
     dull.reflections = false;
     Studio without(
         world(mirror + light + "<geom type='box' size='.6 .1 .02' pos='0 .5 .4' rgba='1 .5 0 1' material='mat'/>",
@@ -187,7 +187,7 @@ TEST(RayLight, Mirrors) {
 }
 
 TEST(RayLight, Fog) {
-  render::RayOptions foggy;
+  rays::Options foggy;
   foggy.fog = true;
   const std::string visual = "<map znear='0.01' fogstart='1' fogend='5'/><rgba fog='.2 .4 .6 1'/>";
   const std::string body = kFloor + std::string("<light directional='true' dir='0 0 -1' diffuse='1 1 1'/>");
@@ -207,7 +207,7 @@ TEST(RayLight, Antialiasing) {
   Studio plain(world(body));
   const Shot sharp = plain.shoot(from_above(2), 50, 40);
   for (const int samples : {4, 16, 64}) {
-    render::RayOptions options;
+    rays::Options options;
     options.samples = samples;
     Studio studio(world(body), options);
     const Shot smooth = studio.shoot(from_above(2), 50, 40);
@@ -223,7 +223,7 @@ TEST(RayLight, Antialiasing) {
     EXPECT_GT(between, 30);
     EXPECT_NEAR(sum[0], sum[1], 0.03 * sum[0]);
   }
-  render::RayOptions wrong;
+  rays::Options wrong;
   wrong.samples = 3;
   EXPECT_THROW(Studio(world(body), wrong), Error);
 }

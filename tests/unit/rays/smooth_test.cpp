@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/format.h"
-#include "render_ray_support.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {

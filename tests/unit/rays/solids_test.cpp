@@ -3,7 +3,7 @@
 #include <random>
 
 #include "base/status.h"
-#include "render_ray_support.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -15,7 +15,7 @@ std::array<double, 3> ray_of(const render::View& view, int width, int height, in
   const double up = step * (0.5 * height - y - 0.5);
   std::array<double, 3> d{};
   for (int k = 0; k < 3; ++k) {
-    d[k] = right * view.rotation[3 * k] + up * view.rotation[3 * k + 1] - view.rotation[3 * k + 2];
+    d[k] = right * view.rotation(k, 0) + up * view.rotation(k, 1) - view.rotation(k, 2);
   }
   return d;
 }

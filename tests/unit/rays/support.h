@@ -12,7 +12,7 @@
 
 #include "base/format.h"
 #include "engine/physics.h"
-#include "render/ray/ray_renderer.h"
+#include "rays/renderer.h"
 #include "render/renderer.h"
 
 namespace mimo::test {
@@ -45,10 +45,10 @@ struct Shot {
 // A model at rest, and pictures of it.
 class Studio {
  public:
-  explicit Studio(const std::string& xml, const render::RayOptions& options = {})
+  explicit Studio(const std::string& xml, const rays::Options& options = {})
       : Studio(engine::compile(xml, {}, {}), options) {}
-  Studio(engine::ModelPtr model, const render::RayOptions& options)
-      : model_(std::move(model)), physics_(model_, {}), renderer_(render::make_ray_renderer(model_, options)) {
+  Studio(engine::ModelPtr model, const rays::Options& options)
+      : model_(std::move(model)), physics_(model_, {}), renderer_(rays::make_renderer(model_, options)) {
     physics_.forward();
   }
 

@@ -1,7 +1,7 @@
 // Textures of the ray renderer: which texel goes where, and how small ones blur.
 #include <algorithm>
 
-#include "render_ray_support.h"
+#include "unit/rays/support.h"
 
 namespace mimo::test {
 namespace {
@@ -137,8 +137,8 @@ TEST(RayTextures, SmallBlurs) {
 TEST(RayTextures, SharedByRenderers) {
   const auto model =
       engine::compile(textured("<geom type='box' size='1 1 1' material='painted'/>", "texture='flat'"), {}, {});
-  render::RayOptions options;
-  options.assets = render::make_ray_assets(model);
+  rays::Options options;
+  options.assets = rays::make_assets(model);
   Studio one(model, options), two(model, options), own(model, {});
   EXPECT_EQ(options.assets.use_count(), 3);
   EXPECT_EQ(one.shoot(from_above(3)).rgb, own.shoot(from_above(3)).rgb);
@@ -160,7 +160,7 @@ TEST(RayTextures, Sky) {
     EXPECT_EQ(shot.middle_id(), -1);
     EXPECT_EQ(shot.depth[0], 50.0F);
   }
-  render::RayOptions black;
+  rays::Options black;
   black.skybox = false;
   EXPECT_EQ(Studio(model, black).shoot(from_above(1)).middle(), (std::array<int, 3>{0, 0, 0}));
 }

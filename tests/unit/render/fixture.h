@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -84,10 +83,6 @@ inline Image take(Renderer& renderer, const World& world, int width = 64, int he
   Image image(width, height);
   renderer.draw(world.physics.model(), world.physics.data(), world.view(camera), image.all());
   return image;
-}
-
-inline std::unique_ptr<Renderer> renderer_for(const World& world) {
-  return make_osmesa_renderer(world.model, Quality{}, LogSink{});
 }
 
 // The status that a call fails with.

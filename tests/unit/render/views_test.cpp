@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include "render_fixture.h"
+#include <Eigen/Geometry>
+
+#include "unit/render/fixture.h"
 
 namespace mimo::render::test {
 namespace {
@@ -16,19 +18,16 @@ mjvGLCamera mujoco_camera(const World& world, mjvCamera camera) {
 }
 
 void expect_same(const View& view, const mjvGLCamera& camera) {
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(view.position[i], camera.pos[i], 1e-6);
-    EXPECT_NEAR(view.rotation[3 * i + 1], camera.up[i], 1e-6);
-    EXPECT_NEAR(-view.rotation[3 * i + 2], camera.forward[i], 1e-6);
+    EXPECT_NEAR(view.rotation(i, 1), camera.up[i], 1e-6);
+    EXPECT_NEAR(-view.rotation(i, 2), camera.forward[i], 1e-6);
   }
 }
 
 // right x up = backward: nothing is mirrored.
 void expect_right_handed(const View& view) {
-  const auto& r = view.rotation;
-  EXPECT_NEAR(r[3] * r[7] - r[6] * r[4], r[2], 1e-9);
-  EXPECT_NEAR(r[6] * r[1] - r[0] * r[7], r[5], 1e-9);
-  EXPECT_NEAR(r[0] * r[4] - r[3] * r[1], r[8], 1e-9);
+  EXPECT_LT((view.rotation.col(0).cross(view.rotation.col(1)) - view.rotation.col(2)).norm(), 1e-9);
 }
 
 TEST(Views, CameraIsThatOfTheModel) {

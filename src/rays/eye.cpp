@@ -1,11 +1,9 @@
-#include "render/ray/aspects.h"
+#include "rays/eye.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "render/ray/vectors.h"
-
-namespace mimo::render::ray {
+namespace mimo::rays {
 namespace {
 
 // Bounds of what an eye sees, gathered from points with a spread: ellipsoids (also flat ones) and corners.
@@ -82,7 +80,7 @@ Vec away_from(const Solid& solid, const Vec& eye) {
   const double s0 = solid.size[0];
   const double s1 = solid.size[1];
   const double s2 = solid.size[2];
-  const Vec none = {0, 0, 0};
+  const Vec none = Vec::Zero();
   switch (solid.kind) {
     case Kind::kPlane: return none;
     case Kind::kSphere: return dot(eye, eye) > s0 * s0 ? eye : none;
@@ -108,7 +106,7 @@ Vec away_from(const Solid& solid, const Vec& eye) {
 }
 
 // Bounds of a solid around c, whose axes these are, in the eye's frame.
-void add_bounds(const Solid& solid, const Vec& c, const Vec (&axis)[3], Bounds& bounds) {
+void add_bounds(const Solid& solid, const Vec& c, const Eigen::Matrix3d& axis, Bounds& bounds) {
   const double s0 = solid.size[0];
   const double s1 = solid.size[1];
   const double s2 = solid.size[2];
@@ -117,7 +115,7 @@ void add_bounds(const Solid& solid, const Vec& c, const Vec (&axis)[3], Bounds& 
     case Kind::kPlane:
       if (s0 > 0 && s1 > 0) {
         for (int k = 0; k < 4; ++k) {
-          bounds.add(plus(plus(c, axis[0], k & 1 ? s0 : -s0), axis[1], k & 2 ? s1 : -s1), 0, 0, 0, 0, 0);
+          bounds.add(c + (k & 1 ? s0 : -s0) * axis.col(0) + (k & 2 ? s1 : -s1) * axis.col(1), 0, 0, 0, 0, 0);
         }
       } else {
         bounds.add_everything();
@@ -125,27 +123,27 @@ void add_bounds(const Solid& solid, const Vec& c, const Vec (&axis)[3], Bounds& 
       break;
     case Kind::kSphere: ball(c, s0); break;
     case Kind::kCapsule:
-      ball(plus(c, axis[2], s1), s0);
-      ball(plus(c, axis[2], -s1), s0);
+      ball(c + s1 * axis.col(2), s0);
+      ball(c + -s1 * axis.col(2), s0);
       break;
     case Kind::kEllipsoid: {
       double m[5] = {0, 0, 0, 0, 0};
       for (int k = 0; k < 3; ++k) {
         const double square = solid.size[k] * static_cast<double>(solid.size[k]);
-        m[0] += square * axis[k][0] * axis[k][0];
-        m[1] += square * axis[k][1] * axis[k][1];
-        m[2] += square * axis[k][2] * axis[k][2];
-        m[3] += square * axis[k][0] * axis[k][2];
-        m[4] += square * axis[k][1] * axis[k][2];
+        m[0] += square * axis(0, k) * axis(0, k);
+        m[1] += square * axis(1, k) * axis(1, k);
+        m[2] += square * axis(2, k) * axis(2, k);
+        m[3] += square * axis(0, k) * axis(2, k);
+        m[4] += square * axis(1, k) * axis(2, k);
       }
       bounds.add(c, m[0], m[1], m[2], m[3], m[4]);
       break;
     }
     case Kind::kCylinder: {
-      const Vec& z = axis[2];
+      const Vec z = axis.col(2);
       const double r = s0 * s0;
       for (int side = -1; side <= 1; side += 2) {
-        bounds.add(plus(c, z, side * s1), r * (1 - z[0] * z[0]), r * (1 - z[1] * z[1]), r * (1 - z[2] * z[2]),
+        bounds.add(c + side * s1 * z, r * (1 - z[0] * z[0]), r * (1 - z[1] * z[1]), r * (1 - z[2] * z[2]),
                    -r * z[0] * z[2], -r * z[1] * z[2]);
       }
       break;
@@ -153,8 +151,9 @@ void add_bounds(const Solid& solid, const Vec& c, const Vec (&axis)[3], Bounds& 
     case Kind::kBox:
     case Kind::kMesh:
       for (int k = 0; k < 8; ++k) {
-        bounds.add(plus(plus(plus(c, axis[0], k & 1 ? s0 : -s0), axis[1], k & 2 ? s1 : -s1), axis[2], k & 4 ? s2 : -s2),
-                   0, 0, 0, 0, 0);
+        const Vec corner =
+            c + (k & 1 ? s0 : -s0) * axis.col(0) + (k & 2 ? s1 : -s1) * axis.col(1) + (k & 4 ? s2 : -s2) * axis.col(2);
+        bounds.add(corner, 0, 0, 0, 0, 0);
       }
       break;
   }
@@ -162,20 +161,16 @@ void add_bounds(const Solid& solid, const Vec& c, const Vec (&axis)[3], Bounds& 
 
 }  // namespace
 
-void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
-  const Vec offset = minus(solid.position, eye.position);
-  const Vec c = {dot(eye.axes[0], offset), dot(eye.axes[1], offset), dot(eye.axes[2], offset)};
-  Vec axis[3];  // of the solid in the eye's frame
-  for (int k = 0; k < 3; ++k) {
-    const Vec world = column(solid.rotation, k);
-    axis[k] = {dot(eye.axes[0], world), dot(eye.axes[1], world), dot(eye.axes[2], world)};
-  }
+void Eye::look_at(const Solid& solid, int index, double near_depth) {
+  const Vec c = seen_from(axes, solid.position - position);
+  Eigen::Matrix3d axis;  // of the solid in the eye's frame
+  for (int k = 0; k < 3; ++k) axis.col(k) = seen_from(axes, solid.rotation.col(k));
   Aspect aspect;
   aspect.solid = index;
-  Bounds bounds(eye.rays == Rays::kParallel, near_depth);
+  Bounds bounds(rays == Rays::kParallel, near_depth);
   add_bounds(solid, c, axis, bounds);
-  const bool directed = eye.rays != Rays::kAround;
-  if (directed && (bounds.farthest() < near_depth || bounds.nearest() > eye.reach)) return;
+  const bool directed = rays != Rays::kAround;
+  if (directed && (bounds.farthest() < near_depth || bounds.nearest() > reach)) return;
   // A hair of slack for what is rounded below.
   const auto slack = [](double v) { return 1e-5 * (1 + std::abs(v)); };
   aspect.left = static_cast<float>(bounds.low(0) - slack(bounds.low(0)));
@@ -186,28 +181,27 @@ void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
   aspect.center = narrow(c);
   aspect.radius = static_cast<float>(solid.kind == Kind::kPlane ? kEverywhere : solid.radius);
 
-  if (directed &&
-      (aspect.left > eye.wide || aspect.right < -eye.wide || aspect.bottom > eye.high || aspect.top < -eye.high)) {
+  if (directed && (aspect.left > wide || aspect.right < -wide || aspect.bottom > high || aspect.top < -high)) {
     return;
   }
 
-  const Vec from_solid = to_local(solid, minus(eye.position, solid.position));
-  const Vec right = to_local(solid, eye.axes[0]);
-  const Vec up = to_local(solid, eye.axes[1]);
-  const Vec ahead = to_local(solid, eye.axes[2]);
-  if (eye.rays == Rays::kPerspective && bounds.cut() && solid.kind != Kind::kPlane && solid.kind != Kind::kMesh) {
+  const Vec from_solid = to_local(solid, position - solid.position);
+  const Vec right = to_local(solid, axes.col(0));
+  const Vec up = to_local(solid, axes.col(1));
+  const Vec ahead = to_local(solid, axes.col(2));
+  if (rays == Rays::kPerspective && bounds.cut() && solid.kind != Kind::kPlane && solid.kind != Kind::kMesh) {
     const Vec away = away_from(solid, from_solid);
     if (dot(away, away) == 0) return;  // seen from inside: not at all
     const double middle = dot(away, ahead);
     const double x = dot(away, right);
     const double y = dot(away, up);
-    if (middle - std::abs(x) * eye.wide - std::abs(y) * eye.high >= 0) return;
+    if (middle - std::abs(x) * wide - std::abs(y) * high >= 0) return;
     aspect.facing = narrow({middle, x, y});
   }
   aspect.bx = narrow(right);
   aspect.by = narrow(up);
   const std::array<float, 3> forward = narrow(ahead);
-  if (eye.rays == Rays::kParallel) {
+  if (rays == Rays::kParallel) {
     aspect.a = narrow(from_solid);
     aspect.o = forward;
   } else {
@@ -216,12 +210,12 @@ void look_at(const Solid& solid, int index, Eye& eye, double near_depth) {
   }
 
   // Nearest first: few solids, mostly in order already.
-  int place = eye.count++;
-  while (place > 0 && eye.aspects[place - 1].nearest > aspect.nearest) {
-    eye.aspects[place] = eye.aspects[place - 1];
+  int place = count++;
+  while (place > 0 && aspects[place - 1].nearest > aspect.nearest) {
+    aspects[place] = aspects[place - 1];
     --place;
   }
-  eye.aspects[place] = aspect;
+  aspects[place] = aspect;
 }
 
-}  // namespace mimo::render::ray
+}  // namespace mimo::rays
