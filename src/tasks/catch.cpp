@@ -6,6 +6,7 @@
 #include "base/fail.h"
 #include "engine/custom.h"
 #include "engine/joints.h"
+#include "format/names.h"
 #include "tasks/contacts.h"
 #include "tasks/gaze.h"
 #include "tasks/vectors.h"
@@ -109,7 +110,7 @@ Catch::Catch(const mjModel& model, const body::Body& body, const Settings& setti
   if (!engine::is_ball(model, ball_)) {
     fail(Status::kModel, "body {}target: catch needs a ball, a free body of one sphere", body.prefix);
   }
-  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", engine::Kind::kBody)) {
+  for (const auto& entry : engine::custom_tuple(model, body.prefix + names::kTouch, engine::Kind::kBody)) {
     skin_.push_back(entry.id);
   }
   if (skin_.empty()) skin_ = body.bodies;

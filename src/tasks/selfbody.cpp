@@ -5,6 +5,7 @@
 
 #include "base/fail.h"
 #include "engine/custom.h"
+#include "format/names.h"
 #include "tasks/contacts.h"
 #include "tasks/vectors.h"
 
@@ -51,7 +52,7 @@ class TargetSense : public senses::Sense {
 // Bodies that the scene gives a skin, in model order; all bodies of an infant whose scene says nothing.
 std::vector<int> skin_of(const mjModel& model, const body::Body& body) {
   std::vector<int> bodies;
-  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", engine::Kind::kBody)) {
+  for (const auto& entry : engine::custom_tuple(model, body.prefix + names::kTouch, engine::Kind::kBody)) {
     bodies.push_back(entry.id);
   }
   if (bodies.empty()) {
@@ -101,7 +102,7 @@ Selfbody::Selfbody(const mjModel& model, const body::Body& body, const Settings&
   for (std::size_t i = 0; i < skin_.size(); ++i) {
     if (std::find(arm.begin(), arm.end(), skin_[i]) == arm.end()) candidates_.push_back(i);
   }
-  if (candidates_.empty()) fail(Status::kModel, "mimo:touch: no body but the right arm's has skin");
+  if (candidates_.empty()) fail(Status::kModel, "{}: no body but the right arm's has skin", names::kTouch);
   target_ = candidates_.front();
   const auto get = [&](const char* name) { return settings[std::string("selfbody/") + name]; };
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));

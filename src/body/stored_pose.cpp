@@ -1,4 +1,4 @@
-#include "engine/stored_pose.h"
+#include "body/stored_pose.h"
 
 #include <mujoco/mujoco.h>
 
@@ -8,11 +8,10 @@
 #include "base/fail.h"
 #include "engine/custom.h"
 #include "engine/joints.h"
+#include "format/names.h"
 
-namespace mimo::engine {
+namespace mimo::body {
 namespace {
-
-constexpr const char* kRootBody = "mimo_location";
 
 // Calls visit(name, prefix) for all elements of a kind that are called `what`, with or without a prefix.
 template <typename Visit>
@@ -27,7 +26,7 @@ void visit_named(const mjModel& model, mjtObj kind, int count, const std::string
 }
 
 void place_root(const mjModel& model, int body, Span<const double> pose, Span<double> qpos) {
-  double* start = &qpos[static_cast<std::size_t>(free_joint_address(model, body))];
+  double* start = &qpos[static_cast<std::size_t>(engine::free_joint_address(model, body))];
   std::copy(pose.begin(), pose.end(), start);
   mju_normalize4(start + 3);
 }
@@ -35,20 +34,21 @@ void place_root(const mjModel& model, int body, Span<const double> pose, Span<do
 }  // namespace
 
 void read_stored_pose(const mjModel& model, Span<double> qpos) {
-  visit_named(model, mjOBJ_NUMERIC, model.nnumeric, "mimo:root",
+  visit_named(model, mjOBJ_NUMERIC, model.nnumeric, names::kRootPose,
               [&](const std::string& name, const std::string& prefix) {
-                const Span<const double> pose = custom_numbers(model, name);
-                const int body = find(model, Kind::kBody, (prefix + kRootBody).c_str());
+                const Span<const double> pose = engine::custom_numbers(model, name);
+                const int body = engine::find(model, engine::Kind::kBody, (prefix + names::kRootBody).c_str());
                 if (pose.size() == 7 && body >= 0) place_root(model, body, pose, qpos);
               });
-  visit_named(model, mjOBJ_TUPLE, model.ntuple, "mimo:pose", [&](const std::string& name, const std::string&) {
-    for (const TupleEntry& entry : custom_tuple(model, name, Kind::kJoint)) {
-      if (!has_one_axis(model, entry.id)) {
-        fail(Status::kModel, "{}: joint {} is no hinge or slide", name, engine::name(model, Kind::kJoint, entry.id));
+  visit_named(model, mjOBJ_TUPLE, model.ntuple, names::kPose, [&](const std::string& name, const std::string&) {
+    for (const engine::TupleEntry& entry : engine::custom_tuple(model, name, engine::Kind::kJoint)) {
+      if (!engine::has_one_axis(model, entry.id)) {
+        fail(Status::kModel, "{}: joint {} is no hinge or slide", name,
+             engine::name(model, engine::Kind::kJoint, entry.id));
       }
       qpos[static_cast<std::size_t>(model.jnt_qposadr[entry.id])] = entry.value;
     }
   });
 }
 
-}  // namespace mimo::engine
+}  // namespace mimo::body
