@@ -17,6 +17,7 @@
 #include "base/format.h"
 #include "base/status.h"
 #include "engine/physics.h"
+#include "osmesa/renderer.h"
 #include "rays/renderer.h"
 #include "render/renderer.h"
 #include "support/scenes.h"

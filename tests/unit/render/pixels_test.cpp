@@ -1,7 +1,7 @@
 // From what OpenGL gives to what a Picture holds.
-#include <gtest/gtest.h>
-
 #include "render/pixels.h"
+
+#include <gtest/gtest.h>
 
 namespace mimo::render {
 namespace {

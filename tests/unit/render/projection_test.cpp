@@ -29,12 +29,14 @@ TEST(Projection, BehindTheCameraDepthIsNegative) { EXPECT_EQ(project(plain(), 20
 
 TEST(Projection, FollowsTheCamera) {
   const World world;
-  // The red box's middle is 2 m before the camera, the green ball's 0.8 m left of it.
+  // The red box's middle is 2 m before the camera, the green ball's 0.8 m left of that, the blue box's 0.8 m above.
   const double focal = 32 / std::tan(30 * 3.14159265358979323846 / 180);
   const Eigen::Vector3d red = project(world.view(), 64, 64, {2, 0, 1});
   EXPECT_LT((red - Eigen::Vector3d(32, 32, 2)).norm(), 1e-12);
   const Eigen::Vector3d green = project(world.view(), 64, 64, {2, 0.8, 1});
   EXPECT_LT((green - Eigen::Vector3d(32 - focal * 0.4, 32, 2)).norm(), 1e-12);
+  const Eigen::Vector3d blue = project(world.view(), 64, 64, {2, 0, 1.8});
+  EXPECT_LT((blue - Eigen::Vector3d(32, 32 - focal * 0.4, 2)).norm(), 1e-12);
 }
 
 }  // namespace
