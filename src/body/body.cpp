@@ -10,6 +10,7 @@
 #include "engine/custom.h"
 #include "engine/ground.h"
 #include "engine/joints.h"
+#include "format/names.h"
 
 namespace mimo::body {
 namespace {
@@ -68,7 +69,7 @@ std::vector<int> subtree(const mjModel& model, int root) {
 
 std::vector<int> bodies_with_skin(const mjModel& model, const Body& body) {
   std::vector<int> bodies;
-  for (const auto& entry : engine::custom_tuple(model, body.prefix + "mimo:touch", Kind::kBody)) {
+  for (const auto& entry : engine::custom_tuple(model, body.prefix + names::kTouch, Kind::kBody)) {
     bodies.push_back(entry.id);
   }
   if (bodies.empty()) {
@@ -89,12 +90,13 @@ std::vector<int> right_fingers(const mjModel& model, const Body& body) {
 Body find_body(const mjModel& model, const std::string& prefix) {
   Body body;
   body.prefix = prefix;
-  body.root = engine::find_or_fail(model, Kind::kBody, prefix + "mimo_location");
+  body.root = engine::find_or_fail(model, Kind::kBody, prefix + names::kRootBody);
   body.head = engine::find_or_fail(model, Kind::kBody, prefix + "head");
   body.bodies = subtree(model, body.root);
-  for (const int id : ids_with_prefix(model, Kind::kJoint, prefix + "robot:")) body.joints.push_back(hinge(model, id));
-  body.actuators = ids_with_prefix(model, Kind::kActuator, prefix + "act:");
-  for (const int id : ids_with_prefix(model, Kind::kSensor, prefix + "proprio:")) {
+  for (const int id : ids_with_prefix(model, Kind::kJoint, prefix + names::kJoint))
+    body.joints.push_back(hinge(model, id));
+  body.actuators = ids_with_prefix(model, Kind::kActuator, prefix + names::kMotor);
+  for (const int id : ids_with_prefix(model, Kind::kSensor, prefix + names::kSensor)) {
     body.torques.push_back(sensor(model, id));
   }
   body.accelerometer = find_sensor(model, prefix + "vestibular_acc");

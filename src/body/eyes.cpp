@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "format/names.h"
 
 namespace mimo::body {
 namespace {
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 Vector3d vector(const double* v) { return Map<const Vector3d>(v); }
 
 Joint joint_of(const mjModel& model, const Body& body, const std::string& name) {
-  const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + "robot:" + name);
+  const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + names::kJoint + name);
   return *std::find_if(body.joints.begin(), body.joints.end(), [=](const Joint& joint) { return joint.id == id; });
 }
 

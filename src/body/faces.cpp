@@ -4,11 +4,12 @@
 #include <string_view>
 
 #include "base/fail.h"
+#include "format/names.h"
 
 namespace mimo::body {
 namespace {
 
-constexpr std::string_view kPrefix = "mimo_face_";
+constexpr std::string_view kPrefix = names::kFace;
 
 std::string_view material_name(const mjModel& model, int material) { return model.names + model.name_matadr[material]; }
 

@@ -7,6 +7,7 @@
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "render/pixels.h"
+#include "render/projection.h"
 
 namespace mimo::capi {
 namespace {
@@ -57,19 +58,6 @@ void flip(T* pixels, std::size_t numbers, const mimo_picture_config& config) {
   if (pixels == nullptr) return;
   render::flip_rows(reinterpret_cast<unsigned char*>(pixels), numbers * config.width * sizeof(T),
                     static_cast<int>(config.height));
-}
-
-// Pixels right, pixels down and depth of a point of the world.
-void project(const render::View& view, const mimo_picture_config& config, const double* point, double* pixel) {
-  double seen[3] = {};  // right, up, backward
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < 3; ++i) seen[axis] += view.rotation[3 * i + axis] * (point[i] - view.position[i]);
-  }
-  constexpr double kHalfDegree = 3.14159265358979323846 / 360;
-  const double focal = 0.5 * config.height / std::tan(view.fovy * kHalfDegree);  // pixels
-  pixel[0] = 0.5 * config.width - focal * seen[0] / seen[2];
-  pixel[1] = 0.5 * config.height + focal * seen[1] / seen[2];
-  pixel[2] = -seen[2];
 }
 
 }  // namespace
@@ -124,7 +112,10 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     check_finite(array(points, 3 * count, "points").data(), 3 * count, "points");
     array(pixels, 3 * count, "pixels");
     const render::View from = view(world, ours, camera_of(world, ours));
-    for (std::size_t i = 0; i < count; ++i) project(from, ours, points + 3 * i, pixels + 3 * i);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
+      Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);
+    }
   });
 }
 

@@ -1,4 +1,4 @@
-// What a document says in its <custom> section: plain MJCF in which rooms tell the library about themselves.
+// What a document says in its <custom> section: plain MJCF in which it speaks to whoever knows the names.
 #pragma once
 
 #include <string>

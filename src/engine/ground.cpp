@@ -2,8 +2,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mimo::engine {
@@ -17,8 +17,8 @@ bool can_touch(const mjModel& model, int one, int other) {
 bool stands_still(const mjModel& model, int geom) { return model.body_weldid[model.geom_bodyid[geom]] == 0; }
 
 // Distance downwards from a point to a geom; negative where it is not met.
-double distance_below(const mjModel& model, const mjData& data, int geom, const std::array<double, 3>& point) {
-  const std::array<double, 3> down{0, 0, -1};
+double distance_below(const mjModel& model, const mjData& data, int geom, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d down(0, 0, -1);
   switch (model.geom_type[geom]) {
     case mjGEOM_MESH: return mj_rayMesh(&model, &data, geom, point.data(), down.data());
     case mjGEOM_HFIELD: return mj_rayHfield(&model, &data, geom, point.data(), down.data());
@@ -61,7 +61,7 @@ std::vector<double> heights_at(const mjModel& model, const mjData& data, const s
                            return own != geom && can_touch(model, own, geom);
                          });
     if (!matters) continue;
-    std::array<double, 3> point{x, y, data.geom_xpos[3 * geom + 2] + model.geom_rbound[geom] + kAbove};
+    Eigen::Vector3d point(x, y, data.geom_xpos[3 * geom + 2] + model.geom_rbound[geom] + kAbove);
     for (int i = 0; i < kMost; ++i) {
       const double distance = distance_below(model, data, geom, point);
       if (!(distance >= 0)) break;

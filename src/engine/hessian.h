@@ -22,7 +22,7 @@ struct Blocks {
 };
 
 // The lower triangle, of which each row holds only what is not zero in the matrix or in its factor L'DL. That grows
-// from the last row up: an infant without contacts has the entries of its inertia and no others.
+// from the last row up: a model without contacts has the entries of its inertia and no others.
 struct Hessian {
   int size;
   const int* starts;   // of each row in `columns` and the arrays below, and the end of the last

@@ -59,10 +59,7 @@ Motion motion_of(const mjModel& model, const mjData& data, const Place& place) {
   const Vec3 speed = velocity.tail<3>() + spin.cross(offset);
   // Spatial accelerations are those of a point fixed in space; the place itself also turns.
   const Vec3 linear = acceleration.tail<3>() + acceleration.head<3>().cross(offset) + spin.cross(speed);
-  Motion motion{};
-  Eigen::Map<Vec3>(motion.acceleration.data()) = frame.transpose() * linear;
-  Eigen::Map<Vec3>(motion.angular_velocity.data()) = frame.transpose() * spin;
-  return motion;
+  return {frame.transpose() * linear, frame.transpose() * spin};
 }
 
 }  // namespace mimo::engine

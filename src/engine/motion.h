@@ -1,7 +1,7 @@
 // How places on bodies move: what MuJoCo's sensors would say if the model had any there.
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 
 #include "engine/model.h"
 
@@ -17,8 +17,8 @@ struct Place {
 
 // In the place's own frame, as the last forward dynamics computed them.
 struct Motion {
-  std::array<double, 3> acceleration;      // proper: what an accelerometer reads, m/s^2
-  std::array<double, 3> angular_velocity;  // rad/s
+  Eigen::Vector3d acceleration;      // proper: what an accelerometer reads, m/s^2
+  Eigen::Vector3d angular_velocity;  // rad/s
 };
 
 Motion motion_of(const mjModel& model, const mjData& data, const Place& place);

@@ -5,8 +5,10 @@
 
 #include "base/fail.h"
 #include "base/stopwatch.h"
+#include "body/stored_pose.h"
 #include "engine/custom.h"
-#include "engine/stored_pose.h"
+#include "env/renderers.h"
+#include "format/names.h"
 
 namespace mimo::env {
 namespace {
@@ -34,7 +36,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       physics_(shared_model_, options.physics),
       random_(options.seed) {
   adopt_scene_choices();
-  engine::read_stored_pose(physics_.model(), physics_.start());
+  body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker();
   render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
@@ -64,10 +66,10 @@ void World::require_outside_task() const {
 // What the config leaves open, the scene's document may say.
 void World::adopt_scene_choices() {
   if (options_.task.empty() && options_.custom_task) options_.task = kCustomTask;
-  if (options_.task.empty()) options_.task = engine::custom_text(model(), "mimo:task");
+  if (options_.task.empty()) options_.task = engine::custom_text(model(), names::kTask);
   if (options_.task.empty()) options_.task = "none";
   if (options_.frame_skip > 0) return;
-  const Span<const double> own = engine::custom_numbers(model(), "mimo:frame_skip");
+  const Span<const double> own = engine::custom_numbers(model(), names::kFrameSkip);
   options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= 1000 ? static_cast<int>(own[0]) : kFrameSkip;
 }
 
@@ -99,7 +101,7 @@ bool sees(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
 
 std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options) {
   const std::string& name = options.renderer == "none" ? "auto" : options.renderer;
-  return render::make_renderer(name, model, options.quality, options.shelf, options.log);
+  return choose_renderer(name, model, options.quality, options.shelf, options.log);
 }
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
+
 namespace mimo::observation {
 namespace {
 
@@ -53,7 +55,6 @@ void blur_row(const float* in, std::size_t width, const std::vector<float>& kern
 }  // namespace
 
 std::vector<float> blur_kernel(double cycles, double pixels_per_degree) {
-  constexpr double kPi = 3.14159265358979323846;
   const double sigma = std::sqrt(std::log(2.0) / 2) / (kPi * cycles) * pixels_per_degree;  // pixels
   const auto reach = static_cast<std::size_t>(std::ceil(3 * sigma));
   std::vector<double> weights(reach + 1);

@@ -1,23 +1,20 @@
 // What draws pictures. A renderer belongs to one model and may be used by any thread, one at a time.
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <string>
-
-#include "base/log.h"
-#include "engine/model.h"
 
 typedef struct mjData_ mjData;
+typedef struct mjModel_ mjModel;
 
 namespace mimo::render {
 
 // Where a picture is taken from: an eye in the world.
 struct View {
-  std::array<double, 3> position{};  // world, m
-  std::array<double, 9> rotation{};  // row-major; columns are right, up and backward in the world
-  double fovy = 60;                  // vertical field of view, degrees
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // world, m
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();  // columns are right, up and backward in the world
+  double fovy = 60;                                    // vertical field of view, degrees
 };
 
 // What is wanted; null pointers are not. Row 0 is the top.
@@ -48,22 +45,14 @@ class Renderer {
   virtual void draw(const mjModel& model, const mjData& data, const View& view, const Picture& picture) = 0;
 };
 
-// MuJoCo's own pictures through OSMesa, which is loaded at run time. Throws Status::kUnsupported where it is absent.
-std::unique_ptr<Renderer> make_osmesa_renderer(engine::ModelPtr model, const Quality& quality, const LogSink& log);
-
-// Where renderers of one model find what they can share: textures with their mipmaps, made by the first that asks.
+// What renderers of one model share, see shelf.h.
 class Shelf;
 std::shared_ptr<Shelf> make_shelf();
-
-// By name: "ray", "osmesa", or "auto": rays where the model allows it, else OSMesa, which is said in the log. The shelf
-// belongs to this very model; null: the renderer keeps everything to itself.
-std::unique_ptr<Renderer> make_renderer(const std::string& name, const engine::ModelPtr& model, const Quality& quality,
-                                        const std::shared_ptr<Shelf>& shelf, const LogSink& log);
 
 // The view of a camera of the model, at its current pose; fovy 0 means the camera's own.
 View camera_view(const mjModel& model, const mjData& data, int camera, double fovy = 0);
 
 // The view of a free camera that looks at a point; angles in degrees as MuJoCo's free camera.
-View orbit_view(const std::array<double, 3>& look_at, double distance, double azimuth, double elevation, double fovy);
+View orbit_view(const Eigen::Vector3d& look_at, double distance, double azimuth, double elevation, double fovy);
 
 }  // namespace mimo::render

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/angle.h"
 #include "base/fail.h"
 #include "engine/guard.h"
 
@@ -23,12 +24,12 @@ int most_shown(const mjModel& model) {
 // With the roundings of mjv_updateCamera, so that a view of a camera gives MuJoCo's own picture to the byte.
 mjvGLCamera gl_camera(const mjModel& model, const View& view) {
   const auto near = static_cast<float>(model.vis.map.znear * model.stat.extent);
-  const float top = near * std::tan(static_cast<float>(view.fovy * static_cast<float>(mjPI / 360)));
+  const float top = near * std::tan(static_cast<float>(view.fovy * static_cast<float>(kPi / 360)));
   mjvGLCamera camera{};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     camera.pos[i] = static_cast<float>(view.position[i]);
-    camera.up[i] = static_cast<float>(view.rotation[3 * i + 1]);
-    camera.forward[i] = static_cast<float>(-view.rotation[3 * i + 2]);
+    camera.up[i] = static_cast<float>(view.rotation(i, 1));
+    camera.forward[i] = static_cast<float>(-view.rotation(i, 2));
   }
   camera.frustum_top = top;
   camera.frustum_bottom = -top;

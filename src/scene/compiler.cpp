@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/fail.h"
 #include "scene/defaults.h"
 #include "scene/pose.h"

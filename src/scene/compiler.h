@@ -6,8 +6,6 @@
 
 namespace mimo::scene {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
-
 // A setting of the document's compiler elements, "" where they do not say; the last one counts, as in MuJoCo.
 std::string compiler_setting(pugi::xml_node root, const char* attribute);
 

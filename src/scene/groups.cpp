@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/fail.h"
+#include "format/names.h"
 
 namespace mimo::scene {
 namespace {
@@ -50,9 +51,8 @@ bool begins(const std::string& text, const std::string& with) { return text.comp
 }  // namespace
 
 unsigned group_of(const std::string& motor) {
-  constexpr const char* kPrefix = "act:";
-  if (!begins(motor, kPrefix)) return 0;
-  const std::string name = motor.substr(std::string(kPrefix).size());
+  if (!begins(motor, names::kMotor)) return 0;
+  const std::string name = motor.substr(std::string(names::kMotor).size());
   for (const Named& entry : kMotors) {
     if (begins(name, entry.name)) return entry.group;
   }
@@ -69,7 +69,7 @@ unsigned groups_from(const std::string& words) {
     for (const Named& entry : kGroups) {
       if (word == entry.name) group = entry.group;
     }
-    if (group == 0) fail(Status::kModel, "mimo:acts: \"{}\" is no part of the infant", word);
+    if (group == 0) fail(Status::kModel, "{}: \"{}\" is no part of the infant", names::kActs, word);
     groups |= group;
   }
   return groups;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/fail.h"
+#include "format/names.h"
 #include "scene/compiler.h"
 #include "scene/composition.h"
 #include "scene/xml.h"
@@ -50,7 +51,7 @@ void remove_setting(pugi::xml_node root, const char* name) {
   }
 }
 
-std::string name_for(std::size_t body) { return "mimo:body:" + std::to_string(body); }
+std::string name_for(std::size_t body) { return names::kNameless + std::to_string(body); }
 
 // The document as it is, but that every body can be found in the model: none without a name, none fused with another.
 engine::ModelPtr compile_with_names(const pugi::xml_document& document, const Limits& limits) {

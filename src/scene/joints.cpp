@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/fail.h"
+#include "format/names.h"
 #include "scene/compiler.h"
 #include "scene/defaults.h"
 #include "scene/equalities.h"
@@ -13,13 +15,11 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kPose = "mimo:pose";
-
 std::string text_of(pugi::xml_attribute attribute) { return attribute.value(); }
 
 bool is_pose(const std::string& tuple) {
-  const std::string ending = std::string("/") + kPose;
-  return tuple == kPose ||
+  const std::string ending = std::string("/") + names::kPose;
+  return tuple == names::kPose ||
          (tuple.size() > ending.size() && tuple.compare(tuple.size() - ending.size(), ending.size(), ending) == 0);
 }
 
@@ -82,8 +82,8 @@ pugi::xml_node stored_or_new(pugi::xml_node root, const std::string& joint) {
   const pugi::xml_node there = stored(root, joint);
   if (!there.empty()) return there;
   const pugi::xml_node custom = section(root, "custom");
-  pugi::xml_node tuple = custom.find_child_by_attribute("tuple", "name", kPose);
-  if (tuple.empty()) set(tuple = append(custom, "tuple"), "name", kPose);
+  pugi::xml_node tuple = custom.find_child_by_attribute("tuple", "name", names::kPose);
+  if (tuple.empty()) set(tuple = append(custom, "tuple"), "name", names::kPose);
   const pugi::xml_node entry = append(tuple, "element");
   set(entry, "objtype", "joint");
   set(entry, "objname", joint);

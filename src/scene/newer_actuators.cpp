@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/angle.h"
 #include "scene/compiler.h"
 #include "scene/defaults.h"
 #include "scene/names.h"

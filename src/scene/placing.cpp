@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "body/stored_pose.h"
 #include "engine/ground.h"
 #include "engine/joints.h"
-#include "engine/stored_pose.h"
+#include "format/names.h"
 
 namespace mimo::scene {
 namespace {
@@ -16,7 +18,6 @@ namespace {
 using engine::Kind;
 
 constexpr double kClearance = 0.0005;  // m
-constexpr double kPi = 3.14159265358979323846;
 
 struct Spot {
   double x, y;
@@ -40,7 +41,7 @@ class Search {
  public:
   Search(engine::Physics& physics, const std::string& prefix)
       : physics_(physics),
-        root_(engine::find_or_fail(physics.model(), Kind::kBody, prefix + kRootBody)),
+        root_(engine::find_or_fail(physics.model(), Kind::kBody, prefix + names::kRootBody)),
         address_(engine::free_joint_address(physics.model(), root_)),
         geoms_(engine::geoms_of_tree(physics.model(), root_)) {}
 
@@ -135,7 +136,7 @@ std::string described(const mjModel& model, int geom) {
 
 engine::Physics at_start(const engine::ModelPtr& model) {
   engine::Physics physics(model, {});
-  engine::read_stored_pose(*model, physics.start());
+  body::read_stored_pose(*model, physics.start());
   physics.reset();
   return physics;
 }
@@ -145,7 +146,7 @@ Pose free_spot(engine::Physics& physics, const std::string& prefix) { return Sea
 void warn_of_overlap(const engine::Physics& physics, const std::string& prefix, const LogSink& log) {
   constexpr double kWorthSaying = 0.005;  // m; what lies or stands sinks in by a millimetre or two
   const mjModel& model = physics.model();
-  const int root = engine::find_or_fail(model, Kind::kBody, prefix + kRootBody);
+  const int root = engine::find_or_fail(model, Kind::kBody, prefix + names::kRootBody);
   const engine::Overlap overlap = engine::deepest_overlap(model, physics.data(), root);
   if (overlap.depth < kWorthSaying) return;
   const std::string own = engine::name(model, Kind::kBody, model.geom_bodyid[overlap.own]);

@@ -9,8 +9,6 @@
 
 namespace mimo::scene {
 
-constexpr const char* kRootBody = "mimo_location";
-
 // Everything where the model starts.
 engine::Physics at_start(const engine::ModelPtr& model);
 

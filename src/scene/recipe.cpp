@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/fail.h"
+#include "format/names.h"
 #include "scene/groups.h"
 #include "scene/loader.h"
 #include "scene/names.h"
@@ -13,16 +14,6 @@
 
 namespace mimo::scene {
 namespace {
-
-constexpr const char* kRecipe = "mimo:infant";
-constexpr const char* kActs = "mimo:acts";
-constexpr const char* kSenses = "mimo:senses";
-constexpr const char* kActuation = "mimo:actuation";
-constexpr const char* kStill = "mimo:still";
-constexpr const char* kBodies = "mimo:bodies";
-constexpr const char* kRootJoint = "mimo:root_joint";
-constexpr const char* kRootPose = "mimo:root";
-constexpr const char* kRootBody = "mimo_location";
 
 pugi::xml_node find_named(pugi::xml_node root, const char* section, const char* element, const std::string& name) {
   for (const pugi::xml_node part : root.children(section)) {
@@ -85,7 +76,7 @@ void merge(pugi::xml_node root, pugi::xml_node part) {
 
 // The original calls the root's free joint differently in each scene, and scripts find it by that name.
 void name_root_joint(pugi::xml_node root, const std::string& prefix, const std::string& name) {
-  pugi::xml_node joint = find_named(root, "worldbody", "body", prefix + kRootBody).child("freejoint");
+  pugi::xml_node joint = find_named(root, "worldbody", "body", prefix + names::kRootBody).child("freejoint");
   if (name == "none") {
     joint.remove_attribute("name");
   } else if (!name.empty()) {
@@ -101,32 +92,32 @@ std::string custom_text(pugi::xml_node root, const std::string& name) {
 
 Recipe Recipe::of_room(pugi::xml_node room, const Library& library) {
   Recipe recipe;
-  const std::string path = custom_text(room, kRecipe);
+  const std::string path = custom_text(room, names::kInfant);
   if (!path.empty()) recipe.document_ = Loader(library).built_in(path);
   return recipe;
 }
 
 unsigned Recipe::acts() const {
-  const std::string words = custom_text(document_.document_element(), kActs);
+  const std::string words = custom_text(document_.document_element(), names::kActs);
   return words.empty() ? static_cast<unsigned>(kAllGroups) : groups_from(words);
 }
 
-std::string Recipe::senses() const { return custom_text(document_.document_element(), kSenses); }
+std::string Recipe::senses() const { return custom_text(document_.document_element(), names::kSenses); }
 
-std::string Recipe::still() const { return custom_text(document_.document_element(), kStill); }
+std::string Recipe::still() const { return custom_text(document_.document_element(), names::kStill); }
 
-std::string Recipe::actuation() const { return custom_text(document_.document_element(), kActuation); }
+std::string Recipe::actuation() const { return custom_text(document_.document_element(), names::kActuation); }
 
 std::vector<std::string> Recipe::bodies() const {
-  std::istringstream words(custom_text(document_.document_element(), kBodies));
+  std::istringstream words(custom_text(document_.document_element(), names::kBodies));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
 void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_root) {
   const pugi::xml_node own = document_.document_element();
-  name_root_joint(root, prefix, custom_text(own, kRootJoint));
+  name_root_joint(root, prefix, custom_text(own, names::kRootJoint));
   if (keep_root) {
-    pugi::xml_node pose = find_named(own, "custom", "numeric", kRootPose);
+    pugi::xml_node pose = find_named(own, "custom", "numeric", names::kRootPose);
     if (!pose.empty()) pose.parent().remove_child(pose);
   }
   prefix_names(own, prefix);
@@ -137,7 +128,7 @@ void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_roo
 }
 
 void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still) {
-  const std::string resting = prefix + "act:" + still;
+  const std::string resting = prefix + names::kMotor + still;
   for (pugi::xml_node section : root.children("actuator")) {
     for (pugi::xml_node motor = section.first_child(); motor;) {
       const pugi::xml_node next = motor.next_sibling();

@@ -1,13 +1,16 @@
 #include "scene/scene.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
 #include <sstream>
 
+#include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "format/names.h"
 #include "scene/buffers.h"
 #include "scene/compiler.h"
 #include "scene/defaults.h"
@@ -29,12 +32,8 @@ constexpr const char* kScenes[] = {"benchmark", "free",  "reach",    "standup",
                                    "selfbody",  "catch", "showroom", "playdate"};
 constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
-constexpr const char* kPlaces = "mimo:place";     // custom number of a room: 7 values a place
-constexpr const char* kRootPose = "mimo:root";    // custom number of a stored pose
-constexpr const char* kInfants = "mimo:infants";  // custom text: names of those whom the scene is made for
-constexpr const char* kBodyClass = "mimo";        // default class of all that belongs to an infant
+constexpr const char* kBodyClass = "mimo";  // default class of all that belongs to an infant
 constexpr const char* kRoomClass = "room";
-constexpr const char* kSceneClass = "mimo:main";  // a user's main defaults, where something stands beside them
 
 template <std::size_t N>
 const char* entry(const char* const (&list)[N], std::size_t index) {
@@ -70,7 +69,6 @@ const char* shape_name(Shape shape) {
 }
 
 double volume(const Object& object) {
-  constexpr double kPi = 3.14159265358979323846;
   const auto [x, y, z] = object.size;
   switch (object.shape) {
     case Shape::kSphere: return 4.0 / 3 * kPi * x * x * x;
@@ -84,17 +82,13 @@ double volume(const Object& object) {
 
 // The directions that are right and up in a camera's picture. Where it looks along z, y is up.
 std::array<double, 6> picture_axes(const Camera& camera) {
-  using Vector = std::array<double, 3>;
-  const auto cross = [](const Vector& a, const Vector& b) {
-    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  };
-  const auto length = [](const Vector& v) { return std::hypot(v[0], v[1], v[2]); };
-  Vector forward{};
-  for (std::size_t i = 0; i < 3; ++i) forward[i] = camera.look_at[i] - camera.position[i];
-  require(length(forward) > 1e-9, "camera \"{}\" looks at the point where it is", camera.name);
-  Vector right = cross(forward, {0, 0, 1});
-  if (length(right) < 1e-6 * length(forward)) right = cross(forward, {0, 1, 0});
-  const Vector up = cross(right, forward);
+  const Eigen::Map<const Eigen::Vector3d> from(camera.position.data());
+  const Eigen::Map<const Eigen::Vector3d> to(camera.look_at.data());
+  const Eigen::Vector3d forward = to - from;
+  require(forward.norm() > 1e-9, "camera \"{}\" looks at the point where it is", camera.name);
+  Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ());
+  if (right.norm() < 1e-6 * forward.norm()) right = forward.cross(Eigen::Vector3d::UnitY());
+  const Eigen::Vector3d up = right.cross(forward);
   return {right[0], right[1], right[2], up[0], up[1], up[2]};
 }
 
@@ -135,7 +129,7 @@ void stand_alone(pugi::xml_document& document, const Limits& limits) {
   const pugi::xml_node root = document.document_element();
   require_local_coordinates(root, "the scene");
   weigh_alone(document, "the scene", limits);
-  if (has_main_defaults(root)) name_main_defaults(root, kSceneClass);
+  if (has_main_defaults(root)) name_main_defaults(root, names::kMainClass);
 }
 
 void require_other_names(pugi::xml_node infant, pugi::xml_node root, const std::string& prefix) {
@@ -148,7 +142,7 @@ void require_other_names(pugi::xml_node infant, pugi::xml_node root, const std::
 // Puts an infant without a place where there is one for it.
 void find_spot(pugi::xml_document& document, const std::string& prefix, const Limits& limits) {
   constexpr Pose kOutOfTheWay{{0, 0, 1000}, {1, 0, 0, 0}};
-  const pugi::xml_node body = find_named(document, "body", prefix + kRootBody);
+  const pugi::xml_node body = find_named(document, "body", prefix + names::kRootBody);
   set_pose(body, kOutOfTheWay);
   engine::Physics physics = at_start(compile_quietly(document, limits));
   set_pose(body, free_spot(physics, prefix));
@@ -193,7 +187,7 @@ void Scene::set_room(const std::string& room) {
   const pugi::xml_node root = changed.document_element();
   require(!has_class(root, kRoomClass), "room \"{}\": the scene has a room already", room);
   require(!has_name("geom", "floor"), "room \"{}\": the scene has a geom named \"floor\" already", room);
-  const bool has_places = !numbers_of(root, kPlaces).empty();
+  const bool has_places = !numbers_of(root, names::kPlaces).empty();
   const pugi::xml_node own_start = pugi::xml_node(root).prepend_child("custom");  // what comes later counts
   if (own_start.empty()) throw std::bad_alloc();
   for (const pugi::xml_node part : guest.document_element().children()) {
@@ -209,7 +203,8 @@ void Scene::set_room(const std::string& room) {
 
 void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups) {
   require_known("body", kBodies, body);
-  const bool no_place = pose == nullptr && bodies_ == 0 && numbers_of(document_.document_element(), kPlaces).empty();
+  const bool no_place =
+      pose == nullptr && bodies_ == 0 && numbers_of(document_.document_element(), names::kPlaces).empty();
   const std::optional<Pose> place = pose != nullptr ? *pose : free_place();
   require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_.document_element(), models_);
@@ -238,7 +233,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
     }
   }
   for (const pugi::xml_node world : root.children("worldbody")) {
-    const pugi::xml_node added = world.find_child_by_attribute("body", "name", (prefix + kRootBody).c_str());
+    const pugi::xml_node added = world.find_child_by_attribute("body", "name", (prefix + names::kRootBody).c_str());
     if (!added.empty()) set_pose(added, *place);
   }
   if (groups != 0) {
@@ -250,7 +245,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   std::vector<std::string> to_check = to_check_;
   if (pose != nullptr || !built_in_) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
-  if (no_place && numbers_of(root, (prefix + kRootPose).c_str()).empty()) unplaced = prefix;
+  if (no_place && numbers_of(root, (prefix + names::kRootPose).c_str()).empty()) unplaced = prefix;
   Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
   to_check_ = std::move(to_check);
   unplaced_ = std::move(unplaced);
@@ -267,7 +262,7 @@ void Scene::choose_motors(const std::string& prefix, unsigned groups) {
 }
 
 std::vector<std::string> Scene::infants() const {
-  std::istringstream words(custom_text(document_.document_element(), kInfants));
+  std::istringstream words(custom_text(document_.document_element(), names::kInfants));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
@@ -364,7 +359,7 @@ pugi::xml_document Scene::finished() const {
   const pugi::xml_node root = document.document_element();
   const auto count = [&](const char* body) { return kinds_.count(body) > 0 ? kinds_.at(body).count : 0; };
   size_buffers(root, count("mitten"), count("fingers"), objects_);
-  const bool infants = bodies_ > 0 || has_name("body", kRootBody);
+  const bool infants = bodies_ > 0 || has_name("body", names::kRootBody);
   if (infants) keep_hands_in_sight(root);
   if (bodies_ + objects_ > 0) {
     put_stateful_last(root);
@@ -401,7 +396,8 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   const auto is = [&](pugi::xml_node node, const std::string& name) {
     return std::string(node.name()) == "body" && name == node.attribute("name").value();
   };
-  const pugi::xml_node root = document_.find_node([&](pugi::xml_node node) { return is(node, prefix + kRootBody); });
+  const pugi::xml_node root =
+      document_.find_node([&](pugi::xml_node node) { return is(node, prefix + names::kRootBody); });
   std::vector<std::string> names;
   walk(root, [&](pugi::xml_node node) {
     const std::string name = node.attribute("name").value();
@@ -415,7 +411,7 @@ bool Scene::has_name(const char* element, const std::string& name) const {
 }
 
 std::optional<Pose> Scene::free_place() const {
-  const std::vector<double> places = numbers_of(document_.document_element(), kPlaces);
+  const std::vector<double> places = numbers_of(document_.document_element(), names::kPlaces);
   const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
   if (places.empty() && bodies_ == 0) return Pose{};
   if (places.size() < first + 7) return std::nullopt;

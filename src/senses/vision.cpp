@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
 
@@ -63,7 +64,6 @@ Vision::View Vision::view(const mjModel& model, const Lens& lens) {
 }
 
 double Vision::pixels_per_degree(double fovy) const {
-  constexpr double kDegree = 3.14159265358979323846 / 180;
   return options_.height / 2.0 / std::tan(fovy / 2 * kDegree) * kDegree;
 }
 

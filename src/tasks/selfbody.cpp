@@ -58,7 +58,7 @@ Selfbody::Selfbody(const mjModel& model, const body::Body& body, const Settings&
   for (std::size_t i = 0; i < skin_.size(); ++i) {
     if (std::find(arm.begin(), arm.end(), skin_[i]) == arm.end()) candidates_.push_back(i);
   }
-  if (candidates_.empty()) fail(Status::kModel, "mimo:touch: no body but the right arm's has skin");
+  if (candidates_.empty()) fail(Status::kModel, "{}: no body but the right arm's has skin", names::kTouch);
   target_ = candidates_.front();
   const auto get = [&](const char* name) { return settings[std::string("selfbody/") + name]; };
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "format/names.h"
 #include "tasks/vectors.h"
 
 namespace mimo::tasks {
@@ -19,7 +20,7 @@ constexpr double kEyeFront = 0.07;
 constexpr double kEyeSide = 0.0245;
 
 const body::Joint& joint_of(const mjModel& model, const body::Body& body, const std::string& name) {
-  const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + "robot:" + name);
+  const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + names::kJoint + name);
   return *std::find_if(body.joints.begin(), body.joints.end(),
                        [=](const body::Joint& joint) { return joint.id == id; });
 }

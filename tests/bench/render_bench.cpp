@@ -17,7 +17,8 @@
 #include "base/format.h"
 #include "base/status.h"
 #include "engine/physics.h"
-#include "render/ray/ray_renderer.h"
+#include "osmesa/renderer.h"
+#include "rays/renderer.h"
 #include "render/renderer.h"
 #include "support/scenes.h"
 
@@ -48,14 +49,14 @@ int run(int states, const std::string& simd) {
   engine::PhysicsOptions options;
   options.jacobian = engine::Jacobian::kDense;
   engine::Physics physics(model, options);
-  render::RayOptions ray_options;
+  rays::Options ray_options;
   ray_options.simd = simd;
-  const auto ray = render::make_ray_renderer(model, ray_options);
+  const auto ray = rays::make_renderer(model, ray_options);
   std::vector<Size> sizes;
   for (const int pixels : {64, 128, 256, 512}) sizes.push_back({pixels});
   for (Size& size : sizes) {
     try {
-      size.reference = render::make_osmesa_renderer(model, {}, {});
+      size.reference = osmesa::make_renderer(model, {}, {});
     } catch (const Error& error) {
       std::cout << format("without OSMesa: {}\n", error.message());
     }
@@ -95,7 +96,7 @@ int run(int states, const std::string& simd) {
 
   const double step = median(steps);
   std::cout << format("reference step {:.1f} us; medians of {} states, both eyes, processor time, {}\n", step * 1e6,
-                      states, simd.empty() ? render::ray_simd_paths().front() : simd);
+                      states, simd.empty() ? rays::simd_paths().front() : simd);
   std::cout << format("{:>8} {:>12} {:>8} {:>12} {:>8} {:>10}\n", "pixels", "ray [us]", "[steps]", "OSMesa [us]",
                       "[steps]", "ray faster");
   for (const Size& size : sizes) {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "body/stored_pose.h"
 #include "engine/physics.h"
-#include "engine/stored_pose.h"
 #include "support/files.h"
 #include "support/physical.h"
 #include "support/quiet.h"
@@ -24,7 +24,7 @@ constexpr double kDegree = mjPI / 180;
 engine::Physics started(const scene::Scene& scene) {
   const engine::ModelPtr model = compile(scene);
   engine::Physics physics(model, {});
-  engine::read_stored_pose(*model, physics.start());
+  body::read_stored_pose(*model, physics.start());
   physics.reset();
   return physics;
 }

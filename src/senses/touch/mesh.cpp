@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/angle.h"
 #include "base/random.h"
 #include "senses/touch/hull.h"
 #include "senses/touch/point_tree.h"
@@ -15,7 +16,6 @@
 namespace mimo::senses::touch {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // So near may two points be, in spacings: then there is about one for each square of a spacing.
 constexpr double kNearest = 0.77;
 constexpr double kDarts = 24;  // for each such square

@@ -1,12 +1,11 @@
 // Spheres, capsules, cylinders and ellipsoids: rings of points around the z axis, from the top down.
 #include <cmath>
 
+#include "base/angle.h"
 #include "senses/touch/surface.h"
 
 namespace mimo::senses::touch {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Ring {
   double radius, z;

@@ -1,11 +1,10 @@
 #include "senses/touch/surface.h"
 
+#include "base/angle.h"
 #include "senses/touch/hull.h"
 
 namespace mimo::senses::touch {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double area(const Shape& shape) {
   const Vec3& s = shape.size;

@@ -6,6 +6,7 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "engine/custom.h"
+#include "format/names.h"
 #include "senses/touch/spacing.h"
 
 namespace mimo::senses {
@@ -49,7 +50,7 @@ void check_names(const mjModel& model, const body::Body& body, const TouchOption
 class UsualSpacing {
  public:
   UsualSpacing(const mjModel& model, const body::Body& body)
-      : scene_(engine::custom_tuple(model, body.prefix + "mimo:touch", Kind::kBody)) {}
+      : scene_(engine::custom_tuple(model, body.prefix + names::kTouch, Kind::kBody)) {}
 
   double of(int id, const std::string& name) const {
     if (scene_.empty()) return touch::default_spacing(name);

@@ -1,0 +1,36 @@
+// The names on which documents and the library agree. What is found in a document belongs to whose prefix it has:
+// "anna/mimo_location" is Anna's; without one it belongs to the scene, or to its only infant.
+#pragma once
+
+namespace mimo::names {
+
+// Said by a room, in its <custom> section. models/README.md explains them.
+constexpr const char* kTask = "mimo:task";             // text: what is to be done
+constexpr const char* kFrameSkip = "mimo:frame_skip";  // number: how many physics steps a step has
+constexpr const char* kInfants = "mimo:infants";       // text: names of those whom it is made for
+constexpr const char* kPlaces = "mimo:place";          // numbers: where they are put, seven values a place
+constexpr const char* kInfant = "mimo:infant";         // text: the file of its recipe for an infant
+constexpr const char* kMainClass = "mimo:main";        // class: main defaults, where something stands beside them
+
+// Said by a recipe.
+constexpr const char* kActs = "mimo:acts";             // text: groups of motors that act
+constexpr const char* kStill = "mimo:still";           // text: how the names of motors begin that do not
+constexpr const char* kSenses = "mimo:senses";         // text: senses that are on
+constexpr const char* kActuation = "mimo:actuation";   // text: how its actions move it
+constexpr const char* kBodies = "mimo:bodies";         // text: bodies that it is made for
+constexpr const char* kRootJoint = "mimo:root_joint";  // text: what its free joint is called
+constexpr const char* kTouch = "mimo:touch";           // tuple: bodies with skin, and how far its sensors are apart
+
+// A stored pose.
+constexpr const char* kRootPose = "mimo:root";  // numbers: position and orientation of an infant's root
+constexpr const char* kPose = "mimo:pose";      // tuple: hinges and slides, and where they are
+
+// Of an infant's parts: a body, and how names of others begin.
+constexpr const char* kRootBody = "mimo_location";
+constexpr const char* kJoint = "robot:";         // hinges, "robot:left_elbow"
+constexpr const char* kMotor = "act:";           // motors, "act:left_elbow"
+constexpr const char* kSensor = "proprio:";      // torque sensors, "proprio:left_elbow"
+constexpr const char* kFace = "mimo_face_";      // materials of its head, "mimo_face_happy"
+constexpr const char* kNameless = "mimo:body:";  // bodies without a name, while a document's inertias are worked out
+
+}  // namespace mimo::names

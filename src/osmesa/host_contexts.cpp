@@ -1,0 +1,64 @@
+#include "osmesa/host_contexts.h"
+
+namespace mimo::osmesa {
+namespace {
+
+// The functions' types are spelled out here: GLX's and EGL's headers are not needed to build libmimo.
+using GlxGetContext = void* (*)();
+using GlxGetDisplay = void* (*)();
+using GlxGetDrawable = unsigned long (*)();
+using GlxMakeCurrent = int (*)(void* display, unsigned long draw, unsigned long read, void* context);
+
+using EglGetContext = void* (*)();
+using EglGetDisplay = void* (*)();
+using EglGetSurface = void* (*)(int which);
+using EglMakeCurrent = unsigned (*)(void* display, void* draw, void* read, void* context);
+constexpr int kEglDraw = 0x3059;
+constexpr int kEglRead = 0x305A;
+
+}  // namespace
+
+HostGlx::HostGlx() : library_({"libGLX.so", "libGL.so"}) {
+  const auto get_context = library_.find<GlxGetContext>("glXGetCurrentContext");
+  if (get_context == nullptr) return;
+  context_ = get_context();
+  if (context_ == nullptr) return;
+  display_ = library_.find<GlxGetDisplay>("glXGetCurrentDisplay")();
+  draw_ = library_.find<GlxGetDrawable>("glXGetCurrentDrawable")();
+  read_ = library_.find<GlxGetDrawable>("glXGetCurrentReadDrawable")();
+  library_.find<GlxMakeCurrent>("glXMakeContextCurrent")(display_, 0, 0, nullptr);
+}
+
+HostGlx::~HostGlx() {
+  if (context_ == nullptr) return;
+  library_.find<GlxMakeCurrent>("glXMakeContextCurrent")(display_, draw_, read_, context_);
+}
+
+HostEgl::HostEgl() : library_({"libEGL.so"}) {
+  const auto get_context = library_.find<EglGetContext>("eglGetCurrentContext");
+  if (get_context == nullptr) return;
+  context_ = get_context();
+  if (context_ == nullptr) return;
+  display_ = library_.find<EglGetDisplay>("eglGetCurrentDisplay")();
+  draw_ = library_.find<EglGetSurface>("eglGetCurrentSurface")(kEglDraw);
+  read_ = library_.find<EglGetSurface>("eglGetCurrentSurface")(kEglRead);
+  library_.find<EglMakeCurrent>("eglMakeCurrent")(display_, nullptr, nullptr, nullptr);
+}
+
+HostEgl::~HostEgl() {
+  if (context_ == nullptr) return;
+  library_.find<EglMakeCurrent>("eglMakeCurrent")(display_, draw_, read_, context_);
+}
+
+HostOsmesa::HostOsmesa(const Library& library) : library_(library), context_(library.GetCurrentContext()) {
+  if (context_ == nullptr) return;
+  GLint format = 0;  // belongs to the context, not needed to make it current
+  if (!library_.GetColorBuffer(context_, &width_, &height_, &format, &buffer_)) context_ = nullptr;
+  library_.GetIntegerv(OSMESA_TYPE, &type_);
+}
+
+HostOsmesa::~HostOsmesa() {
+  if (context_ != nullptr) library_.MakeCurrent(context_, buffer_, static_cast<GLenum>(type_), width_, height_);
+}
+
+}  // namespace mimo::osmesa

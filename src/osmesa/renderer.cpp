@@ -1,0 +1,215 @@
+#include "osmesa/renderer.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "base/fail.h"
+#include "engine/guard.h"
+#include "osmesa/context.h"
+#include "osmesa/library.h"
+#include "osmesa/mujoco_binding.h"
+#include "render/pixels.h"
+#include "render/visual_scene.h"
+
+namespace mimo::osmesa {
+namespace {
+
+using Current = Context::Current;
+
+// One function of MuJoCo under the guard.
+template <typename Call>
+void run(const char* what, const LogSink& log, Call&& call) {
+  const engine::Complaint complaint = engine::guarded(call);
+  if (complaint.failed) fail(Status::kRender, "{}: {}", what, complaint.error.data());
+  if (complaint.warnings > 0) log(LogLevel::kWarning, complaint.warning.data());
+}
+
+// What belongs to one model in one OpenGL context: textures, meshes, shadow map, and the buffer that is drawn into.
+// All calls want the context current.
+class Canvas {
+ public:
+  // `samples` a pixel; 0: what the model says. OpenGL may give fewer.
+  Canvas(const mjModel& model, int samples, const Library& library, const Context& context, const LogSink& log);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  // Makes the buffer at least this large. Textures stay where they are.
+  void make_room(int width, int height);
+  // Draws the scene and reads what is asked for, as OpenGL gives it.
+  void draw(mjvScene* scene, int width, int height, unsigned char* rgb, float* depth);
+
+ private:
+  void store(GLuint buffer, GLenum format, int samples);
+
+  const Context::Functions& gl_;
+  const LogSink& log_;
+  mjrContext buffers_;
+};
+
+Canvas::Canvas(const mjModel& model, int samples, const Library& library, const Context& context, const LogSink& log)
+    : gl_(context.gl()), log_(log) {
+  mjr_defaultContext(&buffers_);
+  // MuJoCo 2.2.2 checks for 1000 textures but has room for 100.
+  if (model.ntex > static_cast<int>(std::size(buffers_.texture))) {
+    fail(Status::kRender, "the model has {} textures; MuJoCo can draw at most {}", model.ntex,
+         std::size(buffers_.texture));
+  }
+  mjModel sized = model;  // the struct only
+  if (samples > 0) sized.vis.quality.offsamples = samples == 1 ? 0 : samples;
+  sized.vis.global.offwidth = sized.vis.global.offheight = 1;
+  MujocoBinding binding(library);
+  run("MuJoCo cannot draw with OSMesa (has this process drawn with MuJoCo and another OpenGL before?)", log_,
+      [&] { mjr_makeContext(&sized, &buffers_, mjFONTSCALE_100); });
+  binding.confirm();
+  run("MuJoCo has no buffer to draw into", log_, [&] { mjr_setBuffer(mjFB_OFFSCREEN, &buffers_); });
+}
+
+Canvas::~Canvas() {
+  engine::guarded([&] { mjr_freeContext(&buffers_); });
+}
+
+void Canvas::make_room(int width, int height) {
+  if (width <= buffers_.offWidth && height <= buffers_.offHeight) return;
+  GLint most = 0;
+  gl_.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+  require(width <= most && height <= most, "a picture of {}x{} pixels: OSMesa draws at most {}x{}", width, height, most,
+          most);
+  buffers_.offWidth = std::max(width, buffers_.offWidth);
+  buffers_.offHeight = std::max(height, buffers_.offHeight);
+  store(buffers_.offColor, GL_RGBA8, buffers_.offSamples);
+  store(buffers_.offDepthStencil, GL_DEPTH24_STENCIL8, buffers_.offSamples);
+  if (buffers_.offSamples > 0) {  // the averages of the samples
+    store(buffers_.offColor_r, GL_RGBA8, 0);
+    store(buffers_.offDepthStencil_r, GL_DEPTH24_STENCIL8, 0);
+  }
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, buffers_.offFBO);
+  const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  const GLenum error = gl_.GetError();
+  if (status == GL_FRAMEBUFFER_COMPLETE && error == GL_NO_ERROR) return;
+  fail(Status::kRender, "OSMesa has no buffer of {}x{} pixels with {} samples (status {:#x}, error {:#x})",
+       buffers_.offWidth, buffers_.offHeight, buffers_.offSamples, status, error);
+}
+
+// Gives a buffer of MuJoCo's its new size.
+void Canvas::store(GLuint buffer, GLenum format, int samples) {
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, buffers_.offWidth, buffers_.offHeight);
+}
+
+void Canvas::draw(mjvScene* scene, int width, int height, unsigned char* rgb, float* depth) {
+  const mjrRect rectangle{0, 0, width, height};
+  run("MuJoCo cannot draw the scene", log_, [&] { mjr_render(rectangle, scene, &buffers_); });
+  run("MuJoCo cannot read the picture", log_, [&] { mjr_readPixels(rgb, depth, rectangle, &buffers_); });
+}
+
+class OsmesaRenderer final : public render::Renderer {
+ public:
+  OsmesaRenderer(engine::ModelPtr model, const render::Quality& quality, const LogSink& log, const Library& library)
+      : model_(std::move(model)), samples_(quality.samples), log_(log), library_(library), scene_(*model_, quality) {}
+  ~OsmesaRenderer() override { forget(); }
+
+  void draw(const mjModel& model, const mjData& data, const render::View& view,
+            const render::Picture& picture) override;
+
+ private:
+  void draw_current(const render::Picture& picture);
+  void paint(const render::Picture& picture);
+  void measure(const render::Picture& picture);
+  void forget() noexcept;
+
+  engine::ModelPtr model_;
+  int samples_;
+  LogSink log_;
+  const Library library_;
+  render::VisualScene scene_;
+  std::vector<unsigned char> ids_;
+  // Made for the first picture: a world that never draws pays nothing.
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Canvas> canvas_;
+};
+
+void check(const render::View& view, const render::Picture& picture) {
+  require(picture.width > 0 && picture.height > 0, "a picture of {}x{} pixels", picture.width, picture.height);
+  require(view.fovy > 0 && view.fovy < 180, "a field of view of {} degrees; expected more than 0 and less than 180",
+          view.fovy);
+}
+
+void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const render::View& view,
+                          const render::Picture& picture) {
+  check(view, picture);
+  scene_.update(model, data, view);
+  try {
+    if (!context_) context_ = std::make_unique<Context>(library_);
+    draw_current(picture);
+  } catch (...) {
+    forget();  // an error amid OpenGL calls leaves a context in no known state; the next picture begins with a new one
+    throw;
+  }
+}
+
+void OsmesaRenderer::draw_current(const render::Picture& picture) {
+  const Current current(*context_);
+  if (!canvas_) canvas_ = std::make_unique<Canvas>(*model_, samples_, library_, *context_, log_);
+  canvas_->make_room(picture.width, picture.height);
+  if (picture.rgb != nullptr) paint(picture);
+  if (picture.depth != nullptr || picture.segmentation != nullptr) measure(picture);
+}
+
+void OsmesaRenderer::paint(const render::Picture& picture) {
+  scene_.show_ids(false);
+  canvas_->draw(scene_.get(), picture.width, picture.height, picture.rgb, nullptr);
+  render::flip_rows(picture.rgb, static_cast<std::size_t>(picture.width) * 3, picture.height);
+}
+
+// Depth and ids come from a drawing of their own. The samples of the coloured one lie beside the pixels' centres, and
+// it leaves transparent geoms out of the depth; in this one MuJoCo switches multisampling off and everything is opaque,
+// so ids are not averaged and each pixel's depth is that of the geom it names.
+void OsmesaRenderer::measure(const render::Picture& picture) {
+  const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  const bool segment = picture.segmentation != nullptr;
+  if (segment && ids_.size() < 3 * count) ids_.resize(3 * count);
+  scene_.show_ids(true);
+  canvas_->draw(scene_.get(), picture.width, picture.height, segment ? ids_.data() : nullptr, picture.depth);
+  if (segment) {
+    render::ids_to_geoms(ids_.data(), count, scene_.geoms(), picture.segmentation);
+    render::flip_rows(reinterpret_cast<unsigned char*>(picture.segmentation),
+                      static_cast<std::size_t>(picture.width) * 4, picture.height);
+  }
+  if (picture.depth != nullptr) {
+    render::depth_to_metres(picture.depth, count, scene_.near(), scene_.far());
+    render::flip_rows(reinterpret_cast<unsigned char*>(picture.depth), static_cast<std::size_t>(picture.width) * 4,
+                      picture.height);
+  }
+}
+
+// Gives back everything of OpenGL.
+void OsmesaRenderer::forget() noexcept {
+  if (!context_) return;
+  try {
+    const Current current(*context_);
+    canvas_.reset();
+  } catch (const Error&) {
+    // Without our context, deleting would reach into the host's. What cannot be given back is left (Canvas has no
+    // memory of its own).
+    static_cast<void>(canvas_.release());
+  }
+  context_.reset();
+}
+
+}  // namespace
+
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
+                                                const LogSink& log, const std::vector<std::string>& libraries) {
+  return std::make_unique<OsmesaRenderer>(std::move(model), quality, log, load_library(libraries));
+}
+
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
+                                                const LogSink& log) {
+  return make_renderer(std::move(model), quality, log, kLibraryNames);
+}
+
+}  // namespace mimo::osmesa

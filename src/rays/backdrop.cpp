@@ -1,0 +1,65 @@
+#include "rays/backdrop.h"
+
+#include <cmath>
+
+#include "base/angle.h"
+#include "render/renderer.h"
+
+namespace mimo::rays {
+namespace {
+
+Sky sky_of(const Texture* texture, const Camera& camera) {
+  Sky sky;
+  sky.texture = texture;
+  if (texture == nullptr) return sky;
+  // MuJoCo's sky is a box map turned by 90 degrees about x.
+  const auto turned = [](const Vec& v) { return narrow({v[0], v[2], -v[1]}); };
+  sky.a = turned(camera.axes.col(2));
+  sky.bx = turned(camera.axes.col(0));
+  sky.by = turned(camera.axes.col(1));
+  sky.limit = 0.7F * camera.far_plane;
+  return sky;
+}
+
+Haze haze_over(const Solid& plane, const mjModel& model, const Sky& sky, const Camera& camera) {
+  const double height = dot(camera.position - plane.position, plane.rotation.col(2));
+  const double r = model.vis.map.haze;
+  Haze haze;
+  haze.shown = height >= 0 && r > 0;
+  haze.a = narrow(to_local(plane, camera.axes.col(2)));
+  haze.bx = narrow(to_local(plane, camera.axes.col(0)));
+  haze.by = narrow(to_local(plane, camera.axes.col(1)));
+  haze.elevation = static_cast<float>(height / sky.limit);
+  haze.radius = static_cast<float>(r);
+  const double alpha = std::atan2(1, r);
+  const double beta = 0.75 * kPi - alpha;
+  haze.turn = static_cast<float>(std::sqrt(0.5) * r * std::sin(alpha) / std::sin(beta));
+  haze.rgb = three(model.vis.rgba.haze);
+  return haze;
+}
+
+Fog fog_of(const mjModel& model) {
+  Fog fog;
+  fog.shown = true;
+  fog.rgb = three(model.vis.rgba.fog);
+  fog.start = static_cast<float>(model.vis.map.fogstart * model.stat.extent);
+  const double length = (model.vis.map.fogend - model.vis.map.fogstart) * model.stat.extent;
+  fog.scale = static_cast<float>(length > 0 ? 1 / length : 0);
+  return fog;
+}
+
+}  // namespace
+
+Backdrop backdrop_of(const mjModel& model, const Textures& textures, const Solids& solids, const Camera& camera,
+                     const render::Quality& quality) {
+  Backdrop backdrop;
+  backdrop.sky = sky_of(quality.skybox ? textures.sky() : nullptr, camera);
+  const bool horizon = solids.ground() >= 0 && !solids[solids.ground()].transparent;
+  if (backdrop.sky.texture != nullptr && quality.haze && horizon) {
+    backdrop.haze = haze_over(solids[solids.ground()], model, backdrop.sky, camera);
+  }
+  if (quality.fog) backdrop.fog = fog_of(model);
+  return backdrop;
+}
+
+}  // namespace mimo::rays

@@ -1,0 +1,131 @@
+#include "rays/lights.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/angle.h"
+
+namespace mimo::rays {
+namespace {
+
+Light headlight(const mjModel& model, const Vec& direction) {
+  Light light;
+  light.directional = true;
+  light.direction = direction;
+  light.ambient = three(model.vis.headlight.ambient);
+  light.diffuse = three(model.vis.headlight.diffuse);
+  light.specular = three(model.vis.headlight.specular);
+  return light;
+}
+
+Light light_of(const mjModel& model, const mjData& data, int i) {
+  Light light;
+  light.directional = model.light_directional[i] != 0;
+  light.position = Eigen::Map<const Vec>(data.light_xpos + 3 * i);
+  light.direction = Eigen::Map<const Vec>(data.light_xdir + 3 * i);
+  light.ambient = three(model.light_ambient + 3 * i);
+  light.diffuse = three(model.light_diffuse + 3 * i);
+  light.specular = three(model.light_specular + 3 * i);
+  light.attenuation = three(model.light_attenuation + 3 * i);
+  if (light.directional) return light;
+  const double cutoff = model.light_cutoff[i];
+  light.spot = cutoff < 180;
+  light.cos_cutoff = static_cast<float>(std::cos(cutoff * kPi / 180));
+  light.exponent = power(model.light_exponent[i]);
+  light.attenuated = light.attenuation[0] != 1 || light.attenuation[1] != 0 || light.attenuation[2] != 0;
+  return light;
+}
+
+// A light as an eye.
+void open_eye(const Light& light, double cutoff, Eye& eye) {
+  const Vec forward = unit(light.direction);
+  const Vec helper = std::abs(forward[0]) < 0.7 ? Vec(1, 0, 0) : Vec(0, 1, 0);
+  const Vec right = unit(helper.cross(forward));
+  eye.position = light.position;
+  eye.axes << right, forward.cross(right), forward;
+  eye.rays = light.directional ? Rays::kParallel : light.spot && cutoff <= 80 ? Rays::kPerspective : Rays::kAround;
+}
+
+// An unlimited opaque plane never comes between a light and what a camera on the same side sees.
+bool never_shades(const Solid& solid, const Eye& light, const Eye& camera) {
+  if (solid.kind != Kind::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
+  const Vec normal = solid.rotation.col(2);
+  const double light_side =
+      light.rays == Rays::kParallel ? -dot(light.axes.col(2), normal) : dot(light.position - solid.position, normal);
+  return light_side * dot(camera.position - solid.position, normal) > 0;
+}
+
+}  // namespace
+
+Lights::Lights(const mjModel& model, std::size_t most) : local_(most * kMaxLights) {
+  int shadows = 0;
+  for (int i = 0; i < model.nlight && shadows < kMaxLights; ++i) shadows += model.light_castshadow[i] != 0;
+  for (int i = 0; i < shadows; ++i) casters_[i].aspects.resize(most);
+}
+
+void Lights::gather(const mjModel& model, const mjData& data, const Solids& solids, const Camera& camera,
+                    bool shadows) {
+  count_ = 0;
+  caster_count_ = 0;
+  if (model.vis.headlight.active) lights_[count_++] = headlight(model, camera.axes.col(2));
+  for (int i = 0; i < model.nlight && count_ < kMaxLights; ++i) {
+    if (!model.light_active[i]) continue;
+    Light light = light_of(model, data, i);
+    if (shadows && model.light_castshadow[i]) {
+      light.caster = caster_count_++;
+      open_eye(light, model.light_cutoff[i], casters_[light.caster]);
+    }
+    lights_[count_++] = light;
+  }
+  sum_up();
+  turn_to_solids(solids);
+  cast_shadows(solids, camera);
+}
+
+// What shading would else find out anew for every pixel.
+void Lights::sum_up() {
+  ambient_ = count_ == 0 ? 0.3F : 0.0F;
+  gray_ = true;
+  for (int i = 0; i < count_; ++i) {
+    Light& light = lights_[i];
+    for (const auto* rgb : {&light.ambient, &light.diffuse, &light.specular}) {
+      gray_ = gray_ && (*rgb)[0] == (*rgb)[1] && (*rgb)[1] == (*rgb)[2];
+    }
+    light.bright = light.specular[0] > 0 || light.specular[1] > 0 || light.specular[2] > 0;
+  }
+}
+
+void Lights::turn_to_solids(const Solids& solids) {
+  for (int i = 0; i < solids.count(); ++i) {
+    for (int k = 0; k < count_; ++k) {
+      LocalLight& to = local_[static_cast<std::size_t>(i) * kMaxLights + k];
+      const Vec direction = to_local(solids[i], lights_[k].direction);
+      to.direction = narrow(direction);
+      to.position = narrow(lights_[k].directional ? Vec(-direction)
+                                                  : to_local(solids[i], lights_[k].position - solids[i].position));
+    }
+  }
+}
+
+void Lights::cast_shadows(const Solids& solids, const Camera& camera) {
+  for (int k = 0; k < caster_count_; ++k) {
+    Caster& eye = casters_[k];
+    eye.count = 0;
+    eye.reach = eye.wide = eye.high = std::numeric_limits<double>::max();
+    for (int i = 0; i < solids.count(); ++i) {
+      if (never_shades(solids[i], eye, camera)) continue;
+      // MuJoCo lets transparent things cast shadows, too. A light of parallel rays shines from infinitely far away.
+      eye.look_at(solids[i], i, eye.rays == Rays::kParallel ? -kEverywhere : 0.0);
+    }
+    for (int i = 0; i < eye.count; ++i) eye.aspects[i].self = camera.seen[eye.aspects[i].solid];
+    const auto turn = [&eye](const Vec& v) { return narrow(seen_from(eye.axes, v)); };
+    eye.o = turn(camera.position - eye.position);
+    eye.a = turn(camera.axes.col(2));
+    eye.bx = turn(camera.axes.col(0));
+    eye.by = turn(camera.axes.col(1));
+  }
+}
+
+}  // namespace mimo::rays

@@ -1,0 +1,139 @@
+// Where rays meet meshes, and what is there.
+// Compiled once for each instruction set, see kernels.cpp.
+#if defined(MIMO_RAYS_MESH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_MESH_INL_H
+#undef MIMO_RAYS_MESH_INL_H
+#else
+#define MIMO_RAYS_MESH_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "rays/lanes-inl.h"
+#include "rays/meshes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mimo::rays {
+namespace HWY_NAMESPACE {
+
+struct Ray {
+  V3 o, d;
+};
+
+// The nearest triangle from `from` on, so far: of triangles equally near that with the lowest number, so that the order
+// in which they are met does not matter.
+struct Encounter {
+  V t;
+  VI face;  // -1 for none
+};
+
+HWY_INLINE V3 Cross(const V3& a, const V3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// kBackToo: from behind as well.
+template <bool kBackToo>
+HWY_INLINE void MeetTriangle(const Triangle& triangle, int index, const Ray& ray, V from, Encounter& nearest) {
+  // Neighbours must not leave a gap.
+  const V least = Set(-1e-6F);
+  const V most = Set(1 + 1e-6F);
+  const V3 e1 = Set(triangle.edge1);
+  const V3 e2 = Set(triangle.edge2);
+  const V3 p = Cross(ray.d, e2);
+  const V det = Dot(e1, p);
+  M hit = kBackToo ? hn::Ne(det, Zero()) : hn::Gt(det, Zero());
+  if (None(hit)) return;
+  const V over = Set(1.0F) / Pick(hit, det, Set(1.0F));
+  const V3 s = ray.o - Set(triangle.corner);
+  const V u = Dot(s, p) * over;
+  hit = hn::And(hit, hn::Ge(u, least));
+  if (None(hit)) return;
+  const V3 q = Cross(s, e1);
+  const V v = Dot(ray.d, q) * over;
+  hit = hn::And(hit, hn::And(hn::Ge(v, least), hn::Le(u + v, most)));
+  const V t = Dot(e2, q) * over;
+  const VI number = SetI(index);
+  const M before =
+      hn::Or(hn::Lt(t, nearest.t), hn::And(hn::Eq(t, nearest.t), hn::RebindMask(D(), hn::Lt(number, nearest.face))));
+  hit = hn::And(hit, hn::And(before, hn::Ge(t, from)));
+  nearest.t = Pick(hit, t, nearest.t);
+  nearest.face = hn::IfThenElse(hn::RebindMask(DI(), hit), number, nearest.face);
+}
+
+// The rays that meet a box before what they have met already.
+HWY_INLINE M MeetBox(const Node& node, const Ray& ray, const V3& over, V from, V limit) {
+  const V3 low = (Set(node.low) - ray.o);
+  const V3 high = (Set(node.high) - ray.o);
+  const V3 a = {low.x * over.x, low.y * over.y, low.z * over.z};
+  const V3 b = {high.x * over.x, high.y * over.y, high.z * over.z};
+  const V in = hn::Max(hn::Max(hn::Min(a.x, b.x), hn::Min(a.y, b.y)), hn::Min(a.z, b.z));
+  const V out = hn::Min(hn::Min(hn::Max(a.x, b.x), hn::Max(a.y, b.y)), hn::Max(a.z, b.z));
+  const V slack = hn::Abs(in) * Set(1e-5F);
+  return hn::And(hn::Le(in - slack, out + slack), hn::And(hn::Le(in - slack, limit), hn::Ge(out + slack, from)));
+}
+
+template <bool kBackToo>
+HWY_NOINLINE Encounter MeetMesh(const Mesh& mesh, const Ray& ray, V from, V limit) {
+  Encounter nearest = {limit, SetI(-1)};
+  if (mesh.nodes.empty()) return nearest;
+  const auto over = [](V d) {  // finite
+    const V tiny = hn::CopySign(Set(1e-20F), d);
+    return Set(1.0F) / Pick(hn::Lt(hn::Abs(d), Set(1e-20F)), tiny, d);
+  };
+  const V3 inverse = {over(ray.d.x), over(ray.d.y), over(ray.d.z)};
+  const float ahead[3] = {hn::GetLane(ray.d.x), hn::GetLane(ray.d.y), hn::GetLane(ray.d.z)};
+  std::int32_t stack[Mesh::kDepth];
+  int depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = mesh.nodes[static_cast<std::size_t>(stack[--depth])];
+    if (None(MeetBox(node, ray, inverse, from, nearest.t))) continue;
+    if (node.count == 0) {
+      const int nearer = ahead[node.axis] < 0;
+      stack[depth++] = node.first + 1 - nearer;
+      stack[depth++] = node.first + nearer;
+      continue;
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      MeetTriangle<kBackToo>(mesh.triangles[static_cast<std::size_t>(i)], i, ray, from, nearest);
+    }
+  }
+  return nearest;
+}
+
+// What is known of points p of triangles `face`. Each of these must be one of this mesh: lanes whose result is not used
+// read, too.
+class SurfaceAt {
+ public:
+  HWY_INLINE SurfaceAt(const Mesh& mesh, VI face, const V3& p)
+      : table_(mesh.surfaces[0].corner.data()), at_(hn::Mul(face, SetI(kSurfaceFloats))) {
+    const V3 from_corner = p - three(0);
+    u_ = Dot(three(3), from_corner);
+    v_ = Dot(three(6), from_corner);
+  }
+
+  HWY_INLINE V3 normal() const {
+    const V3 n = three(9) + three(12) * u_ + three(15) * v_;
+    return n * Rsqrt(hn::Max(Dot(n, n), Set(1e-20F)));
+  }
+  HWY_INLINE V texture(int k) const { return get(18 + k) + get(20 + k) * u_ + get(22 + k) * v_; }
+  // By how much a texture coordinate changes along a way on the triangle.
+  HWY_INLINE V change(int k, const V3& way) const {
+    return get(20 + k) * Dot(three(3), way) + get(22 + k) * Dot(three(6), way);
+  }
+
+ private:
+  HWY_INLINE V get(int k) const { return hn::GatherIndex(D(), table_ + k, at_); }
+  HWY_INLINE V3 three(int k) const { return {get(k), get(k + 1), get(k + 2)}; }
+
+  const float* table_;
+  VI at_;
+  V u_, v_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mimo::rays
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,34 @@
+// The renderer that casts rays at the model's geoms on the CPU: no display, no graphics library, no context.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/model.h"
+#include "render/renderer.h"
+
+namespace mimo::rays {
+
+struct Assets;
+
+// With several samples colours are averaged; depth and segmentation are those of the middle of the pixel.
+struct Options : render::Quality {
+  Options() = default;
+  explicit Options(const render::Quality& quality) : render::Quality(quality) {}
+
+  std::string simd;                      // one of simd_paths(); empty: the best that the machine has
+  std::shared_ptr<const Assets> assets;  // of another renderer of the same model; null: made anew
+};
+
+// The instruction sets that this build and this machine share, best first, e.g. "AVX2".
+std::vector<std::string> simd_paths();
+
+// What renderers of one model share: its textures with their mipmaps, its meshes and height fields. Throws
+// Status::kUnsupported where textures are too large.
+std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model);
+
+// Throws as make_assets, and Status::kInvalidArgument for a number of samples that it does not know.
+std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const Options& options);
+
+}  // namespace mimo::rays

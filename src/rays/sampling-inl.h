@@ -1,0 +1,295 @@
+// The colours of textures at points of them.
+// Compiled once for each instruction set, see kernels.cpp.
+#if defined(MIMO_RAYS_SAMPLING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_SAMPLING_INL_H
+#undef MIMO_RAYS_SAMPLING_INL_H
+#else
+#define MIMO_RAYS_SAMPLING_INL_H
+#endif
+
+#include <algorithm>
+#include <cstdint>
+
+#include "rays/lanes-inl.h"
+#include "rays/textures.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mimo::rays {
+namespace HWY_NAMESPACE {
+
+// Full brightness in the 16-bit numbers that filtering works with: that of a texel times the sum of two weights.
+constexpr std::int32_t kWeights = 127;
+constexpr std::int32_t kFull = 255 * kWeights;
+
+// The weight of a fraction 0..1 in 1/32768, in the lower 16 bits.
+HWY_INLINE VI Weight(V fraction) { return Low16(fraction * Set(32767.0F)); }
+
+// The weights of a texel (first byte) and its neighbour to the right (second byte).
+HWY_INLINE VI PairWeights(V fraction) {
+  const V all = Set(static_cast<float>(kWeights));
+  const V rounder = Set(8388608.0F);
+  const V right = (fraction * all + rounder) - rounder;
+  return Low16(right * Set(255.0F) + all);  // right * 256 + all - right
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+struct Texel {
+  std::int32_t channel[3];
+};
+
+HWY_INLINE Texel Mix(const Texel& a, const Texel& b, VI weight) {
+  Texel mixed;
+  for (int k = 0; k < 3; ++k) {
+    mixed.channel[k] = a.channel[k] + (((b.channel[k] - a.channel[k]) * (weight.raw & 0xFFFF) + 0x4000) >> 15);
+  }
+  return mixed;
+}
+
+HWY_INLINE Texel FetchRow(const std::uint32_t* texels, const std::uint32_t* at, VI weights) {
+  Texel texel;
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t left = texels[*at] >> (8 * k) & 255;
+    const std::int32_t right = texels[*at + 1] >> (8 * k) & 255;
+    texel.channel[k] = left * (weights.raw & 255) + right * (weights.raw >> 8 & 255);
+  }
+  return texel;
+}
+
+HWY_INLINE V3 Unpacked(const Texel& texel) {
+  const V k = Set(1.0F / kFull);
+  return {Real(SetI(texel.channel[0])) * k, Real(SetI(texel.channel[1])) * k, Real(SetI(texel.channel[2])) * k};
+}
+
+#else
+
+using DB = hn::Repartition<std::uint8_t, D>;
+using DS = hn::Repartition<std::int16_t, D>;
+
+// Filtered colours, 16 bits a channel. Of each four pixels `low` has the first two and `high` the others: what
+// interleaving gives without crossing the blocks of 16 bytes of which vectors are made.
+struct Texel {
+  hn::Vec<DS> low, high;
+};
+
+// The lower 16 bits of each pixel's number, four times, for two pixels out of four.
+HWY_INLINE hn::Vec<DB> FourTimes(VI v, const std::uint8_t (&order)[16]) {
+  return hn::TableLookupBytes(hn::BitCast(DB(), v), hn::LoadDup128(DB(), order));
+}
+alignas(16) constexpr std::uint8_t kLow[16] = {0, 1, 0, 1, 0, 1, 0, 1, 4, 5, 4, 5, 4, 5, 4, 5};
+alignas(16) constexpr std::uint8_t kHigh[16] = {8, 9, 8, 9, 8, 9, 8, 9, 12, 13, 12, 13, 12, 13, 12, 13};
+
+// a + (b - a) weight.
+HWY_INLINE Texel Mix(const Texel& a, const Texel& b, VI weight) {
+  const auto low = hn::BitCast(DS(), FourTimes(weight, kLow));
+  const auto high = hn::BitCast(DS(), FourTimes(weight, kHigh));
+  return {hn::Add(a.low, hn::MulFixedPoint15(hn::Sub(b.low, a.low), low)),
+          hn::Add(a.high, hn::MulFixedPoint15(hn::Sub(b.high, a.high), high))};
+}
+
+// Sums of products of neighbouring bytes, those of b at most 127. (Highway has this from 1.0.8 on.)
+HWY_INLINE hn::Vec<DS> MulPairs(hn::Vec<DB> a, hn::Vec<DB> b) {
+#if HWY_TARGET == HWY_AVX3
+  return hn::Vec<DS>{_mm512_maddubs_epi16(a.raw, b.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return hn::Vec<DS>{_mm256_maddubs_epi16(a.raw, b.raw)};
+#elif HWY_TARGET == HWY_SSE4
+  return hn::Vec<DS>{_mm_maddubs_epi16(a.raw, b.raw)};
+#else
+  const auto first = hn::Set(DS(), 255);
+  const auto left = hn::BitCast(DS(), a);
+  const auto right = hn::BitCast(DS(), b);
+  return hn::Add(hn::Mul(hn::And(left, first), hn::And(right, first)),
+                 hn::Mul(hn::And(hn::ShiftRight<8>(left), first), hn::And(hn::ShiftRight<8>(right), first)));
+#endif
+}
+
+// Texels and their neighbours to the right, of two pixels out of four. (Loads one by one are faster than gathers on
+// most machines.)
+template <std::size_t kCount>
+HWY_INLINE hn::Vec<hn::Simd<std::int64_t, kCount, 0> > FetchPairs(const std::uint32_t* texels,
+                                                                  const std::uint32_t* at) {
+  if constexpr (kCount == 2) {
+    const hn::Simd<std::int64_t, 1, 0> one;
+    return hn::Combine(hn::Simd<std::int64_t, 2, 0>(),
+                       hn::LoadU(one, reinterpret_cast<const std::int64_t*>(texels + at[1])),
+                       hn::LoadU(one, reinterpret_cast<const std::int64_t*>(texels + at[0])));
+  } else {
+    return hn::Combine(hn::Simd<std::int64_t, kCount, 0>(), FetchPairs<kCount / 2>(texels, at + kCount),
+                       FetchPairs<kCount / 2>(texels, at));
+  }
+}
+
+// Texels and their neighbours to the right, mixed.
+HWY_INLINE Texel FetchRow(const std::uint32_t* texels, const std::uint32_t* at, VI weights) {
+  constexpr std::size_t kPairs = hn::MaxLanes(D()) / 2;
+  alignas(16) static constexpr std::uint8_t kSideBySide[16] = {0, 4, 1, 5, 2, 6, 3, 7, 8, 12, 9, 13, 10, 14, 11, 15};
+  const auto order = hn::LoadDup128(DB(), kSideBySide);
+  const auto low = hn::TableLookupBytes(hn::BitCast(DB(), FetchPairs<kPairs>(texels, at)), order);
+  const auto high = hn::TableLookupBytes(hn::BitCast(DB(), FetchPairs<kPairs>(texels, at + 2)), order);
+  return {MulPairs(low, FourTimes(weights, kLow)), MulPairs(high, FourTimes(weights, kHigh))};
+}
+
+HWY_INLINE V3 Unpacked(const Texel& texel) {
+  const VI low = hn::BitCast(DI(), texel.low);
+  const VI high = hn::BitCast(DI(), texel.high);
+  const VI even = hn::InterleaveLower(DI(), low, high);
+  const VI odd = hn::InterleaveUpper(DI(), low, high);
+  const VI rg = hn::InterleaveLower(DI(), even, odd);
+  const VI b = hn::InterleaveUpper(DI(), even, odd);
+  const V k = Set(1.0F / kFull);
+  return {Real(hn::And(rg, SetI(0xFFFF))) * k, Real(hn::ShiftRight<16>(rg)) * k, Real(b) * k};
+}
+
+#endif
+
+// Where a level begins, and its size.
+struct Place {
+  VI origin, stride;
+  V width, height;
+};
+
+template <bool kCube>
+HWY_INLINE Place PlaceOf(const Texture& texture, int level, VI face) {
+  const int width = std::max(texture.width >> level, 1);
+  const int height = std::max(texture.height >> level, 1);
+  VI origin = SetI(texture.origin[level]);
+  if (kCube) origin = hn::Add(origin, hn::Mul(face, SetI((width + 2) * (height + 2))));
+  return {origin, SetI(width + 2), Set(static_cast<float>(width)), Set(static_cast<float>(height))};
+}
+
+template <bool kCube>
+HWY_NOINLINE Place PlaceOf(const Texture& texture, VI level, VI face) {
+  const VI one = SetI(1);
+  const VI two = SetI(2);
+  const VI width = hn::Max(hn::Shr(SetI(texture.width), level), one);
+  const VI height = hn::Max(hn::Shr(SetI(texture.height), level), one);
+  VI origin = hn::GatherIndex(DI(), texture.origin.data(), level);
+  if (kCube) origin = hn::Add(origin, hn::Mul(face, hn::Mul(hn::Add(width, two), hn::Add(height, two))));
+  return {origin, hn::Add(width, two), Real(width), Real(height)};
+}
+
+// The four texels between which a point lies, and their weights.
+struct Tap {
+  VI upper, lower;  // index of the left ones
+  VI weights;       // of left and right
+  VI mix;           // of upper and lower
+};
+
+// With s and t in 0..1.
+HWY_INLINE Tap Aim(const Place& place, V s, V t) {
+  const V u = s * place.width - Set(0.5F);
+  const V v = t * place.height - Set(0.5F);
+  const V u0 = hn::Floor(u);
+  const V v0 = hn::Floor(v);
+  const VI upper = hn::Add(hn::Add(place.origin, Whole(u0)), hn::Mul(Whole(v0), place.stride));
+  return {upper, hn::Add(upper, place.stride), PairWeights(u - u0), Weight(v - v0)};
+}
+
+HWY_INLINE Texel Fetch(const std::uint32_t* texels, const Tap& tap) {
+  alignas(64) std::uint32_t upper[hn::MaxLanes(D())];
+  alignas(64) std::uint32_t lower[hn::MaxLanes(D())];
+  hn::Store(hn::BitCast(DU(), tap.upper), DU(), upper);
+  hn::Store(hn::BitCast(DU(), tap.lower), DU(), lower);
+  asm("" : "+m"(upper), "+m"(lower));  // through memory: to take a vector apart costs more
+  return Mix(FetchRow(texels, upper, tap.weights), FetchRow(texels, lower, tap.weights), tap.mix);
+}
+
+// 0..1, also of rays whose result is not used, and which may be anything: they must not fetch from nowhere.
+HWY_INLINE V Inside(V s) { return hn::Min(hn::IfThenElseZero(hn::Gt(s, Zero()), s), Set(1.0F)); }
+
+// The mipmap for pixels that span so many texels (squared).
+HWY_INLINE V LevelOf(V spread) {
+  if (All(hn::Le(spread, Set(1.0F)))) return Zero();
+  return Set(0.5F) * Log2(hn::Min(hn::Max(spread, Set(1.0F)), Set(1e12F)));
+}
+
+// At s, t in 0..1 (of a cube's face), where no pixel spans more than a texel.
+template <bool kCube>
+HWY_INLINE Tap AimLarge(const Texture& texture, VI face, V s, V t) {
+  return Aim(PlaceOf<kCube>(texture, 0, face), Inside(s), Inside(t));
+}
+
+// The same for a mipmap between two.
+struct Taps {
+  Tap fine, coarse;
+  VI mix;
+};
+
+template <bool kCube>
+HWY_INLINE Taps AimBetween(const Texture& texture, VI face, V s, V t, V wanted) {
+  s = Inside(s);
+  t = Inside(t);
+  const V level = hn::Min(hn::Max(wanted, Zero()), Set(static_cast<float>(texture.levels - 1)));
+  const V below = hn::Floor(level);
+  const VI l0 = Whole(below);
+  const VI mix = Weight(level - below);
+  const int first = hn::GetLane(l0);
+  if (hn::AllTrue(DI(), hn::Eq(l0, SetI(first)))) {
+    return {Aim(PlaceOf<kCube>(texture, first, face), s, t),
+            Aim(PlaceOf<kCube>(texture, std::min(first + 1, texture.levels - 1), face), s, t), mix};
+  }
+  const VI l1 = hn::Min(hn::Add(l0, SetI(1)), SetI(texture.levels - 1));
+  return {Aim(PlaceOf<kCube>(texture, l0, face), s, t), Aim(PlaceOf<kCube>(texture, l1, face), s, t), mix};
+}
+
+// Colour 0..1 where no pixel spans more than a texel.
+template <bool kCube>
+HWY_INLINE V3 SampleLarge(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t) {
+  return Unpacked(Fetch(texels, AimLarge<kCube>(texture, face, s, t)));
+}
+
+// Colour 0..1 at any mipmap.
+template <bool kCube>
+HWY_INLINE V3 Sample(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t, V wanted) {
+  if (texture.levels == 1 || All(hn::Le(wanted, Zero()))) return SampleLarge<kCube>(texels, texture, face, s, t);
+  const Taps taps = AimBetween<kCube>(texture, face, s, t, wanted);
+  return Unpacked(Mix(Fetch(texels, taps.fine), Fetch(texels, taps.coarse), taps.mix));
+}
+
+// The taps of a tile's rays. To aim at all and then to fetch all is faster than one after the other: the chains of
+// instructions that wait for each other are half as long.
+struct TapStore {
+  alignas(64) std::uint32_t upper[kRays];
+  std::uint32_t lower[kRays];
+  std::int32_t weights[kRays];
+  std::int32_t mix[kRays];
+
+  HWY_INLINE void put(const Tap& tap, int i) {
+    hn::Store(hn::BitCast(DU(), tap.upper), DU(), upper + i);
+    hn::Store(hn::BitCast(DU(), tap.lower), DU(), lower + i);
+    hn::Store(tap.weights, DI(), weights + i);
+    hn::Store(tap.mix, DI(), mix + i);
+  }
+  HWY_INLINE Texel fetch(const std::uint32_t* texels, int i) const {
+    const VI both = hn::Load(DI(), weights + i);
+    return Mix(FetchRow(texels, upper + i, both), FetchRow(texels, lower + i, both), hn::Load(DI(), mix + i));
+  }
+};
+
+// A cube texture in direction q, which changes by the root of `stretch` from pixel to pixel.
+HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, const V3& q, V stretch) {
+  const V ax = hn::Abs(q.x);
+  const V ay = hn::Abs(q.y);
+  const V az = hn::Abs(q.z);
+  const M on_x = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az));
+  const M on_y = hn::AndNot(on_x, hn::Ge(ay, az));
+  const V major = Pick(on_x, q.x, Pick(on_y, q.y, q.z));
+  const M negative = hn::Lt(major, Zero());
+  const V minus_z = Zero() - q.z;
+  const V sc = Pick(on_x, Pick(negative, q.z, minus_z), Pick(on_y, q.x, Pick(negative, Zero() - q.x, q.x)));
+  const V tc = Pick(on_y, Pick(negative, minus_z, q.z), Zero() - q.y);
+  const V half = Set(0.5F) / hn::Max(hn::Abs(major), Set(1e-30F));
+  VI face = hn::IfThenElse(hn::RebindMask(DI(), on_x), hn::Zero(DI()),
+                           hn::IfThenElse(hn::RebindMask(DI(), on_y), SetI(2), SetI(4)));
+  face = hn::Add(face, hn::IfThenElse(hn::RebindMask(DI(), negative), SetI(1), hn::Zero(DI())));
+  const V texels_each = half * Set(static_cast<float>(texture.width));
+  return Sample<true>(texels, texture, face, sc * half + Set(0.5F), tc * half + Set(0.5F),
+                      LevelOf(stretch * (texels_each * texels_each)));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mimo::rays
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,120 @@
+#include "rays/textures.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/fail.h"
+
+namespace mimo::rays {
+namespace {
+
+std::uint32_t channel(std::uint32_t texel, int k) { return (texel >> (8 * k)) & 255U; }
+
+// One level of a texture, or of a face of a cube: the texels within its border.
+class Level {
+ public:
+  Level(std::uint32_t* origin, int width, int height) : origin_(origin), width_(width), height_(height) {}
+
+  std::uint32_t& at(int x, int y) const { return origin_[static_cast<std::ptrdiff_t>(y) * (width_ + 2) + x]; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Each texel becomes the mean of the larger level's texels that it covers: two a side, or three at an odd edge.
+  void shrink(const Level& from) const {
+    for (int y = 0; y < height_; ++y) {
+      const int y0 = y * from.height_ / height_;
+      const int y1 = std::max(y0 + 1, (y + 1) * from.height_ / height_);
+      for (int x = 0; x < width_; ++x) {
+        const int x0 = x * from.width_ / width_;
+        const int x1 = std::max(x0 + 1, (x + 1) * from.width_ / width_);
+        std::uint32_t sum[3] = {0, 0, 0};
+        for (int v = y0; v < y1; ++v) {
+          for (int u = x0; u < x1; ++u) {
+            for (int k = 0; k < 3; ++k) sum[k] += channel(from.at(u, v), k);
+          }
+        }
+        const std::uint32_t count = static_cast<std::uint32_t>((y1 - y0) * (x1 - x0));
+        std::uint32_t texel = 0;
+        for (int k = 0; k < 3; ++k) texel |= ((sum[k] + count / 2) / count) << (8 * k);
+        at(x, y) = texel;
+      }
+    }
+  }
+
+  void fill_border(bool wrap) const {
+    const auto inside = [wrap](int i, int size) { return wrap ? (i + size) % size : std::clamp(i, 0, size - 1); };
+    for (int y = -1; y <= height_; ++y) {
+      for (int x = -1; x <= width_; ++x) {
+        if (x < 0 || y < 0 || x == width_ || y == height_) at(x, y) = at(inside(x, width_), inside(y, height_));
+      }
+    }
+  }
+
+ private:
+  std::uint32_t* origin_;
+  int width_, height_;
+};
+
+std::size_t bordered(int width, int height) {
+  return static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height + 2);
+}
+
+}  // namespace
+
+Textures::Textures(const mjModel& model) {
+  textures_.resize(static_cast<std::size_t>(model.ntex));
+  std::size_t size = 0;
+  for (int i = 0; i < model.ntex; ++i) {
+    Texture& texture = textures_[i];
+    texture.cube = model.tex_type[i] != mjTEXTURE_2D;
+    texture.sky = model.tex_type[i] == mjTEXTURE_SKYBOX;
+    texture.width = model.tex_width[i];
+    texture.height = texture.cube ? texture.width : model.tex_height[i];
+    for (int w = texture.width, h = texture.height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+      texture.origin[texture.levels++] = static_cast<std::int32_t>(size) + w + 3;
+      size += bordered(w, h) * (texture.cube ? 6 : 1);
+      if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() / 4)) {
+        fail(Status::kUnsupported, "the model's textures are too large for the ray renderer");
+      }
+      if ((w == 1 && h == 1) || texture.levels == Texture::kMaxLevels) break;
+    }
+  }
+  texels_.resize(size + 1);  // texels are read in pairs
+  for (int i = 0; i < model.ntex; ++i) {
+    const Texture& texture = textures_[i];
+    const unsigned char* rgb = model.tex_rgb + model.tex_adr[i];
+    // A cube texture as high as wide is one picture for all six faces.
+    const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
+    for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
+      int width = texture.width;
+      int height = texture.height;
+      const auto level_at = [&](int level) {
+        return Level(texels_.data() + texture.origin[level] + face * bordered(width, height), width, height);
+      };
+      Level level = level_at(0);
+      const unsigned char* from = rgb + (same_faces ? 0 : 3 * static_cast<std::size_t>(width) * height * face);
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x, from += 3) {
+          level.at(x, y) = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[1]) << 8 |
+                           static_cast<std::uint32_t>(from[2]) << 16;
+        }
+      }
+      level.fill_border(!texture.cube);
+      for (int k = 1; k < texture.levels; ++k) {
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+        const Level next = level_at(k);
+        next.shrink(level);
+        next.fill_border(!texture.cube);
+        level = next;
+      }
+    }
+  }
+}
+
+const Texture* Textures::sky() const {
+  const auto found = std::find_if(textures_.begin(), textures_.end(), [](const Texture& t) { return t.sky; });
+  return found == textures_.end() ? nullptr : &*found;
+}
+
+}  // namespace mimo::rays

@@ -1,0 +1,140 @@
+// The rays of one tile, cast at one solid after the other.
+// Compiled once for each instruction set, see kernels.cpp.
+#if defined(MIMO_RAYS_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIMO_RAYS_TILE_INL_H
+#undef MIMO_RAYS_TILE_INL_H
+#else
+#define MIMO_RAYS_TILE_INL_H
+#endif
+
+#include <algorithm>
+#include <cstdint>
+
+#include "rays/eye.h"
+#include "rays/intersect-inl.h"
+#include "rays/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mimo::rays {
+namespace HWY_NAMESPACE {
+
+// The rays of one tile and what they meet.
+struct Tile {
+  alignas(64) float x[kTile];  // slopes
+  float y[kTile];
+  float dx, dy;
+  alignas(64) float t[kRays];            // depth of the nearest solid, kMiss for none
+  alignas(64) std::int32_t id[kRays];    // its aspect, -1 for none
+  alignas(64) std::int32_t face[kRays];  // its triangle, if it is a mesh
+  float nearest, farthest;               // depths of what the tile shows; nearest > farthest if that is nothing
+};
+
+void FindDepths(Tile& tile) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  V least = Set(kMiss);
+  V most = Set(-kMiss);
+  for (int i = 0; i < kRays; i += lanes) {
+    const V t = Load(tile.t + i);
+    least = hn::Min(least, t);
+    most = hn::Max(most, Pick(hn::Lt(t, Set(kMiss)), t, Set(-kMiss)));
+  }
+  tile.nearest = hn::GetLane(hn::MinOfLanes(D(), least));
+  tile.farthest = hn::GetLane(hn::MaxOfLanes(D(), most));
+}
+
+// The rows and columns of a tile that an aspect may touch; empty if first > last.
+struct Window {
+  int row0, row1, column0, column1;
+};
+
+constexpr Window kNothing = {0, -1, 0, -1};
+
+HWY_INLINE bool IsEmpty(const Window& w) { return w.row0 > w.row1 || w.column0 > w.column1; }
+
+// Of what is no number: -1.
+HWY_INLINE int Clamped(float v) { return static_cast<int>(std::min(std::max(-1.0F, v), kTile + 1.0F)); }
+
+HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
+  // The least of facing over the tile; rays beyond the last are close enough.
+  const float far_x = tile.x[0] + tile.dx * kTile;
+  const float far_y = tile.y[0] + tile.dy * kTile;
+  const float least = aspect.facing[0] + std::min(aspect.facing[1] * tile.x[0], aspect.facing[1] * far_x) +
+                      std::min(aspect.facing[2] * tile.y[0], aspect.facing[2] * far_y);
+  if (least > 0) return kNothing;
+  const float over_x = 1 / tile.dx;
+  const float over_y = 1 / tile.dy;  // negative: rows go down
+  Window w;
+  w.column0 = std::max(Clamped((aspect.left - tile.x[0]) * over_x), 0);
+  w.column1 = std::min(Clamped((aspect.right - tile.x[0]) * over_x + 1), kTile) - 1;
+  w.row0 = std::max(Clamped((aspect.top - tile.y[0]) * over_y), 0);
+  w.row1 = std::min(Clamped((aspect.bottom - tile.y[0]) * over_y + 1), kTile) - 1;
+  return w;
+}
+
+// Casts the tile's rays at one solid. `from` is the depth from which on it is seen: for all rays, or for each.
+template <Kind kKind, bool kFromEach>
+HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, const Tile& tile, const Window& w,
+                         const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id,
+                         std::int32_t* HWY_RESTRICT face) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const int first = w.column0 / lanes * lanes;
+  const V3 bx = Set(aspect.bx);
+  const VI index_v = hn::Set(DI(), index);
+  Ray ray;
+  ray.o = Set(aspect.o);
+  for (int row = w.row0; row <= w.row1; ++row) {
+    const float y = tile.y[row];
+    const V3 base = {Set(aspect.a[0] + y * aspect.by[0]), Set(aspect.a[1] + y * aspect.by[1]),
+                     Set(aspect.a[2] + y * aspect.by[2])};
+    for (int column = first; column <= w.column1; column += lanes) {
+      const int i = row * kTile + column;
+      ray.d = base + bx * Load(tile.x + column);
+      const V old = Load(best + i);
+      const V start = kFromEach ? Load(from + i) : Set(*from);
+      V t;
+      VI triangle;
+      if constexpr (kKind == Kind::kMesh) {
+        const Encounter met = MeetMesh<false>(*solid.mesh, ray, start, old);
+        t = met.t;
+        triangle = met.face;
+      } else {
+        t = Enter<kKind>(solid, ray);
+      }
+      const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, start));
+      if (None(seen)) continue;
+      if (kKind == Kind::kMesh) {
+        const VI old_face = hn::Load(DI(), face + i);
+        hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), triangle, old_face), DI(), face + i);
+      }
+      Store(Pick(seen, t, old), best + i);
+      const VI old_id = hn::Load(DI(), id + i);
+      hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), index_v, old_id), DI(), id + i);
+    }
+  }
+}
+
+template <bool kFromEach>
+void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, const Window& w, const float* from,
+          float* best, std::int32_t* id, std::int32_t* face) {
+  const Aspect& aspect = eye.aspects[index];
+  const Solid& solid = solids[aspect.solid];
+  switch (solid.kind) {
+    case Kind::kPlane: CastAt<Kind::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kSphere: CastAt<Kind::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kCapsule: CastAt<Kind::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kEllipsoid:
+      CastAt<Kind::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
+      break;
+    case Kind::kCylinder:
+      CastAt<Kind::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
+      break;
+    case Kind::kBox: CastAt<Kind::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Kind::kMesh: CastAt<Kind::kMesh, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mimo::rays
+HWY_AFTER_NAMESPACE();
+
+#endif

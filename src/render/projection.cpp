@@ -1,0 +1,16 @@
+#include "render/projection.h"
+
+#include <cmath>
+
+#include "base/angle.h"
+#include "render/vectors.h"
+
+namespace mimo::render {
+
+Eigen::Vector3d project(const View& view, double width, double height, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d seen = seen_from(view.rotation, point - view.position);  // right, up, backward
+  const double focal = 0.5 * height / std::tan(view.fovy * (kPi / 360));         // pixels
+  return {0.5 * width - focal * seen[0] / seen[2], 0.5 * height + focal * seen[1] / seen[2], -seen[2]};
+}
+
+}  // namespace mimo::render

@@ -1,0 +1,18 @@
+// The small world of the tests of render, and OSMesa to draw it with.
+#pragma once
+
+#include <memory>
+
+#include "osmesa/renderer.h"
+#include "unit/render/fixture.h"
+
+namespace mimo::osmesa::test {
+
+using namespace render;
+using namespace render::test;
+
+inline std::unique_ptr<Renderer> renderer_for(const World& world) {
+  return osmesa::make_renderer(world.model, Quality{}, LogSink{});
+}
+
+}  // namespace mimo::osmesa::test

@@ -1,0 +1,177 @@
+// Meshes and height fields: where rays meet them, and MuJoCo's own picture of them.
+#include <cmath>
+#include <string>
+
+#include "base/format.h"
+#include "unit/rays/agreement.h"
+#include "unit/rays/support.h"
+
+namespace mimo::test {
+namespace {
+
+constexpr int kAround = 24, kAlong = 12;
+
+// A ring of radius 0.3 m whose tube is 0.1 m thick: not convex, and it shades itself. Vertices of the first and the
+// last row and column are twice there, as texture coordinates ask for.
+struct Ring {
+  std::string vertex, normal, texcoord, face;
+
+  Ring() {
+    for (int i = 0; i <= kAround; ++i) {
+      for (int k = 0; k <= kAlong; ++k) {
+        const double a = 2 * kPi * i / kAround;
+        const double b = 2 * kPi * k / kAlong;
+        const double r = 0.3 + 0.1 * std::cos(b);
+        vertex += format("{} {} {} ", r * std::cos(a), r * std::sin(a), 0.1 * std::sin(b));
+        normal += format("{} {} {} ", std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
+        texcoord += format("{} {} ", 4.0 * i / kAround, 1.0 * k / kAlong);
+      }
+    }
+    const auto at = [](int i, int k) { return i * (kAlong + 1) + k; };
+    for (int i = 0; i < kAround; ++i) {
+      for (int k = 0; k < kAlong; ++k) {
+        face += format("{} {} {} ", at(i, k), at(i + 1, k), at(i + 1, k + 1));
+        face += format("{} {} {} ", at(i, k), at(i + 1, k + 1), at(i, k + 1));
+      }
+    }
+  }
+
+  std::string xml(const std::string& name, bool normals, bool texcoords) const {
+    return "<mesh name='" + name + "' vertex='" + vertex + "' face='" + face + "'" +
+           (normals ? " normal='" + normal + "'" : "") + (texcoords ? " texcoord='" + texcoord + "'" : "") + "/>";
+  }
+};
+
+std::string assets() {
+  const Ring ring;
+  return ring.xml("plain", false, false) + ring.xml("smooth", true, false) + ring.xml("mapped", true, true) +
+         "<mesh name='wedge' vertex='0 0 0  .4 0 0  0 .4 0  0 0 .4'/>"
+         "<hfield name='hills' nrow='17' ncol='13' size='.6 .5 .25 .1'/>"
+         "<texture name='check' type='2d' builtin='checker' width='64' height='64' rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
+         "<texture name='cube' type='cube' builtin='gradient' mark='edge' markrgb='1 0 0' width='64' height='64' "
+         "rgb1='.1 .3 .5' rgb2='.9 .8 .7'/>"
+         "<material name='flat' texture='check' texrepeat='3 2' specular='.2'/>"
+         "<material name='uniform' texture='check' texrepeat='3 2' texuniform='true' specular='0'/>"
+         "<material name='cube' texture='cube' specular='0'/>"
+         "<material name='mirror' reflectance='.5' specular='0' rgba='.3 .3 .3 1'/>";
+}
+
+engine::ModelPtr scene(const std::string& body) {
+  engine::ModelPtr model =
+      engine::compile(world("<light pos='.5 -.4 2' dir='-.2 .2 -1' diffuse='.7 .7 .7' specular='.2 .2 .2'/>" + body,
+                            assets(), "<headlight ambient='.2 .2 .2' diffuse='.4 .4 .4'/>"),
+                      {}, {});
+  // MuJoCo 2.2 has no way to write elevations into the model's text.
+  mjModel& change = const_cast<mjModel&>(*model);
+  for (int i = 0; i < change.nhfielddata; ++i) {
+    change.hfield_data[i] = static_cast<float>(0.5 + 0.5 * std::sin(0.9 * (i / 13)) * std::cos(0.7 * (i % 13)));
+  }
+  return model;
+}
+
+struct Case {
+  const char* name;
+  const char* body;
+};
+
+class Meshes : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Meshes, LookTheSame) {
+  const engine::ModelPtr model = scene(GetParam().body);
+  const auto reference = osmesa_for(model);
+  if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
+  Studio studio(model, {});
+  double difference = 0;
+  int seen = 0;
+  Agreement agreement;
+  for (const int azimuth : {20, 140, 260}) {
+    const render::View view = render::orbit_view({0, 0, 0.1}, 1.4, azimuth, -35, 45);
+    Shot theirs(160, 160);
+    reference->draw(*model, studio.physics().data(), view, theirs.picture());
+    const Shot ours = studio.shoot(view, 160, 160);
+    for (std::size_t i = 0; i < ours.rgb.size(); ++i) difference += std::abs(ours.rgb[i] - theirs.rgb[i]);
+    for (const int id : ours.ids) seen += id == 0;
+    agreement.add(ours, theirs);
+  }
+  EXPECT_GT(seen, 3000);  // of 76800
+  EXPECT_LT(difference / (3 * 160 * 160 * 3), 2.5);
+  agreement.expect(0.995, 0.995, 0.93);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    RayMesh, Meshes,
+    ::testing::Values(
+        Case{"PlainRing",
+             "<geom type='mesh' mesh='plain' euler='30 20 0'/><geom type='plane' size='1 1 .1' pos='0 0 -.4'/>"},
+        Case{"SmoothRing", "<geom type='mesh' mesh='smooth' euler='30 20 0' rgba='.8 .4 .3 1'/>"},
+        Case{"MappedRing", "<geom type='mesh' mesh='mapped' euler='-40 20 0' material='flat'/>"},
+        Case{"GeneratedFlat", "<geom type='mesh' mesh='plain' euler='30 20 0' material='flat'/>"},
+        Case{"GeneratedUniform", "<geom type='mesh' mesh='plain' euler='30 20 0' material='uniform'/>"},
+        Case{"GeneratedCube", "<geom type='mesh' mesh='smooth' euler='30 20 0' material='cube'/>"},
+        Case{"Wedge",
+             "<geom type='mesh' mesh='wedge' rgba='.4 .8 .3 1'/><geom type='plane' size='1 1 .1' pos='0 0 -.3'/>"},
+        Case{"Mirrored",
+             "<geom type='mesh' mesh='smooth' euler='60 20 0' pos='0 0 .3' rgba='.8 .4 .3 1'/><geom type='plane' "
+             "size='1 1 .1' "
+             "pos='0 0 -.2' material='mirror'/>"},
+        Case{"Hills", "<geom type='hfield' hfield='hills' rgba='.4 .6 .3 1'/>"},
+        Case{"TexturedHills", "<geom type='hfield' hfield='hills' material='flat'/>"},
+        Case{"OnHills",
+             "<geom type='hfield' hfield='hills' pos='0 0 -.2'/><geom type='box' size='.1 .15 .1' euler='0 30 0' "
+             "pos='.1 .1 .25' rgba='1 .5 0 1'/>"}),
+    [](const auto& given) { return given.param.name; });
+
+// A tetrahedron's face lies in the plane x + y + z = 0.4 m, its frame at the centre of mass (0.1, 0.1, 0.1).
+TEST(RayMesh, DepthOfAFace) {
+  Studio studio(world("<geom type='mesh' mesh='wedge'/>", assets()));
+  // From (0.1, 0.1, 1) straight down: z = 0.2 there.
+  render::View view = from_above(1);
+  view.position = {0.1, 0.1, 1};
+  const Shot shot = studio.shoot(view);
+  EXPECT_EQ(shot.middle_id(), 0);
+  EXPECT_NEAR(shot.depth[shot.at(16, 16)], 0.8, 1e-5);
+  // Its back, from within, is not seen.
+  view.position = {0.1, 0.1, 0.05};
+  view.rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;  // upwards
+  EXPECT_EQ(studio.shoot(view).middle_id(), -1);
+}
+
+// Light from the side does not reach the inner side of the ring's far part, before which its near part stands.
+TEST(RayMesh, ShadesItself) {
+  const std::string body =
+      "<light directional='true' pos='2 0 0' dir='-1 0 -.02' diffuse='1 1 1' specular='0 0 0'/>"
+      "<geom type='mesh' mesh='smooth' material='mat'/>";
+  Studio studio(world(body, assets()));
+  rays::Options options;
+  options.shadows = false;
+  Studio lit(world(body, assets()), options);
+  // The inner side at x = -0.2 looks towards +x, where the tube at x = 0.2..0.4 is in the way.
+  const render::View view = render::orbit_view({-0.2, 0, 0.03}, 0.3, 180, -30, 20);
+  EXPECT_EQ(studio.shoot(view).middle_id(), 0);
+  EXPECT_TRUE(color_near({0, 0, 0}, studio.shoot(view).middle()));
+  EXPECT_GT(lit.shoot(view).middle()[0], 60);
+}
+
+TEST(RayMesh, EveryInstructionSet) {
+  const engine::ModelPtr model = scene(
+      "<geom type='mesh' mesh='mapped' euler='30 20 0' material='flat' pos='0 0 .2'/><geom type='hfield' "
+      "hfield='hills' "
+      "pos='0 0 -.3'/><geom type='mesh' mesh='plain' pos='.2 .2 .3' rgba='.3 .4 .9 .5'/>");
+  Studio best(model, {});
+  for (const std::string& path : rays::simd_paths()) {
+    rays::Options options;
+    options.simd = path;
+    Studio studio(model, options);
+    for (const int azimuth : {10, 130, 250}) {
+      const render::View view = render::orbit_view({0, 0, 0.1}, 1.4, azimuth, -25, 45);
+      const Shot expected = best.shoot(view, 150, 110);
+      const Shot actual = studio.shoot(view, 150, 110);
+      EXPECT_EQ(actual.rgb, expected.rgb) << path;
+      EXPECT_EQ(actual.depth, expected.depth) << path;
+      EXPECT_EQ(actual.ids, expected.ids) << path;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mimo::test
