@@ -10,7 +10,7 @@
 #include "mimo/mimo.h"
 #include "scene/groups.h"
 #include "scene/scene.h"
-#include "senses/sense.h"
+#include "observation/field.h"
 #include "senses/touch/options.h"
 #include "senses/touch/spread.h"
 
@@ -83,13 +83,13 @@ static_assert(same(MIMO_FRAME_BODY, senses::TouchFrame::kBody));
 static_assert(same(MIMO_FRAME_WORLD, senses::TouchFrame::kWorld));
 static_assert(same(MIMO_FRAME_SKIN, senses::TouchFrame::kSkin));
 
-static_assert(same(MIMO_U8, senses::Type::kU8));
-static_assert(same(MIMO_I32, senses::Type::kI32));
-static_assert(same(MIMO_F32, senses::Type::kF32));
-static_assert(same(MIMO_F64, senses::Type::kF64));
+static_assert(same(MIMO_U8, observation::Type::kU8));
+static_assert(same(MIMO_I32, observation::Type::kI32));
+static_assert(same(MIMO_F32, observation::Type::kF32));
+static_assert(same(MIMO_F64, observation::Type::kF64));
 
-static_assert(same(MIMO_AT_END, senses::Time::kEnd));
-static_assert(same(MIMO_AT_LAST_START, senses::Time::kLastStart));
+static_assert(same(MIMO_AT_END, observation::Time::kEnd));
+static_assert(same(MIMO_AT_LAST_START, observation::Time::kLastStart));
 
 static_assert(same(MIMO_JOINT_POSITION, env::Quantity::kJointPosition));
 static_assert(same(MIMO_JOINT_VELOCITY, env::Quantity::kJointVelocity));

@@ -5,7 +5,6 @@
 
 #include "base/fail.h"
 #include "engine/joints.h"
-#include "format/names.h"
 #include "tasks/contacts.h"
 #include "tasks/tracking.h"
 #include "tasks/vectors.h"

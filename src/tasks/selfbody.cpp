@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "format/names.h"
 #include "tasks/contacts.h"
 #include "tasks/vectors.h"
 
