@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <memory>
 #include <mutex>
 #include <new>
 
@@ -20,8 +21,9 @@ struct Handler {
   pid_t process;
 };
 
+// Runs once.
 void run_at_home(void* argument) {
-  const auto* handler = static_cast<const Handler*>(argument);
+  const std::unique_ptr<const Handler> handler(static_cast<const Handler*>(argument));
   if (handler->process == getpid()) handler->function(handler->argument);
 }
 
