@@ -1,17 +1,19 @@
 # The rooms: one object library for each folder of src/.
 #
 # Headers are included as "engine/guard.h". Each room has an include directory of its own that holds nothing but a
-# link to its folder, and rooms are linked to the rooms they depend on: a header of a room that is not among the
-# dependencies is simply not found. That is how the direction of dependencies is enforced.
+# link to its folder. A room sees those of the rooms that it names in DEPENDS, and not of what these name: a header of
+# any other room is simply not found. That is how the direction of dependencies is enforced. docs/make_rooms.py draws
+# the page of rooms from these calls, and tests that no room is named whose headers nobody includes.
 
 # Where the links are. Two builds of one source tree that share them also share what ccache keeps.
 set(MIMO_ROOMS ${PROJECT_BINARY_DIR}/rooms CACHE PATH "Folder of links to the rooms")
 mark_as_advanced(MIMO_ROOMS)
 
-# mimo_room(<name> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>])
-# Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only.
+# mimo_room(<name> ABOUT <text> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>])
+# Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only. ABOUT says in a
+# line what the room does. Whoever sees a room's headers sees those of its LIBRARIES as well.
 function(mimo_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "ABOUT" "DEPENDS;LIBRARIES;SOURCES")
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
   set(include_dir ${MIMO_ROOMS}/${name})
   file(MAKE_DIRECTORY ${include_dir})
@@ -19,17 +21,17 @@ function(mimo_room name)
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   list(APPEND sources ${room_SOURCES})
-  set(scope PUBLIC)
+  list(TRANSFORM room_DEPENDS PREPEND mimo_ OUTPUT_VARIABLE dependencies)
   if(sources)
     add_library(mimo_${name} OBJECT ${sources})
     target_compile_definitions(mimo_${name} PRIVATE MIMO_BUILDING)
+    target_include_directories(mimo_${name} PUBLIC ${include_dir})
+    target_link_libraries(mimo_${name} PUBLIC ${room_LIBRARIES} PRIVATE ${dependencies})
   else()
     add_library(mimo_${name} INTERFACE)
-    set(scope INTERFACE)
+    target_include_directories(mimo_${name} INTERFACE ${include_dir})
+    target_link_libraries(mimo_${name} INTERFACE ${room_LIBRARIES})
   endif()
-  list(TRANSFORM room_DEPENDS PREPEND mimo_ OUTPUT_VARIABLE dependencies)
-  target_include_directories(mimo_${name} ${scope} ${include_dir})
-  target_link_libraries(mimo_${name} ${scope} ${dependencies} ${room_LIBRARIES})
 
   # The room and all rooms below it. Objects, unlike include directories, do not travel along links.
   set(below mimo_${name})

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Writes the table and the drawing of rooms in docs/architecture.md, out of the CMake lists of src/.
+
+With --check nothing is written: fails where the page differs, and where a room names another one whose headers none of
+its files sees, or sees one that it does not name.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/architecture.md"
+CALL = re.compile(r"mimo_room\(\s*(\w+)\s+ABOUT\s+\"([^\"]*)\"([^)]*)\)")
+INCLUDE = re.compile(r'^\s*#\s*include "((\w+)/[^"]+)"', re.MULTILINE)
+
+
+def named_after(keyword, rest):
+    """The words behind a keyword of the call, up to the next one."""
+    words = rest.split()
+    if keyword not in words:
+        return []
+    following = words[words.index(keyword) + 1 :]
+    ends = [i for i, word in enumerate(following) if word.isupper()]
+    return following[: ends[0]] if ends else following
+
+
+def read_rooms():
+    rooms = {}
+    for path in sorted(ROOT.glob("src/*/CMakeLists.txt")):
+        for name, about, rest in CALL.findall(path.read_text()):
+            rooms[name] = (about, named_after("DEPENDS", rest))
+    return rooms
+
+
+def floors(rooms):
+    """Rooms by how many lie below them, the highest floor first."""
+    height = {}
+
+    def floor(name):
+        if name not in height:
+            height[name] = 1 + max((floor(below) for below in rooms[name][1]), default=-1)
+        return height[name]
+
+    for name in rooms:
+        floor(name)
+    return [sorted(n for n in rooms if height[n] == level) for level in range(max(height.values()), -1, -1)]
+
+
+def drawn(rooms):
+    levels = floors(rooms)
+    table = ["| room | what it does | rooms that it sees |", "|---|---|---|"]
+    for level in levels:
+        for name in level:
+            about, below = rooms[name]
+            table.append(f"| `{name}` | {about} | {', '.join(below)} |")
+    drawing = [f"    floor {len(levels) - 1 - i:2}   {'   '.join(level)}" for i, level in enumerate(levels)]
+    return {"table": "\n".join(table), "drawing": "\n".join(drawing)}
+
+
+def with_drawn(text, parts):
+    for name, content in parts.items():
+        pattern = rf"(<!-- {name} of rooms, by docs/make_rooms.py -->\n).*?(<!-- end -->)"
+        text, count = re.subn(pattern, lambda m, c=content: f"{m[1]}\n{c}\n\n{m[2]}", text, flags=re.DOTALL)
+        if count != 1:
+            sys.exit(f"{PAGE}: no place for the {name} of rooms")
+    return text
+
+
+def seen(name, rooms):
+    """Rooms whose headers the files of a room include, also by way of other headers."""
+    waiting = [p for p in (ROOT / "src" / name).rglob("*") if p.suffix in (".h", ".cpp")]
+    known, found = set(waiting), set()
+    while waiting:
+        for path, room in INCLUDE.findall(waiting.pop().read_text()):
+            header = ROOT / "src" / path
+            if room not in rooms or header in known or not header.exists():
+                continue
+            known.add(header)
+            waiting.append(header)
+            found.add(room)
+    return found - {name}
+
+
+def wrong_arrows(rooms):
+    for name, (_, named) in rooms.items():
+        includes = seen(name, rooms)
+        for other in sorted(set(named) - includes):
+            yield f"src/{name} names {other}, but includes nothing of it"
+        for other in sorted(includes - set(named)):
+            yield f"src/{name} includes headers of {other}, but does not name it"
+
+
+def main():
+    rooms = read_rooms()
+    text = PAGE.read_text()
+    made = with_drawn(text, drawn(rooms))
+    if "--check" not in sys.argv[1:]:
+        PAGE.write_text(made)
+        return
+    complaints = list(wrong_arrows(rooms))
+    if made != text:
+        complaints.append("docs/architecture.md differs from the CMake lists; run docs/make_rooms.py")
+    sys.exit("\n".join(complaints) or None)
+
+
+if __name__ == "__main__":
+    main()
