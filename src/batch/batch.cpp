@@ -43,7 +43,7 @@ void Batch::require_idle() const {
 
 void Batch::require_access(std::size_t world) const {
   if (!busy_.load(std::memory_order_relaxed)) return;
-  require(place().batch == this && place().world == world,
+  require(workplace().batch == this && workplace().world == world,
           "world {} belongs to a batch that is at work: mimo_batch_receive comes first", world);
 }
 
@@ -159,7 +159,7 @@ void Batch::begin(const Call& call) {
 }
 
 void Batch::perform(Call call) {
-  call.caller = place();
+  call.caller = workplace();
   begin(call);
   pool_.run(*this, size());
   finish();
@@ -180,7 +180,7 @@ void Batch::finish() {
 
 void Batch::run(std::size_t world, std::size_t thread) noexcept {
   if (!concerns(world)) return;
-  const AtPlace at({this, world, thread, &call_.caller});
+  const AtWork at({this, world, thread, &call_.caller});
   try {
     reports_[world].settled = false;
     (this->*call_.work)(world);

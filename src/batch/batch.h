@@ -10,7 +10,7 @@
 #include "base/pool.h"
 #include "batch/mailbox.h"
 #include "batch/options.h"
-#include "batch/place.h"
+#include "batch/workplace.h"
 #include "batch/studio.h"
 #include "env/access.h"
 #include "env/world.h"
@@ -73,7 +73,7 @@ class Batch : private Job {
   // The operands of the operation in progress.
   struct Call {
     Work work = nullptr;
-    Place caller;  // that waits for the work
+    Workplace caller;  // that waits for the work
     const std::uint8_t* mask = nullptr;
     const float* actions = nullptr;
     const std::uint64_t* seeds = nullptr;

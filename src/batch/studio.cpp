@@ -1,6 +1,6 @@
 #include "batch/studio.h"
 
-#include "batch/place.h"
+#include "batch/workplace.h"
 
 namespace mimo::batch {
 
@@ -14,7 +14,7 @@ void Studio::furnish() {
 // A step of the batch takes no lock: its threads have renderers of their own. One that is lost when drawing fails is
 // made again.
 void Studio::draw(const mjModel& model, const mjData& data, const render::View& view, const render::Picture& picture) {
-  if (place().batch == batch_) return renderer(place().thread).draw(model, data, view, picture);
+  if (workplace().batch == batch_) return renderer(workplace().thread).draw(model, data, view, picture);
   RendererPtr borrowed = borrow();
   borrowed->draw(model, data, view, picture);
   give_back(std::move(borrowed));

@@ -13,7 +13,7 @@ namespace mimo::batch {
 // Hands on to a renderer that nobody else draws with. It stands in every world of the batch for a renderer of its own.
 class Studio : public render::Renderer {
  public:
-  // `batch` is the one that it belongs to, as places name it.
+  // `batch` is the one that it belongs to, as workplaces name it.
   Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads, const void* batch);
   // Makes the threads' renderers now, so that what is missing here shows at once and no step has to.
   void furnish();

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "batch/place.h"
+#include "batch/workplace.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -422,7 +422,7 @@ TEST(Batch, MessagesArriveOnTheCallingThread) {
   options.log.write = [](void* user, std::int32_t, const char* message) {
     auto& it = *static_cast<Heard*>(user);
     it.messages.emplace_back(message);
-    it.elsewhere = it.elsewhere || batch::place().batch != nullptr;
+    it.elsewhere = it.elsewhere || batch::workplace().batch != nullptr;
   };
   Rig rig(floating_model(), sized(4, 3), options);
   for (std::size_t i : {1, 2}) rig.batch.world(i).physics().data().warning[mjWARN_CONTACTFULL].number = 1;
