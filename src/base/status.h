@@ -8,7 +8,7 @@
 
 namespace mimo {
 
-// The numbers are those of mimo.h (asserted in src/capi/version.cpp).
+// The numbers are those of mimo.h (asserted in src/capi/constants.cpp).
 enum class Status : std::int32_t {
   kOk = 0,
   kInvalidArgument = -1,

@@ -4,8 +4,8 @@
 
 namespace mimo::batch {
 
-Studio::Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads, const void* batch)
-    : model_(std::move(model)), options_(options), batch_(batch), renderers_(threads) {}
+Studio::Studio(const env::Kit& kit, std::size_t threads, const void* batch)
+    : model_(kit.model), options_(kit.options), services_(kit.services), batch_(batch), renderers_(threads) {}
 
 void Studio::furnish() {
   for (std::size_t i = 0; i < renderers_.size(); ++i) renderer(i);
@@ -21,7 +21,7 @@ void Studio::draw(const mjModel& model, const mjData& data, const render::View& 
 }
 
 render::Renderer& Studio::renderer(std::size_t thread) {
-  if (renderers_[thread] == nullptr) renderers_[thread] = env::make_renderer(model_, options_);
+  if (renderers_[thread] == nullptr) renderers_[thread] = env::make_renderer(model_, options_, services_);
   return *renderers_[thread];
 }
 
@@ -34,7 +34,7 @@ Studio::RendererPtr Studio::borrow() {
       return last;
     }
   }
-  return env::make_renderer(model_, options_);
+  return env::make_renderer(model_, options_, services_);
 }
 
 void Studio::give_back(RendererPtr renderer) {

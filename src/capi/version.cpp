@@ -1,23 +1,8 @@
-#include "base/status.h"
 #include "engine/physics.h"
 #include "mimo/mimo.h"
 
 #define MIMO_TEXT_OF(x) #x
 #define MIMO_TEXT(x) MIMO_TEXT_OF(x)
-
-// Inside, the statuses are an enum of their own, so that no room below depends on the public header.
-static_assert(MIMO_E_INVALID_ARGUMENT == static_cast<int>(mimo::Status::kInvalidArgument));
-static_assert(MIMO_E_BAD_HANDLE == static_cast<int>(mimo::Status::kBadHandle));
-static_assert(MIMO_E_BUFFER_TOO_SMALL == static_cast<int>(mimo::Status::kBufferTooSmall));
-static_assert(MIMO_E_STRUCT_SIZE == static_cast<int>(mimo::Status::kStructSize));
-static_assert(MIMO_E_NOT_FOUND == static_cast<int>(mimo::Status::kNotFound));
-static_assert(MIMO_E_MODEL == static_cast<int>(mimo::Status::kModel));
-static_assert(MIMO_E_SIMULATION == static_cast<int>(mimo::Status::kSimulation));
-static_assert(MIMO_E_RENDER == static_cast<int>(mimo::Status::kRender));
-static_assert(MIMO_E_UNSUPPORTED == static_cast<int>(mimo::Status::kUnsupported));
-static_assert(MIMO_E_OUT_OF_MEMORY == static_cast<int>(mimo::Status::kOutOfMemory));
-static_assert(MIMO_E_FORKED == static_cast<int>(mimo::Status::kForked));
-static_assert(MIMO_E_INTERNAL == static_cast<int>(mimo::Status::kInternal));
 
 extern "C" {
 

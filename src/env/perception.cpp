@@ -40,14 +40,13 @@ body::Body chosen_joints(const mjModel& model, body::Body body, const std::vecto
   return body;
 }
 
-std::shared_ptr<const senses::touch::Skin> make_skin(const mjModel& model, const body::Body& body,
-                                                     const senses::TouchOptions& options) {
+SkinPtr make_skin(const mjModel& model, const body::Body& body, const senses::TouchOptions& options) {
   return std::make_shared<senses::touch::Skin>(model, senses::spacings(model, body, options));
 }
 
 }  // namespace
 
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer) {
+Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer, SkinPtr skin) {
   Perception agent;
   agent.body = find(model, options);
   if (any(options.proprioception)) {
@@ -61,7 +60,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
     agent.senses.push_back(senses::make_vestibular(model, agent.body, options.vestibular_at));
   }
   if (options.touch.any()) {
-    agent.skin = options.skin != nullptr ? options.skin : make_skin(model, agent.body, options.touch);
+    agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     agent.senses.push_back(std::make_unique<senses::Touch>(agent.skin, options.touch));
   }
   if (options.vision.any()) {

@@ -184,7 +184,7 @@ Scene::Scene(const Scene& other)
       bodies_(other.bodies_),
       objects_(other.objects_),
       start_welds_(other.start_welds_),
-      kinds_(other.kinds_) {}
+      added_(other.added_) {}
 
 void Scene::set_room(const std::string& room) {
   require_known("room", kRooms, room);
@@ -225,8 +225,8 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   require_other_names(guest_root, root, prefix);
   stand_alone(changed, limits_);
   if (in_radians(root)) convert_to_radians(guest_root);
-  const bool known = kinds_.count(body) > 0;
-  const std::string classes = known ? kinds_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
+  const bool known = added_.count(body) > 0;
+  const std::string classes = known ? added_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
   prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
@@ -251,11 +251,11 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   if (pose != nullptr || !built_in_) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
   if (no_place && numbers_of(root, (prefix + kRootPose).c_str()).empty()) unplaced = prefix;
-  Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
+  Added& added = added_.emplace(body, Added{0, classes}).first->second;
   to_check_ = std::move(to_check);
   unplaced_ = std::move(unplaced);
   document_ = std::move(changed);
-  ++kind.count;
+  ++added.count;
   ++bodies_;
 }
 
@@ -271,15 +271,13 @@ std::vector<std::string> Scene::infants() const {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), models_).senses(); }
-
-std::string Scene::actuation() const { return Recipe::of_room(document_.document_element(), models_).actuation(); }
-
-const char* Scene::usual_body() const {
-  const std::vector<std::string> fit = Recipe::of_room(document_.document_element(), models_).bodies();
+UsualInfant Scene::usual_infant() const {
+  const Recipe recipe = Recipe::of_room(document_.document_element(), models_);
+  const std::vector<std::string> fit = recipe.bodies();
   const auto* const found =
       fit.empty() ? std::begin(kBodies) : std::find(std::begin(kBodies), std::end(kBodies), fit.front());
-  return found != std::end(kBodies) ? *found : kBodies[0];
+  const char* body = found != std::end(kBodies) ? *found : kBodies[0];
+  return {body, recipe.senses(), recipe.muscles(), free_place()};
 }
 
 void Scene::add_object(const Object& object) {
@@ -307,6 +305,7 @@ void Scene::add_object(const Object& object) {
 }
 
 void Scene::add_model(const Model& model) {
+  require_plain(model.name);
   require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
               !has_names_with(document_.document_element(), model.name + "/"),
           "model name \"{}\": the scene already has something of that name", model.name);
@@ -347,22 +346,23 @@ void Scene::lock_joint(const std::string& joint, double value) {
 void Scene::add_camera(const Camera& camera) {
   require(!has_name("camera", camera.name), "camera name \"{}\": the scene already has a camera of that name",
           camera.name);
-  const pugi::xml_node carrier = camera.body.empty() ? section(document_.document_element(), "worldbody")
-                                                     : find_named(document_, "body", camera.body);
+  pugi::xml_document changed = copy(document_);
+  const pugi::xml_node carrier =
+      camera.body.empty() ? section(changed.document_element(), "worldbody") : find_named(changed, "body", camera.body);
   if (carrier.empty()) fail(Status::kNotFound, "camera \"{}\": no body named \"{}\"", camera.name, camera.body);
-  const std::array<double, 6> axes = picture_axes(camera);  // before anything is changed
   const pugi::xml_node node = append(carrier, "camera");
   set(node, "name", camera.name);
   set(node, "mode", "fixed");
   set(node, "pos", Span<const double>(camera.position));
-  set(node, "xyaxes", Span<const double>(axes));
+  set(node, "xyaxes", Span<const double>(picture_axes(camera)));
   set(node, "fovy", Span<const double>(&camera.fovy, 1));
+  document_ = std::move(changed);
 }
 
 pugi::xml_document Scene::finished() const {
   pugi::xml_document document = copy(document_);
   const pugi::xml_node root = document.document_element();
-  const auto count = [&](const char* body) { return kinds_.count(body) > 0 ? kinds_.at(body).count : 0; };
+  const auto count = [&](const char* body) { return added_.count(body) > 0 ? added_.at(body).count : 0; };
   size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", kRootBody);
   if (infants) keep_hands_in_sight(root);

@@ -1,0 +1,118 @@
+// Constants of mimo.h are enumerations of their own inside, so that no room below depends on the public header. They
+// are cast into each other: here it is checked that they agree.
+#include "base/log.h"
+#include "base/status.h"
+#include "batch/options.h"
+#include "env/access.h"
+#include "env/options.h"
+#include "mimo/mimo.h"
+#include "scene/groups.h"
+#include "scene/scene.h"
+
+namespace mimo::capi {
+namespace {
+
+template <typename Constant, typename Inside>
+constexpr bool same(Constant constant, Inside inside) {
+  return constant == static_cast<Constant>(inside);
+}
+
+static_assert(same(MIMO_OK, Status::kOk));
+static_assert(same(MIMO_E_INVALID_ARGUMENT, Status::kInvalidArgument));
+static_assert(same(MIMO_E_BAD_HANDLE, Status::kBadHandle));
+static_assert(same(MIMO_E_BUFFER_TOO_SMALL, Status::kBufferTooSmall));
+static_assert(same(MIMO_E_STRUCT_SIZE, Status::kStructSize));
+static_assert(same(MIMO_E_NOT_FOUND, Status::kNotFound));
+static_assert(same(MIMO_E_MODEL, Status::kModel));
+static_assert(same(MIMO_E_SIMULATION, Status::kSimulation));
+static_assert(same(MIMO_E_RENDER, Status::kRender));
+static_assert(same(MIMO_E_UNSUPPORTED, Status::kUnsupported));
+static_assert(same(MIMO_E_OUT_OF_MEMORY, Status::kOutOfMemory));
+static_assert(same(MIMO_E_FORKED, Status::kForked));
+static_assert(same(MIMO_E_INTERNAL, Status::kInternal));
+
+static_assert(same(MIMO_LOG_WARNING, LogLevel::kWarning));
+static_assert(same(MIMO_LOG_INFO, LogLevel::kInfo));
+
+static_assert(same(MIMO_ACTUATION_TORQUE, actuation::Mode::kTorque));
+static_assert(same(MIMO_ACTUATION_POSITION, actuation::Mode::kPosition));
+static_assert(same(MIMO_ACTUATION_MUSCLE, actuation::Mode::kMuscle));
+static_assert(same(MIMO_ACTUATION_MUJOCO_MUSCLE, actuation::Mode::kMujocoMuscle));
+
+static_assert(same(MIMO_ACT_TRUNK, scene::kTrunk));
+static_assert(same(MIMO_ACT_HEAD, scene::kHead));
+static_assert(same(MIMO_ACT_EYES, scene::kEyes));
+static_assert(same(MIMO_ACT_RIGHT_ARM, scene::kRightArm));
+static_assert(same(MIMO_ACT_LEFT_ARM, scene::kLeftArm));
+static_assert(same(MIMO_ACT_RIGHT_HAND, scene::kRightHand));
+static_assert(same(MIMO_ACT_LEFT_HAND, scene::kLeftHand));
+static_assert(same(MIMO_ACT_RIGHT_LEG, scene::kRightLeg));
+static_assert(same(MIMO_ACT_LEFT_LEG, scene::kLeftLeg));
+static_assert(same(MIMO_ACT_RIGHT_FOOT, scene::kRightFoot));
+static_assert(same(MIMO_ACT_LEFT_FOOT, scene::kLeftFoot));
+static_assert(same(MIMO_ACT_ALL, scene::kAllGroups));
+static_assert(same(MIMO_ACT_NONE, scene::kNoGroup));
+
+static_assert(same(MIMO_TOUCH_NEAREST, senses::touch::Response::kNearest));
+static_assert(same(MIMO_TOUCH_LINEAR, senses::touch::Response::kLinear));
+static_assert(same(MIMO_TOUCH_GAUSSIAN, senses::touch::Response::kGaussian));
+
+static_assert(same(MIMO_FRAME_BODY, senses::TouchFrame::kBody));
+static_assert(same(MIMO_FRAME_WORLD, senses::TouchFrame::kWorld));
+static_assert(same(MIMO_FRAME_SKIN, senses::TouchFrame::kSkin));
+
+static_assert(same(MIMO_SHAPE_SPHERE, scene::Shape::kSphere));
+static_assert(same(MIMO_SHAPE_CAPSULE, scene::Shape::kCapsule));
+static_assert(same(MIMO_SHAPE_ELLIPSOID, scene::Shape::kEllipsoid));
+static_assert(same(MIMO_SHAPE_CYLINDER, scene::Shape::kCylinder));
+static_assert(same(MIMO_SHAPE_BOX, scene::Shape::kBox));
+
+static_assert(same(MIMO_JACOBIAN_MODEL, engine::Jacobian::kModel));
+static_assert(same(MIMO_JACOBIAN_DENSE, engine::Jacobian::kDense));
+static_assert(same(MIMO_JACOBIAN_SPARSE, engine::Jacobian::kSparse));
+
+static_assert(same(MIMO_U8, senses::Type::kU8));
+static_assert(same(MIMO_I32, senses::Type::kI32));
+static_assert(same(MIMO_F32, senses::Type::kF32));
+static_assert(same(MIMO_F64, senses::Type::kF64));
+
+static_assert(same(MIMO_AT_END, senses::Time::kEnd));
+static_assert(same(MIMO_AT_LAST_START, senses::Time::kLastStart));
+
+static_assert(same(MIMO_BODY, engine::Kind::kBody));
+static_assert(same(MIMO_JOINT, engine::Kind::kJoint));
+static_assert(same(MIMO_GEOM, engine::Kind::kGeom));
+static_assert(same(MIMO_SITE, engine::Kind::kSite));
+static_assert(same(MIMO_CAMERA, engine::Kind::kCamera));
+static_assert(same(MIMO_ACTUATOR, engine::Kind::kActuator));
+static_assert(same(MIMO_SENSOR, engine::Kind::kSensor));
+
+static_assert(same(MIMO_JOINT_POSITION, env::Quantity::kJointPosition));
+static_assert(same(MIMO_JOINT_VELOCITY, env::Quantity::kJointVelocity));
+static_assert(same(MIMO_JOINT_FORCE, env::Quantity::kJointForce));
+static_assert(same(MIMO_JOINT_ACCELERATION, env::Quantity::kJointAcceleration));
+static_assert(same(MIMO_JOINT_RANGE, env::Quantity::kJointRange));
+static_assert(same(MIMO_BODY_POSITION, env::Quantity::kBodyPosition));
+static_assert(same(MIMO_BODY_ORIENTATION, env::Quantity::kBodyOrientation));
+static_assert(same(MIMO_BODY_VELOCITY, env::Quantity::kBodyVelocity));
+static_assert(same(MIMO_BODY_FORCE, env::Quantity::kBodyForce));
+static_assert(same(MIMO_BODY_MASS, env::Quantity::kBodyMass));
+static_assert(same(MIMO_BODY_CENTER_OF_MASS, env::Quantity::kBodyCenterOfMass));
+static_assert(same(MIMO_GEOM_POSITION, env::Quantity::kGeomPosition));
+static_assert(same(MIMO_GEOM_ORIENTATION, env::Quantity::kGeomOrientation));
+static_assert(same(MIMO_GEOM_SIZE, env::Quantity::kGeomSize));
+static_assert(same(MIMO_SITE_POSITION, env::Quantity::kSitePosition));
+static_assert(same(MIMO_SITE_ORIENTATION, env::Quantity::kSiteOrientation));
+static_assert(same(MIMO_CAMERA_POSITION, env::Quantity::kCameraPosition));
+static_assert(same(MIMO_CAMERA_ORIENTATION, env::Quantity::kCameraOrientation));
+static_assert(same(MIMO_ACTUATOR_CONTROL, env::Quantity::kActuatorControl));
+static_assert(same(MIMO_ACTUATOR_FORCE, env::Quantity::kActuatorForce));
+static_assert(same(MIMO_SENSOR_VALUE, env::Quantity::kSensorValue));
+static_assert(same(MIMO_ACTUATOR_GEAR, env::Quantity::kActuatorGear));
+
+static_assert(same(MIMO_AUTORESET_NONE, batch::Autoreset::kNone));
+static_assert(same(MIMO_AUTORESET_NEXT_STEP, batch::Autoreset::kNextStep));
+static_assert(same(MIMO_AUTORESET_SAME_STEP, batch::Autoreset::kSameStep));
+
+}  // namespace
+}  // namespace mimo::capi
