@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -57,14 +58,12 @@ struct UsualInfant {
   std::optional<Pose> place;  // nothing where all places are taken
 };
 
+// Shared by copies of a scene; who changes a document changes a copy.
+using Document = std::shared_ptr<const pugi::xml_document>;
+
 class Scene {
  public:
   explicit Scene(const Source& source);
-  Scene(const Scene& other);
-  Scene(Scene&&) = default;
-  Scene& operator=(const Scene&) = delete;
-  Scene& operator=(Scene&&) = default;
-  ~Scene() = default;
 
   // What fails leaves the scene as it was; so does every other call.
   // Gives a scene without one floor, sky and light. What it says itself of solver and pictures stays.
@@ -115,7 +114,7 @@ class Scene {
   Library models_;
   Limits limits_;
   LogSink log_;
-  pugi::xml_document document_;
+  Document document_;
   bool built_in_;
   std::optional<std::string> unplaced_;  // prefix of the infant for whom nobody named a place
   std::vector<std::string> to_check_;    // prefixes of infants whose places may be taken
