@@ -121,8 +121,7 @@ void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
 }
 
 void Batch::load(const std::uint8_t* mask, const std::uint8_t* states, std::size_t stride) {
-  perform(mask,
-          [&](std::size_t i, Report&) { worlds_[i]->load({states + i * stride, worlds_[i]->state_bytes()}); });
+  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->load({states + i * stride, worlds_[i]->state_bytes()}); });
 }
 
 void Batch::begin(const Operation& operation) {

@@ -11,10 +11,10 @@
 #include "base/pool.h"
 #include "batch/mailbox.h"
 #include "batch/options.h"
-#include "batch/workplace.h"
 #include "batch/report.h"
 #include "batch/step.h"
 #include "batch/studio.h"
+#include "batch/workplace.h"
 #include "env/access.h"
 #include "env/world.h"
 

@@ -18,7 +18,7 @@ body::Look look(World& world, std::size_t agent, const Eigen::Vector3d& point, b
 }
 
 body::Look look_at(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {
-  const body::Look wanted = look(world, agent, point, turn_head);
+  body::Look wanted = look(world, agent, point, turn_head);
   for (const body::JointAngle& joint : wanted.angles) world.physics().data().qpos[joint.qpos] = joint.angle;
   world.physics().update_poses();
   return wanted;

@@ -310,9 +310,7 @@ TEST(Batch, AnAgentThatIsCutOffByAnothersEndIsTruncated) {
   agents[0].name = "anna";
   agents[1].name = "ben";
   env::EnvOptions world;
-  world.custom_task = [](const env::Identity&, std::size_t agent) {
-    return std::make_unique<Ending>(agent == 0);
-  };
+  world.custom_task = [](const env::Identity&, std::size_t agent) { return std::make_unique<Ending>(agent == 0); };
   Batch two({compile(scene), agents, world, {}}, sized(2, 2, Autoreset::kNextStep));
   two.reset(nullptr, nullptr, nullptr);
   std::vector<std::uint8_t> terminated(4), truncated(4);
