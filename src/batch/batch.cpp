@@ -8,27 +8,23 @@
 
 namespace mimo::batch {
 
-Batch::Batch(const engine::ModelPtr& model, const std::vector<env::AgentOptions>& agents, const OptionsOf& options_of,
-             const Options& options)
+Batch::Batch(const env::Kit& kit, const Options& options, HostOf host_of)
     : options_(options),
-      agents_(agents.size()),
-      studio_(model, options_of(0), std::min(options.threads, options.worlds), this),
+      studio_(kit, std::min(options.threads, options.worlds), this),
       reports_(options.worlds),
       pool_(std::min(options.threads, options.worlds)) {
-  const env::EnvOptions first = options_of(0);
-  if (env::sees(agents, first) && first.renderer != "none") studio_.furnish();
+  if (env::draws(kit.agents, kit.options)) studio_.furnish();
   mailboxes_.reserve(options.worlds);
   worlds_.reserve(options.worlds);
-  std::vector<env::AgentOptions> shared;
+  env::Services services = kit.services;
+  services.renderer = &studio_;
   for (std::size_t i = 0; i < options.worlds; ++i) {
-    env::EnvOptions own = options_of(i);
-    mailboxes_.emplace_back(own.log, i, this);
-    own.log = mailboxes_.back().slot();
-    own.seed = i;  // worlds that nobody seeds are not all alike
-    own.shared_renderer = &studio_;
-    const auto& like_first = i == 0 ? agents : shared;
-    worlds_.push_back(std::make_unique<env::World>(model, like_first, own));
-    if (i == 0) shared = env::sharing(agents, worlds_[0]->agents());
+    mailboxes_.emplace_back(kit.services.log, i, this);
+    services.log = mailboxes_.back().slot();
+    const std::uint64_t seed = i;  // worlds that nobody seeds are not all alike
+    const env::Identity identity{seed, i, host_of ? host_of(i) : nullptr};
+    worlds_.push_back(std::make_unique<env::World>(kit.model, kit.agents, kit.options, services, identity));
+    if (i == 0) services.skins = env::skins_of(worlds_[0]->agents());
   }
 }
 
@@ -43,7 +39,7 @@ void Batch::require_idle() const {
 
 void Batch::require_access(std::size_t world) const {
   if (!busy_.load(std::memory_order_relaxed)) return;
-  require(place().batch == this && place().world == world,
+  require(workplace().batch == this && workplace().world == world,
           "world {} belongs to a batch that is at work: mimo_batch_receive comes first", world);
 }
 
@@ -51,54 +47,41 @@ bool Batch::works_on_this_thread() const { return works_for(this); }
 
 void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks) {
   world(0).physics().require_undisturbed();
-  Call call;
-  call.work = &Batch::reset_world;
-  call.seeds = seeds;
-  call.mask = mask;
-  call.output.blocks = blocks;
-  perform(call);
-}
-
-Batch::Call Batch::step_call(const float* actions, const Output& output) {
-  Call call;
-  call.work = &Batch::step_world;
-  call.actions = actions;
-  call.output = output;
-  return call;
+  perform(mask, [&](std::size_t i, Report&) {
+    worlds_[i]->reset(seeds == nullptr ? nullptr : seeds + i, block_of(worlds_, blocks, i));
+  });
 }
 
 void Batch::step(const float* actions, const Output& output) {
   world(0).physics().require_undisturbed();
-  perform(step_call(actions, output));
+  perform(nullptr, Step(worlds_, options_, actions, output), output.status);
 }
 
 void Batch::send(const float* actions, const Output& output) {
   world(0).physics().require_undisturbed();
-  begin(step_call(actions, output));
+  require_idle();
+  sent_.emplace(worlds_, options_, actions, output);
+  begin({*sent_, nullptr, output.status, {}});
   try {
     pool_.start(*this, size());
   } catch (...) {  // no thread to be had
+    sent_.reset();
     busy_ = false;
     throw;
   }
-  sent_ = true;
 }
 
 void Batch::receive() {
   require(!works_on_this_thread(), "a task cannot receive the step that it is part of: it would wait for itself");
-  require(sent_, "mimo_batch_receive without mimo_batch_send");
+  require(sent_.has_value(), "mimo_batch_receive without mimo_batch_send");
   pool_.wait();
-  sent_ = false;
+  sent_.reset();
   finish();
 }
 
 void Batch::observe(const std::uint8_t* mask, std::uint8_t* blocks) {
   world(0).physics().require_undisturbed();
-  Call call;
-  call.work = &Batch::observe_world;
-  call.mask = mask;
-  call.output.blocks = blocks;
-  perform(call);
+  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->observe(block_of(worlds_, blocks, i)); });
 }
 
 // Copying is so quick that waking threads for it would take longer.
@@ -113,18 +96,13 @@ void Batch::get(env::Quantity quantity, Span<const std::int32_t> ids, const std:
 
 void Batch::set(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, const double* values) {
   require_idle();
-  Call call;
-  call.work = &Batch::set_world;
-  call.quantity = quantity;
-  call.ids = ids;
-  call.mask = mask;
-  call.values = values;
-  call.width = env::width(world(0).model(), quantity, ids);
+  const std::size_t width = env::width(world(0).model(), quantity, ids);
+  const auto row = [&](std::size_t i) { return Span<const double>(values + i * width, width); };
   for (std::size_t i = 0; i < size(); ++i) {  // all before any is changed
     if (mask != nullptr && mask[i] == 0) continue;
-    env::check_settable(world(i).model(), quantity, ids, {values + i * call.width, call.width});
+    env::check_settable(world(i).model(), quantity, ids, row(i));
   }
-  perform(call);
+  perform(mask, [&](std::size_t i, Report&) { env::set(worlds_[i]->physics(), quantity, ids, row(i)); });
 }
 
 // A name that the first world does not know, none does: nothing has changed then.
@@ -136,31 +114,24 @@ void Batch::set_face(std::size_t agent, const std::string& name, const std::uint
 }
 
 void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
-  Call call;
-  call.work = &Batch::save_world;
-  call.mask = mask;
-  call.saved = states;
-  perform(call);
+  perform(mask, [&](std::size_t i, Report&) {
+    const std::size_t bytes = worlds_[i]->state_bytes();
+    worlds_[i]->save({states + i * bytes, bytes});
+  });
 }
 
 void Batch::load(const std::uint8_t* mask, const std::uint8_t* states, std::size_t stride) {
-  Call call;
-  call.work = &Batch::load_world;
-  call.mask = mask;
-  call.to_load = states;
-  call.stride = stride;
-  perform(call);
+  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->load({states + i * stride, worlds_[i]->state_bytes()}); });
 }
 
-void Batch::begin(const Call& call) {
+void Batch::begin(const Operation& operation) {
   require_idle();
-  call_ = call;
+  operation_ = operation;
   busy_ = true;
 }
 
-void Batch::perform(Call call) {
-  call.caller = place();
-  begin(call);
+void Batch::perform(const std::uint8_t* mask, Work work, std::int32_t* status) {
+  begin({work, mask, status, workplace()});
   pool_.run(*this, size());
   finish();
 }
@@ -170,7 +141,7 @@ void Batch::finish() {
   for (Mailbox& mailbox : mailboxes_) mailbox.deliver();
   std::size_t failures = 0, first = 0;
   for (std::size_t i = 0; i < size(); ++i) {
-    if (!concerns(i) || reports_[i].status == Status::kOk || reports_[i].settled) continue;
+    if (!operation_.concerns(i) || reports_[i].status == Status::kOk || reports_[i].settled) continue;
     if (failures++ == 0) first = i;
   }
   if (failures == 0) return;
@@ -179,54 +150,27 @@ void Batch::finish() {
 }
 
 void Batch::run(std::size_t world, std::size_t thread) noexcept {
-  if (!concerns(world)) return;
-  const AtPlace at({this, world, thread, &call_.caller});
-  try {
-    reports_[world].settled = false;
-    (this->*call_.work)(world);
-    if (!reports_[world].settled) note(world, Status::kOk, "");
-  } catch (const Error& error) {
-    note(world, error.status(), error.what());
-  } catch (const std::bad_alloc&) {
-    note(world, Status::kOutOfMemory, "out of memory");
-  } catch (const std::exception& error) {
-    note(world, Status::kInternal, error.what());
-  } catch (...) {
-    note(world, Status::kInternal, "an unknown exception");
-  }
-}
-
-void Batch::note(std::size_t world, Status status, const char* message) noexcept {
+  if (!operation_.concerns(world)) return;
+  const AtWork at({this, world, thread, &operation_.caller});
   Report& report = reports_[world];
-  report.status = status;
+  attempt(world, report);
+  if (operation_.status != nullptr) operation_.status[world] = static_cast<std::int32_t>(report.status);
+}
+
+void Batch::attempt(std::size_t world, Report& report) noexcept {
   try {
-    report.message = message;
+    report.settled = false;
+    operation_.work(world, report);
+    if (!report.settled) report.note(Status::kOk, "");
+  } catch (const Error& error) {
+    report.note(error.status(), error.what());
+  } catch (const std::bad_alloc&) {
+    report.note(Status::kOutOfMemory, "out of memory");
+  } catch (const std::exception& error) {
+    report.note(Status::kInternal, error.what());
   } catch (...) {
-    report.message.clear();
+    report.note(Status::kInternal, "an unknown exception");
   }
-  if (call_.output.status != nullptr) call_.output.status[world] = static_cast<std::int32_t>(status);
-}
-
-std::uint8_t* Batch::block(std::size_t world) const {
-  std::uint8_t* first = call_.output.blocks;
-  return first == nullptr ? nullptr : first + world * worlds_[world]->layout().bytes();
-}
-
-void Batch::reset_world(std::size_t world) {
-  worlds_[world]->reset(call_.seeds == nullptr ? nullptr : call_.seeds + world, block(world));
-}
-
-void Batch::set_world(std::size_t world) {
-  env::set(worlds_[world]->physics(), call_.quantity, call_.ids, {call_.values + world * call_.width, call_.width});
-}
-
-void Batch::save_world(std::size_t world) {
-  const std::size_t bytes = worlds_[world]->state_bytes();
-  worlds_[world]->save({call_.saved + world * bytes, bytes});
-}
-
-void Batch::load_world(std::size_t world) {
-  worlds_[world]->load({call_.to_load + world * call_.stride, worlds_[world]->state_bytes()});
 }
 
 }  // namespace mimo::batch

@@ -1,7 +1,7 @@
 #include "batch/mailbox.h"
 
 #include "base/format.h"
-#include "batch/place.h"
+#include "batch/workplace.h"
 
 namespace mimo::batch {
 
@@ -15,7 +15,7 @@ LogSink Mailbox::slot() {
 
 void Mailbox::keep(LogLevel level, const char* text) {
   messages_.emplace_back(level, format("world {}: {}", world_, text));
-  if (place().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
+  if (workplace().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
 }
 
 void Mailbox::deliver() {

@@ -1,11 +1,11 @@
 #include "batch/studio.h"
 
-#include "batch/place.h"
+#include "batch/workplace.h"
 
 namespace mimo::batch {
 
-Studio::Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads, const void* batch)
-    : model_(std::move(model)), options_(options), batch_(batch), renderers_(threads) {}
+Studio::Studio(const env::Kit& kit, std::size_t threads, const void* batch)
+    : model_(kit.model), options_(kit.options), services_(kit.services), batch_(batch), renderers_(threads) {}
 
 void Studio::furnish() {
   for (std::size_t i = 0; i < renderers_.size(); ++i) renderer(i);
@@ -14,14 +14,14 @@ void Studio::furnish() {
 // A step of the batch takes no lock: its threads have renderers of their own. One that is lost when drawing fails is
 // made again.
 void Studio::draw(const mjModel& model, const mjData& data, const render::View& view, const render::Picture& picture) {
-  if (place().batch == batch_) return renderer(place().thread).draw(model, data, view, picture);
+  if (workplace().batch == batch_) return renderer(workplace().thread).draw(model, data, view, picture);
   RendererPtr borrowed = borrow();
   borrowed->draw(model, data, view, picture);
   give_back(std::move(borrowed));
 }
 
 render::Renderer& Studio::renderer(std::size_t thread) {
-  if (renderers_[thread] == nullptr) renderers_[thread] = env::make_renderer(model_, options_);
+  if (renderers_[thread] == nullptr) renderers_[thread] = env::make_renderer(model_, options_, services_);
   return *renderers_[thread];
 }
 
@@ -34,7 +34,7 @@ Studio::RendererPtr Studio::borrow() {
       return last;
     }
   }
-  return env::make_renderer(model_, options_);
+  return env::make_renderer(model_, options_, services_);
 }
 
 void Studio::give_back(RendererPtr renderer) {

@@ -13,8 +13,8 @@ namespace mimo::batch {
 // Hands on to a renderer that nobody else draws with. It stands in every world of the batch for a renderer of its own.
 class Studio : public render::Renderer {
  public:
-  // `batch` is the one that it belongs to, as places name it.
-  Studio(engine::ModelPtr model, const env::EnvOptions& options, std::size_t threads, const void* batch);
+  // `batch` is the one that it belongs to, as workplaces name it.
+  Studio(const env::Kit& kit, std::size_t threads, const void* batch);
   // Makes the threads' renderers now, so that what is missing here shows at once and no step has to.
   void furnish();
   void draw(const mjModel& model, const mjData& data, const render::View& view,
@@ -29,6 +29,7 @@ class Studio : public render::Renderer {
 
   engine::ModelPtr model_;
   env::EnvOptions options_;
+  env::Services services_;
   const void* batch_;
   std::vector<RendererPtr> renderers_;  // one per thread of the pool, made when first needed
   // For callers from outside, as many as ever drew at the same time: between the batch's own calls any number of

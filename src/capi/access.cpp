@@ -17,19 +17,6 @@ void check_id(const mjModel& model, Kind kind, std::int32_t id) {
   require(id >= 0 && id < limit, "id is {}, expected a {} id from 0 to {}", id, engine::word(kind), limit - 1);
 }
 
-int body_of(const mjModel& model, Kind kind, std::int32_t id) {
-  switch (kind) {
-    case Kind::kBody: return model.body_parentid[id];
-    case Kind::kJoint: return model.jnt_bodyid[id];
-    case Kind::kGeom: return model.geom_bodyid[id];
-    case Kind::kSite: return model.site_bodyid[id];
-    case Kind::kCamera: return model.cam_bodyid[id];
-    default:
-      fail(Status::kInvalidArgument, "kind is {} ({}), expected body, joint, geom, site or camera",
-           static_cast<int>(kind), engine::word(kind));
-  }
-}
-
 void write_contact(const mjModel& model, const mjData& data, int index, std::int32_t* ids, double* values) {
   const mjContact& contact = data.contact[index];
   if (ids != nullptr) {
@@ -90,7 +77,7 @@ mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int3
     const mjModel& model = open(env).world.model();
     const Kind of = env::kind_from(kind);
     check_id(model, of, id);
-    out(body, "body") = body_of(model, of, id);
+    out(body, "body") = env::body_of(model, of, id);
   });
 }
 

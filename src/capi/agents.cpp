@@ -1,9 +1,11 @@
 #include "capi/agents.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/pose.h"
+#include "capi/structs.h"
 #include "capi/vision.h"
 
 namespace mimo::capi {
@@ -70,7 +72,6 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   check_flag(config.vestibular, "vestibular");
   env::AgentOptions options;
   options.name = text(config.name);
-  check_plain_name(options.name);
   options.proprioception = proprioception(config);
   options.vestibular = config.vestibular != 0;
   options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
@@ -105,97 +106,88 @@ mimo_agent_config default_agent_config() {
   return config;
 }
 
-// Where the scene says nothing, everything is on.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {
+  const scene::UsualInfant usual = scene.usual_infant();
   mimo_agent_config config = default_agent_config();
-  config.body = scene.usual_body();
-  if (scene.actuation() == "muscle") config.actuation = MIMO_ACTUATION_MUSCLE;
-  if (const std::optional<scene::Pose> place = scene.free_place()) {
-    std::copy(place->position.begin(), place->position.end(), config.position);
-    std::copy(place->orientation.begin(), place->orientation.end(), config.orientation);
+  config.body = usual.body;
+  if (usual.muscles) config.actuation = MIMO_ACTUATION_MUSCLE;
+  if (usual.place) {
+    std::copy(usual.place->position.begin(), usual.place->position.end(), config.position);
+    std::copy(usual.place->orientation.begin(), usual.place->orientation.end(), config.orientation);
   }
-  const std::string senses = " " + scene.senses() + " ";
-  if (senses == "  ") return config;
-  const auto has = [&](const char* word) { return senses.find(" " + std::string(word) + " ") != std::string::npos; };
-  if (!has("proprioception")) config.proprioception = 0;
-  if (!has("vestibular")) config.vestibular = 0;
-  if (!has("vision")) config.vision = 0;
-  if (!has("touch")) config.touch = 0;
+  if (!usual.senses.proprioception) config.proprioception = 0;
+  if (!usual.senses.vestibular) config.vestibular = 0;
+  if (!usual.senses.vision) config.vision = 0;
+  if (!usual.senses.touch) config.touch = 0;
   return config;
 }
 
-void check_plain_name(const std::string& name) {
-  // Not isalnum, whose letters depend on the host's locale.
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-           c == '.';
-  });
-  require(plain, "name is \"{}\", expected letters, digits, '_', '-' and '.'", name);
-}
-
-scene::Pose pose(const double (&position)[3], const double (&orientation)[4]) {
-  check_finite(position, 3, "position");
-  check_finite(orientation, 4, "orientation");
-  const double square = orientation[0] * orientation[0] + orientation[1] * orientation[1] +
-                        orientation[2] * orientation[2] + orientation[3] * orientation[3];
-  require(square > 1e-18, "orientation is zero, expected a quaternion w x y z");
-  scene::Pose result;
-  std::copy(std::begin(position), std::end(position), result.position.begin());
-  std::copy(std::begin(orientation), std::end(orientation), result.orientation.begin());
-  return result;
-}
-
-env::AgentOptions& agent_at(SceneObject& object, std::int32_t agent) {
-  const std::size_t count = object.agents.size();
-  require(agent >= 0 && static_cast<std::size_t>(agent) < count, "agent is {}, but there are {} agents", agent, count);
-  return object.agents[static_cast<std::size_t>(agent)];
-}
-
-std::size_t add_agent(SceneObject& object, const mimo_agent_config& config) {
-  env::AgentOptions options = agent_options(config);
-  for (const env::AgentOptions& other : object.agents) {
-    require(other.name != options.name, "name: there is an agent \"{}\" already", options.name);
-    require(!other.name.empty() && !options.name.empty(), "name is \"\", but each of several agents needs a name");
-  }
+blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
+  blueprint::AgentPlan plan;
+  plan.options = agent_options(config);
+  plan.body = text(config.body);
   check_flag(config.place_given, "place_given");
+  if (config.place_given != 0) plan.place = pose(config.position, config.orientation);
   if (config.acts != MIMO_ACT_NONE) check_bits(config.acts, MIMO_ACT_ALL, "acts");
-  object.agents.reserve(object.agents.size() + 1);
-  const std::string body = text(config.body);
-  require(options.root.empty() || body == "scene", "root is \"{}\" and body is \"{}\"; a root needs body \"scene\"",
-          options.root, body);
-  if (!options.root.empty()) {
-    require(config.acts == 0 || config.acts == MIMO_ACT_NONE,
-            "acts is {:#x}, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root", config.acts);
-    options.actuation.none = config.acts == MIMO_ACT_NONE;
-  } else if (body != "scene") {
-    const bool placed = config.place_given != 0;
-    const scene::Pose place = placed ? pose(config.position, config.orientation) : scene::Pose{};
-    object.scene.add_body(body, options.prefix(), placed ? &place : nullptr, config.acts);
-  } else {
-    object.scene.choose_motors(options.prefix(), config.acts);
-  }
-  object.agents.push_back(std::move(options));  // in reserved room: fails no more, now that the scene has the body
-  return object.agents.size() - 1;
-}
-
-std::size_t add_agents(SceneObject& object, const mimo_agent_config& config) {
-  std::vector<std::string> names = object.scene.infants();
-  const std::string given = text(config.name);
-  if (names.empty()) {
-    names.push_back(given);
-  } else {
-    require(given.empty(), "name is \"{}\", but the scene names its infants itself", given);
-  }
-  require(config.place_given == 0 || names.size() == 1, "place_given is {}, but each of {} infants has its own place",
-          config.place_given, names.size());
-  SceneObject changed = object;
-  for (const std::string& name : names) {
-    mimo_agent_config own = config;
-    own.name = name.c_str();
-    add_agent(changed, own);
-  }
-  object = std::move(changed);
-  return names.size();
+  plan.acts = config.acts;
+  return plan;
 }
 
 }  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_agent_config_init(mimo_agent_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_agent_config(), "config"); });
+}
+
+mimo_status mimo_scene_default_agent(const mimo_scene* scene, mimo_agent_config* config, size_t size) noexcept {
+  return guard(
+      scene, [&] { write_struct(config, size, default_agent_config(open(scene).blueprint.draft().scene), "config"); });
+}
+
+mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* config, int32_t* agent) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const mimo_agent_config defaults = default_agent_config(blueprint.draft().scene);
+    const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
+    const std::size_t number = blueprint.edit([&](blueprint::Draft& draft) { return draft.add_agent(plan); });
+    if (agent != nullptr) *agent = static_cast<int32_t>(number);
+  });
+}
+
+mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* config, size_t* count) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const mimo_agent_config defaults = default_agent_config(blueprint.draft().scene);
+    const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
+    const std::size_t added = blueprint.edit([&](blueprint::Draft& draft) { return draft.add_agents(plan); });
+    if (count != nullptr) *count = added;
+  });
+}
+
+mimo_status mimo_scene_set_touch(mimo_scene* scene, int32_t agent, const char* body, double spacing) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
+            body == nullptr ? "(every)" : body, spacing);
+    blueprint.edit([&](blueprint::Draft& draft) {
+      if (body == nullptr) return draft.agents.set_touch(agent, spacing);
+      draft.agents.set_touch(agent, body, spacing, draft.scene);
+    });
+  });
+}
+
+mimo_status mimo_scene_read_joint(mimo_scene* scene, int32_t agent, const char* joint) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const std::string name = text(joint);
+    require(!name.empty(), "joint is {}, expected a name", joint == nullptr ? "NULL" : "\"\"");
+    blueprint.edit([&](blueprint::Draft& draft) { draft.agents.read_joint(agent, name); });
+  });
+}
+
+}  // extern "C"

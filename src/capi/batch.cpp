@@ -1,32 +1,31 @@
 #include <thread>
 
+#include "capi/batch_arguments.h"
 #include "capi/check.h"
+#include "capi/env.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
-#include "capi/recipe.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
 
-BatchObject::BatchObject(RecipePtr of, const batch::Options& options)
-    : recipe(std::move(of)),
+BatchObject::BatchObject(blueprint::KitPtr of, const batch::Options& options)
+    : kit(std::move(of)),
       views(options.worlds),
-      batch(
-          recipe->model, recipe->agents,
-          [this](std::size_t world) { return options_of(*recipe, world, &views.handles[world]); }, options) {
+      batch(*kit, options, [this](std::size_t world) { return &views.handles[world]; }) {
   // The functions of a user's task get their world's handle; they run where making one would come too late.
-  for (std::size_t i = 0; recipe->task && i < options.worlds; ++i) view(i);
+  for (std::size_t i = 0; kit->options.custom_task && i < options.worlds; ++i) view(i);
 }
 
 Views::~Views() {
   for (mimo_env* handle : handles) {
-    delete static_cast<EnvObject*>(handle == nullptr ? nullptr : retire_handle(handle, HandleKind::kEnv));
+    delete static_cast<EnvObject*>(handle == nullptr ? nullptr : retire_handle(handle, HandleType::kEnv));
   }
 }
 
 mimo_env* BatchObject::view(std::size_t world) {
   mimo_env*& handle = views.handles[world];
-  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(recipe, batch, world));
+  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(kit, batch, world));
   return handle;
 }
 
@@ -59,65 +58,6 @@ batch::Options batch_options(const mimo_batch_config& config) {
   return options;
 }
 
-// A mask, or seeds: NULL, or one for each world.
-void check_per_world(const batch::Batch& batch, std::size_t worlds, bool any) {
-  require(worlds == batch.size() || (worlds == 0 && !any), "worlds is {}, expected {}", worlds, batch.size());
-}
-
-// Blocks of all worlds, one after the other; NULL with 0 bytes where they are optional.
-std::uint8_t* blocks_of(const batch::Batch& batch, void* blocks, std::size_t bytes, const char* argument) {
-  auto* start = static_cast<std::uint8_t*>(blocks);
-  check_buffer(start, bytes, batch.size() * batch.world(0).layout().bytes(), argument);
-  return start;
-}
-
-batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t block_bytes,
-                        const mimo_batch_results* results) {
-  batch::Output output;
-  output.blocks = blocks_of(batch, blocks, block_bytes, "blocks");
-  if (results == nullptr) return output;
-  const mimo_batch_results theirs = read_struct(results, mimo_batch_results{}, "results");
-  check_reserved(theirs.reserved, "results: reserved");
-  check_length<double>(theirs.agents, "results: agents");
-  check_length<double>(theirs.worlds, "results: worlds");
-  const std::size_t agents = batch.size() * batch.world(0).agents().size();
-  const bool any_agents = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr;
-  const bool any_worlds = theirs.status != nullptr || theirs.was_reset != nullptr || theirs.final_written != nullptr;
-  if (any_agents && theirs.agents < agents) {
-    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated and truncated need {}", theirs.agents,
-         agents);
-  }
-  if (any_worlds && theirs.worlds < batch.size()) {
-    fail(Status::kBufferTooSmall, "results: worlds is {}, but status, was_reset and final_written need {}",
-         theirs.worlds, batch.size());
-  }
-  output.reward = theirs.reward;
-  output.terminated = theirs.terminated;
-  output.truncated = theirs.truncated;
-  output.status = theirs.status;
-  output.was_reset = theirs.was_reset;
-  output.final_blocks = blocks_of(batch, theirs.final_blocks, theirs.final_bytes, "results: final_blocks");
-  output.final_written = theirs.final_written;
-  return output;
-}
-
-const float* actions_of(const batch::Batch& batch, const float* actions, std::size_t count) {
-  const std::size_t expected = batch.size() * batch.world(0).action_size();
-  require(actions != nullptr || count == 0, "actions is NULL, but action_count is {}", count);
-  require(count == expected || count == 0, "action_count is {}, expected {} or 0", count, expected);
-  return count == 0 ? nullptr : actions;
-}
-
-// Width of a row of values, after checks of everything that named access is given.
-std::size_t check_values(const batch::Batch& batch, env::Quantity quantity, Span<const std::int32_t> ids,
-                         const double* values, std::size_t count) {
-  const std::size_t expected = batch.size() * env::width(batch.world(0).model(), quantity, ids);
-  require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
-  if (count < expected) fail(Status::kBufferTooSmall, "value_count is {}, but {} are needed", count, expected);
-  require(count == expected, "value_count is {}, expected {}", count, expected);
-  return expected / batch.size();
-}
-
 }  // namespace
 }  // namespace mimo::capi
 
@@ -136,7 +76,7 @@ mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* en
     mimo_batch*& result = out(batch, "batch");
     const batch::Options options = batch_options(read_struct(batch_config, default_batch_config(), "batch_config"));
     const mimo_env_config config = read_struct(env_config, default_env_config(), "env_config");
-    result = wrap<mimo_batch>(std::make_unique<BatchObject>(make_recipe(open(scene), config), options));
+    result = wrap<mimo_batch>(std::make_unique<BatchObject>(make_kit(open(scene).blueprint, config), options));
   });
 }
 

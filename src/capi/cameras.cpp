@@ -33,6 +33,19 @@ scene::Camera new_camera(const mimo_camera_config& config) {
   return camera;
 }
 
+blueprint::CameraPlan plan_from(const mimo_camera_config& config) {
+  blueprint::CameraPlan plan;
+  plan.options.camera = text(config.name);
+  require(!plan.options.camera.empty(), "name is empty, expected the name of a camera");
+  plan.options.vision =
+      vision({"outputs", config.outputs}, {"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
+  require(plan.options.vision.any(), "outputs is 0, expected at least one of the MIMO_VISION_ bits");
+  check_flag(config.placed, "placed");
+  check_reserved(config.reserved, "reserved");
+  if (config.placed != 0) plan.placed = new_camera(config);
+  return plan;
+}
+
 }  // namespace
 }  // namespace mimo::capi
 
@@ -47,23 +60,10 @@ mimo_status mimo_camera_config_init(mimo_camera_config* config, size_t size) noe
 
 mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* config) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a camera needs at least a name");
-    const mimo_camera_config ours = read_struct(config, default_camera_config(), "config");
-    env::CameraOptions camera;
-    camera.camera = text(ours.name);
-    require(!camera.camera.empty(), "name is empty, expected the name of a camera");
-    camera.vision =
-        vision({"outputs", ours.outputs}, {"width", ours.width}, {"height", ours.height}, {"fovy", ours.fovy});
-    require(camera.vision.any(), "outputs is 0, expected at least one of the MIMO_VISION_ bits");
-    check_flag(ours.placed, "placed");
-    check_reserved(ours.reserved, "reserved");
-    for (const env::CameraOptions& other : object.cameras) {
-      require(other.camera != camera.camera, "name: camera \"{}\" is observed already", camera.camera);
-    }
-    object.cameras.reserve(object.cameras.size() + 1);
-    if (ours.placed != 0) object.scene.add_camera(new_camera(ours));
-    object.cameras.push_back(camera);
+    const blueprint::CameraPlan plan = plan_from(read_struct(config, default_camera_config(), "config"));
+    blueprint.edit([&](blueprint::Draft& draft) { draft.add_camera(plan); });
   });
 }
 

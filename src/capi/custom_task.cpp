@@ -43,13 +43,23 @@ mimo_task empty_task() {
   return task;
 }
 
+env::CustomTask custom_task(const mimo_task& functions) {
+  check_reserved(functions.reserved, "task: reserved");
+  require(functions.evaluate != nullptr, "task: evaluate is NULL");
+  require(functions.memory_bytes <= MIMO_TASK_MEMORY_LIMIT, "task: memory_bytes is {}, expected up to {}",
+          functions.memory_bytes, MIMO_TASK_MEMORY_LIMIT);
+  return [functions](const env::Identity& world, std::size_t agent) {
+    return std::make_unique<CustomTask>(functions, world, agent);
+  };
+}
+
 }  // namespace
 
-CustomTask::CustomTask(const mimo_task& functions, mimo_env* const* env, std::size_t world, std::size_t agent)
+CustomTask::CustomTask(const mimo_task& functions, const env::Identity& world, std::size_t agent)
     : Task({{"reward", 0.0}}),
       functions_(functions),
-      env_(env),
-      world_(world),
+      env_(static_cast<mimo_env* const*>(world.host)),
+      world_(world.number),
       agent_(agent),
       memory_(functions.memory_bytes) {
   ends_ = true;
@@ -83,15 +93,6 @@ void CustomTask::load(ByteReader& from) {
   from.take(Span<std::uint8_t>(memory_));
 }
 
-env::EnvOptions options_of(const Recipe& recipe, std::size_t world, mimo_env* const* handle) {
-  env::EnvOptions options = recipe.options;
-  if (!recipe.task) return options;
-  options.custom_task = [task = *recipe.task, world, handle](const mjModel&, const body::Body&, std::size_t agent) {
-    return std::make_unique<CustomTask>(task, handle, world, agent);
-  };
-  return options;
-}
-
 }  // namespace mimo::capi
 
 using namespace mimo;
@@ -105,17 +106,10 @@ mimo_status mimo_task_init(mimo_task* task, size_t size) noexcept {
 
 mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
-    if (task == nullptr) {
-      object.task.reset();
-      return;
-    }
-    const mimo_task ours = read_struct(task, empty_task(), "task");
-    check_reserved(ours.reserved, "task: reserved");
-    require(ours.evaluate != nullptr, "task: evaluate is NULL");
-    require(ours.memory_bytes <= MIMO_TASK_MEMORY_LIMIT, "task: memory_bytes is {}, expected up to {}",
-            ours.memory_bytes, MIMO_TASK_MEMORY_LIMIT);
-    object.task = ours;
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    env::CustomTask own;
+    if (task != nullptr) own = custom_task(read_struct(task, empty_task(), "task"));
+    blueprint.edit([&](blueprint::Draft& draft) { draft.task = std::move(own); });
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "env/options.h"
 #include "mimo/mimo.h"
 #include "tasks/task.h"
 
@@ -10,8 +11,8 @@ namespace mimo::capi {
 
 class CustomTask : public tasks::Task {
  public:
-  // The handle of the world is at `env` by the time that the task is asked to do something.
-  CustomTask(const mimo_task& functions, mimo_env* const* env, std::size_t world, std::size_t agent);
+  // The world's host is where its handle is by the time that the task is asked to do something.
+  CustomTask(const mimo_task& functions, const env::Identity& world, std::size_t agent);
 
   void reset(engine::Physics& physics, Random& random) override;
   void evaluate(const engine::Physics& physics) override;

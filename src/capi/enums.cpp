@@ -69,6 +69,7 @@ static_assert(same(MIMO_ACT_LEFT_LEG, scene::Group::kLeftLeg));
 static_assert(same(MIMO_ACT_RIGHT_FOOT, scene::Group::kRightFoot));
 static_assert(same(MIMO_ACT_LEFT_FOOT, scene::Group::kLeftFoot));
 static_assert(same(MIMO_ACT_ALL, scene::Group::kAllGroups));
+static_assert(same(MIMO_ACT_NONE, scene::Group::kNoGroup));
 
 static_assert(same(MIMO_ACTUATION_TORQUE, actuation::Mode::kTorque));
 static_assert(same(MIMO_ACTUATION_POSITION, actuation::Mode::kPosition));

@@ -1,11 +1,11 @@
+#include "capi/env.h"
+
 #include <algorithm>
-#include <mutex>
 
 #include "capi/agents.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
-#include "capi/recipe.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
@@ -41,60 +41,63 @@ render::Quality quality(const mimo_env_config& config) {
   return quality;
 }
 
+engine::PhysicsOptions physics(const mimo_env_config& config) {
+  require(config.jacobian >= MIMO_JACOBIAN_MODEL && config.jacobian <= MIMO_JACOBIAN_SPARSE,
+          "jacobian is {}, expected a MIMO_JACOBIAN_ constant, 0 to 2", config.jacobian);
+  check_bits(config.disable, MIMO_DISABLE_CONTACT | MIMO_DISABLE_GRAVITY | MIMO_DISABLE_OWN_SOLVER, "disable");
+  engine::PhysicsOptions options;
+  options.jacobian = static_cast<engine::Jacobian>(config.jacobian);
+  options.contacts = (config.disable & MIMO_DISABLE_CONTACT) == 0;
+  options.gravity = (config.disable & MIMO_DISABLE_GRAVITY) == 0;
+  options.own_solver = (config.disable & MIMO_DISABLE_OWN_SOLVER) == 0;
+  return options;
+}
+
+std::string renderer(const mimo_env_config& config) {
+  const std::string name = text(config.renderer);
+  const auto known = {"auto", "ray", "osmesa", "none"};
+  require(std::find(known.begin(), known.end(), name) != known.end(),
+          "renderer is \"{}\", expected auto, ray, osmesa or none", name);
+  return name;
+}
+
+}  // namespace
+
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
   require(config.frame_skip <= 1000, "frame_skip is {}, expected 1 to 1000, or 0 for the scene's own",
           config.frame_skip);
   options.frame_skip = static_cast<int>(config.frame_skip);
-  require(config.jacobian >= MIMO_JACOBIAN_MODEL && config.jacobian <= MIMO_JACOBIAN_SPARSE,
-          "jacobian is {}, expected a MIMO_JACOBIAN_ constant, 0 to 2", config.jacobian);
-  options.physics.jacobian = static_cast<engine::Jacobian>(config.jacobian);
-  check_bits(config.disable, MIMO_DISABLE_CONTACT | MIMO_DISABLE_GRAVITY | MIMO_DISABLE_OWN_SOLVER, "disable");
-  options.physics.contacts = (config.disable & MIMO_DISABLE_CONTACT) == 0;
-  options.physics.gravity = (config.disable & MIMO_DISABLE_GRAVITY) == 0;
-  options.physics.own_solver = (config.disable & MIMO_DISABLE_OWN_SOLVER) == 0;
-  options.renderer = text(config.renderer);
-  const auto known = {"auto", "ray", "osmesa", "none"};
-  require(std::find(known.begin(), known.end(), options.renderer) != known.end(),
-          "renderer is \"{}\", expected auto, ray, osmesa or none", options.renderer);
+  options.physics = physics(config);
+  options.renderer = renderer(config);
   options.max_steps = config.max_steps;
   options.task = text(config.task);
   options.quality = quality(config);
   check_flag(config.timing, "timing");
   check_reserved(config.reserved, "reserved");
   options.timing = config.timing != 0;
-  options.log = {config.log, config.log_user};
   return options;
 }
 
-mimo_env* make_env(const SceneObject& object, const mimo_env_config& config) {
-  return wrap_env(std::make_unique<EnvObject>(make_recipe(object, config)));
+blueprint::KitPtr make_kit(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
+  return blueprint.compile(env_options(config), log_of(config));
 }
 
-}  // namespace
+EnvObject::EnvObject(blueprint::KitPtr of)
+    : kit(std::move(of)),
+      owned(std::make_unique<env::World>(kit->model, kit->agents, kit->options, kit->services, identity())),
+      world(*owned) {}
 
-env::EnvOptions make_options(const SceneObject& object, const mimo_env_config& config) {
-  env::EnvOptions options = env_options(config);
-  options.parameters = object.parameters;
-  options.cameras = object.cameras;
-  options.shelf = render::make_shelf();
-  return options;
-}
+EnvObject::EnvObject(blueprint::KitPtr of, const env::World& original)
+    : kit(std::move(of)), owned(blueprint::clone(*kit, original, identity())), world(*owned) {}
 
-RecipePtr make_recipe(const SceneObject& object, const mimo_env_config& config) {
-  auto recipe = std::make_shared<Recipe>();
-  recipe->options = make_options(object, config);
-  recipe->agents = object.agents;
-  recipe->task = object.task;
-  recipe->model = scene::compile(object.scene.compose(), object.log);
-  object.scene.check_places(recipe->model, object.log);
-  return recipe;
-}
+mimo_env* make_env(blueprint::KitPtr kit) { return wrap_env(std::make_unique<EnvObject>(std::move(kit))); }
 
 mimo_env* wrap_env(std::unique_ptr<EnvObject> object) {
   EnvObject& inside = *object;
   return inside.handle = wrap<mimo_env>(std::move(object));
 }
+
 }  // namespace mimo::capi
 
 using namespace mimo;
@@ -109,7 +112,8 @@ mimo_status mimo_env_config_init(mimo_env_config* config, size_t size) noexcept 
 mimo_status mimo_env_create(const mimo_scene* scene, const mimo_env_config* config, mimo_env** env) noexcept {
   return guard(scene, [&] {
     mimo_env*& result = out(env, "env");
-    result = make_env(open(scene), read_struct(config, default_env_config(), "config"));
+    const blueprint::Blueprint& blueprint = open(scene).blueprint;
+    result = make_env(make_kit(blueprint, read_struct(config, default_env_config(), "config")));
   });
 }
 
@@ -120,9 +124,10 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
     scene::Source source;
     source.name = scene_name;
-    SceneObject object{scene::Scene(source), {}, {}, {}, {}};
-    add_agents(object, default_agent_config(object.scene));
-    result = make_env(object, default_env_config());
+    blueprint::Blueprint blueprint(source);
+    const blueprint::AgentPlan plan = plan_from(default_agent_config(blueprint.draft().scene));
+    blueprint.edit([&](blueprint::Draft& draft) { draft.add_agents(plan); });
+    result = make_env(make_kit(blueprint, default_env_config()));
   });
 }
 
@@ -138,13 +143,7 @@ mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
   return guard(env, [&] {
     mimo_env*& result = out(clone, "clone");
     const EnvObject& original = open(env);
-    std::vector<std::uint8_t> state(original.world.state_bytes());
-    original.world.save(Span<std::uint8_t>(state));
-    auto recipe = std::make_shared<Recipe>(*original.recipe);
-    recipe->agents = env::sharing(std::move(recipe->agents), original.world.agents());
-    auto twin = std::make_unique<EnvObject>(std::move(recipe));
-    twin->world.load(Span<const std::uint8_t>(state));
-    result = wrap_env(std::move(twin));
+    result = wrap_env(std::make_unique<EnvObject>(original.kit, original.world));
   });
 }
 

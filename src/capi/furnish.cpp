@@ -1,14 +1,29 @@
-// Calls that furnish a scene: a room, models, and what holds bodies and joints.
+// Calls that furnish a scene: a room, objects, models, and what holds bodies and joints.
 #include <algorithm>
+#include <optional>
 
-#include "capi/agents.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/pose.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
 namespace {
+
+mimo_object_config default_object_config() {
+  mimo_object_config config{};
+  config.struct_size = sizeof config;
+  config.shape = MIMO_SHAPE_SPHERE;
+  config.size[0] = 0.04;
+  config.orientation[0] = 1;
+  config.mass = 0.1;
+  config.rgba[0] = 0.9;
+  config.rgba[1] = 0.2;
+  config.rgba[2] = 0.2;
+  config.rgba[3] = 1;
+  return config;
+}
 
 mimo_model_config default_model_config() {
   mimo_model_config config{};
@@ -17,11 +32,46 @@ mimo_model_config default_model_config() {
   return config;
 }
 
+// How many of the three sizes each shape has.
+int size_count(std::int32_t shape) {
+  switch (shape) {
+    case MIMO_SHAPE_SPHERE: return 1;
+    case MIMO_SHAPE_CAPSULE:
+    case MIMO_SHAPE_CYLINDER: return 2;
+    case MIMO_SHAPE_ELLIPSOID:
+    case MIMO_SHAPE_BOX: return 3;
+    default: fail(Status::kInvalidArgument, "shape is {}, expected MIMO_SHAPE_SPHERE (1) to MIMO_SHAPE_BOX (5)", shape);
+  }
+}
+
+scene::Object object_from(const mimo_object_config& config) {
+  scene::Object object;
+  object.name = text(config.name);
+  require(!object.name.empty(), "name is empty, expected a name for the object");
+  const int sizes = size_count(config.shape);
+  object.shape = static_cast<scene::Shape>(config.shape);
+  for (int i = 0; i < sizes; ++i) {
+    require(config.size[i] > 0 && std::isfinite(config.size[i]), "size[{}] is {}, expected metres above 0", i,
+            config.size[i]);
+    object.size[static_cast<std::size_t>(i)] = config.size[i];
+  }
+  object.pose = pose(config.position, config.orientation);
+  require(config.mass >= 0 && std::isfinite(config.mass), "mass is {}, expected kilograms, or 0", config.mass);
+  object.mass = config.mass;
+  for (int i = 0; i < 4; ++i) {
+    require(config.rgba[i] >= 0 && config.rgba[i] <= 1, "rgba[{}] is {}, expected 0 to 1", i, config.rgba[i]);
+    object.rgba[static_cast<std::size_t>(i)] = config.rgba[i];
+  }
+  check_flag(config.fixed, "fixed");
+  check_reserved(config.reserved, "reserved");
+  object.fixed = config.fixed != 0;
+  return object;
+}
+
 scene::Model model_from(const mimo_model_config& config) {
   scene::Model model;
   model.name = text(config.name);
   require(!model.name.empty(), "name is empty, expected a name for the model");
-  check_plain_name(model.name);
   model.file = text(config.file);
   model.xml = text(config.xml);
   require(model.file.empty() != model.xml.empty(), "model \"{}\": {} of file and xml are set, expected one", model.name,
@@ -49,6 +99,10 @@ using namespace mimo::capi;
 
 extern "C" {
 
+mimo_status mimo_object_config_init(mimo_object_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_object_config(), "config"); });
+}
+
 mimo_status mimo_model_config_init(mimo_model_config* config, size_t size) noexcept {
   return guard([&] { write_struct(config, size, default_model_config(), "config"); });
 }
@@ -57,44 +111,54 @@ const char* mimo_scene_room(size_t index) noexcept { return scene::built_in_room
 
 mimo_status mimo_scene_set_room(mimo_scene* scene, const char* name) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    object.scene.set_room(name);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.set_room(name); });
+  });
+}
+
+mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* config) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    require(config != nullptr, "config is NULL, but an object needs at least a name");
+    const scene::Object object = object_from(read_struct(config, default_object_config(), "config"));
+    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.add_object(object); });
   });
 }
 
 mimo_status mimo_scene_add_model(mimo_scene* scene, const mimo_model_config* config) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a model needs at least a name and a document");
-    object.scene.add_model(model_from(read_struct(config, default_model_config(), "config")));
+    const scene::Model model = model_from(read_struct(config, default_model_config(), "config"));
+    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.add_model(model); });
   });
 }
 
 mimo_status mimo_scene_weld(mimo_scene* scene, const char* body, const char* other, const double* pose) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(body != nullptr, "body is NULL");
     const scene::Weld weld{body, other == nullptr ? "world" : other};
-    if (pose == nullptr) return object.scene.weld(weld, nullptr);
-    const scene::Pose relative = pose_from(pose);
-    object.scene.weld(weld, &relative);
+    std::optional<scene::Pose> relative;
+    if (pose != nullptr) relative = pose_from(pose);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.weld(weld, relative ? &*relative : nullptr); });
   });
 }
 
 mimo_status mimo_scene_lock(mimo_scene* scene, const char* joint, double value) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(joint != nullptr, "joint is NULL");
-    object.scene.lock_joint(joint, value);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.lock_joint(joint, value); });
   });
 }
 
 mimo_status mimo_scene_set_pose(mimo_scene* scene, const char* joint, double value) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(joint != nullptr, "joint is NULL");
-    object.scene.start_joint(joint, value);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.start_joint(joint, value); });
   });
 }
 

@@ -14,7 +14,7 @@ constexpr unsigned kMagic = 0x6d696d6fu;  // "mimo"
 
 struct Control {
   unsigned magic;
-  HandleKind kind;
+  HandleType type;
   unsigned generation;                       // of forks, when it was made
   std::atomic<void*> object;                 // null once retired
   Control* next;                             // all control blocks, so that leak checkers see them
@@ -47,26 +47,26 @@ void watch_forks() {
   std::call_once(once, [] { pthread_atfork(nullptr, nullptr, [] { fork_generation.fetch_add(1); }); });
 }
 
-const char* word(HandleKind kind) {
-  switch (kind) {
-    case HandleKind::kScene: return "mimo_scene";
-    case HandleKind::kEnv: return "mimo_env";
-    case HandleKind::kBatch: return "mimo_batch";
-    case HandleKind::kSenses: return "mimo_senses";
+const char* word(HandleType type) {
+  switch (type) {
+    case HandleType::kScene: return "mimo_scene";
+    case HandleType::kEnv: return "mimo_env";
+    case HandleType::kBatch: return "mimo_batch";
+    case HandleType::kSenses: return "mimo_senses";
   }
   return "handle";
 }
 
-// A handle of any kind; null for what is none, and for another process's.
+// A handle of any type; null for what is none, and for another process's.
 Control* sound(const void* handle) noexcept {
   auto* control = static_cast<Control*>(const_cast<void*>(handle));
   if (control == nullptr || control->magic != kMagic) return nullptr;
   return control->generation == fork_generation.load() ? control : nullptr;
 }
 
-Control* sound(const void* handle, HandleKind kind) noexcept {
+Control* sound(const void* handle, HandleType type) noexcept {
   Control* control = sound(handle);
-  return control == nullptr || control->kind != kind ? nullptr : control;
+  return control == nullptr || control->type != type ? nullptr : control;
 }
 
 void check_generation(const Control& control, const char* argument) {
@@ -75,26 +75,26 @@ void check_generation(const Control& control, const char* argument) {
 }
 
 [[noreturn]] void fail_destroyed(const Control& control, const char* argument) {
-  fail(Status::kBadHandle, "{} is a {} that has been destroyed", argument, word(control.kind));
+  fail(Status::kBadHandle, "{} is a {} that has been destroyed", argument, word(control.type));
 }
 
 }  // namespace
 
-void* make_handle(HandleKind kind, void* object) {
+void* make_handle(HandleType type, void* object) {
   watch_forks();
   auto message = std::make_unique<Message>();
-  auto* control = new Control{kMagic, kind, fork_generation.load(), {object}, all_controls.load()};
+  auto* control = new Control{kMagic, type, fork_generation.load(), {object}, all_controls.load()};
   control->message = std::move(message);
   while (!all_controls.compare_exchange_weak(control->next, control)) {
   }
   return control;
 }
 
-void* open_handle(const void* handle, HandleKind kind, const char* argument) {
-  if (handle == nullptr) fail(Status::kInvalidArgument, "{} is NULL, expected a {}", argument, word(kind));
+void* open_handle(const void* handle, HandleType type, const char* argument) {
+  if (handle == nullptr) fail(Status::kInvalidArgument, "{} is NULL, expected a {}", argument, word(type));
   const auto* control = static_cast<const Control*>(handle);
-  if (control->magic != kMagic || control->kind != kind) {
-    fail(Status::kBadHandle, "{} is not a {}", argument, word(kind));
+  if (control->magic != kMagic || control->type != type) {
+    fail(Status::kBadHandle, "{} is not a {}", argument, word(type));
   }
   check_generation(*control, argument);
   void* object = control->object.load();
@@ -102,8 +102,8 @@ void* open_handle(const void* handle, HandleKind kind, const char* argument) {
   return object;
 }
 
-void* retire_handle(void* handle, HandleKind kind) noexcept {
-  Control* control = sound(handle, kind);
+void* retire_handle(void* handle, HandleType type) noexcept {
+  Control* control = sound(handle, type);
   if (control == nullptr) return nullptr;
   std::unique_ptr<Message> freed;  // outside of the lock
   const AtMessage alone(*control);
@@ -111,8 +111,8 @@ void* retire_handle(void* handle, HandleKind kind) noexcept {
   return control->object.exchange(nullptr);
 }
 
-void* peek_handle(const void* handle, HandleKind kind) noexcept {
-  const Control* control = sound(handle, kind);
+void* peek_handle(const void* handle, HandleType type) noexcept {
+  const Control* control = sound(handle, type);
   return control == nullptr ? nullptr : control->object.load();
 }
 

@@ -1,5 +1,5 @@
 // Opaque handles. A handle points to a small control block that is never given back to the system, so that a
-// destroyed or wrong-kind handle is recognised instead of crashing the host.
+// destroyed or wrong-type handle is recognised instead of crashing the host.
 #pragma once
 
 #include <memory>
@@ -10,16 +10,16 @@
 
 namespace mimo::capi {
 
-enum class HandleKind : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4 };
+enum class HandleType : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4 };
 
 // Makes a handle that owns the object.
-void* make_handle(HandleKind kind, void* object);
+void* make_handle(HandleType type, void* object);
 // The object behind a handle. Throws Status::kBadHandle or kForked; `argument` names the parameter.
-void* open_handle(const void* handle, HandleKind kind, const char* argument);
+void* open_handle(const void* handle, HandleType type, const char* argument);
 // The object behind a handle, or null for everything that open_handle refuses.
-void* peek_handle(const void* handle, HandleKind kind) noexcept;
+void* peek_handle(const void* handle, HandleType type) noexcept;
 // Retires a handle and returns its object, or null for null, retired and foreign handles.
-void* retire_handle(void* handle, HandleKind kind) noexcept;
+void* retire_handle(void* handle, HandleType type) noexcept;
 
 // Keeps the message of a failed call with the handle that it was given; nothing where that is no handle in use.
 void keep_message(const void* handle, const Message& message) noexcept;
@@ -35,7 +35,7 @@ using Object = typename HandleTraits<Public>::Type;
 
 template <typename Public>
 Public* wrap(std::unique_ptr<Object<Public>> object) {
-  void* handle = make_handle(HandleTraits<Public>::kKind, object.get());
+  void* handle = make_handle(HandleTraits<Public>::kType, object.get());
   object.release();
   return static_cast<Public*>(handle);
 }
@@ -43,7 +43,7 @@ Public* wrap(std::unique_ptr<Object<Public>> object) {
 template <typename Public>
 Object<Public>& open(Public* handle) {
   using Traits = HandleTraits<Public>;
-  auto& object = *static_cast<Object<Public>*>(open_handle(handle, Traits::kKind, Traits::kName));
+  auto& object = *static_cast<Object<Public>*>(open_handle(handle, Traits::kType, Traits::kName));
   require_access(object);
   return object;
 }
@@ -51,7 +51,7 @@ Object<Public>& open(Public* handle) {
 template <typename Public>
 bool may_destroy(Public* handle) noexcept {
   using Traits = HandleTraits<Public>;
-  const auto* object = static_cast<const Object<Public>*>(peek_handle(handle, Traits::kKind));
+  const auto* object = static_cast<const Object<Public>*>(peek_handle(handle, Traits::kType));
   return object != nullptr && is_destructible(*object);
 }
 
@@ -66,7 +66,7 @@ void destroy(Public* handle) noexcept {
   const Uncancelled until_the_end;
   const PlainFloats plain;
   if (!may_destroy(handle)) return;
-  delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kKind));
+  delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kType));
 }
 
 }  // namespace mimo::capi

@@ -1,9 +1,9 @@
 // Limits of an agent's senses.
 #include <limits>
 
-#include "capi/agents.h"
 #include "capi/check.h"
 #include "capi/guard.h"
+#include "capi/objects.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
@@ -45,10 +45,11 @@ mimo_status mimo_limits_init(mimo_limits* limits, size_t size) noexcept {
 mimo_status mimo_scene_limit_sense(mimo_scene* scene, int32_t agent, const char* path,
                                    const mimo_limits* limits) noexcept {
   return guard(scene, [&] {
-    env::AgentOptions& options = agent_at(open(scene), agent);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string where = text(path);
     require(!where.empty(), "path is {}, expected that of a sense or field", path == nullptr ? "NULL" : "\"\"");
-    options.limits.push_back({where, limits_from(read_struct(limits, default_limits(), "limits"))});
+    const observation::Limits ours = limits_from(read_struct(limits, default_limits(), "limits"));
+    blueprint.edit([&](blueprint::Draft& draft) { draft.agents.limit_sense(agent, where, ours); });
   });
 }
 

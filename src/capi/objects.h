@@ -2,56 +2,39 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "base/fail.h"
 #include "batch/batch.h"
+#include "blueprint/blueprint.h"
 #include "capi/handle.h"
 #include "env/attached.h"
 #include "env/world.h"
 #include "mimo/mimo.h"
-#include "scene/scene.h"
 
 namespace mimo::capi {
 
 struct SceneObject {
-  scene::Scene scene;
-  std::vector<env::AgentOptions> agents;
-  LogSink log;
-  tasks::Settings parameters;
-  std::optional<mimo_task> task = {};  // the user's own
-  std::vector<env::CameraOptions> cameras = {};
+  blueprint::Blueprint blueprint;
 };
-
-// What worlds are made from: all that is left of a scene when it has been compiled.
-struct Recipe {
-  engine::ModelPtr model;
-  std::vector<env::AgentOptions> agents;
-  env::EnvOptions options;
-  std::optional<mimo_task> task;
-};
-
-using RecipePtr = std::shared_ptr<const Recipe>;
-
-// The options of one world. Its task, where it is the user's, finds the world's handle at `handle`.
-env::EnvOptions options_of(const Recipe& recipe, std::size_t world, mimo_env* const* handle);
 
 // A world of its own, or the view of one in a batch.
 struct EnvObject {
-  explicit EnvObject(RecipePtr of)
-      : recipe(std::move(of)),
-        owned(std::make_unique<env::World>(recipe->model, recipe->agents, options_of(*recipe, 0, &handle))),
-        world(*owned) {}
-  EnvObject(RecipePtr of, batch::Batch& all, std::size_t which)
-      : recipe(std::move(of)), world(all.world(which)), batch(&all), number(which) {}
+  explicit EnvObject(blueprint::KitPtr of);
+  // In the state that a world of this kit is in.
+  EnvObject(blueprint::KitPtr of, const env::World& original);
+  EnvObject(blueprint::KitPtr of, batch::Batch& all, std::size_t which)
+      : kit(std::move(of)), world(all.world(which)), batch(&all), number(which) {}
 
-  RecipePtr recipe;
+  blueprint::KitPtr kit;
   mimo_env* handle = nullptr;
   std::unique_ptr<env::World> owned;
   env::World& world;
   const batch::Batch* batch = nullptr;
   std::size_t number = 0;
+
+ private:
+  env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
 };
 
 // For a number that is none of a world's or of attached senses' agents.
@@ -73,11 +56,11 @@ struct Views {
 };
 
 struct BatchObject {
-  BatchObject(RecipePtr of, const batch::Options& options);
+  BatchObject(blueprint::KitPtr of, const batch::Options& options);
   // The handle of a world, made when first asked for.
   mimo_env* view(std::size_t world);
 
-  RecipePtr recipe;
+  blueprint::KitPtr kit;
   Views views;  // before the batch, which waits for its work when it goes: tasks may be at work with them until then
   batch::Batch batch;
 };
@@ -103,28 +86,28 @@ inline bool is_destructible(const SensesObject&) { return true; }
 template <>
 struct HandleTraits<mimo_scene> {
   using Type = SceneObject;
-  static constexpr HandleKind kKind = HandleKind::kScene;
+  static constexpr HandleType kType = HandleType::kScene;
   static constexpr const char* kName = "scene";
 };
 
 template <>
 struct HandleTraits<mimo_batch> {
   using Type = BatchObject;
-  static constexpr HandleKind kKind = HandleKind::kBatch;
+  static constexpr HandleType kType = HandleType::kBatch;
   static constexpr const char* kName = "batch";
 };
 
 template <>
 struct HandleTraits<mimo_senses> {
   using Type = SensesObject;
-  static constexpr HandleKind kKind = HandleKind::kSenses;
+  static constexpr HandleType kType = HandleType::kSenses;
   static constexpr const char* kName = "senses";
 };
 
 template <>
 struct HandleTraits<mimo_env> {
   using Type = EnvObject;
-  static constexpr HandleKind kKind = HandleKind::kEnv;
+  static constexpr HandleType kType = HandleType::kEnv;
   static constexpr const char* kName = "env";
 };
 

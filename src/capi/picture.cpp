@@ -60,6 +60,30 @@ void flip(T* pixels, std::size_t numbers, const mimo_picture_config& config) {
                     static_cast<int>(config.height));
 }
 
+// Numbers of a pixel's color.
+std::size_t colors(const mimo_picture_config& config) { return (config.format & MIMO_PICTURE_RGBA) != 0 ? 4 : 3; }
+
+render::Picture picture_for(const mimo_picture_config& config, std::uint8_t* rgb, float* depth,
+                            std::int32_t* segmentation) {
+  render::Picture picture;
+  picture.width = static_cast<int>(config.width);
+  picture.height = static_cast<int>(config.height);
+  picture.rgb = rgb;
+  picture.depth = depth;
+  picture.segmentation = segmentation;
+  return picture;
+}
+
+// From how renderers draw it to how the caller wants it.
+void deliver(const render::Picture& picture, const mimo_picture_config& config) {
+  const std::size_t pixels = std::size_t{config.width} * config.height;
+  if (colors(config) == 4 && picture.rgb != nullptr) render::add_alpha(picture.rgb, pixels);
+  if ((config.format & MIMO_PICTURE_BOTTOM_UP) == 0) return;
+  flip(picture.rgb, colors(config), config);
+  flip(picture.depth, 1, config);
+  flip(picture.segmentation, 1, config);
+}
+
 }  // namespace
 }  // namespace mimo::capi
 
@@ -80,25 +104,15 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
     const std::size_t pixels = std::size_t{ours.width} * ours.height;
-    const bool with_alpha = (ours.format & MIMO_PICTURE_RGBA) != 0;
-    check_buffer(rgb, rgb_bytes, (with_alpha ? 4 : 3) * pixels, "rgb");
+    check_buffer(rgb, rgb_bytes, colors(ours) * pixels, "rgb");
     check_buffer(depth, depth_count, pixels, "depth");
     check_buffer(segmentation, segmentation_count, pixels, "segmentation");
     const int camera = camera_of(world, ours);
     world.prepare_to_draw();
     world.physics().update_poses();
-    render::Picture picture;
-    picture.width = static_cast<int>(ours.width);
-    picture.height = static_cast<int>(ours.height);
-    picture.rgb = rgb;
-    picture.depth = depth;
-    picture.segmentation = segmentation;
+    const render::Picture picture = picture_for(ours, rgb, depth, segmentation);
     world.draw(view(world, ours, camera), picture);
-    if (with_alpha && rgb != nullptr) render::add_alpha(rgb, pixels);
-    if ((ours.format & MIMO_PICTURE_BOTTOM_UP) == 0) return;
-    flip(rgb, with_alpha ? 4 : 3, ours);
-    flip(depth, 1, ours);
-    flip(segmentation, 1, ours);
+    deliver(picture, ours);
   });
 }
 

@@ -1,9 +1,9 @@
 // Senses on a host's own simulation.
 #include "capi/check.h"
+#include "capi/env.h"
 #include "capi/fields.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
-#include "capi/recipe.h"
 #include "capi/structs.h"
 #include "engine/host_model.h"
 
@@ -17,11 +17,12 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const mimo_env_config* c
                                mimo_senses** senses) noexcept {
   return guard(scene, [&] {
     mimo_senses*& result = out(senses, "senses");
-    const SceneObject& object = open(scene);
-    const env::EnvOptions options = make_options(object, read_struct(config, default_env_config(), "config"));
+    const blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const mimo_env_config ours = read_struct(config, default_env_config(), "config");
+    const env::EnvOptions options = env_options(ours);
     engine::ModelPtr theirs = engine::adopt({model, mujoco_version, model_size, data_size});
-    result =
-        wrap<mimo_senses>(std::make_unique<SensesObject>(SensesObject{{std::move(theirs), object.agents, options}}));
+    const env::Kit kit = blueprint.around(std::move(theirs), options, log_of(ours));
+    result = wrap<mimo_senses>(std::make_unique<SensesObject>(SensesObject{env::Attached(kit)}));
   });
 }
 

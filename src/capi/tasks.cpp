@@ -55,17 +55,17 @@ mimo_status mimo_parameter_describe(size_t index, mimo_parameter* parameter) noe
 
 mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double value) noexcept {
   return guard(scene, [&] {
-    SceneObject& object = open(scene);
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    object.parameters.set(name, value);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.parameters.set(name, value); });
   });
 }
 
 mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, double* value) noexcept {
   return guard(scene, [&] {
-    const SceneObject& object = open(scene);
+    const blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    out(value, "value") = object.parameters[name];
+    out(value, "value") = blueprint.draft().parameters[name];
   });
 }
 

@@ -151,6 +151,19 @@ Quantity quantity_from(int number) {
   return static_cast<Quantity>(number);
 }
 
+int body_of(const mjModel& model, Kind kind, int id) {
+  switch (kind) {
+    case Kind::kBody: return model.body_parentid[id];
+    case Kind::kJoint: return model.jnt_bodyid[id];
+    case Kind::kGeom: return model.geom_bodyid[id];
+    case Kind::kSite: return model.site_bodyid[id];
+    case Kind::kCamera: return model.cam_bodyid[id];
+    default:
+      fail(Status::kInvalidArgument, "kind is {} ({}), expected body, joint, geom, site or camera",
+           static_cast<int>(kind), engine::word(kind));
+  }
+}
+
 std::size_t width(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids) {
   const Kind kind = traits(quantity).kind;
   const int limit = engine::count(model, kind);

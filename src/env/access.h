@@ -38,6 +38,9 @@ enum class Quantity : int {
 engine::Kind kind_from(int number);
 Quantity quantity_from(int number);
 
+// The body that an element belongs to; of a body its parent. Throws Status::kInvalidArgument for other kinds.
+int body_of(const mjModel& model, engine::Kind kind, int id);
+
 // How many values a quantity has for all ids together. Throws for ids out of range.
 std::size_t width(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids);
 

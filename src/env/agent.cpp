@@ -25,10 +25,10 @@ void check_joint_torque(const mjModel& model, const AgentOptions& options) {
 }  // namespace
 
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
-                 std::size_t number, render::Renderer* renderer) {
+                 std::size_t number, render::Renderer* renderer, SkinPtr skin) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
-  Agent agent{perceive(model, options, renderer), options.name, {}, nullptr};
+  Agent agent{perceive(model, options, renderer, std::move(skin)), options.name, {}, nullptr};
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);
@@ -38,9 +38,10 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   return agent;
 }
 
-std::vector<AgentOptions> sharing(std::vector<AgentOptions> options, const std::vector<Agent>& agents) {
-  for (std::size_t i = 0; i < options.size(); ++i) options[i].skin = agents[i].skin;
-  return options;
+std::vector<SkinPtr> skins_of(const std::vector<Agent>& agents) {
+  std::vector<SkinPtr> skins;
+  for (const Agent& agent : agents) skins.push_back(agent.skin);
+  return skins;
 }
 
 }  // namespace mimo::env

@@ -1,11 +1,12 @@
 // One agent in a world: what it senses, its actuation, its task.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "body/faces.h"
-#include "env/options.h"
+#include "env/kit.h"
 #include "env/perception.h"
 #include "tasks/task.h"
 
@@ -20,11 +21,16 @@ struct Agent : Perception {
   double height = 0;
 };
 
-// Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision.
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
-                 std::size_t number, render::Renderer* renderer);
+// Makes the task of one agent, by its number.
+using TaskMaker =
+    std::function<std::unique_ptr<tasks::Task>(const mjModel& model, const body::Body& body, std::size_t agent)>;
 
-// The options of agents that share what is immutable with those of a world that they were made for before.
-std::vector<AgentOptions> sharing(std::vector<AgentOptions> options, const std::vector<Agent>& agents);
+// Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision. A skin that
+// is there already is shared instead of made anew.
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
+                 std::size_t number, render::Renderer* renderer, SkinPtr skin);
+
+// What another world of the same model can share.
+std::vector<SkinPtr> skins_of(const std::vector<Agent>& agents);
 
 }  // namespace mimo::env

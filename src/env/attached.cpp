@@ -4,10 +4,9 @@
 
 namespace mimo::env {
 
-Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
-    : model_(std::move(model)) {
-  if (sees(agents, options) && options.renderer != "none") renderer_ = make_renderer(model_, options);
-  for (const AgentOptions& agent : agents) {
+Attached::Attached(const Kit& kit) : model_(kit.model) {
+  if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
+  for (const AgentOptions& agent : kit.agents) {
     require(agent.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
             agent.face);
     if (!agent.limits.empty()) {
@@ -24,7 +23,9 @@ Attached::Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agen
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
   }
-  for (const CameraOptions& camera : options.cameras) observer_.add(make_camera(*model_, camera, renderer_.get()));
+  for (const CameraOptions& camera : kit.options.cameras) {
+    observer_.add(make_camera(*model_, camera, renderer_.get()));
+  }
 }
 
 }  // namespace mimo::env

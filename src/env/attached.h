@@ -11,8 +11,8 @@ namespace mimo::env {
 
 class Attached {
  public:
-  // The model outlives this object. Of the options only those of pictures and the log count.
-  Attached(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
+  // The model outlives this object. Of the options only those of pictures count.
+  explicit Attached(const Kit& kit);
 
   const mjModel& model() const { return *model_; }
   const observation::Layout& layout() const { return observer_.layout(); }

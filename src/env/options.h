@@ -1,4 +1,4 @@
-// What a world is made of: the inner form of mimo_agent_config and mimo_env_config.
+// What users choose of a world: the inner form of mimo_agent_config and mimo_env_config.
 #pragma once
 
 #include <functional>
@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "actuation/actuation.h"
-#include "base/log.h"
 #include "engine/physics.h"
 #include "observation/limited_senses.h"
 #include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
-#include "senses/touch/skin.h"
 #include "senses/vision.h"
 #include "tasks/task.h"
 
@@ -31,8 +29,6 @@ struct AgentOptions {
   senses::TouchOptions touch;
   std::string face;                             // that it shows at first; "": the model's own
   std::vector<observation::PathLimits> limits;  // of its senses
-  // That of the same agent in another world of the same model, to be shared instead of made anew.
-  std::shared_ptr<const senses::touch::Skin> skin = nullptr;
 
   // Prefix of its fields, and of an infant's names in the model.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
@@ -44,32 +40,30 @@ struct CameraOptions {
   senses::VisionOptions vision;
 };
 
-// Makes the task of one agent, by its number.
-using TaskMaker =
-    std::function<std::unique_ptr<tasks::Task>(const mjModel& model, const body::Body& body, std::size_t agent)>;
+// What one world has to itself among those of its kind.
+struct Identity {
+  std::uint64_t seed = 0;      // of the random stream, until a reset gives another
+  std::size_t number = 0;      // in its batch
+  const void* host = nullptr;  // what whoever made the world knows it by; handed on to tasks of the user's own
+};
+
+// Makes a task of the user's own for one agent of a world.
+using CustomTask = std::function<std::unique_ptr<tasks::Task>(const Identity& world, std::size_t agent)>;
 
 struct EnvOptions {
   int frame_skip = 0;  // 0: the scene's own
   engine::PhysicsOptions physics;
   std::string renderer = "auto";
   render::Quality quality;
-  // What renderers of one model have in common, for all worlds that are given the same; null: each has its own.
-  std::shared_ptr<render::Shelf> shelf;
   std::vector<CameraOptions> cameras;
   std::uint32_t max_steps = 0;  // 0: the task's own
   std::string task;             // "": the scene's own
   tasks::Settings parameters;
-  TaskMaker custom_task;  // stands in for the scene's own, where given
+  CustomTask custom_task;  // stands in for the scene's own, where given
   bool timing = false;
-  LogSink log;
-  std::uint64_t seed = 0;                       // of the random stream, until a reset gives another
-  render::Renderer* shared_renderer = nullptr;  // draws for this world, which then has none of its own; outlives it
 };
 
-// Whether anything in such a world observes pictures.
-bool sees(const std::vector<AgentOptions>& agents, const EnvOptions& options);
-
-// Makes what the options ask for. Throws Status::kUnsupported where it does not work here.
-std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options);
+// Whether anything in such a world observes pictures, and may.
+bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options);
 
 }  // namespace mimo::env

@@ -37,14 +37,13 @@ body::Body chosen_joints(const mjModel& model, body::Body body, const std::vecto
   return body;
 }
 
-std::shared_ptr<const senses::touch::Skin> make_skin(const mjModel& model, const body::Body& body,
-                                                     const senses::TouchOptions& options) {
+SkinPtr make_skin(const mjModel& model, const body::Body& body, const senses::TouchOptions& options) {
   return std::make_shared<senses::touch::Skin>(model, senses::spacings(model, body, options));
 }
 
 }  // namespace
 
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer) {
+Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer, SkinPtr skin) {
   Perception agent;
   const auto add = [&](std::unique_ptr<observation::Sense> sense) { add_sense(agent, options, std::move(sense)); };
   agent.body = find(model, options);
@@ -56,7 +55,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
   }
   if (options.vestibular) add(senses::make_vestibular(model, agent.body, options.vestibular_at));
   if (options.touch.any()) {
-    agent.skin = options.skin != nullptr ? options.skin : make_skin(model, agent.body, options.touch);
+    agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));
   }
   if (options.vision.any()) {

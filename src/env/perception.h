@@ -6,7 +6,7 @@
 
 #include "actuation/actuation.h"
 #include "body/body.h"
-#include "env/options.h"
+#include "env/kit.h"
 #include "observation/sense.h"
 #include "senses/touch/touch.h"
 
@@ -16,11 +16,13 @@ struct Perception {
   body::Body body;
   std::unique_ptr<actuation::Actuation> actuation;  // whose commands are felt
   std::vector<std::unique_ptr<observation::Sense>> senses;
-  std::shared_ptr<const senses::touch::Skin> skin;  // null without touch
+  SkinPtr skin;  // null without touch
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer);
+// A skin that is there already is shared instead of made anew.
+Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer,
+                    SkinPtr skin = nullptr);
 
 // One more sense, unless it has no fields; the agent's name goes before theirs.
 void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<observation::Sense> sense);

@@ -30,15 +30,17 @@ class Flag {
 
 }  // namespace
 
-World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options)
+World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options,
+             const Services& services, const Identity& identity)
     : options_(options),
+      services_(services),
       shared_model_(std::move(model)),
       physics_(shared_model_, options.physics),
-      random_(options.seed) {
+      random_(identity.seed) {
   adopt_scene_choices();
   body::read_stored_pose(physics_.model(), physics_.start());
-  const TaskMaker make_task = task_maker();
-  render::Renderer* eyes = sees(agents, options_) && options_.renderer != "none" ? &renderer() : nullptr;
+  const TaskMaker make_task = task_maker(identity);
+  render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
   for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits);
@@ -51,7 +53,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
 }
 
 void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes) {
-  Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes);
+  Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes, services_.skin(agents_.size()));
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
   for (const auto& sense : agent.senses) observer_.add(*sense);
@@ -73,8 +75,12 @@ void World::adopt_scene_choices() {
   options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= 1000 ? static_cast<int>(own[0]) : kFrameSkip;
 }
 
-TaskMaker World::task_maker() const {
-  if (options_.task == kCustomTask && options_.custom_task) return options_.custom_task;
+TaskMaker World::task_maker(const Identity& identity) const {
+  if (options_.task == kCustomTask && options_.custom_task) {
+    return [this, identity](const mjModel&, const body::Body&, std::size_t agent) {
+      return options_.custom_task(identity, agent);
+    };
+  }
   const tasks::Definition& task = tasks::definition(options_.task);
   return [this, &task](const mjModel& model, const body::Body& body, std::size_t) {
     return task.make(model, body, options_.parameters);
@@ -89,19 +95,20 @@ void World::start() {
 }
 
 render::Renderer& World::renderer() {
-  if (options_.shared_renderer != nullptr) return *options_.shared_renderer;
-  if (own_renderer_ == nullptr) own_renderer_ = make_renderer(shared_model_, options_);
+  if (services_.renderer != nullptr) return *services_.renderer;
+  if (own_renderer_ == nullptr) own_renderer_ = make_renderer(shared_model_, options_, services_);
   return *own_renderer_;
 }
 
-bool sees(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
-  return !options.cameras.empty() ||
-         std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.vision.any(); });
+bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
+  const auto sees = [](const AgentOptions& agent) { return agent.vision.any(); };
+  return options.renderer != "none" && (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
 }
 
-std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options) {
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options,
+                                                const Services& services) {
   const std::string& name = options.renderer == "none" ? "auto" : options.renderer;
-  return choose_renderer(name, model, options.quality, options.shelf, options.log);
+  return choose_renderer(name, model, options.quality, services.shelf, services.log);
 }
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
@@ -244,9 +251,9 @@ void World::draw(const render::View& view, const render::Picture& picture) {
 }
 
 void World::report_warnings() {
-  if (options_.log.write == nullptr) return;
+  if (services_.log.write == nullptr) return;
   const std::string text = physics_.take_warnings();
-  if (!text.empty()) options_.log(LogLevel::kWarning, text);
+  if (!text.empty()) services_.log(LogLevel::kWarning, text);
 }
 
 }  // namespace mimo::env

@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "engine/physics.h"
 #include "env/agent.h"
-#include "env/options.h"
+#include "env/kit.h"
 #include "env/state.h"
 #include "env/timing.h"
 #include "observation/observer.h"
@@ -25,7 +25,8 @@ struct Results {
 
 class World {
  public:
-  World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
+  World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options,
+        const Services& services = {}, const Identity& identity = {});
 
   const mjModel& model() const { return physics_.model(); }
   const mjData& data() const { return physics_.data(); }
@@ -80,7 +81,7 @@ class World {
   render::Renderer& renderer();
   void adopt_scene_choices();
   void add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes);
-  TaskMaker task_maker() const;
+  TaskMaker task_maker(const Identity& identity) const;
   void start();
   void step_once(bool sensors);
   enum class Moment { kStart, kStep, kBetween };
@@ -96,6 +97,7 @@ class World {
   void load_parts(ByteReader& from);
 
   EnvOptions options_;
+  Services services_;
   engine::ModelPtr shared_model_;
   engine::Physics physics_;
   std::unique_ptr<render::Renderer> own_renderer_;

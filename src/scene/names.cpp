@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/fail.h"
 #include "base/format.h"
 #include "scene/xml.h"
 
@@ -51,7 +52,17 @@ void visit_named(pugi::xml_node root, Visit&& visit) {
   }
 }
 
+// Not isalnum, whose letters depend on the host's locale.
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
 }  // namespace
+
+void require_plain(const std::string& name) {
+  require(std::all_of(name.begin(), name.end(), is_plain), "name is \"{}\", expected letters, digits, '_', '-' and '.'",
+          name);
+}
 
 std::string stem_of(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);

@@ -8,6 +8,9 @@
 
 namespace mimo::scene {
 
+// Throws for a name that cannot go before others: anything but letters, digits, '_', '-' and '.'.
+void require_plain(const std::string& name);
+
 // Prefixes the names of bodies, joints, geoms, ... of a body's document and all references to them. Names of
 // default classes and assets stay: they are shared by all infants.
 void prefix_names(pugi::xml_node root, const std::string& prefix);

@@ -1,5 +1,6 @@
 #include "scene/recipe.h"
 
+#include <algorithm>
 #include <cstring>
 #include <iterator>
 #include <set>
@@ -21,6 +22,11 @@ pugi::xml_node find_named(pugi::xml_node root, const char* section, const char* 
     if (!found.empty()) return found;
   }
   return {};
+}
+
+std::vector<std::string> words_of(pugi::xml_node root, const char* name) {
+  std::istringstream words(custom_text(root, name));
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 // "body hip", "joint robot:left_elbow", ...: what a recipe may refer to.
@@ -102,16 +108,18 @@ unsigned Recipe::acts() const {
   return words.empty() ? static_cast<unsigned>(kAllGroups) : groups_from(words);
 }
 
-std::string Recipe::senses() const { return custom_text(document_.document_element(), names::kSenses); }
+Senses Recipe::senses() const {
+  const std::vector<std::string> words = words_of(document_.document_element(), names::kSenses);
+  if (words.empty()) return {};
+  const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+  return {has("proprioception"), has("vestibular"), has("vision"), has("touch")};
+}
 
 std::string Recipe::still() const { return custom_text(document_.document_element(), names::kStill); }
 
-std::string Recipe::actuation() const { return custom_text(document_.document_element(), names::kActuation); }
+bool Recipe::muscles() const { return custom_text(document_.document_element(), names::kActuation) == "muscle"; }
 
-std::vector<std::string> Recipe::bodies() const {
-  std::istringstream words(custom_text(document_.document_element(), names::kBodies));
-  return {std::istream_iterator<std::string>(words), {}};
-}
+std::vector<std::string> Recipe::bodies() const { return words_of(document_.document_element(), names::kBodies); }
 
 void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_root) {
   const pugi::xml_node own = document_.document_element();

@@ -10,6 +10,11 @@
 
 namespace mimo::scene {
 
+// What an infant senses.
+struct Senses {
+  bool proprioception = true, vestibular = true, vision = true, touch = true;
+};
+
 class Recipe {
  public:
   // The recipe of a room; an empty one if the room has none.
@@ -19,10 +24,10 @@ class Recipe {
   unsigned acts() const;
   // How the names of motors begin that do not act although their group does, "right_thumb_"; "" if none.
   std::string still() const;
-  // Words: "proprioception vestibular"; "" if the recipe does not say.
-  std::string senses() const;
-  // One word: "muscle"; "" if the recipe does not say.
-  std::string actuation() const;
+  // All of them if the recipe does not say.
+  Senses senses() const;
+  // Whether the infant acts with muscles; else with motors.
+  bool muscles() const;
   // Bodies that it is made for, the usual one first; none if it does for all.
   std::vector<std::string> bodies() const;
   // Puts its content into the document that holds the infant, but for what concerns parts that the infant does not

@@ -154,6 +154,11 @@ int count_bodies(pugi::xml_node root) {
   return count;
 }
 
+// A document that changes no more.
+Document settled(pugi::xml_document&& document) {
+  return std::make_shared<const pugi::xml_document>(std::move(document));
+}
+
 }  // namespace
 
 const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
@@ -164,26 +169,13 @@ Scene::Scene(const Source& source)
     : models_(source.model_dir),
       limits_(source.limits),
       log_(source.log),
-      document_(load(models_, source)),
+      document_(settled(load(models_, source))),
       built_in_(!source.name.empty()) {}
-
-Scene::Scene(const Scene& other)
-    : models_(other.models_),
-      limits_(other.limits_),
-      log_(other.log_),
-      document_(copy(other.document_)),
-      built_in_(other.built_in_),
-      unplaced_(other.unplaced_),
-      to_check_(other.to_check_),
-      bodies_(other.bodies_),
-      objects_(other.objects_),
-      start_welds_(other.start_welds_),
-      kinds_(other.kinds_) {}
 
 void Scene::set_room(const std::string& room) {
   require_known("room", kRooms, room);
   const pugi::xml_document guest = Loader(models_).built_in("free.xml");
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   const pugi::xml_node root = changed.document_element();
   require(!has_class(root, kRoomClass), "room \"{}\": the scene has a room already", room);
   require(!has_name("geom", "floor"), "room \"{}\": the scene has a geom named \"floor\" already", room);
@@ -198,30 +190,30 @@ void Scene::set_room(const std::string& room) {
     setting ? copy_before(own_start, part) : copy_into(root, part);
   }
   pugi::xml_node(root).remove_child(own_start);
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
 }
 
 void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups) {
   require_known("body", kBodies, body);
   const bool no_place =
-      pose == nullptr && bodies_ == 0 && numbers_of(document_.document_element(), names::kPlaces).empty();
+      pose == nullptr && bodies_ == 0 && numbers_of(document_->document_element(), names::kPlaces).empty();
   const std::optional<Pose> place = pose != nullptr ? *pose : free_place();
   require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
-  Recipe recipe = Recipe::of_room(document_.document_element(), models_);
+  Recipe recipe = Recipe::of_room(document_->document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
   require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
           "body \"{}\": the scene is made for {} only", body, join(fit, ", "));
 
   const pugi::xml_document guest = Loader(models_).built_in(body + ".xml");
   const pugi::xml_node guest_root = guest.document_element();
-  pugi::xml_document changed = copy(document_);  // what fails half-way must leave the scene as it is
+  pugi::xml_document changed = copy(*document_);  // what fails half-way must leave the scene as it is
   const pugi::xml_node root = changed.document_element();
   prefix_names(guest_root, prefix);
   require_other_names(guest_root, root, prefix);
   stand_alone(changed, limits_);
   if (in_radians(root)) convert_to_radians(guest_root);
-  const bool known = kinds_.count(body) > 0;
-  const std::string classes = known ? kinds_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
+  const bool known = added_.count(body) > 0;
+  const std::string classes = known ? added_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
   prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
@@ -246,41 +238,40 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   if (pose != nullptr || !built_in_) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
   if (no_place && numbers_of(root, (prefix + names::kRootPose).c_str()).empty()) unplaced = prefix;
-  Kind& kind = kinds_.emplace(body, Kind{0, classes}).first->second;
+  Document next = settled(std::move(changed));
+  Added& added = added_.emplace(body, Added{0, classes}).first->second;
   to_check_ = std::move(to_check);
   unplaced_ = std::move(unplaced);
-  document_ = std::move(changed);
-  ++kind.count;
+  document_ = std::move(next);
+  ++added.count;
   ++bodies_;
 }
 
 void Scene::choose_motors(const std::string& prefix, unsigned groups) {
   if (groups == 0) return;
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   keep_motors(changed.document_element(), prefix, groups);
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
 }
 
 std::vector<std::string> Scene::infants() const {
-  std::istringstream words(custom_text(document_.document_element(), names::kInfants));
+  std::istringstream words(custom_text(document_->document_element(), names::kInfants));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-std::string Scene::senses() const { return Recipe::of_room(document_.document_element(), models_).senses(); }
-
-std::string Scene::actuation() const { return Recipe::of_room(document_.document_element(), models_).actuation(); }
-
-const char* Scene::usual_body() const {
-  const std::vector<std::string> fit = Recipe::of_room(document_.document_element(), models_).bodies();
+UsualInfant Scene::usual_infant() const {
+  const Recipe recipe = Recipe::of_room(document_->document_element(), models_);
+  const std::vector<std::string> fit = recipe.bodies();
   const auto* const found =
       fit.empty() ? std::begin(kBodies) : std::find(std::begin(kBodies), std::end(kBodies), fit.front());
-  return found != std::end(kBodies) ? *found : kBodies[0];
+  const char* body = found != std::end(kBodies) ? *found : kBodies[0];
+  return {body, recipe.senses(), recipe.muscles(), free_place()};
 }
 
 void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
           "object name \"{}\": the scene already has a body or geom of that name", object.name);
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   stand_alone(changed, limits_);
   const pugi::xml_node body = append(section(changed.document_element(), "worldbody"), "body");
   set(body, "name", object.name);
@@ -297,17 +288,18 @@ void Scene::add_object(const Object& object) {
   set(geom, "friction", "1 0.005 0.0001");
   set(geom, "solref", "0.005 1");
   set(geom, "solimp", "0.95 0.99 0.001 0.5 1");
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
   ++objects_;
 }
 
 void Scene::add_model(const Model& model) {
+  require_plain(model.name);
   require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
-              !has_names_with(document_.document_element(), model.name + "/"),
+              !has_names_with(document_->document_element(), model.name + "/"),
           "model name \"{}\": the scene already has something of that name", model.name);
   Loader loader(models_, limits_, log_);
   pugi::xml_document guest = model.file.empty() ? loader.text(model.xml) : loader.file(model.file);
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   const pugi::xml_node root = changed.document_element();
   stand_alone(changed, limits_);
   become_object(guest, root, model, limits_);
@@ -315,49 +307,50 @@ void Scene::add_model(const Model& model) {
        {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"}) {
     for (const pugi::xml_node part : guest.document_element().children(name)) copy_into(root, part);
   }
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
   objects_ += count_bodies(guest.document_element());
 }
 
 void Scene::weld(const Weld& weld, const Pose* pose) {
-  require_bodies(document_.document_element(), weld);
+  require_bodies(document_->document_element(), weld);
   if (pose == nullptr) return start_welds_.push_back(weld);
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   add_weld(changed.document_element(), weld, *pose);
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
 }
 
 void Scene::start_joint(const std::string& joint, double value) {
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   scene::start_joint(changed.document_element(), joint, value);
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
 }
 
 void Scene::lock_joint(const std::string& joint, double value) {
-  pugi::xml_document changed = copy(document_);
+  pugi::xml_document changed = copy(*document_);
   scene::lock_joint(changed.document_element(), joint, value);
-  document_ = std::move(changed);
+  document_ = settled(std::move(changed));
 }
 
 void Scene::add_camera(const Camera& camera) {
   require(!has_name("camera", camera.name), "camera name \"{}\": the scene already has a camera of that name",
           camera.name);
-  const pugi::xml_node carrier = camera.body.empty() ? section(document_.document_element(), "worldbody")
-                                                     : find_named(document_, "body", camera.body);
+  pugi::xml_document changed = copy(*document_);
+  const pugi::xml_node carrier =
+      camera.body.empty() ? section(changed.document_element(), "worldbody") : find_named(changed, "body", camera.body);
   if (carrier.empty()) fail(Status::kNotFound, "camera \"{}\": no body named \"{}\"", camera.name, camera.body);
-  const std::array<double, 6> axes = picture_axes(camera);  // before anything is changed
   const pugi::xml_node node = append(carrier, "camera");
   set(node, "name", camera.name);
   set(node, "mode", "fixed");
   set(node, "pos", Span<const double>(camera.position));
-  set(node, "xyaxes", Span<const double>(axes));
+  set(node, "xyaxes", Span<const double>(picture_axes(camera)));
   set(node, "fovy", Span<const double>(&camera.fovy, 1));
+  document_ = settled(std::move(changed));
 }
 
 pugi::xml_document Scene::finished() const {
-  pugi::xml_document document = copy(document_);
+  pugi::xml_document document = copy(*document_);
   const pugi::xml_node root = document.document_element();
-  const auto count = [&](const char* body) { return kinds_.count(body) > 0 ? kinds_.at(body).count : 0; };
+  const auto count = [&](const char* body) { return added_.count(body) > 0 ? added_.at(body).count : 0; };
   size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", names::kRootBody);
   if (infants) keep_hands_in_sight(root);
@@ -397,7 +390,7 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
     return std::string(node.name()) == "body" && name == node.attribute("name").value();
   };
   const pugi::xml_node root =
-      document_.find_node([&](pugi::xml_node node) { return is(node, prefix + names::kRootBody); });
+      document_->find_node([&](pugi::xml_node node) { return is(node, prefix + names::kRootBody); });
   std::vector<std::string> names;
   walk(root, [&](pugi::xml_node node) {
     const std::string name = node.attribute("name").value();
@@ -407,11 +400,11 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
 }
 
 bool Scene::has_name(const char* element, const std::string& name) const {
-  return !find_named(document_, element, name).empty();
+  return !find_named(*document_, element, name).empty();
 }
 
 std::optional<Pose> Scene::free_place() const {
-  const std::vector<double> places = numbers_of(document_.document_element(), names::kPlaces);
+  const std::vector<double> places = numbers_of(document_->document_element(), names::kPlaces);
   const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
   if (places.empty() && bodies_ == 0) return Pose{};
   if (places.size() < first + 7) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -14,6 +15,7 @@
 #include "scene/library.h"
 #include "scene/limits.h"
 #include "scene/pose.h"
+#include "scene/recipe.h"
 #include "scene/welds.h"
 
 namespace mimo::scene {
@@ -48,14 +50,20 @@ struct Camera {
   double fovy = 45;                 // degrees
 };
 
+// An infant as a scene usually has it.
+struct UsualInfant {
+  const char* body;  // static
+  Senses senses;
+  bool muscles;               // else motors
+  std::optional<Pose> place;  // nothing where all places are taken
+};
+
+// Shared by copies of a scene; who changes a document changes a copy.
+using Document = std::shared_ptr<const pugi::xml_document>;
+
 class Scene {
  public:
   explicit Scene(const Source& source);
-  Scene(const Scene& other);
-  Scene(Scene&&) = default;
-  Scene& operator=(const Scene&) = delete;
-  Scene& operator=(Scene&&) = default;
-  ~Scene() = default;
 
   // What fails leaves the scene as it was; so does every other call.
   // Gives a scene without one floor, sky and light. What it says itself of solver and pictures stays.
@@ -67,17 +75,10 @@ class Scene {
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
-  // The senses that the scene gives its infants, "proprioception vestibular"; "" if it does not say.
-  std::string senses() const;
   // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
   std::vector<std::string> infants() const;
-  // How infants of this scene usually act, "muscle"; "" if it does not say.
-  std::string actuation() const;
-  // The room's place for the next infant; the origin in a room that names none, near which it is put. Nothing where all
-  // places are taken.
-  std::optional<Pose> free_place() const;
-  // The body that infants of this scene usually have; static.
-  const char* usual_body() const;
+  // What it gives its next infant by itself.
+  UsualInfant usual_infant() const;
   void add_object(const Object& object);
   void add_model(const Model& model);
   void add_camera(const Camera& camera);
@@ -105,12 +106,15 @@ class Scene {
  private:
   pugi::xml_document finished() const;
   pugi::xml_document shown() const;
+  // The room's place for the next infant; the origin in a room that names none, near which it is put. Nothing where all
+  // places are taken.
+  std::optional<Pose> free_place() const;
   bool has_name(const char* element, const std::string& name) const;
 
   Library models_;
   Limits limits_;
   LogSink log_;
-  pugi::xml_document document_;
+  Document document_;
   bool built_in_;
   std::optional<std::string> unplaced_;  // prefix of the infant for whom nobody named a place
   std::vector<std::string> to_check_;    // prefixes of infants whose places may be taken
@@ -118,11 +122,11 @@ class Scene {
   int objects_ = 0;
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last
   // How many infants of a body were added, and what the names of their default classes begin with.
-  struct Kind {
+  struct Added {
     int count = 0;
     std::string classes;
   };
-  std::map<std::string, Kind> kinds_;
+  std::map<std::string, Added> added_;  // by bodies
 };
 
 // Names of the built-in scenes, rooms and bodies; nullptr past the last.

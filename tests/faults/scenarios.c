@@ -132,6 +132,15 @@ static mimo_status add_object(void) {
   return mimo_scene_add_object(scene, &object);
 }
 
+static mimo_status add_camera(void) {
+  mimo_camera_config camera;
+  CHECK_OK(mimo_camera_config_init(&camera, sizeof camera));
+  camera.name = "a camera with a name that is too long to be kept in a short string";
+  camera.placed = 1;
+  camera.position[1] = 0.123456789;
+  return mimo_scene_add_camera(scene, &camera);
+}
+
 static void prepare_empty(void) { CHECK_OK(make_scene(NULL, NULL)); }
 static mimo_status set_room(void) { return mimo_scene_set_room(scene, "playroom"); }
 
@@ -212,6 +221,7 @@ const scenario all_scenarios[] = {
     {"scene_create", nothing, create_scene, clean, 1, 0, 400},
     {"scene_add_agent", prepare_scene, add_agent, clean, 0, 0, 110},
     {"scene_add_object", prepare_scene, add_object, clean, 0, 0, 400},
+    {"scene_add_camera", prepare_scene, add_camera, clean, 0, 0, 400},
     {"scene_set_room", prepare_empty, set_room, clean, 0, 0, 400},
     {"scene_add_agents", prepare_playdate, add_agents, clean, 0, 0, 60},
     {"scene_add_model", prepare_defaults, add_model, clean, 0, 0, 3000},

@@ -32,7 +32,7 @@ class CountingTask : public tasks::Task {
 env::EnvOptions counting(std::uint32_t max_steps = 0) {
   env::EnvOptions options;
   options.max_steps = max_steps;
-  options.custom_task = [](const mjModel&, const body::Body&, std::size_t) { return std::make_unique<CountingTask>(); };
+  options.custom_task = [](const env::Identity&, std::size_t) { return std::make_unique<CountingTask>(); };
   return options;
 }
 

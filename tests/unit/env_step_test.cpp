@@ -196,9 +196,9 @@ TEST(EnvStep, WarningsReachTheLog) {
       from_text("<mujoco><size nconmax='2'/><worldbody><geom type='plane' size='0 0 1'/><body pos='0 0 .099'>"
                 "<freejoint/><geom type='box' size='.1 .1 .1'/></body></worldbody></mujoco>"));
   Messages messages;
-  env::EnvOptions options = without_renderer();
-  options.log = {Messages::write, &messages};
-  env::World world(compile(scene), {}, options);
+  env::Services services;
+  services.log = {Messages::write, &messages};
+  env::World world(compile(scene), {}, without_renderer(), services);
   ASSERT_EQ(messages.texts.size(), 1u);
   EXPECT_TRUE(contains(messages.texts[0], "nconmax"));
   for (int step = 0; step < 5; ++step) world.step({}, nullptr, {});

@@ -61,7 +61,7 @@ class Faces : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     try {
-      env::make_renderer(benchmark_model(), drawn_by(GetParam()));
+      env::make_renderer(benchmark_model(), drawn_by(GetParam()), {});
     } catch (const Error& error) {
       if (error.status() != Status::kUnsupported) throw;
       GTEST_SKIP() << error.message();

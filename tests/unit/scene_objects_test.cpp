@@ -87,6 +87,14 @@ TEST_F(SceneObjects, NamesInUseAreRefused) {
   EXPECT_EQ(scene.xml(), before);
 }
 
+TEST_F(SceneObjects, ACameraThatIsRefusedLeavesNoTrace) {
+  scene::Scene scene(from_text("<mujoco/>"));
+  const std::string before = scene.xml();
+  const scene::Camera blind{"aside", "", {1, 2, 3}, {1, 2, 3}};
+  expect_error(Status::kInvalidArgument, "looks at the point where it is", [&] { scene.add_camera(blind); });
+  EXPECT_EQ(scene.xml(), before);
+}
+
 // A name with characters that XML minds.
 TEST_F(SceneObjects, NamesAreEscaped) {
   const std::string name = "<\"tea\" & 'cake'>";

@@ -49,7 +49,7 @@ TEST_F(SceneSave, BuiltInScenes) {
     SCOPED_TRACE(name);
     const Folder folder;
     scene::Scene scene(named(name));
-    scene.add_body(scene.usual_body(), "", nullptr);
+    scene.add_body(scene.usual_infant().body, "", nullptr);
     scene.save(folder.path("a/b"));
     const engine::ModelPtr model = plain_mujoco(folder.path("a/b/scene.xml"));
     expect_same(*compile(scene), *model);

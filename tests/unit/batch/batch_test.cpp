@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "batch/place.h"
+#include "batch/workplace.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -19,9 +19,9 @@ using batch::Batch;
 // A batch with room for everything that it can give, and what a learner does with it.
 class Rig {
  public:
-  Rig(const engine::ModelPtr& model, const batch::Options& options, const env::EnvOptions& world_options = {})
-      : batch(
-            model, {blind()}, [world_options](std::size_t) { return world_options; }, options),
+  Rig(const engine::ModelPtr& model, const batch::Options& options, const env::EnvOptions& world_options = {},
+      const LogSink& log = {})
+      : batch({model, {blind()}, world_options, {nullptr, {}, nullptr, log}}, options),
         block_bytes(batch.world(0).layout().bytes()),
         blocks(options.worlds * block_bytes),
         final_blocks(blocks.size()),
@@ -151,8 +151,7 @@ TEST(Batch, SendAndReceiveAreAStep) {
 TEST(Batch, CanBeDestroyedAtWork) {
   Bytes blocks;
   std::vector<float> actions;
-  Batch batch(
-      floating_model(), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(6, 2));
+  Batch batch({floating_model(), {blind()}, {}, {}}, sized(6, 2));
   blocks.resize(6 * batch.world(0).layout().bytes());
   actions.resize(6 * batch.world(0).action_size());
   batch.reset(nullptr, nullptr, nullptr);
@@ -311,11 +310,8 @@ TEST(Batch, AnAgentThatIsCutOffByAnothersEndIsTruncated) {
   agents[0].name = "anna";
   agents[1].name = "ben";
   env::EnvOptions world;
-  world.custom_task = [](const mjModel&, const body::Body&, std::size_t agent) {
-    return std::make_unique<Ending>(agent == 0);
-  };
-  Batch two(
-      compile(scene), agents, [&](std::size_t) { return world; }, sized(2, 2, Autoreset::kNextStep));
+  world.custom_task = [](const env::Identity&, std::size_t agent) { return std::make_unique<Ending>(agent == 0); };
+  Batch two({compile(scene), agents, world, {}}, sized(2, 2, Autoreset::kNextStep));
   two.reset(nullptr, nullptr, nullptr);
   std::vector<std::uint8_t> terminated(4), truncated(4);
   batch::Output output;
@@ -406,8 +402,7 @@ TEST(Batch, SavesAndLoadsManyStates) {
 }
 
 TEST(Batch, UnseededWorldsDiffer) {
-  Batch all(
-      room_with_infant("reach"), {blind()}, [](std::size_t) { return env::EnvOptions(); }, sized(2, 1));
+  Batch all({room_with_infant("reach"), {blind()}, {}, {}}, sized(2, 1));
   all.reset(nullptr, nullptr, nullptr);
   EXPECT_NE(saved(all.world(0)), saved(all.world(1)));
 }
@@ -417,14 +412,14 @@ TEST(Batch, MessagesArriveOnTheCallingThread) {
     std::vector<std::string> messages;
     bool elsewhere = false;
   } heard;
-  env::EnvOptions options;
-  options.log.user = &heard;
-  options.log.write = [](void* user, std::int32_t, const char* message) {
+  LogSink log;
+  log.user = &heard;
+  log.write = [](void* user, std::int32_t, const char* message) {
     auto& it = *static_cast<Heard*>(user);
     it.messages.emplace_back(message);
-    it.elsewhere = it.elsewhere || batch::place().batch != nullptr;
+    it.elsewhere = it.elsewhere || batch::workplace().batch != nullptr;
   };
-  Rig rig(floating_model(), sized(4, 3), options);
+  Rig rig(floating_model(), sized(4, 3), {}, log);
   for (std::size_t i : {1, 2}) rig.batch.world(i).physics().data().warning[mjWARN_CONTACTFULL].number = 1;
   rig.step(0);
   ASSERT_EQ(heard.messages.size(), 2u);

@@ -5,27 +5,27 @@
 
 namespace mimo::batch {
 
-struct Place {
+struct Workplace {
   const void* batch = nullptr;  // null: outside
   std::size_t world = 0;
   std::size_t thread = 0;
-  const Place* of_caller = nullptr;  // of the task that stepped this batch, where one did
+  const Workplace* of_caller = nullptr;  // of the task that stepped this batch, where one did
 };
 
-const Place& place();
+const Workplace& workplace();
 // Whether this thread is at work for a batch: on one of its worlds, or for a task of one that waits for this thread.
 bool works_for(const void* batch);
 
-// The thread is at a place as long as this lives.
-class AtPlace {
+// The thread is at a workplace as long as this lives.
+class AtWork {
  public:
-  explicit AtPlace(const Place& at);
-  ~AtPlace();
-  AtPlace(const AtPlace&) = delete;
-  AtPlace& operator=(const AtPlace&) = delete;
+  explicit AtWork(const Workplace& at);
+  ~AtWork();
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
 
  private:
-  Place before_;
+  Workplace before_;
 };
 
 }  // namespace mimo::batch

@@ -1,0 +1,92 @@
+#include "blueprint/agents.h"
+
+#include <algorithm>
+
+#include "base/fail.h"
+#include "base/format.h"
+#include "scene/groups.h"
+#include "scene/names.h"
+
+namespace mimo::blueprint {
+namespace {
+
+// An agent that is no infant consists of a body of the scene's, with motors that no group knows.
+void join_as_part(AgentPlan& plan) {
+  const std::string& root = plan.options.root;
+  require(plan.body == "scene", "root is \"{}\" and body is \"{}\"; a root needs body \"scene\"", root, plan.body);
+  require(plan.acts == 0 || plan.acts == scene::kNoGroup,
+          "acts is {:#x}, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root", plan.acts);
+  plan.options.actuation.none = plan.acts == scene::kNoGroup;
+}
+
+void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
+  const std::string prefix = plan.options.prefix();
+  if (plan.body == "scene") return scene.choose_motors(prefix, plan.acts);
+  scene.add_body(plan.body, prefix, plan.place ? &*plan.place : nullptr, plan.acts);
+}
+
+}  // namespace
+
+env::AgentOptions& Agents::at(std::int32_t agent) {
+  const std::size_t count = agents_.size();
+  require(agent >= 0 && static_cast<std::size_t>(agent) < count, "agent is {}, but there are {} agents", agent, count);
+  return agents_[static_cast<std::size_t>(agent)];
+}
+
+void Agents::require_name(const std::string& name) const {
+  scene::require_plain(name);
+  for (const env::AgentOptions& other : agents_) {
+    require(other.name != name, "name: there is an agent \"{}\" already", name);
+    require(!other.name.empty() && !name.empty(), "name is \"\", but each of several agents needs a name");
+  }
+}
+
+std::size_t Agents::add(const AgentPlan& plan, scene::Scene& scene) {
+  require_name(plan.options.name);
+  AgentPlan own = plan;
+  own.options.root.empty() ? join_as_infant(own, scene) : join_as_part(own);
+  agents_.push_back(std::move(own.options));
+  return agents_.size() - 1;
+}
+
+std::size_t Agents::add_all(const AgentPlan& plan, scene::Scene& scene) {
+  const std::string& given = plan.options.name;
+  std::vector<std::string> names = scene.infants();
+  require(names.empty() || given.empty(), "name is \"{}\", but the scene names its infants itself", given);
+  if (names.empty()) names.push_back(given);
+  require(!plan.place || names.size() == 1, "place_given is 1, but each of {} infants has its own place", names.size());
+  for (const std::string& name : names) {
+    AgentPlan own = plan;
+    own.options.name = name;
+    add(own, scene);
+  }
+  return names.size();
+}
+
+void Agents::read_joint(std::int32_t agent, const std::string& joint) {
+  std::vector<std::string>& joints = at(agent).joints;
+  require(std::find(joints.begin(), joints.end(), joint) == joints.end(), "joint \"{}\" is read already", joint);
+  joints.push_back(joint);
+}
+
+void Agents::limit_sense(std::int32_t agent, const std::string& path, const observation::Limits& limits) {
+  at(agent).limits.push_back({path, limits});
+}
+
+void Agents::set_touch(std::int32_t agent, const std::string& body, double spacing, const scene::Scene& scene) {
+  env::AgentOptions& options = at(agent);
+  const std::vector<std::string> names = scene.body_names(options.prefix());
+  const bool known = options.root.empty() && !names.empty();  // else only the compiled model tells
+  if (known && std::find(names.begin(), names.end(), body) == names.end()) {
+    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, join(names, ", "));
+  }
+  options.touch.spacing[body] = spacing;
+}
+
+void Agents::set_touch(std::int32_t agent, double spacing) {
+  senses::TouchOptions& touch = at(agent).touch;
+  touch.spacing.clear();
+  touch.everywhere = spacing;
+}
+
+}  // namespace mimo::blueprint

@@ -1,0 +1,47 @@
+// Agents, and what goes together: their names, bodies, roots, places and motors.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "env/options.h"
+#include "scene/scene.h"
+
+namespace mimo::blueprint {
+
+// An agent as it is asked for.
+struct AgentPlan {
+  env::AgentOptions options;
+  std::string body = "mitten";       // "scene": the document brings it along
+  std::optional<scene::Pose> place;  // nothing: the scene's own
+  unsigned acts = 0;                 // scene::Group bits; 0: the scene's own choice
+};
+
+// Those that a world is made with.
+class Agents {
+ public:
+  const std::vector<env::AgentOptions>& all() const { return agents_; }
+
+  // Gives the agent's number, and the scene its body.
+  std::size_t add(const AgentPlan& plan, scene::Scene& scene);
+  // All that the scene names, or a single one; gives their number.
+  std::size_t add_all(const AgentPlan& plan, scene::Scene& scene);
+
+  // These throw for a number that is none of an agent.
+  // What its proprioception reads: by their names in the model, instead of all joints.
+  void read_joint(std::int32_t agent, const std::string& joint);
+  void limit_sense(std::int32_t agent, const std::string& path, const observation::Limits& limits);
+  // How dense its skin is on a body of its own, or everywhere.
+  void set_touch(std::int32_t agent, const std::string& body, double spacing, const scene::Scene& scene);
+  void set_touch(std::int32_t agent, double spacing);
+
+ private:
+  env::AgentOptions& at(std::int32_t agent);
+  void require_name(const std::string& name) const;
+
+  std::vector<env::AgentOptions> agents_;
+};
+
+}  // namespace mimo::blueprint

@@ -1,0 +1,67 @@
+// A world as it is described, before there is one: its scene, agents, cameras, parameters and task. It is edited by
+// transactions, and compiles to what worlds are made of.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "blueprint/agents.h"
+#include "blueprint/cameras.h"
+#include "env/kit.h"
+#include "env/world.h"
+#include "scene/scene.h"
+
+namespace mimo::blueprint {
+
+// What is edited.
+struct Draft {
+  scene::Scene scene;
+  Agents agents;
+  Cameras cameras;
+  tasks::Settings parameters;
+  env::CustomTask task;  // the user's own; empty: the scene's
+
+  std::size_t add_agent(const AgentPlan& plan) { return agents.add(plan, scene); }
+  std::size_t add_agents(const AgentPlan& plan) { return agents.add_all(plan, scene); }
+  void add_camera(const CameraPlan& plan) { cameras.add(plan, scene); }
+};
+
+using KitPtr = std::shared_ptr<const env::Kit>;
+
+class Blueprint {
+ public:
+  explicit Blueprint(const scene::Source& source) : draft_{scene::Scene(source), {}, {}, {}, {}}, log_(source.log) {}
+
+  // Of its last edit.
+  const Draft& draft() const { return draft_; }
+
+  // Calls change(draft), and gives what that does. A change happens whole or not at all: it is made to a copy, which
+  // takes the place of the draft when it is done.
+  template <typename Change>
+  auto edit(Change&& change) {
+    Draft changed = draft_;
+    if constexpr (std::is_void_v<decltype(change(changed))>) {
+      change(changed);
+      draft_ = std::move(changed);
+    } else {
+      auto result = change(changed);
+      draft_ = std::move(changed);
+      return result;
+    }
+  }
+
+  // Of the options, what the blueprint says itself is overwritten. Throws what scene::compile throws.
+  KitPtr compile(const env::EnvOptions& options, const LogSink& log) const;
+  // The same agents and cameras around a model of somebody else's.
+  env::Kit around(engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log) const;
+
+ private:
+  Draft draft_;
+  LogSink log_;
+};
+
+// A world in the state that another of the same kit is in. It shares with that one what never changes.
+std::unique_ptr<env::World> clone(const env::Kit& kit, const env::World& original, const env::Identity& identity);
+
+}  // namespace mimo::blueprint

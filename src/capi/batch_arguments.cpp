@@ -1,0 +1,70 @@
+#include "capi/batch_arguments.h"
+
+#include "capi/check.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+namespace {
+
+void check_results(const batch::Batch& batch, const mimo_batch_results& theirs) {
+  check_reserved(theirs.reserved, "results: reserved");
+  check_length<double>(theirs.agents, "results: agents");
+  check_length<double>(theirs.worlds, "results: worlds");
+  const std::size_t agents = batch.size() * batch.world(0).agents().size();
+  const bool any_agents = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr;
+  const bool any_worlds = theirs.status != nullptr || theirs.was_reset != nullptr || theirs.final_written != nullptr;
+  if (any_agents && theirs.agents < agents) {
+    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated and truncated need {}", theirs.agents,
+         agents);
+  }
+  if (any_worlds && theirs.worlds < batch.size()) {
+    fail(Status::kBufferTooSmall, "results: worlds is {}, but status, was_reset and final_written need {}",
+         theirs.worlds, batch.size());
+  }
+}
+
+}  // namespace
+
+void check_per_world(const batch::Batch& batch, std::size_t worlds, bool any) {
+  require(worlds == batch.size() || (worlds == 0 && !any), "worlds is {}, expected {}", worlds, batch.size());
+}
+
+std::uint8_t* blocks_of(const batch::Batch& batch, void* blocks, std::size_t bytes, const char* argument) {
+  auto* start = static_cast<std::uint8_t*>(blocks);
+  check_buffer(start, bytes, batch.size() * batch.world(0).layout().bytes(), argument);
+  return start;
+}
+
+batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t block_bytes,
+                        const mimo_batch_results* results) {
+  batch::Output output;
+  output.blocks = blocks_of(batch, blocks, block_bytes, "blocks");
+  if (results == nullptr) return output;
+  const mimo_batch_results theirs = read_struct(results, mimo_batch_results{}, "results");
+  check_results(batch, theirs);
+  output.reward = theirs.reward;
+  output.terminated = theirs.terminated;
+  output.truncated = theirs.truncated;
+  output.status = theirs.status;
+  output.was_reset = theirs.was_reset;
+  output.final_blocks = blocks_of(batch, theirs.final_blocks, theirs.final_bytes, "results: final_blocks");
+  output.final_written = theirs.final_written;
+  return output;
+}
+
+const float* actions_of(const batch::Batch& batch, const float* actions, std::size_t count) {
+  const std::size_t expected = batch.size() * batch.world(0).action_size();
+  require(actions != nullptr || count == 0, "actions is NULL, but action_count is {}", count);
+  require(count == expected || count == 0, "action_count is {}, expected {} or 0", count, expected);
+  return count == 0 ? nullptr : actions;
+}
+
+void check_values(const batch::Batch& batch, env::Quantity quantity, Span<const std::int32_t> ids, const double* values,
+                  std::size_t count) {
+  const std::size_t expected = batch.size() * env::width(batch.world(0).model(), quantity, ids);
+  require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
+  if (count < expected) fail(Status::kBufferTooSmall, "value_count is {}, but {} are needed", count, expected);
+  require(count == expected, "value_count is {}, expected {}", count, expected);
+}
+
+}  // namespace mimo::capi

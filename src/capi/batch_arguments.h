@@ -1,0 +1,25 @@
+// What calls of a batch are given: checked, and told as the batch wants it.
+#pragma once
+
+#include "batch/batch.h"
+#include "mimo/mimo.h"
+
+namespace mimo::capi {
+
+// A mask, or seeds: NULL, or one for each world.
+void check_per_world(const batch::Batch& batch, std::size_t worlds, bool any);
+
+// Blocks of all worlds, one after the other; NULL with 0 bytes where they are optional.
+std::uint8_t* blocks_of(const batch::Batch& batch, void* blocks, std::size_t bytes, const char* argument);
+
+batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t block_bytes,
+                        const mimo_batch_results* results);
+
+// Null without actions.
+const float* actions_of(const batch::Batch& batch, const float* actions, std::size_t count);
+
+// All that named access is given.
+void check_values(const batch::Batch& batch, env::Quantity quantity, Span<const std::int32_t> ids, const double* values,
+                  std::size_t count);
+
+}  // namespace mimo::capi

@@ -1,0 +1,38 @@
+// What worlds are made of: all that is left of a scene when it has been compiled.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/log.h"
+#include "engine/model.h"
+#include "env/options.h"
+#include "render/renderer.h"
+#include "senses/touch/skin.h"
+
+namespace mimo::env {
+
+using SkinPtr = std::shared_ptr<const senses::touch::Skin>;
+
+// What a world does not make itself, and may share with others of the same model.
+struct Services {
+  std::shared_ptr<render::Shelf> shelf;  // what renderers of one model have in common; null: each has its own
+  std::vector<SkinPtr> skins;            // by agents; empty: each world makes its own
+  render::Renderer* renderer = nullptr;  // draws for a world, which then has none of its own; outlives it
+  LogSink log;
+
+  SkinPtr skin(std::size_t agent) const { return agent < skins.size() ? skins[agent] : nullptr; }
+};
+
+struct Kit {
+  engine::ModelPtr model;
+  std::vector<AgentOptions> agents;
+  EnvOptions options;
+  Services services;
+};
+
+// Makes the renderer that the options ask for. Throws Status::kUnsupported where it does not work here.
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options,
+                                                const Services& services);
+
+}  // namespace mimo::env

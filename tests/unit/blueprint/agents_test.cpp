@@ -1,0 +1,109 @@
+// Which agents go together, and with which bodies, roots, places and motors. The messages are part of the interface.
+#include "blueprint/agents.h"
+
+#include "scene/groups.h"
+#include "unit/blueprint/fixture.h"
+
+namespace mimo::test {
+namespace {
+
+Blueprint room() { return Blueprint(named("free")); }
+
+Blueprint two_rods() {
+  return Blueprint(
+      from_text("<mujoco><worldbody><body name='one'><joint name='a' type='hinge'/><geom size='.1'/>"
+                "</body><body name='two'><joint name='b' type='hinge'/><geom size='.1'/></body>"
+                "</worldbody></mujoco>"));
+}
+
+AgentPlan part(const std::string& name, const std::string& root) {
+  AgentPlan plan = infant(name);
+  plan.options.root = root;
+  plan.options.proprioception.torque = false;
+  plan.options.vestibular = false;
+  plan.options.touch.force = false;
+  plan.body = "scene";
+  return plan;
+}
+
+TEST(BlueprintAgents, AreNumberedInTheirOrder) {
+  Blueprint blueprint = room();
+  const auto add = [&](const char* name, double x) {
+    return blueprint.edit([&](Draft& draft) { return draft.add_agent(infant_at(name, x)); });
+  };
+  EXPECT_EQ(add("anna", 0), 0u);
+  EXPECT_EQ(add("ben", 2), 1u);
+  EXPECT_EQ(blueprint.draft().agents.all()[1].name, "ben");
+}
+
+TEST(BlueprintAgents, OfSeveralEachHasANameOfItsOwn) {
+  Blueprint blueprint = room();
+  EXPECT_EQ(joining(blueprint, infant_at("anna", 0)), "");
+  EXPECT_EQ(joining(blueprint, infant_at("anna", 2)), "name: there is an agent \"anna\" already");
+  EXPECT_EQ(joining(blueprint, infant_at("", 2)), "name is \"\", but each of several agents needs a name");
+  EXPECT_EQ(joining(blueprint, infant_at("a/b", 2)), "name is \"a/b\", expected letters, digits, '_', '-' and '.'");
+
+  Blueprint other = room();
+  EXPECT_EQ(joining(other, infant_at("", 0)), "");
+  EXPECT_EQ(joining(other, infant_at("ben", 2)), "name is \"\", but each of several agents needs a name");
+}
+
+TEST(BlueprintAgents, ARootBelongsToTheScene) {
+  Blueprint blueprint = two_rods();
+  AgentPlan plan = part("", "one");
+  plan.body = "mitten";
+  EXPECT_EQ(joining(blueprint, plan), "root is \"one\" and body is \"mitten\"; a root needs body \"scene\"");
+  plan = part("", "one");
+  plan.acts = scene::kHead;
+  EXPECT_EQ(joining(blueprint, plan),
+            "acts is 0x2, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root");
+  EXPECT_TRUE(blueprint.draft().agents.all().empty());
+}
+
+TEST(BlueprintAgents, APartWithoutMotorsLeavesThemToOthers) {
+  Blueprint blueprint = two_rods();
+  AgentPlan idle = part("still", "two");
+  idle.acts = scene::kNoGroup;
+  EXPECT_EQ(joining(blueprint, part("busy", "one")), "");
+  EXPECT_EQ(joining(blueprint, idle), "");
+  EXPECT_FALSE(blueprint.draft().agents.all()[0].actuation.none);
+  EXPECT_TRUE(blueprint.draft().agents.all()[1].actuation.none);
+}
+
+TEST(BlueprintAgents, AllThatTheSceneNames) {
+  const auto all = [](const AgentPlan& plan) { return [&](Draft& draft) { return draft.add_agents(plan); }; };
+  Blueprint date(named("playdate"));
+  EXPECT_EQ(refusal(date, all(infant("carl"))), "name is \"carl\", but the scene names its infants itself");
+  EXPECT_EQ(refusal(date, all(infant_at("", 0))), "place_given is 1, but each of 2 infants has its own place");
+  EXPECT_EQ(date.edit(all(infant(""))), 2u);
+  EXPECT_EQ(date.draft().agents.all()[0].name, "anna");
+  EXPECT_EQ(date.draft().agents.all()[1].name, "ben");
+
+  Blueprint single(named("reach"));
+  EXPECT_EQ(single.edit(all(infant("carl"))), 1u);
+  EXPECT_EQ(single.draft().agents.all()[0].name, "carl");
+}
+
+TEST(BlueprintAgents, WhatTheyReadAndFeel) {
+  Blueprint blueprint = room();
+  ASSERT_EQ(joining(blueprint, infant("")), "");
+  const auto read = [](Draft& draft) { draft.agents.read_joint(0, "robot:left_elbow"); };
+  EXPECT_EQ(refusal(blueprint, read), "");
+  EXPECT_EQ(refusal(blueprint, read), "joint \"robot:left_elbow\" is read already");
+  const auto skin = [](const char* body) {
+    return [body](Draft& draft) { draft.agents.set_touch(0, body, 0.02, draft.scene); };
+  };
+  EXPECT_EQ(refusal(blueprint, skin("left_hand")), "");
+  EXPECT_EQ(refusal(blueprint, skin("tail")).rfind("no body \"tail\"; the infant has: mimo_location, ", 0), 0u);
+  EXPECT_EQ(blueprint.draft().agents.all()[0].touch.spacing.size(), 1u);
+  blueprint.edit([](Draft& draft) { draft.agents.set_touch(0, 0.05); });
+  EXPECT_TRUE(blueprint.draft().agents.all()[0].touch.spacing.empty());
+  EXPECT_EQ(blueprint.draft().agents.all()[0].touch.everywhere, 0.05);
+  for (const int nobody : {-1, 1}) {
+    EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.agents.limit_sense(nobody, "touch", {}); }),
+              "agent is " + std::to_string(nobody) + ", but there are 1 agents");
+  }
+}
+
+}  // namespace
+}  // namespace mimo::test

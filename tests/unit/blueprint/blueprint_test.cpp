@@ -1,0 +1,128 @@
+#include "blueprint/blueprint.h"
+
+#include <mujoco/mujoco.h>
+
+#include <stdexcept>
+
+#include "unit/blueprint/fixture.h"
+
+namespace mimo::test {
+namespace {
+
+env::CameraOptions seen_by(const std::string& camera) {
+  env::CameraOptions options;
+  options.camera = camera;
+  options.vision.width = options.vision.height = 8;
+  return options;
+}
+
+blueprint::CameraPlan new_camera(const std::string& name) {
+  return {seen_by(name), scene::Camera{name, "", {1, 2, 3}, {0, 0, 0}}};
+}
+
+// The whole compiled model, as MuJoCo writes it.
+Bytes bytes_of(const mjModel& model) {
+  Bytes bytes(static_cast<std::size_t>(mj_sizeModel(&model)));
+  mj_saveModel(&model, nullptr, bytes.data(), static_cast<int>(bytes.size()));
+  return bytes;
+}
+
+// One with something of everything.
+Blueprint furnished() {
+  Blueprint blueprint(named("free"));
+  blueprint.edit([](Draft& draft) {
+    draft.add_agent(infant_at("anna", 0));
+    draft.add_camera(new_camera("aside"));
+    draft.parameters.set("reach/episode_steps", 7);
+  });
+  return blueprint;
+}
+
+TEST(Blueprint, WhatIsRefusedChangesNothing) {
+  Blueprint blueprint = furnished();
+  const std::string before = told(blueprint);
+  AgentPlan nobody = infant_at("carl", 2);
+  nobody.body = "giant";
+  blueprint::CameraPlan again = new_camera("aside");
+  again.placed->name = "elsewhere";  // which the scene could take
+  EXPECT_NE(joining(blueprint, infant_at("anna", 2)), "");
+  EXPECT_NE(joining(blueprint, infant("ben")), "");
+  EXPECT_NE(joining(blueprint, nobody), "");
+  EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.add_camera(again); }),
+            "name: camera \"aside\" is observed already");
+  EXPECT_NE(refusal(blueprint, [&](Draft& draft) { draft.parameters.set("reach/episode_steps", -1); }), "");
+  EXPECT_NE(refusal(blueprint, [&](Draft& draft) { draft.scene.weld({"anna/head", "nowhere"}, nullptr); }), "");
+  EXPECT_EQ(told(blueprint), before);
+}
+
+// The second infant of the scene is refused when the first is there already.
+TEST(Blueprint, AllAgentsOfASceneOrNone) {
+  Blueprint blueprint(named("playdate"));
+  blueprint.edit([](Draft& draft) { draft.add_agent(infant_at("ben", 5)); });
+  const std::string before = told(blueprint);
+  EXPECT_NE(refusal(blueprint, [](Draft& draft) { draft.add_agents(infant("")); }), "");
+  EXPECT_EQ(told(blueprint), before);
+}
+
+TEST(Blueprint, AnEditThatFailsInTheMiddleChangesNothing) {
+  Blueprint blueprint = furnished();
+  const std::string before = told(blueprint);
+  const auto model = bytes_of(*blueprint.compile({}, {})->model);
+  const auto half = [](Draft& draft) {
+    draft.add_agent(infant_at("ben", 2));
+    draft.add_camera(new_camera("above"));
+    draft.agents.read_joint(0, "robot:left_elbow");
+    draft.agents.set_touch(0, 0.05);
+    draft.agents.limit_sense(0, "touch", {});
+    draft.parameters.set("reach/episode_steps", 9);
+    draft.scene.start_joint("anna/robot:left_elbow", -0.5);
+    draft.task = [](const env::Identity&, std::size_t) { return nullptr; };
+    throw std::runtime_error("in the middle");
+  };
+  EXPECT_THROW(blueprint.edit(half), std::runtime_error);
+  EXPECT_EQ(told(blueprint), before);
+  EXPECT_EQ(bytes_of(*blueprint.compile({}, {})->model), model);
+}
+
+TEST(Blueprint, CompilesTwiceToTheSame) {
+  const Blueprint blueprint = furnished();
+  env::EnvOptions options;
+  options.renderer = "ray";
+  const blueprint::KitPtr kits[2] = {blueprint.compile(options, {}), blueprint.compile(options, {})};
+  EXPECT_NE(kits[0]->model, kits[1]->model);
+  EXPECT_EQ(bytes_of(*kits[0]->model), bytes_of(*kits[1]->model));
+  Bytes blocks[2], states[2];
+  for (int i = 0; i < 2; ++i) {
+    env::World world(kits[i]->model, kits[i]->agents, kits[i]->options, kits[i]->services);
+    blocks[i] = step(world, 3);
+    states[i] = saved(world);
+  }
+  EXPECT_EQ(blocks[0], blocks[1]);
+  EXPECT_EQ(states[0], states[1]);
+}
+
+TEST(Blueprint, GivesWorldsWhatItSays) {
+  const blueprint::KitPtr kit = furnished().compile({}, {});
+  ASSERT_EQ(kit->agents.size(), 1u);
+  EXPECT_EQ(kit->agents[0].name, "anna");
+  ASSERT_EQ(kit->options.cameras.size(), 1u);
+  EXPECT_EQ(kit->options.cameras[0].camera, "aside");
+  EXPECT_EQ(kit->options.parameters["reach/episode_steps"], 7);
+  EXPECT_GE(engine::find(*kit->model, engine::Kind::kCamera, "aside"), 0);
+  EXPECT_GE(engine::find(*kit->model, engine::Kind::kBody, "anna/mimo_location"), 0);
+}
+
+TEST(Blueprint, AClonePlaysOnAndSharesTheSkin) {
+  Blueprint blueprint(named("free"));
+  blueprint.edit([](Draft& draft) { draft.add_agent(infant("")); });
+  const blueprint::KitPtr kit = blueprint.compile(without_renderer(), {});
+  env::World world(kit->model, kit->agents, kit->options, kit->services);
+  for (int i = 0; i < 3; ++i) step(world, i);
+  const auto twin = blueprint::clone(*kit, world, {});
+  EXPECT_EQ(twin->agents()[0].skin, world.agents()[0].skin);
+  EXPECT_EQ(step(*twin, 3), step(world, 3));
+  EXPECT_EQ(saved(*twin), saved(world));
+}
+
+}  // namespace
+}  // namespace mimo::test

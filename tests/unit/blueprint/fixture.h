@@ -1,0 +1,65 @@
+// Blueprints and what they come to.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "blueprint/blueprint.h"
+#include "support/worlds.h"
+
+namespace mimo::test {
+
+using blueprint::AgentPlan;
+using blueprint::Blueprint;
+using blueprint::Draft;
+
+inline AgentPlan infant(const std::string& name) {
+  AgentPlan plan;
+  plan.options = blind();
+  plan.options.name = name;
+  return plan;
+}
+
+// A pose that is the plan's own, so that no room has to have a place.
+inline AgentPlan infant_at(const std::string& name, double x) {
+  AgentPlan plan = infant(name);
+  plan.place.emplace();
+  plan.place->position = {x, 0, 1};
+  return plan;
+}
+
+// The message of an edit that is refused, "" for one that is not.
+template <typename Change>
+std::string refusal(Blueprint& blueprint, Change&& change) {
+  try {
+    blueprint.edit(change);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The same of adding an agent.
+inline std::string joining(Blueprint& blueprint, const AgentPlan& plan) {
+  return refusal(blueprint, [&](Draft& draft) { draft.add_agent(plan); });
+}
+
+// All that can be told of a blueprint without compiling it.
+inline std::string told(const Blueprint& blueprint) {
+  const Draft& draft = blueprint.draft();
+  std::string all = draft.scene.xml();
+  for (const env::AgentOptions& agent : draft.agents.all()) {
+    all += "agent " + agent.name + " root " + agent.root + " limits " + std::to_string(agent.limits.size());
+    for (const std::string& joint : agent.joints) all += " reads " + joint;
+    for (const auto& [body, spacing] : agent.touch.spacing) all += " skin " + body + " " + std::to_string(spacing);
+    if (agent.touch.everywhere) all += " everywhere " + std::to_string(*agent.touch.everywhere);
+  }
+  for (const env::CameraOptions& camera : draft.cameras.all()) all += "camera " + camera.camera;
+  all += "steps " + std::to_string(draft.parameters["reach/episode_steps"]);
+  return all + (draft.task ? "own task" : "");
+}
+
+}  // namespace mimo::test
