@@ -37,6 +37,9 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     check(mimo_batch_world(get(), index, &env));
     return env;
   }
+  /// The same as an Env, whose end leaves the world to the batch.
+  Env env(std::size_t index) { return Env(world(index)); }
+
   /// Observations of all worlds; that of world i starts at i times the size of one.
   Block make_blocks() {
     std::size_t bytes = 0;
@@ -73,8 +76,7 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
 
  private:
   static mimo_batch_config sized(std::size_t worlds) {
-    mimo_batch_config config;
-    check(mimo_batch_config_init(&config, sizeof config));
+    mimo_batch_config config = batch_config();
     config.worlds = static_cast<std::uint32_t>(worlds);
     return config;
   }

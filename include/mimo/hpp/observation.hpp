@@ -35,10 +35,11 @@ struct Dtype<double> {
   static const std::int32_t value = MIMO_F64;
 };
 
-/// An observation block, aligned to 64 bytes. Views of it live as long as it does.
+/// An observation block, aligned to 64 bytes. Views of it live as long as it does. A step into one without bytes senses
+/// nothing, and takes no time for it.
 class Block {
  public:
-  explicit Block(std::size_t bytes) : room_(bytes + 63), bytes_(bytes) {}
+  explicit Block(std::size_t bytes = 0) : room_(bytes + 63), bytes_(bytes) {}
   /// What was moved from has no bytes.
   Block(Block &&other) noexcept : room_(std::move(other.room_)), bytes_(other.bytes_) { other.bytes_ = 0; }
   Block &operator=(Block &&other) noexcept {
@@ -57,8 +58,9 @@ class Block {
     return *this;
   }
 
-  std::uint8_t *data() { return room_.data() + padding(); }
-  const std::uint8_t *data() const { return room_.data() + padding(); }
+  /// nullptr where there are no bytes.
+  std::uint8_t *data() { return bytes_ == 0 ? nullptr : room_.data() + padding(); }
+  const std::uint8_t *data() const { return bytes_ == 0 ? nullptr : room_.data() + padding(); }
   std::size_t bytes() const { return bytes_; }
 
   /// The elements of a field; throws std::invalid_argument when the field holds another type, std::out_of_range when it

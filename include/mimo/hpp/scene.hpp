@@ -20,6 +20,12 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
  public:
   explicit Scene(const mimo_scene_config &config) : Handle(create(config)) {}
 
+  /// What the scene gives its next infant by itself.
+  mimo_agent_config default_agent() const {
+    mimo_agent_config config;
+    check(mimo_scene_default_agent(get(), &config, sizeof config));
+    return config;
+  }
   std::int32_t add_agent(const mimo_agent_config &config = agent_config()) {
     std::int32_t agent = 0;
     check(mimo_scene_add_agent(get(), &config, &agent));
