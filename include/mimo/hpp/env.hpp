@@ -21,6 +21,7 @@ namespace detail {
 inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
 }  // namespace detail
 
+/// A world. Ids, kinds and quantities are those of mimo.h.
 class Env : public Handle<mimo_env, detail::destroy_env> {
  public:
   explicit Env(mimo_env *env) : Handle(env) {}

@@ -16,6 +16,7 @@ namespace detail {
 inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
 }  // namespace detail
 
+/// What worlds are made of; not needed any more once they are.
 class Scene : public Handle<mimo_scene, detail::destroy_scene> {
  public:
   explicit Scene(const mimo_scene_config &config) : Handle(create(config)) {}
