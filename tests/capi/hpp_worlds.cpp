@@ -161,6 +161,16 @@ void check_pictures() {
   CHECK(seen.color.pixels.empty() && seen.color.width == 0 && seen.segmentation.pixels.empty());
   CHECK(std::memcmp(env.render(config).color.pixels.data(), env.render(config, kAll).color.pixels.data(),
                     std::size_t{3} * 64 * 48) == 0);
+
+  auto huge = config;
+  huge.width = huge.height = 4000000000U;
+  try {
+    env.render(huge, kAll, seen);
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(std::strstr(error.what(), "width is 4000000000") != nullptr);
+  }
+  CHECK(seen.depth.width == 64 && seen.depth.pixels.size() == std::size_t{64} * 48);  // as it was
 }
 
 // A world that steps without sensing or telling results goes the same way.

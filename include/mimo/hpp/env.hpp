@@ -226,6 +226,7 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   }
   /// The same into pictures whose memory is used again.
   void render(const mimo_picture_config &config, std::uint32_t outputs, Pictures &pictures) {
+    check(mimo_env_project(get(), &config, nullptr, 0, nullptr));  // before there is room for a picture of any size
     detail::make_room(pictures.color, config, (outputs & MIMO_VISION_RGB) != 0);
     detail::make_room(pictures.depth, config, (outputs & MIMO_VISION_DEPTH) != 0);
     detail::make_room(pictures.segmentation, config, (outputs & MIMO_VISION_SEGMENTATION) != 0);
