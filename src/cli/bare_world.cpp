@@ -29,24 +29,24 @@ BareWorld::BareWorld(const WorldOptions& world, std::int32_t jacobian, std::size
 }
 
 void BareWorld::step(const std::vector<float>& action) {
-  if (!motors_) return env_.step(action, nothing_);
+  if (!motors_) return env_.step(action, nothing_, unwanted_);
   for (std::size_t i = 0; i < env_.frame_skip(); ++i) env_.physics_step(1);  // each of them whole, with its sensors
 }
 
 void BareWorld::run(const Actions& actions) {
   const double frame_skip = env_.frame_skip();
   for (const auto& action : actions) {
-    if (motors_) env_.set(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
+    if (motors_) env_.set_values(MIMO_ACTUATOR_CONTROL, actuators_, std::vector<double>(action.begin(), action.end()));
     const auto start = Clock::now();
     step(action);
     times_.add(seconds_since(start) / frame_skip);
   }
 }
 
-void BareWorld::go_to(const Env& other) {
+void BareWorld::go_to(const mimo::Env& other) {
   const auto joints = env_.ids(MIMO_JOINT);
   for (const std::int32_t quantity : {MIMO_JOINT_POSITION, MIMO_JOINT_VELOCITY}) {
-    env_.set(quantity, joints, other.get(quantity, joints));
+    env_.set_values(quantity, joints, other.get_values(quantity, joints));
   }
 }
 

@@ -43,18 +43,19 @@ class BareWorld {
   void run(const Actions& actions);
   void warm_up(const Actions& actions);
   void forget() { times_ = Samples(0); }  // what was measured so far
-  void go_to(const Env& other);           // where that one is; ours rounds otherwise, and contacts amplify it
+  void go_to(const mimo::Env& other);     // where that one is; ours rounds otherwise, and contacts amplify it
 
-  const Env& env() const { return env_; }
+  const mimo::Env& env() const { return env_; }
   const Samples& times() const { return times_; }
 
  private:
   void step(const std::vector<float>& action);
 
-  Env env_;
+  mimo::Env env_;
   bool motors_;  // actions are their commands
   std::vector<std::int32_t> actuators_;
-  Block nothing_{0};
+  mimo::Block nothing_;  // nothing is sensed, nothing rewarded
+  mimo::Results unwanted_;
   Samples times_;
 };
 

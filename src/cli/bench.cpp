@@ -8,6 +8,8 @@
 #include "allocations.h"
 #include "bare_world.h"
 #include "commands.h"
+#include "facts.h"
+#include "failure.h"
 #include "files.h"
 #include "full_world.h"
 #include "paper.h"
@@ -74,9 +76,9 @@ void Bench::run() {
   }
 }
 
-Json split_of(const Env& env, double step_ms) {
+Json split_of(const mimo::Env& env, double step_ms) {
   Json split = Json::object();
-  for (const auto& [part, ms] : split_ms(env, step_ms)) split[part] = ms;
+  for (const auto& [part, ms] : split_ms(env.timing(), step_ms)) split[part] = ms;
   return split;
 }
 
@@ -85,10 +87,10 @@ Json microseconds(const Samples& samples, double (Samples::*average)() const) {
   return samples.seconds().empty() ? Json() : Json((samples.*average)() * 1e6);
 }
 
-std::size_t pixels(const Env& env) {
+std::size_t pixels(const mimo::Env& env) {
   std::size_t count = 0;
-  for (const Field& field : env.fields()) {
-    if (field.name.find("vision/") != std::string::npos) count += field.shape[0] * field.shape[1];
+  for (const mimo_field& field : env.fields()) {
+    if (std::string(field.name).find("vision/") != std::string::npos) count += field.shape[0] * field.shape[1];
   }
   return count;
 }
@@ -105,11 +107,11 @@ Json Bench::result() const {
           {"realtime_factor", simulated / full.sum()},
           {"ms_per_step", step_ms},
           {"split_ms", split_of(full_.env(), step_ms)},
-          {"agents", full_.env().agents().size()},
+          {"agents", full_.env().agent_count()},
           {"degrees_of_freedom", full_.env().width(MIMO_JOINT_VELOCITY, full_.env().ids(MIMO_JOINT))},
           {"frame_skip", full_.env().frame_skip()},
           {"pixels", pixels(full_.env())},
-          {"touch_sensors", full_.env().touch_sensors()},
+          {"touch_sensors", touch_sensors(full_.env())},
           {"mean_contacts", static_cast<double>(full_.contacts()) / steps},
           {"raw_physics_us", raw.mean() * 1e6},
           {"reference_us", microseconds(reference, &Samples::mean)},

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "api.h"
+#include "failure.h"
 
 namespace cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "api.h"
+#include "failure.h"
 
 namespace cli {
 

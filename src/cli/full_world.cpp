@@ -15,25 +15,26 @@ mimo_env_config timed_config() {
 }  // namespace
 
 FullWorld::FullWorld(const WorldOptions& options, std::size_t steps)
-    : env_(open_world(options, timed_config())), block_(env_.make_block()), times_(steps) {
+    : env_(open_world(options, timed_config())),
+      block_(env_.make_block()),
+      results_(env_.make_results()),
+      times_(steps) {
   env_.reset(options.seed, block_);
 }
 
 void FullWorld::warm_up(const Actions& actions) {
-  for (const auto& action : actions) env_.step(action, block_);
-  check(mimo_env_timing_reset(env_.get()));
+  for (const auto& action : actions) env_.step(action, block_, results_);
+  env_.reset_timing();
 }
 
 void FullWorld::run(const Actions& actions) {
   for (const auto& action : actions) {
     Allocations::start();
     const auto start = Clock::now();
-    env_.step(action, block_);
+    env_.step(action, block_, results_);
     times_.add(seconds_since(start));
     Allocations::stop();
-    std::size_t contacts = 0;
-    check(mimo_env_contacts(env_.get(), nullptr, nullptr, 0, &contacts));
-    contacts_ += contacts;
+    contacts_ += env_.contact_count();
   }
 }
 

@@ -15,13 +15,14 @@ class FullWorld {
   void run(const Actions& actions);
   void reset(std::uint64_t seed);
 
-  const Env& env() const { return env_; }
+  const mimo::Env& env() const { return env_; }
   const Samples& times() const { return times_; }
   std::size_t contacts() const { return contacts_; }
 
  private:
-  Env env_;
-  Block block_;
+  mimo::Env env_;
+  mimo::Block block_;
+  mimo::Results results_;
   Samples times_;
   std::size_t contacts_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "facts.h"
 #include "text.h"
 #include "world.h"
 
@@ -13,25 +14,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const char* time_name(const mimo_field& field) { return field.time == MIMO_AT_END ? "end" : "last_start"; }
+
 // Infinite bounds become null: JSON has no infinity.
-Json describe(const Field& field) {
-  return {{"name", field.name}, {"dtype", field.dtype_name()}, {"shape", field.shape},
-          {"unit", field.unit}, {"frame", field.frame},        {"time", field.time_name()},
-          {"low", field.low},   {"high", field.high},          {"offset", field.offset}};
+Json describe(const mimo_field& field) {
+  return {{"name", field.name}, {"dtype", dtype_name(field)}, {"shape", shape(field)},
+          {"unit", field.unit}, {"frame", field.frame},       {"time", time_name(field)},
+          {"low", field.low},   {"high", field.high},         {"offset", field.offset}};
 }
 
 // What each action is and may be.
-Json describe_actions(const Env& env) {
+Json describe_actions(const mimo::Env& env) {
   const auto names = env.action_names();
-  const auto [low, high] = env.action_bounds();
+  const mimo::Bounds bounds = env.action_bounds();
   Json actions = Json::array();
   for (std::size_t i = 0; i < names.size(); ++i) {
-    actions.push_back({{"name", names[i]}, {"low", low[i]}, {"high", high[i]}});
+    actions.push_back({{"name", names[i]}, {"low", bounds.low[i]}, {"high", bounds.high[i]}});
   }
   return actions;
 }
 
-Json describe(const Env& env) {
+Json describe(const mimo::Env& env) {
   const auto joints = env.ids(MIMO_JOINT);
   const auto agents = env.agents();
   Json info = {{"nq", env.width(MIMO_JOINT_POSITION, joints)},
@@ -41,7 +44,7 @@ Json describe(const Env& env) {
                {"joints", env.count(MIMO_JOINT)},
                {"geoms", env.count(MIMO_GEOM)},
                {"cameras", env.count(MIMO_CAMERA)},
-               {"touch_sensors", env.touch_sensors()},
+               {"touch_sensors", touch_sensors(env)},
                {"agents", agents.size()},
                {"mass_kg", agents.empty() ? Json() : Json(agents[0].mass)},
                {"height_m", agents.empty() ? Json() : Json(agents[0].height)}};
@@ -51,12 +54,12 @@ Json describe(const Env& env) {
   info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
   info["observation_bytes"] = env.make_block().bytes();
   info["observation_fields"] = Json::array();
-  for (const Field& field : env.fields()) info["observation_fields"].push_back(describe(field));
+  for (const mimo_field& field : env.fields()) info["observation_fields"].push_back(describe(field));
   info["actions"] = describe_actions(env);
   return info;
 }
 
-void print_for_people(const Json& info, const std::vector<Field>& fields) {
+void print_for_people(const Json& info, const std::vector<mimo_field>& fields) {
   Table counts(1);
   for (const auto& [key, value] : info.items()) {
     if (value.is_number()) counts.add({key, value.dump()});
@@ -70,9 +73,9 @@ void print_for_people(const Json& info, const std::vector<Field>& fields) {
   std::cout << "\nobservation fields\n";
   Table table(8);
   table.add({"field", "type", "shape", "unit", "frame", "time", "low", "high", "offset"});
-  for (const Field& f : fields) {
-    table.add({f.name, f.dtype_name(), f.shape_text(), f.unit.empty() ? "-" : f.unit, f.frame.empty() ? "-" : f.frame,
-               f.time_name(), text("%g", f.low), text("%g", f.high), std::to_string(f.offset)});
+  for (const mimo_field& f : fields) {
+    table.add({f.name, dtype_name(f), shape_text(f), or_dash(f.unit), or_dash(f.frame), time_name(f), text("%g", f.low),
+               text("%g", f.high), std::to_string(f.offset)});
   }
   table.print(std::cout);
 
@@ -110,7 +113,7 @@ void add_info(CLI::App& program) {
       "  mimo info\n"
       "  mimo info --scene my_room.xml --json");
   command->callback([options] {
-    const Env env = open_own_world(options->world, make_env_config());
+    const mimo::Env env = open_own_world(options->world, make_env_config());
     const Json info = describe(env);
     if (options->json) {
       std::cout << info.dump(2) << '\n';

@@ -1,15 +1,15 @@
-// mimo: the infant from the command line. Written against mimo.h only, like any user's program.
-#include <mimo/mimo.h>
+// mimo: the infant from the command line. Written against mimo.hpp only, like any user's program.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <mimo/mimo.hpp>
 #include <string>
 
-#include "api.h"
 #include "commands.h"
+#include "failure.h"
 
 namespace {
 

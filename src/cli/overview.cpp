@@ -1,14 +1,14 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
+#include "facts.h"
 #include "picture.h"
 
 namespace cli {
 namespace {
 
-using Vector = std::array<double, 3>;
+using mimo::Vector;
 
 struct Ball {
   std::int32_t geom;
@@ -27,17 +27,17 @@ constexpr View kViews[] = {{kSurroundings, 45}, {kArmsReach, 45}, {kArmsReach, 7
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Vector position(const Env& env, std::int32_t quantity, std::int32_t id) {
-  const auto place = env.get(quantity, {id});
+Vector position(const mimo::Env& env, std::int32_t quantity, std::int32_t id) {
+  const auto place = env.get_values(quantity, {id});
   return {place[0], place[1], place[2]};
 }
 
 // A ball around each geom that is not scenery: of the world itself, or as large as walls and furniture are.
-std::vector<Ball> small_geoms(const Env& env) {
+std::vector<Ball> small_geoms(const mimo::Env& env) {
   constexpr double kLarge = 0.5;
   std::vector<Ball> balls;
   for (const std::int32_t geom : env.ids(MIMO_GEOM)) {
-    const auto size = env.get(MIMO_GEOM_SIZE, {geom});
+    const auto size = env.get_values(MIMO_GEOM_SIZE, {geom});
     const double radius = std::hypot(size[0], size[1], size[2]);
     if (env.body_of(MIMO_GEOM, geom) == 0 || radius > kLarge) continue;
     balls.push_back({geom, position(env, MIMO_GEOM_POSITION, geom), radius});
@@ -46,12 +46,12 @@ std::vector<Ball> small_geoms(const Env& env) {
 }
 
 // Those that are near an infant; all where there is none.
-std::vector<Ball> near_infants(const Env& env, std::vector<Ball> balls, double far) {
-  std::vector<Vector> infants;
-  for (const std::int32_t body : env.infants()) infants.push_back(position(env, MIMO_BODY_POSITION, body));
-  if (infants.empty()) return balls;
+std::vector<Ball> near_infants(const mimo::Env& env, std::vector<Ball> balls, double far) {
+  std::vector<Vector> places;
+  for (const std::int32_t body : infants(env)) places.push_back(position(env, MIMO_BODY_POSITION, body));
+  if (places.empty()) return balls;
   const auto stray = [&](const Ball& ball) {
-    return std::none_of(infants.begin(), infants.end(), [&](const Vector& infant) {
+    return std::none_of(places.begin(), places.end(), [&](const Vector& infant) {
       return std::hypot(ball.center[0] - infant[0], ball.center[1] - infant[1], ball.center[2] - infant[2]) <= far;
     });
   };
@@ -111,26 +111,25 @@ bool among(const std::vector<Ball>& balls, std::int32_t geom) {
 }
 
 // How many of the balls a wall or other scenery hides from a camera that has them in its picture.
-std::size_t count_hidden(Env& env, mimo_picture_config config, const std::vector<Ball>& balls,
+std::size_t count_hidden(mimo::Env& env, mimo_picture_config config, const std::vector<Ball>& balls,
                          const std::vector<Ball>& small) {
   constexpr std::uint32_t kCoarser = 8;
   config.width = std::max(config.width / kCoarser, 1u);
   config.height = std::max(config.height / kCoarser, 1u);
-  const std::size_t count = std::size_t{config.width} * config.height;
-  std::vector<float> depth(count);
-  std::vector<std::int32_t> geoms(count);
-  check(mimo_env_render(env.get(), &config, nullptr, 0, depth.data(), count, geoms.data(), count));
+  const auto pictures = env.render(config, MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+  const auto& depth = pictures.depth.pixels;
+  const auto& geoms = pictures.segmentation.pixels;
 
-  std::vector<double> centers, pixels(3 * balls.size());
-  for (const Ball& ball : balls) centers.insert(centers.end(), ball.center.begin(), ball.center.end());
-  check(mimo_env_project(env.get(), &config, centers.data(), balls.size(), pixels.data()));
+  std::vector<Vector> centers;
+  for (const Ball& ball : balls) centers.push_back(ball.center);
+  const auto pixels = env.project(config, centers);
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    const auto x = static_cast<std::size_t>(std::clamp(pixels[3 * i], 0.0, config.width - 1.0));
-    const auto y = static_cast<std::size_t>(std::clamp(pixels[3 * i + 1], 0.0, config.height - 1.0));
+    const auto x = static_cast<std::size_t>(std::clamp(pixels[i][0], 0.0, config.width - 1.0));
+    const auto y = static_cast<std::size_t>(std::clamp(pixels[i][1], 0.0, config.height - 1.0));
     const std::size_t pixel = y * config.width + x;
     const bool scenery = geoms[pixel] >= 0 && !among(small, geoms[pixel]);
-    hidden += scenery && depth[pixel] < pixels[3 * i + 2] - balls[i].radius;
+    hidden += scenery && depth[pixel] < pixels[i][2] - balls[i].radius;
   }
   return hidden;
 }
@@ -139,8 +138,8 @@ std::size_t count_hidden(Env& env, mimo_picture_config config, const std::vector
 
 // The usual view, or the first other one that nothing stands in the way of: from another side, of the infants alone and
 // from nearer, with a wider angle.
-mimo_picture_config overview(Env& env, std::uint32_t width, std::uint32_t height) {
-  auto config = defaults(mimo_picture_config_init);
+mimo_picture_config overview(mimo::Env& env, std::uint32_t width, std::uint32_t height) {
+  auto config = mimo::picture_config();
   config.width = width;
   config.height = height;
   const auto small = small_geoms(env);

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iostream>
 
+#include "facts.h"
+#include "failure.h"
 #include "full_world.h"
 #include "progress.h"
 #include "reference.h"
@@ -57,12 +59,12 @@ Row measure(const Cell& cell, const PaperOptions& options, Progress& progress, s
   const double step = full.times().mean();
   const double simulated = full.env().timestep() * full.env().frame_skip();
   return {cell,
-          full.env().touch_sensors(),
+          touch_sensors(full.env()),
           episodes * kSteps,
           step * 1e3,
           reference.times().mean() * 1e6,
           simulated / step,
-          split_ms(full.env(), step * 1e3)};
+          split_ms(full.env().timing(), step * 1e3)};
 }
 
 void print(const std::vector<Row>& rows) {

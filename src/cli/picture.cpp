@@ -9,6 +9,8 @@
 #include <fstream>
 #include <limits>
 
+#include "failure.h"
+
 namespace cli {
 namespace {
 
@@ -91,13 +93,5 @@ void write_png(const std::string& path, const Picture<std::uint16_t>& picture) {
 void write_npy(const std::string& path, const Picture<float>& picture) { write_npy(path, "<f4", picture); }
 
 void write_npy(const std::string& path, const Picture<std::int32_t>& picture) { write_npy(path, "<i4", picture); }
-
-ColorPicture take_picture(Env& env, const mimo_picture_config& config) {
-  ColorPicture picture{config.width, config.height, {}};
-  picture.pixels.resize(std::size_t{config.width} * config.height);
-  auto* bytes = reinterpret_cast<std::uint8_t*>(picture.pixels.data());
-  check(mimo_env_render(env.get(), &config, bytes, picture.pixels.size() * sizeof(Rgb), nullptr, 0, nullptr, 0));
-  return picture;
-}
 
 }  // namespace cli

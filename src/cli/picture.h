@@ -1,25 +1,14 @@
-// Pictures: taking them, turning numbers into colours, writing files.
+// Pictures: turning numbers into colours, writing files.
 #pragma once
 
 #include <cstdint>
+#include <mimo/mimo.hpp>
 #include <string>
-#include <vector>
-
-#include "api.h"
 
 namespace cli {
 
-// Row 0 is the top.
-template <typename Pixel>
-struct Picture {
-  std::uint32_t width, height;
-  std::vector<Pixel> pixels;
-};
-struct Rgb {
-  std::uint8_t r, g, b;
-};
-static_assert(sizeof(Rgb) == 3, "a picture is an array of bytes r g b");
-
+using mimo::Picture;
+using mimo::Rgb;
 using ColorPicture = Picture<Rgb>;
 
 // Red from the left eye, green and blue from the right: for red-cyan glasses.
@@ -39,8 +28,6 @@ void write_npy(const std::string& path, const Picture<std::int32_t>& picture);
 
 // A free camera that sees the infants and what is around them but walls and furniture, usually from the right and in
 // front of them; no wall stands in its way if there is such a place. Draws small pictures to know.
-mimo_picture_config overview(Env& env, std::uint32_t width = 640, std::uint32_t height = 480);
-
-ColorPicture take_picture(Env& env, const mimo_picture_config& config);
+mimo_picture_config overview(mimo::Env& env, std::uint32_t width = 640, std::uint32_t height = 480);
 
 }  // namespace cli

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "failure.h"
+
 namespace cli {
 namespace {
 

@@ -23,7 +23,7 @@ struct RenderOptions {
 
 bool is_png(const std::string& path) { return has_ending(path, ".png"); }
 
-mimo_picture_config view(Env& env, const RenderOptions& options) {
+mimo_picture_config view(mimo::Env& env, const RenderOptions& options) {
   auto config = overview(env, options.width, options.height);
   if (!options.camera.empty()) {
     config.camera = options.camera.c_str();
@@ -40,21 +40,16 @@ void render(const RenderOptions& options) {
   for (const std::string& path : {options.out, options.depth, options.segmentation}) {
     if (!path.empty()) require_writable(path);
   }
-  Env env = open_world(options.world, make_env_config());
-  Block block = env.make_block();
+  mimo::Env env = open_world(options.world, make_env_config());
+  mimo::Block block = env.make_block();
   env.reset(options.world.seed, block);
   const auto config = view(env, options);
-
-  const std::uint32_t width = config.width, height = config.height;
-  const std::size_t pixels = std::size_t{width} * height;
-  ColorPicture color{width, height, std::vector<Rgb>(pixels)};
-  Picture<float> depth{width, height, std::vector<float>(pixels)};
-  Picture<std::int32_t> ids{width, height, std::vector<std::int32_t>(pixels)};
-  check(mimo_env_render(env.get(), &config, &color.pixels[0].r, pixels * sizeof(Rgb), depth.pixels.data(), pixels,
-                        ids.pixels.data(), pixels));
+  const mimo::Pictures seen = env.render(config, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+  const Picture<float>& depth = seen.depth;
+  const Picture<std::int32_t>& ids = seen.segmentation;
 
   TouchPicture touch(env);
-  write_png(options.out, touch.possible() ? touch.draw(env, config, block) : color);
+  write_png(options.out, touch.possible() ? touch.draw(env, config, block) : seen.color);
   if (!options.depth.empty()) {
     is_png(options.depth) ? write_png(options.depth, millimetres(depth, ids)) : write_npy(options.depth, depth);
   }

@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "csv.h"
+#include "failure.h"
 #include "files.h"
 #include "progress.h"
 #include "world.h"
@@ -37,7 +38,7 @@ mimo_env_config config_of(const RolloutOptions& options) {
 }
 
 // How the model calls a joint; "free:<body>" for one that moves a whole body and has no name.
-std::string joint_label(const Env& env, std::int32_t joint) {
+std::string joint_label(const mimo::Env& env, std::int32_t joint) {
   const std::string name = env.name(MIMO_JOINT, joint);
   if (!name.empty()) return name;
   const bool free = env.width(MIMO_JOINT_POSITION, {joint}) == 7;
@@ -45,7 +46,7 @@ std::string joint_label(const Env& env, std::int32_t joint) {
   return free && !body.empty() ? "free:" + body : "joint:" + std::to_string(joint);
 }
 
-std::string body_label(const Env& env, std::int32_t body) {
+std::string body_label(const mimo::Env& env, std::int32_t body) {
   const std::string name = env.name(MIMO_BODY, body);
   return name.empty() ? "body:" + std::to_string(body) : name;
 }
@@ -53,8 +54,8 @@ std::string body_label(const Env& env, std::int32_t body) {
 // One quantity of all of a kind, by name.
 class NamedQuantity {
  public:
-  NamedQuantity(const Env& env, std::int32_t kind, std::int32_t quantity,
-                std::string (*label)(const Env&, std::int32_t))
+  NamedQuantity(const mimo::Env& env, std::int32_t kind, std::int32_t quantity,
+                std::string (*label)(const mimo::Env&, std::int32_t))
       : quantity_(quantity), ids_(env.ids(kind)) {
     for (const std::int32_t id : ids_) {
       labels_.push_back(label(env, id));
@@ -62,7 +63,7 @@ class NamedQuantity {
     }
   }
 
-  std::vector<double> read(const Env& env) const { return env.get(quantity_, ids_); }
+  std::vector<double> read(const mimo::Env& env) const { return env.get_values(quantity_, ids_); }
 
   Json to_json(const std::vector<double>& values) const {
     Json json = Json::object();
@@ -85,13 +86,13 @@ class NamedQuantity {
 // The states of a rollout as bare numbers: nothing is written before all went well.
 class Recording {
  public:
-  explicit Recording(const Env& env)
+  explicit Recording(const mimo::Env& env)
       : qpos_(env, MIMO_JOINT, MIMO_JOINT_POSITION, joint_label),
         qvel_(env, MIMO_JOINT, MIMO_JOINT_VELOCITY, joint_label),
         xpos_(env, MIMO_BODY, MIMO_BODY_POSITION, body_label) {}
 
-  void add(Env& env, std::size_t step) {
-    check(mimo_env_update(env.get()));  // else the bodies are where they were one physics step ago
+  void add(mimo::Env& env, std::size_t step) {
+    env.update();  // else the bodies are where they were one physics step ago
     states_.push_back({step, qpos_.read(env), qvel_.read(env), xpos_.read(env)});
   }
 
@@ -128,7 +129,7 @@ auto find_columns(const ControlTable& controls, const std::string& path, Find&& 
   for (const std::string& name : controls.names) {
     try {
       columns.push_back(find(name));
-    } catch (const Failure& error) {
+    } catch (const std::runtime_error& error) {
       throw Failure(path + ", line 1: " + error.what());
     }
   }
@@ -138,11 +139,11 @@ auto find_columns(const ControlTable& controls, const std::string& path, Find&& 
 // Control inputs as they are, of any actuator.
 class Motors {
  public:
-  Motors(const Env& env, const ControlTable& controls, const std::string& path)
+  Motors(const mimo::Env& env, const ControlTable& controls, const std::string& path)
       : actuators_(find_columns(controls, path, [&](const auto& name) { return env.find(MIMO_ACTUATOR, name); })) {}
 
-  void step(Env& env, const std::vector<double>& row) {
-    env.set(MIMO_ACTUATOR_CONTROL, actuators_, row);
+  void step(mimo::Env& env, const std::vector<double>& row) {
+    env.set_values(MIMO_ACTUATOR_CONTROL, actuators_, row);
     env.physics_step(1);
   }
 
@@ -153,14 +154,14 @@ class Motors {
 // Targets of joints or activations of muscles, clipped to their bounds.
 class Actions {
  public:
-  Actions(const Env& env, const ControlTable& controls, const std::string& path)
+  Actions(const mimo::Env& env, const ControlTable& controls, const std::string& path)
       : names_(env.action_names()),
         columns_(find_columns(controls, path, [&](const auto& name) { return index(name); })),
         action_(names_.size()) {}
 
-  void step(Env& env, const std::vector<double>& row) {
+  void step(mimo::Env& env, const std::vector<double>& row) {
     for (std::size_t i = 0; i < row.size(); ++i) action_[columns_[i]] = static_cast<float>(row[i]);
-    env.step(action_, nothing_);
+    env.step(action_, nothing_, unwanted_);
   }
 
  private:
@@ -173,14 +174,15 @@ class Actions {
   std::vector<std::string> names_;
   std::vector<std::size_t> columns_;
   std::vector<float> action_;
-  Block nothing_{0};
+  mimo::Block nothing_;  // nothing is sensed, nothing rewarded
+  mimo::Results unwanted_;
 };
 
 template <typename Controls>
 void roll_out(const RolloutOptions& options) {
   const ControlTable table = read_controls(options.controls);
   require_writable(options.out);
-  Env env = open_bare_world(options.world, config_of(options));
+  mimo::Env env = open_bare_world(options.world, config_of(options));
   Controls controls(env, table, options.controls);
   Recording recording(env);
   {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "facts.h"
 #include "interrupt.h"
 #include "picture.h"
 #include "progress.h"
@@ -27,10 +28,11 @@ struct RunOptions {
 };
 
 // The colour picture in an observation block.
-ColorPicture picture_in(const Field& field, const Block& block) {
-  const Rgb* pixels = reinterpret_cast<const Rgb*>(block.data() + field.offset);
+ColorPicture picture_in(const mimo_field& field, const mimo::Block& block) {
+  const auto bytes = block.view<std::uint8_t>(field);
+  const Rgb* pixels = reinterpret_cast<const Rgb*>(bytes.data());
   return {static_cast<std::uint32_t>(field.shape[1]), static_cast<std::uint32_t>(field.shape[0]),
-          std::vector<Rgb>(pixels, pixels + field.bytes / sizeof(Rgb))};
+          std::vector<Rgb>(pixels, pixels + bytes.size() / sizeof(Rgb))};
 }
 
 class Run {
@@ -45,7 +47,7 @@ class Run {
   void save_touch(const std::string& prefix, const std::string& when);
   void save_eyes(const std::string& infant, const std::string& prefix, const std::string& when);
   void save_cameras(const std::string& prefix, const std::string& when);
-  const Field* field(const std::string& name) const;
+  const mimo_field* field(const std::string& name) const;
 
   static mimo_env_config config() {
     auto config = make_env_config();
@@ -54,8 +56,9 @@ class Run {
   }
 
   const RunOptions& options_;
-  Env env_;
-  Block block_;
+  mimo::Env env_;
+  mimo::Block block_;
+  mimo::Results results_;
   std::vector<FieldStatistics> statistics_;
   Table pictures_{2};
   std::size_t steps_ = 0;
@@ -63,8 +66,11 @@ class Run {
 };
 
 Run::Run(const RunOptions& options)
-    : options_(options), env_(open_world(options.world, config())), block_(env_.make_block()) {
-  for (const Field& field : env_.fields()) statistics_.emplace_back(field);
+    : options_(options),
+      env_(open_world(options.world, config())),
+      block_(env_.make_block()),
+      results_(env_.make_results()) {
+  for (const mimo_field& field : env_.fields()) statistics_.emplace_back(field);
   std::filesystem::create_directories(options.out);
 }
 
@@ -80,7 +86,7 @@ void Run::simulate() {
     do {
       const auto action = actions.draw();
       const auto start = Clock::now();
-      env_.step(action, block_);
+      env_.step(action, block_, results_);
       wall_ += seconds_since(start);
       simulated_ = static_cast<double>(++steps_) * dt;
       for (FieldStatistics& field : statistics_) field.add(block_);
@@ -96,9 +102,9 @@ void Run::save(const std::string& name, const ColorPicture& picture, const std::
   pictures_.add({path, what});
 }
 
-const Field* Run::field(const std::string& name) const {
+const mimo_field* Run::field(const std::string& name) const {
   for (const FieldStatistics& field : statistics_) {
-    if (field.field().name == name) return &field.field();
+    if (name == field.field().name) return &field.field();
   }
   return nullptr;
 }
@@ -106,7 +112,7 @@ const Field* Run::field(const std::string& name) const {
 // Those of an infant with a name carry it, as its fields do.
 void Run::save_eyes(const std::string& infant, const std::string& prefix, const std::string& when) {
   const std::string path = infant.empty() ? "" : infant + "/", owner = infant.empty() ? "the" : infant + "'s";
-  const Field *left = field(path + "vision/eye_left"), *right = field(path + "vision/eye_right");
+  const mimo_field *left = field(path + "vision/eye_left"), *right = field(path + "vision/eye_right");
   if (left == nullptr || right == nullptr) return;
   const std::string start = prefix + (infant.empty() ? "" : infant + "_");
   const ColorPicture left_picture = picture_in(*left, block_), right_picture = picture_in(*right, block_);
@@ -119,9 +125,10 @@ void Run::save_eyes(const std::string& infant, const std::string& prefix, const 
 void Run::save_cameras(const std::string& prefix, const std::string& when) {
   const std::string path = "vision/";
   for (const FieldStatistics& statistics : statistics_) {
-    const Field& field = statistics.field();
-    if (field.dtype != MIMO_U8 || field.name.rfind(path, 0) != 0 || field.name.rfind(path + "eye_", 0) == 0) continue;
-    std::string name = field.name.substr(path.size());
+    const mimo_field& field = statistics.field();
+    std::string name = field.name;
+    if (field.dtype != MIMO_U8 || name.rfind(path, 0) != 0 || name.rfind(path + "eye_", 0) == 0) continue;
+    name = name.substr(path.size());
     std::replace(name.begin(), name.end(), '/', '_');
     save(prefix + "camera_" + name, picture_in(field, block_), "camera " + name + " " + when);
   }
@@ -139,9 +146,9 @@ void Run::save_pictures(const std::string& prefix, const std::string& when) {
   for (const mimo_agent_info& infant : env_.agents()) save_eyes(infant.name, prefix, when);
   save_cameras(prefix, when);
   try {
-    save(prefix + "outside", take_picture(env_, overview(env_)), "seen from outside " + when);
+    save(prefix + "outside", env_.render(overview(env_)).color, "seen from outside " + when);
     save_touch(prefix, when);
-  } catch (const MimoError& error) {
+  } catch (const mimo::Exception& error) {
     if (error.status() != MIMO_E_UNSUPPORTED) throw;
     pictures_.add({"none " + when + ":", error.what()});
   }
@@ -154,15 +161,15 @@ void Run::report() const {
                     options_.world.scene.c_str(), wall_, simulated_ / wall_, step_ms);
   std::cout << "\nmilliseconds a step\n";
   Table times(1);
-  for (const auto& [part, ms] : split_ms(env_, step_ms)) times.add({part, text("%.3f", ms)});
+  for (const auto& [part, ms] : split_ms(env_.timing(), step_ms)) times.add({part, text("%.3f", ms)});
   times.print(std::cout);
 
   std::cout << "\nsenses over all steps\n";
   Table senses(4);
   senses.add({"field", "type", "shape", "unit", "min", "mean", "max"});
   for (const FieldStatistics& field : statistics_) {
-    const Field& f = field.field();
-    senses.add({f.name, f.dtype_name(), f.shape_text(), f.unit.empty() ? "-" : f.unit, text("%.4g", field.min()),
+    const mimo_field& f = field.field();
+    senses.add({f.name, dtype_name(f), shape_text(f), or_dash(f.unit), text("%.4g", field.min()),
                 text("%.4g", field.mean()), text("%.4g", field.max())});
   }
   senses.print(std::cout);

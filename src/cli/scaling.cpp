@@ -16,29 +16,15 @@ constexpr std::size_t kBareTurn = 100;  // steps of each bare world between two 
 // Steps of a batch in a turn: long enough for caches to be those of its worlds, short enough for turns to be many.
 constexpr std::size_t turn_of(std::size_t worlds) { return std::max<std::size_t>(5, 100 / worlds); }
 
-std::unique_ptr<mimo_batch, void (*)(mimo_batch*)> open_batch(const WorldOptions& options, int worlds, int threads) {
+mimo::Batch open_batch(const WorldOptions& options, int worlds, int threads) {
   auto env = make_env_config();
   set_renderer(options, env);
   env.timing = 1;
-  auto config = defaults(mimo_batch_config_init);
+  auto config = mimo::batch_config();
   config.worlds = static_cast<std::uint32_t>(worlds);
   config.threads = static_cast<std::uint32_t>(threads);
   config.autoreset = MIMO_AUTORESET_SAME_STEP;
-  mimo_batch* batch = nullptr;
-  check(mimo_batch_create(make_scene(options, Senses::kAll).get(), &env, &config, &batch));
-  return {batch, mimo_batch_destroy};
-}
-
-mimo_env* view(mimo_batch* batch, std::size_t world) {
-  mimo_env* env = nullptr;
-  check(mimo_batch_world(batch, world, &env));
-  return env;
-}
-
-std::size_t block_bytes(mimo_env* env) {
-  std::size_t bytes = 0;
-  check(mimo_env_observation_size(env, &bytes, nullptr));
-  return bytes;
+  return mimo::Batch(make_scene(options, Senses::kAll), env, config);
 }
 
 }  // namespace
@@ -46,29 +32,26 @@ std::size_t block_bytes(mimo_env* env) {
 BatchWorld::BatchWorld(const WorldOptions& options, int worlds, int threads)
     : batch_(open_batch(options, worlds, threads)),
       worlds_(static_cast<std::size_t>(worlds)),
-      blocks_(worlds_ * block_bytes(view(batch_.get(), 0))) {
+      blocks_(batch_.make_blocks()) {
   std::vector<std::uint64_t> seeds(worlds_);
   std::iota(seeds.begin(), seeds.end(), options.seed);
-  check(mimo_batch_reset(batch_.get(), seeds.data(), nullptr, worlds_, blocks_.data(), blocks_.bytes()));
+  batch_.reset(seeds, blocks_);
 }
 
 void BatchWorld::step(const std::vector<float>& action) {
   actions_.clear();
   for (std::size_t i = 0; i < worlds_; ++i) actions_.insert(actions_.end(), action.begin(), action.end());
-  const float* values = actions_.empty() ? nullptr : actions_.data();
-  check(mimo_batch_step(batch_.get(), values, actions_.size(), blocks_.data(), blocks_.bytes(), nullptr));
+  batch_.step(actions_, blocks_);
 }
 
 void BatchWorld::forget_times() {
-  for (std::size_t i = 0; i < worlds_; ++i) check(mimo_env_timing_reset(view(batch_.get(), i)));
+  for (std::size_t i = 0; i < worlds_; ++i) batch_.env(i).reset_timing();
 }
 
-mimo_timing BatchWorld::timing() const {
+mimo_timing BatchWorld::timing() {
   mimo_timing sum{};
   for (std::size_t i = 0; i < worlds_; ++i) {
-    mimo_timing one{};
-    one.struct_size = sizeof one;
-    check(mimo_env_timing(view(batch_.get(), i), &one));
+    const mimo_timing one = batch_.env(i).timing();
     sum.steps += one.steps;
     sum.total += one.total;
     sum.physics += one.physics;
@@ -80,12 +63,12 @@ mimo_timing BatchWorld::timing() const {
   return sum;
 }
 
-double BatchWorld::ms_per_step() const {
+double BatchWorld::ms_per_step() {
   const mimo_timing sum = timing();
   return sum.steps == 0 ? 0 : sum.total * 1e3 / static_cast<double>(sum.steps);
 }
 
-nlohmann::ordered_json BatchWorld::split() const {
+nlohmann::ordered_json BatchWorld::split() {
   nlohmann::ordered_json split = nlohmann::ordered_json::object();
   for (const auto& [part, ms] : split_ms(timing(), ms_per_step())) split[part] = ms;
   return split;
@@ -150,7 +133,7 @@ void Scaling::run_bare(const Actions& actions) {
   bare_with_one_.add(seconds_since(start));
 }
 
-nlohmann::ordered_json Scaling::result() const {
+nlohmann::ordered_json Scaling::result() {
   const double world_steps = static_cast<double>(steps_ * worlds_);
   const double simulated = bare_[0]->env().timestep() * bare_[0]->env().frame_skip();
   const double wall = step_with_threads_.sum();

@@ -17,15 +17,15 @@ class BatchWorld {
   void step(const std::vector<float>& action);  // of one world
   void forget_times();
   // Where the time of a world's step goes, ms, from the worlds' own clocks.
-  double ms_per_step() const;
-  nlohmann::ordered_json split() const;
+  double ms_per_step();
+  nlohmann::ordered_json split();
 
  private:
-  mimo_timing timing() const;  // of all worlds together
+  mimo_timing timing();  // of all worlds together
 
-  std::unique_ptr<mimo_batch, void (*)(mimo_batch*)> batch_;
+  mimo::Batch batch_;
   std::size_t worlds_;
-  Block blocks_;
+  mimo::Block blocks_;
   std::vector<float> actions_;
 };
 
@@ -34,7 +34,7 @@ class Scaling {
   Scaling(const WorldOptions& options, std::size_t steps, int worlds, int threads);
   void run();
   // The entries of the bench's result that are about many worlds.
-  nlohmann::ordered_json result() const;
+  nlohmann::ordered_json result();
 
  private:
   void run_batch(BatchWorld& batch, const Actions& actions, Samples& times, bool counted);

@@ -2,27 +2,26 @@
 #pragma once
 
 #include <limits>
-#include <vector>
-
-#include "api.h"
+#include <mimo/mimo.hpp>
 
 namespace cli {
 
 class FieldStatistics {
  public:
-  explicit FieldStatistics(const Field& field) : field_(field) {}
-  void add(const Block& block);
+  // Of a field of a world that outlives it.
+  explicit FieldStatistics(const mimo_field& field) : field_(field) {}
+  void add(const mimo::Block& block);
 
-  const Field& field() const { return field_; }
+  const mimo_field& field() const { return field_; }
   double min() const { return min_; }
   double max() const { return max_; }
   double mean() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
 
  private:
   template <typename T>
-  void add_values(const Block& block);
+  void add_values(const mimo::Block& block);
 
-  Field field_;
+  mimo_field field_;
   double min_ = std::numeric_limits<double>::infinity();
   double max_ = -std::numeric_limits<double>::infinity();
   double sum_ = 0;

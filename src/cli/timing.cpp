@@ -2,13 +2,6 @@
 
 namespace cli {
 
-std::vector<std::pair<std::string, double>> split_ms(const Env& env, double total_ms) {
-  mimo_timing timing{};
-  timing.struct_size = sizeof timing;
-  check(mimo_env_timing(env.get(), &timing));
-  return split_ms(timing, total_ms);
-}
-
 std::vector<std::pair<std::string, double>> split_ms(const mimo_timing& timing, double total_ms) {
   const double scale = timing.steps == 0 ? 0 : 1000.0 / static_cast<double>(timing.steps);
   std::vector<std::pair<std::string, double>> split = {{"physics", timing.physics * scale},

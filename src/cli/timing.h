@@ -2,11 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <mimo/mimo.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "api.h"
 
 namespace cli {
 
@@ -19,6 +18,5 @@ inline double seconds_since(Clock::time_point start) {
 // Milliseconds a step: physics, touch, vision, proprioception, vestibular, and `other`, which makes the sum
 // equal to the given total.
 std::vector<std::pair<std::string, double>> split_ms(const mimo_timing& timing, double total_ms);
-std::vector<std::pair<std::string, double>> split_ms(const Env& env, double total_ms);
 
 }  // namespace cli

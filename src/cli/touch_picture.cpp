@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "canvas.h"
 
 namespace cli {
 namespace {
 
-using Vector = std::array<double, 3>;
+using mimo::Vector;
 
 constexpr Rgb kSkin{40, 70, 160};       // of a sensor that feels nothing
 constexpr double kNothing = 1e-4;       // N
@@ -49,31 +50,22 @@ struct Scenery {
   }
 };
 
-Scenery take(Env& env, const mimo_picture_config& config) {
-  const std::size_t pixels = std::size_t{config.width} * config.height;
-  Scenery scenery{{config.width, config.height, std::vector<Rgb>(pixels)}, std::vector<float>(pixels), {}};
-  std::vector<std::int32_t> geoms(pixels);
-  check(mimo_env_render(env.get(), &config, &scenery.picture.pixels[0].r, pixels * sizeof(Rgb), scenery.depth.data(),
-                        pixels, geoms.data(), pixels));
-  for (const std::int32_t geom : geoms) scenery.movable.push_back(geom >= 0 && env.body_of(MIMO_GEOM, geom) != 0);
+Scenery take(mimo::Env& env, const mimo_picture_config& config) {
+  auto pictures = env.render(config, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+  Scenery scenery{std::move(pictures.color), std::move(pictures.depth.pixels), {}};
+  for (const std::int32_t geom : pictures.segmentation.pixels) {
+    scenery.movable.push_back(geom >= 0 && env.body_of(MIMO_GEOM, geom) != 0);
+  }
   return scenery;
-}
-
-// x, y and depth in the picture.
-std::vector<Vector> project(const Env& env, const mimo_picture_config& config, const std::vector<Vector>& points) {
-  std::vector<Vector> pixels(points.size());
-  if (points.empty()) return pixels;
-  check(mimo_env_project(env.get(), &config, points[0].data(), points.size(), pixels[0].data()));
-  return pixels;
 }
 
 Spot spot(const Vector& pixel) { return {pixel[0], pixel[1]}; }
 
 }  // namespace
 
-TouchPicture::TouchPicture(const Env& env) {
+TouchPicture::TouchPicture(const mimo::Env& env) {
   const auto agents = env.agents();
-  for (const Field& field : env.fields()) {
+  for (const mimo_field& field : env.fields()) {
     for (std::size_t i = 0; i < agents.size(); ++i) {
       const std::string name = agents[i].name;
       if (field.name == (name.empty() ? "" : name + "/") + "touch/force" && field.shape[1] == 3) add(env, i, field);
@@ -81,22 +73,17 @@ TouchPicture::TouchPicture(const Env& env) {
   }
 }
 
-void TouchPicture::add(const Env& env, std::size_t agent, const Field& field) {
-  const std::size_t count = field.shape[0];
-  std::vector<std::int32_t> bodies(count);
-  std::vector<double> positions(3 * count), frames(MIMO_TOUCH_FRAME_VALUES * count);
-  if (count == 0) return;
-  check(mimo_env_touch_sensors(env.get(), agent, bodies.data(), nullptr, positions.data(), frames.data(), count,
-                               nullptr));
-  for (std::size_t i = 0; i < count; ++i) {
-    const double *p = &positions[3 * i], *n = &frames[MIMO_TOUCH_FRAME_VALUES * i];
-    sensors_.push_back({bodies[i], {p[0], p[1], p[2]}, {n[0], n[1], n[2]}, field.offset + 3 * sizeof(float) * i});
+void TouchPicture::add(const mimo::Env& env, std::size_t agent, const mimo_field& field) {
+  std::size_t force = field.offset;
+  for (const mimo::TouchSensor& sensor : env.touch_sensors(agent)) {
+    sensors_.push_back({sensor.body, sensor.position, sensor.normal, force});
+    force += 3 * sizeof(float);
   }
 }
 
-std::vector<TouchPicture::Feeling> TouchPicture::feelings(const Env& env, const Block& block) const {
+std::vector<TouchPicture::Feeling> TouchPicture::feelings(const mimo::Env& env, const mimo::Block& block) const {
   const auto bodies = env.ids(MIMO_BODY);
-  const auto places = env.get(MIMO_BODY_POSITION, bodies), turns = env.get(MIMO_BODY_ORIENTATION, bodies);
+  const auto places = env.get_values(MIMO_BODY_POSITION, bodies), turns = env.get_values(MIMO_BODY_ORIENTATION, bodies);
   std::vector<Feeling> feelings;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const auto body = static_cast<std::size_t>(sensors_[i].body);
@@ -115,7 +102,7 @@ std::size_t TouchPicture::strongest_of(const std::vector<Feeling>& felt) {
   return static_cast<std::size_t>(std::max_element(felt.begin(), felt.end(), weaker) - felt.begin());
 }
 
-ColorPicture TouchPicture::draw(Env& env, const mimo_picture_config& config, const Block& block) {
+ColorPicture TouchPicture::draw(mimo::Env& env, const mimo_picture_config& config, const mimo::Block& block) {
   Scenery scenery = take(env, config);
   const auto felt = feelings(env, block);  // after the picture, which brings poses up to date
   const std::size_t most = strongest_of(felt);
@@ -126,8 +113,8 @@ ColorPicture TouchPicture::draw(Env& env, const mimo_picture_config& config, con
     tails.push_back(sum(f.position, f.force, -kLongestArrow / strongest));
     above.push_back(sum(f.position, f.normal, 1e-4));
   }
-  const auto pixels = project(env, config, points), starts = project(env, config, tails);
-  const auto lifted = project(env, config, above);
+  const auto pixels = env.project(config, points), starts = env.project(config, tails);
+  const auto lifted = env.project(config, above);
   const auto hidden = [&](std::size_t i) {
     const bool matters = sensors_[i].body == sensors_[most].body;
     return lifted[i][2] >= pixels[i][2] || scenery.hides(pixels[i], matters);
@@ -148,7 +135,7 @@ ColorPicture TouchPicture::draw(Env& env, const mimo_picture_config& config, con
   return scenery.picture;
 }
 
-mimo_picture_config TouchPicture::close_up(Env& env, const Block& block) const {
+mimo_picture_config TouchPicture::close_up(mimo::Env& env, const mimo::Block& block) const {
   auto config = overview(env);
   const auto felt = feelings(env, block);
   const Feeling& strongest = felt[strongest_of(felt)];

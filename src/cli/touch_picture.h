@@ -1,7 +1,6 @@
 // Pictures of touch: sensors as points, what they feel as colours and arrows.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "picture.h"
@@ -11,7 +10,7 @@ namespace cli {
 class TouchPicture {
  public:
   // Needs touch/force of the agents, with three components in the frame of the body.
-  explicit TouchPicture(const Env& env);
+  explicit TouchPicture(const mimo::Env& env);
 
   // Whether the world has sensors to draw.
   bool possible() const { return !sensors_.empty(); }
@@ -19,13 +18,13 @@ class TouchPicture {
 
   // The rest needs possible().
   // The view that `config` describes, with the touch in the block over it. The block belongs to the world's state.
-  ColorPicture draw(Env& env, const mimo_picture_config& config, const Block& block);
+  ColorPicture draw(mimo::Env& env, const mimo_picture_config& config, const mimo::Block& block);
 
   // A view of what is felt most; the overview where nothing is felt.
-  mimo_picture_config close_up(Env& env, const Block& block) const;
+  mimo_picture_config close_up(mimo::Env& env, const mimo::Block& block) const;
 
  private:
-  using Vector = std::array<double, 3>;
+  using Vector = mimo::Vector;
   struct Sensor {
     std::int32_t body;
     Vector position, normal;  // body frame
@@ -36,9 +35,9 @@ class TouchPicture {
     Vector position, normal, force;
   };
 
-  void add(const Env& env, std::size_t agent, const Field& field);
+  void add(const mimo::Env& env, std::size_t agent, const mimo_field& field);
   static std::size_t strongest_of(const std::vector<Feeling>& felt);
-  std::vector<Feeling> feelings(const Env& env, const Block& block) const;
+  std::vector<Feeling> feelings(const mimo::Env& env, const mimo::Block& block) const;
 
   std::vector<Sensor> sensors_;
 };

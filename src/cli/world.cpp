@@ -5,16 +5,20 @@
 #include <cstdio>
 #include <optional>
 
+#include "facts.h"
 #include "text.h"
 
 namespace cli {
 namespace {
 
+// Goes into the `log` member of configs.
+void print_message(void*, std::int32_t level, const char* message) {
+  std::fprintf(stderr, "mimo: %s: %s\n", level == MIMO_LOG_WARNING ? "warning" : "note", message);
+}
+
 bool is_builtin(const std::string& scene) {
-  for (std::size_t i = 0; const char* name = mimo_scene_builtin(i); ++i) {
-    if (scene == name) return true;
-  }
-  return false;
+  const auto names = mimo::scene_names();
+  return std::find(names.begin(), names.end(), scene) != names.end();
 }
 
 // What is no built-in name and looks like a path is one; the library complains best about anything else.
@@ -22,29 +26,29 @@ bool is_file(const std::string& scene) {
   return !is_builtin(scene) && scene.find_first_of("./\\") != std::string::npos;
 }
 
-std::string builtin_names() {
-  std::string names;
-  for (std::size_t i = 0; const char* name = mimo_scene_builtin(i); ++i) names += (i ? ", " : "") + std::string(name);
-  return names;
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
-Scene load_scene(const WorldOptions& options) {
-  auto config = defaults(mimo_scene_config_init);
+mimo::Scene load_scene(const WorldOptions& options) {
+  auto config = mimo::scene_config();
   (is_file(options.scene) ? config.file : config.name) = options.scene.c_str();
   config.log = print_message;
-  return Scene(config);
+  return mimo::Scene(config);
 }
 
 // Only the compiled model knows: the body may come from an include.
-Env bare_file(const WorldOptions& options) {
-  auto config = defaults(mimo_env_config_init);
+mimo::Env bare_file(const WorldOptions& options) {
+  auto config = mimo::env_config();
   config.renderer = "none";
-  return Env(load_scene(options), config);
+  return mimo::Env(load_scene(options), config);
 }
 
 // Everything in a file that knows nothing of infants is one agent, with the senses that there is something for.
 void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
-  const Env world = bare_file(options);
+  const mimo::Env world = bare_file(options);
   agent.body = "scene";
   agent.root = "world";
   agent.vestibular = 0;
@@ -53,7 +57,7 @@ void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
 
 // "scene" where the infant is part of the scene's file, "" where there is none: then everything in it is one agent.
 std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& usual) {
-  if (is_file(options.scene) && !bare_file(options).infants().empty()) return "scene";
+  if (is_file(options.scene) && !infants(bare_file(options)).empty()) return "scene";
   return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
 }
 
@@ -144,7 +148,7 @@ void set_touch(const std::string& touch, mimo_agent_config& agent) {
 
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
   const bool own = senses == Senses::kOwn;
-  auto agent = own ? usual : defaults(mimo_agent_config_init);
+  auto agent = own ? usual : mimo::agent_config();
   agent.actuation = actuation(options, usual);
   if (!own || !options.vision.empty()) set_vision(senses == Senses::kAllButVision ? 0 : pixels(options), agent);
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
@@ -164,7 +168,7 @@ CLI::Validator number(double low, double high) {
 }
 
 void add_scene_options(CLI::App& command, WorldOptions& options) {
-  command.add_option("--scene", options.scene, "Built-in scene (" + builtin_names() + ") or MJCF file")
+  command.add_option("--scene", options.scene, "Built-in scene (" + list(mimo::scene_names()) + ") or MJCF file")
       ->type_name("NAME|FILE")
       ->capture_default_str();
   command
@@ -222,9 +226,7 @@ void add_actuation_option(CLI::App& command, WorldOptions& options) {
 }
 
 void add_face_option(CLI::App& command, WorldOptions& options) {
-  std::string names;
-  for (std::size_t i = 0; const char* name = mimo_face_name(i); ++i) names += (i ? ", " : "") + std::string(name);
-  command.add_option("--face", options.face, "The infant's face: " + names)->type_name("NAME");
+  command.add_option("--face", options.face, "The infant's face: " + list(mimo::face_names()))->type_name("NAME");
 }
 
 void add_seed_option(CLI::App& command, WorldOptions& options) {
@@ -234,11 +236,10 @@ void add_seed_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
-Scene make_scene(const WorldOptions& options, Senses senses) {
+mimo::Scene make_scene(const WorldOptions& options, Senses senses) {
   constexpr double kSpacing = 0.05;  // of touch sensors on what is no infant, m
-  Scene scene = load_scene(options);
-  auto usual = defaults(mimo_agent_config_init);
-  check(mimo_scene_default_agent(scene.get(), &usual, sizeof usual));
+  mimo::Scene scene = load_scene(options);
+  const mimo_agent_config usual = scene.default_agent();
   const std::string body = body_of_scene(options, usual);
   mimo_agent_config agent = agent_config(options, senses, usual);
   if (body.empty()) {
@@ -248,12 +249,12 @@ Scene make_scene(const WorldOptions& options, Senses senses) {
     return scene;
   }
   agent.body = body.c_str();
-  scene.add_agents(agent);
+  scene.add_agents(&agent);
   return scene;
 }
 
 mimo_env_config make_env_config() {
-  auto config = defaults(mimo_env_config_init);
+  auto config = mimo::env_config();
   config.log = print_message;
   return config;
 }
@@ -265,25 +266,25 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config) {
   if (!options.effects.empty()) config.render = effect_bits(options.effects).value_or(MIMO_RENDER_DEFAULT);
 }
 
-Env open_world(const WorldOptions& options, mimo_env_config config) {
+mimo::Env open_world(const WorldOptions& options, mimo_env_config config) {
   set_renderer(options, config);
   try {
-    return Env(make_scene(options, Senses::kAll), config);
-  } catch (const MimoError& error) {
+    return mimo::Env(make_scene(options, Senses::kAll), config);
+  } catch (const mimo::Exception& error) {
     if (error.status() != MIMO_E_UNSUPPORTED || !options.vision.empty()) throw;
     std::fprintf(stderr, "mimo: vision is off: %s\n", error.what());
-    return Env(make_scene(options, Senses::kAllButVision), config);
+    return mimo::Env(make_scene(options, Senses::kAllButVision), config);
   }
 }
 
-Env open_own_world(const WorldOptions& options, mimo_env_config config) {
+mimo::Env open_own_world(const WorldOptions& options, mimo_env_config config) {
   set_renderer(options, config);
-  return Env(make_scene(options, Senses::kOwn), config);
+  return mimo::Env(make_scene(options, Senses::kOwn), config);
 }
 
-Env open_bare_world(const WorldOptions& options, mimo_env_config config) {
+mimo::Env open_bare_world(const WorldOptions& options, mimo_env_config config) {
   config.renderer = "none";
-  return Env(make_scene(options, Senses::kNone), config);
+  return mimo::Env(make_scene(options, Senses::kNone), config);
 }
 
 }  // namespace cli

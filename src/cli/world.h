@@ -3,9 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <mimo/mimo.hpp>
 #include <string>
-
-#include "api.h"
 
 namespace cli {
 
@@ -40,7 +39,7 @@ void add_seed_option(CLI::App& command, WorldOptions& options);
 enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: what the scene gives its infants by itself
 
 // The scene with its infants; with one agent where there are none.
-Scene make_scene(const WorldOptions& options, Senses senses);
+mimo::Scene make_scene(const WorldOptions& options, Senses senses);
 
 // An env_config with defaults and the log on stderr.
 mimo_env_config make_env_config();
@@ -50,12 +49,12 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config);
 
 // A world with all its senses. Where eyes were not asked for by name and nothing can draw their pictures here, it
 // says so on stderr and has no eyes.
-Env open_world(const WorldOptions& options, mimo_env_config config);
+mimo::Env open_world(const WorldOptions& options, mimo_env_config config);
 
 // The world that mimo_env_make gives, with what the options change of it.
-Env open_own_world(const WorldOptions& options, mimo_env_config config);
+mimo::Env open_own_world(const WorldOptions& options, mimo_env_config config);
 
 // A world that senses nothing and needs no renderer: bare physics.
-Env open_bare_world(const WorldOptions& options, mimo_env_config config);
+mimo::Env open_bare_world(const WorldOptions& options, mimo_env_config config);
 
 }  // namespace cli

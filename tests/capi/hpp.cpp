@@ -31,9 +31,7 @@ mimo::Scene make_scene() {
   mimo_scene_config room = mimo::scene_config();
   room.name = "reach";
   mimo::Scene scene(room);
-  mimo_agent_config agent = mimo::agent_config();
-  check(mimo_scene_default_agent(scene.get(), &agent, sizeof agent) == MIMO_OK, "default agent", __LINE__);
-  scene.add_agent(agent);
+  scene.add_agent(scene.default_agent());
   return scene;
 }
 
@@ -156,9 +154,7 @@ void check_batch() {
   batch.step(actions, again);
   CHECK(std::memcmp(blocks.data(), again.data(), blocks.bytes()) == 0);
   batch.set_face("fear");
-  const char* face = nullptr;
-  CHECK_OK(mimo_env_face(batch.world(2), 0, &face));
-  CHECK_TEXT("fear", face);
+  CHECK(batch.env(2).face() == "fear");
 }
 
 }  // namespace

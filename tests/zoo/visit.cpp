@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <mimo/mimo.hpp>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,30 +34,12 @@ mimo::Scene load(const char* file) {
   return mimo::Scene(config);
 }
 
-std::size_t count(const mimo::Env& env, std::int32_t kind) {
-  std::size_t number = 0;
-  mimo::check(mimo_env_count(env.get(), kind, &number));
-  return number;
-}
-
-std::string name(const mimo::Env& env, std::int32_t kind, std::int32_t id) {
-  const char* text = nullptr;
-  mimo::check(mimo_env_name(env.get(), kind, id, &text));
-  return text;
-}
-
-std::int32_t body_of(const mimo::Env& env, std::int32_t kind, std::int32_t id) {
-  std::int32_t body = 0;
-  mimo::check(mimo_env_body_of(env.get(), kind, id, &body));
-  return body;
-}
-
 // The body, child of the world, to which the first joint belongs; all bodies where it has no name or nothing moves.
 std::string root_of(const mimo::Env& env) {
-  if (count(env, MIMO_JOINT) == 0) return "world";
-  std::int32_t body = body_of(env, MIMO_JOINT, 0);
-  for (std::int32_t parent = body; parent != 0; parent = body_of(env, MIMO_BODY, body)) body = parent;
-  const std::string found = name(env, MIMO_BODY, body);
+  if (env.count(MIMO_JOINT) == 0) return "world";
+  std::int32_t body = env.body_of(MIMO_JOINT, 0);
+  for (std::int32_t parent = body; parent != 0; parent = env.body_of(MIMO_BODY, body)) body = parent;
+  const std::string found = env.name(MIMO_BODY, body);
   return found.empty() ? "world" : found;
 }
 
@@ -69,9 +50,7 @@ struct Extent {
 };
 
 Extent extent_of(const mimo::Env& env) {
-  std::vector<std::int32_t> bodies(count(env, MIMO_BODY));
-  std::iota(bodies.begin(), bodies.end(), 0);
-  const auto places = env.get_values(MIMO_BODY_POSITION, bodies);
+  const auto places = env.get_values(MIMO_BODY_POSITION, env.ids(MIMO_BODY));
   Extent extent = {{0, 0, 0}, {0, 0, 0}, 0};
   for (std::size_t i = 0; i < places.size(); ++i) {
     extent.low[i % 3] = std::min(extent.low[i % 3], places[i]);
@@ -83,9 +62,9 @@ Extent extent_of(const mimo::Env& env) {
 }
 
 std::vector<float> draw_actions(const mimo::Env& env, Random& random) {
-  std::vector<float> low(env.action_size()), high(low.size()), actions(low.size());
-  if (low.empty()) return actions;
-  mimo::check(mimo_env_action_bounds(env.get(), low.data(), high.data(), low.size()));
+  const mimo::Bounds bounds = env.action_bounds();
+  const auto &low = bounds.low, &high = bounds.high;
+  std::vector<float> actions(low.size());
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const float from = std::max(low[i], -10.0f), to = std::min(high[i], 10.0f);
     actions[i] = from < to ? std::uniform_real_distribution<float>(from, to)(random) : low[i];
@@ -95,7 +74,7 @@ std::vector<float> draw_actions(const mimo::Env& env, Random& random) {
 
 // Pushes one body with some times its own weight, and lets go of the one before.
 void shove(mimo::Env& env, std::int32_t& pushed, Random& random) {
-  const auto bodies = static_cast<std::int32_t>(count(env, MIMO_BODY));
+  const auto bodies = static_cast<std::int32_t>(env.count(MIMO_BODY));
   if (bodies < 2) return;
   if (pushed > 0) env.set_values(MIMO_BODY_FORCE, {pushed}, {0, 0, 0, 0, 0, 0});
   pushed = std::uniform_int_distribution<std::int32_t>(1, bodies - 1)(random);
@@ -119,47 +98,29 @@ struct Ball {
   }
 };
 
-// The places of all touch sensors, each with its outward normal.
-struct Skin {
-  std::vector<std::int32_t> bodies;
-  std::vector<double> positions, frames;
-
-  explicit Skin(const mimo::Env& env) {
-    std::size_t sensors = 0;
-    mimo::check(mimo_env_touch_sensors(env.get(), 0, nullptr, nullptr, nullptr, nullptr, 0, &sensors));
-    bodies.resize(sensors);
-    positions.resize(3 * sensors);
-    frames.resize(MIMO_TOUCH_FRAME_VALUES * sensors);
-    mimo::check(mimo_env_touch_sensors(env.get(), 0, bodies.data(), nullptr, positions.data(), frames.data(), sensors,
-                                       &sensors));
-  }
-};
-
 // A vector of a body's frame in the world's.
-void rotate(const std::vector<double>& quaternion, const double* vector, double* turned) {
+mimo::Vector rotate(const std::vector<double>& quaternion, const mimo::Vector& vector) {
   const double w = quaternion[0], *axis = quaternion.data() + 1;
-  double cross[3];
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
+  mimo::Vector cross, turned;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     cross[i] = axis[j] * vector[k] - axis[k] * vector[j] + w * vector[i];
   }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     turned[i] = vector[i] + 2 * (axis[j] * cross[k] - axis[k] * cross[j]);
   }
+  return turned;
 }
 
 // Presses the ball half its radius deep into the skin at some sensor, at rest.
-void poke(mimo::Env& env, const Skin& skin, const Ball& ball, Random& random) {
-  if (skin.bodies.empty()) return;
-  const std::size_t at = std::uniform_int_distribution<std::size_t>(0, skin.bodies.size() - 1)(random);
-  const auto turn = env.get_values(MIMO_BODY_ORIENTATION, {skin.bodies[at]});
-  auto place = env.get_values(MIMO_BODY_POSITION, {skin.bodies[at]});
-  double local[3], offset[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    local[i] = skin.positions[3 * at + i] + 0.5 * ball.radius * skin.frames[MIMO_TOUCH_FRAME_VALUES * at + i];
-  }
-  rotate(turn, local, offset);
+void poke(mimo::Env& env, const std::vector<mimo::TouchSensor>& skin, const Ball& ball, Random& random) {
+  if (skin.empty()) return;
+  const mimo::TouchSensor& sensor = skin[std::uniform_int_distribution<std::size_t>(0, skin.size() - 1)(random)];
+  auto place = env.get_values(MIMO_BODY_POSITION, {sensor.body});
+  mimo::Vector local;
+  for (std::size_t i = 0; i < 3; ++i) local[i] = sensor.position[i] + 0.5 * ball.radius * sensor.normal[i];
+  const mimo::Vector offset = rotate(env.get_values(MIMO_BODY_ORIENTATION, {sensor.body}), local);
   for (std::size_t i = 0; i < 3; ++i) place[i] += offset[i];
   const std::int32_t body = env.find(MIMO_BODY, Ball::kName);
   env.set_values(MIMO_BODY_POSITION, {body}, place);
@@ -194,7 +155,7 @@ Seen move(mimo::Env& env, int steps, const Ball* ball) {
   Random random(1);
   auto block = env.make_block();
   const auto fields = env.fields();
-  const Skin skin(env);
+  const auto skin = env.touch_sensors();
   std::int32_t pushed = 0;
   env.reset(1, block);
   for (int step = 0; step < steps; ++step) {
@@ -208,32 +169,22 @@ Seen move(mimo::Env& env, int steps, const Ball* ball) {
       env.reset(1, block);
     }
     look_at(fields, block, seen);
-    std::size_t contacts = 0;
-    mimo::check(mimo_env_contacts(env.get(), nullptr, nullptr, 0, &contacts));
-    seen.contacts += contacts > 0;
+    seen.contacts += env.contact_count() > 0;
   }
   return seen;
 }
 
-void draw(mimo::Env& env, const mimo_picture_config& config) {
-  const std::size_t pixels = std::size_t{kPixels} * kPixels;
-  std::vector<std::uint8_t> rgb(3 * pixels);
-  std::vector<float> depth(pixels);
-  std::vector<std::int32_t> segmentation(pixels);
-  mimo::check(mimo_env_render(env.get(), &config, rgb.data(), rgb.size(), depth.data(), depth.size(),
-                              segmentation.data(), segmentation.size()));
-}
-
 // From all cameras that have a name, and from outside.
 int draw_all(mimo::Env& env, const Extent& extent) {
+  constexpr std::uint32_t kAll = MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION;
   int pictures = 0;
   auto config = mimo::picture_config();
   config.width = config.height = kPixels;
-  for (std::size_t camera = 0; camera < count(env, MIMO_CAMERA); ++camera) {
-    const std::string called = name(env, MIMO_CAMERA, static_cast<std::int32_t>(camera));
+  for (const std::int32_t camera : env.ids(MIMO_CAMERA)) {
+    const std::string called = env.name(MIMO_CAMERA, camera);
     if (called.empty()) continue;
     config.camera = called.c_str();
-    draw(env, config);
+    env.render(config, kAll);
     ++pictures;
   }
   config.camera = nullptr;
@@ -242,7 +193,7 @@ int draw_all(mimo::Env& env, const Extent& extent) {
   config.elevation = -20;
   for (const double azimuth : {30.0, 210.0}) {
     config.azimuth = azimuth;
-    draw(env, config);
+    env.render(config, kAll);
     ++pictures;
   }
   return pictures;
@@ -252,15 +203,14 @@ int draw_all(mimo::Env& env, const Extent& extent) {
 mimo::Env make(const mimo::Scene& scene) {
   auto config = mimo::env_config();
   config.renderer = "ray";
-  mimo_env* env = nullptr;
-  const mimo_status status = mimo_env_create(scene.get(), &config, &env);
-  if (status != MIMO_E_UNSUPPORTED) {
-    mimo::check(status);
-    return mimo::Env(env);
+  try {
+    return mimo::Env(scene, config);
+  } catch (const mimo::Exception& error) {
+    if (error.status() != MIMO_E_UNSUPPORTED) throw;
+    tell("no_rays", error.what());
+    config.renderer = "osmesa";
+    return mimo::Env(scene, config);
   }
-  tell("no_rays", mimo_last_error());
-  config.renderer = "osmesa";
-  return mimo::Env(scene, config);
 }
 
 void report(const Seen& seen) {
@@ -283,7 +233,7 @@ void visit(mimo::Scene& scene, const std::string& root, const Extent& extent) {
   ball.add_to(scene);
   tell("stage", "compile with an agent");
   mimo::Env env = make(scene);
-  tell("sensors", std::to_string(Skin(env).bodies.size()));
+  tell("sensors", std::to_string(env.touch_sensor_count()));
   tell("stage", "step");
   report(move(env, kSteps, &ball));
   tell("stage", "draw");

@@ -1,0 +1,92 @@
+/**
+ * @file mimo/hpp/batch.hpp
+ * Batches: many worlds of one scene, stepped by a pool of threads. Part of mimo.hpp, which programs include.
+ * MIT licence, see LICENSE.
+ */
+#ifndef MIMO_HPP_BATCH
+#define MIMO_HPP_BATCH
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "env.hpp"
+
+namespace mimo {
+
+namespace detail {
+inline void destroy_batch(mimo_batch *batch) { mimo_batch_destroy(batch); }
+}  // namespace detail
+
+/// Many worlds, stepped by a pool of threads. Arrays stack the worlds along their first axis.
+class Batch : public Handle<mimo_batch, detail::destroy_batch> {
+ public:
+  Batch(const Scene &scene, std::size_t worlds, const mimo_env_config &env = env_config())
+      : Batch(scene, env, sized(worlds)) {}
+  Batch(const Scene &scene, const mimo_env_config &env, const mimo_batch_config &config)
+      : Handle(create(scene, env, config)) {}
+
+  std::size_t size() const {
+    std::size_t worlds = 0;
+    check(mimo_batch_size(get(), &worlds, nullptr));
+    return worlds;
+  }
+  /// One world, which stays the batch's: for mimo_env_ functions, between the batch's own calls.
+  mimo_env *world(std::size_t index) {
+    mimo_env *env = nullptr;
+    check(mimo_batch_world(get(), index, &env));
+    return env;
+  }
+  /// The same as an Env, whose end leaves the world to the batch.
+  Env env(std::size_t index) { return Env(world(index)); }
+
+  /// Observations of all worlds; that of world i starts at i times the size of one.
+  Block make_blocks() {
+    std::size_t bytes = 0;
+    check(mimo_env_observation_size(world(0), &bytes, nullptr));
+    return Block(bytes * size());
+  }
+
+  /// One seed for each world; none: they go on with their own random numbers.
+  void reset(const std::vector<std::uint64_t> &seeds, Block &blocks) {
+    check(mimo_batch_reset(get(), seeds.empty() ? nullptr : seeds.data(), nullptr, seeds.size(), blocks.data(),
+                           blocks.bytes()));
+  }
+  /// One step; worlds x actions, none leave the controls as they are. `results` says where else it goes, or nullptr.
+  void step(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {
+    check(mimo_batch_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), blocks.data(),
+                          blocks.bytes(), results));
+  }
+
+  /// The states of all worlds, one after the other. Loading takes as many, or one for all.
+  std::vector<std::uint8_t> save() {
+    std::size_t bytes = 0;
+    check(mimo_env_state_size(world(0), &bytes));
+    std::vector<std::uint8_t> states(bytes * size());
+    check(mimo_batch_state_save(get(), nullptr, 0, states.data(), states.size()));
+    return states;
+  }
+  void load(const std::vector<std::uint8_t> &states) {
+    check(mimo_batch_state_load(get(), nullptr, 0, states.data(), states.size()));
+  }
+
+  void set_face(const std::string &name, std::size_t agent = 0) {
+    check(mimo_batch_set_face(get(), agent, name.c_str(), nullptr, 0));
+  }
+
+ private:
+  static mimo_batch_config sized(std::size_t worlds) {
+    mimo_batch_config config = batch_config();
+    config.worlds = static_cast<std::uint32_t>(worlds);
+    return config;
+  }
+  static mimo_batch *create(const Scene &scene, const mimo_env_config &env, const mimo_batch_config &config) {
+    mimo_batch *batch = nullptr;
+    check(mimo_batch_create(scene.get(), &env, &config, &batch));
+    return batch;
+  }
+};
+
+}  // namespace mimo
+
+#endif

@@ -1,0 +1,316 @@
+/**
+ * @file mimo/hpp/env.hpp
+ * Environments: one simulated world with its agents' senses. Part of mimo.hpp, which programs include.
+ * MIT licence, see LICENSE.
+ */
+#ifndef MIMO_HPP_ENV
+#define MIMO_HPP_ENV
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "observation.hpp"
+#include "results.hpp"
+#include "scene.hpp"
+
+namespace mimo {
+
+namespace detail {
+inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
+}  // namespace detail
+
+/// A world. Ids, kinds and quantities are those of mimo.h.
+class Env : public Handle<mimo_env, detail::destroy_env> {
+ public:
+  explicit Env(mimo_env *env) : Handle(env) {}
+  explicit Env(const Scene &scene, const mimo_env_config &config = env_config()) : Handle(create(scene, config)) {}
+
+  std::string task() const {
+    const char *name = nullptr;
+    check(mimo_env_task(get(), &name));
+    return name;
+  }
+  /// Physics steps per step.
+  std::uint32_t frame_skip() const {
+    std::uint32_t count = 0;
+    check(mimo_env_frame_skip(get(), &count));
+    return count;
+  }
+  /// Seconds of one physics step.
+  double timestep() const {
+    double seconds = 0;
+    check(mimo_env_timestep(get(), &seconds));
+    return seconds;
+  }
+
+  std::size_t agent_count() const {
+    std::size_t count = 0;
+    check(mimo_env_agent_count(get(), &count));
+    return count;
+  }
+  /// Their names live as long as the environment.
+  std::vector<mimo_agent_info> agents() const {
+    std::vector<mimo_agent_info> all(agent_count());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].struct_size = sizeof(mimo_agent_info);
+      check(mimo_env_agent(get(), i, &all[i]));
+    }
+    return all;
+  }
+
+  std::size_t action_size() const {
+    std::size_t count = 0;
+    check(mimo_env_action_size(get(), &count));
+    return count;
+  }
+  std::vector<std::string> action_names() const {
+    std::vector<std::string> names(action_size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const char *name = nullptr;
+      check(mimo_env_action_name(get(), i, &name));
+      names[i] = name;
+    }
+    return names;
+  }
+  Bounds action_bounds() const {
+    const std::size_t count = action_size();
+    Bounds bounds = {std::vector<float>(count), std::vector<float>(count)};
+    check(mimo_env_action_bounds(get(), bounds.low.data(), bounds.high.data(), count));
+    return bounds;
+  }
+
+  Block make_block() const { return detail::block_of<mimo_env>(get(), mimo_env_observation_size); }
+  Results make_results() const {
+    const std::size_t count = agent_count();
+    return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count)};
+  }
+  /// Their strings live as long as the environment.
+  std::vector<mimo_field> fields() const {
+    return detail::fields_of<mimo_env>(get(), mimo_env_observation_size, mimo_env_observation_field);
+  }
+  /// The field of that name; throws std::out_of_range when there is none.
+  mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
+
+  void reset(std::uint64_t seed, Block &block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
+  void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
+  void observe(Block &block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
+
+  /// One step of all agents; an empty vector of actions leaves the controls as they are. Allocates nothing.
+  void step(const std::vector<float> &actions, Block &block, Results &results) {
+    const std::size_t agents = results.reward.size();
+    if (results.terminated.size() != agents || results.truncated.size() != agents) {
+      throw std::invalid_argument("vectors of the results differ in length");
+    }
+    const bool wanted = agents != 0;
+    check(mimo_env_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), block.data(), block.bytes(),
+                        wanted ? results.reward.data() : nullptr, wanted ? results.terminated.data() : nullptr,
+                        wanted ? results.truncated.data() : nullptr, agents));
+  }
+  /// The same with results of its own.
+  std::vector<Result> step(const std::vector<float> &actions, Block &block) {
+    Results all = make_results();
+    step(actions, block, all);
+    std::vector<Result> results;
+    for (std::size_t i = 0; i < all.reward.size(); ++i) {
+      results.push_back(Result{all.reward[i], all.terminated[i] != 0, all.truncated[i] != 0});
+    }
+    return results;
+  }
+
+  /// Physics alone: no actuation, senses or task.
+  void physics_step(std::size_t count = 1) { check(mimo_env_physics_step(get(), count)); }
+
+  double time() const {
+    double seconds = 0;
+    check(mimo_env_time(get(), &seconds));
+    return seconds;
+  }
+
+  /// How many of a kind (MIMO_BODY ...) there are.
+  std::size_t count(std::int32_t kind) const {
+    std::size_t count = 0;
+    check(mimo_env_count(get(), kind, &count));
+    return count;
+  }
+  /// All of a kind.
+  std::vector<std::int32_t> ids(std::int32_t kind) const {
+    std::vector<std::int32_t> ids(count(kind));
+    for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int32_t>(i);
+    return ids;
+  }
+  std::int32_t find(std::int32_t kind, const std::string &name) const {
+    std::int32_t id = 0;
+    check(mimo_env_find(get(), kind, name.c_str(), &id));
+    return id;
+  }
+  /// "" where the model gives no name.
+  std::string name(std::int32_t kind, std::int32_t id) const {
+    const char *name = nullptr;
+    check(mimo_env_name(get(), kind, id, &name));
+    return name;
+  }
+  /// The body that a joint, geom, site or camera belongs to, or the parent of a body.
+  std::int32_t body_of(std::int32_t kind, std::int32_t id) const {
+    std::int32_t body = 0;
+    check(mimo_env_body_of(get(), kind, id, &body));
+    return body;
+  }
+  /// How many values a quantity has for these ids together.
+  std::size_t width(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
+    std::size_t count = 0;
+    check(mimo_env_width(get(), quantity, ids.data(), ids.size(), &count));
+    return count;
+  }
+  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
+    std::vector<double> values(width(quantity, ids));
+    check(mimo_env_get(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+    return values;
+  }
+  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
+    check(mimo_env_set(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+  }
+
+  /// Brings the poses of bodies and what they carry up to where the joints are now.
+  void update() { check(mimo_env_update(get())); }
+
+  /// How many contacts the last physics step computed.
+  std::size_t contact_count() const {
+    std::size_t count = 0;
+    check(mimo_env_contacts(get(), nullptr, nullptr, 0, &count));
+    return count;
+  }
+  std::vector<Contact> contacts() const {
+    std::size_t count = contact_count();
+    std::vector<std::int32_t> ids(MIMO_CONTACT_IDS * count);
+    std::vector<double> values(MIMO_CONTACT_VALUES * count);
+    check(mimo_env_contacts(get(), ids.data(), values.data(), count, &count));
+    std::vector<Contact> all;
+    for (std::size_t i = 0; i < count; ++i) {
+      all.push_back(detail::contact_of(&ids[MIMO_CONTACT_IDS * i], &values[MIMO_CONTACT_VALUES * i]));
+    }
+    return all;
+  }
+
+  std::size_t touch_sensor_count(std::size_t agent = 0) const {
+    std::size_t count = 0;
+    check(mimo_env_touch_sensors(get(), agent, nullptr, nullptr, nullptr, nullptr, 0, &count));
+    return count;
+  }
+  /// The touch sensors of an agent, in the order of its touch fields.
+  std::vector<TouchSensor> touch_sensors(std::size_t agent = 0) const {
+    const std::size_t count = touch_sensor_count(agent);
+    std::vector<std::int32_t> bodies(count), geoms(count);
+    std::vector<double> positions(3 * count), frames(MIMO_TOUCH_FRAME_VALUES * count);
+    check(mimo_env_touch_sensors(get(), agent, bodies.data(), geoms.data(), positions.data(), frames.data(), count,
+                                 nullptr));
+    std::vector<TouchSensor> all;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double *frame = &frames[MIMO_TOUCH_FRAME_VALUES * i];
+      all.push_back(TouchSensor{bodies[i],
+                                geoms[i],
+                                detail::vector_at(&positions[3 * i]),
+                                detail::vector_at(frame),
+                                {detail::vector_at(frame + 3), detail::vector_at(frame + 6)}});
+    }
+    return all;
+  }
+
+  /// Draws the current state; MIMO_VISION_ bits say what of it. Colour has three bytes a pixel here: for
+  /// MIMO_PICTURE_RGBA there is mimo_env_render.
+  Pictures render(const mimo_picture_config &config, std::uint32_t outputs = MIMO_VISION_RGB) {
+    Pictures pictures = {};
+    render(config, outputs, pictures);
+    return pictures;
+  }
+  /// The same into pictures whose memory is used again.
+  void render(const mimo_picture_config &config, std::uint32_t outputs, Pictures &pictures) {
+    check(mimo_env_project(get(), &config, nullptr, 0, nullptr));  // before there is room for a picture of any size
+    detail::make_room(pictures.color, config, (outputs & MIMO_VISION_RGB) != 0);
+    detail::make_room(pictures.depth, config, (outputs & MIMO_VISION_DEPTH) != 0);
+    detail::make_room(pictures.segmentation, config, (outputs & MIMO_VISION_SEGMENTATION) != 0);
+    std::vector<Rgb> &color = pictures.color.pixels;
+    std::vector<float> &depth = pictures.depth.pixels;
+    std::vector<std::int32_t> &ids = pictures.segmentation.pixels;
+    check(mimo_env_render(get(), &config, color.empty() ? nullptr : &color[0].r, sizeof(Rgb) * color.size(),
+                          depth.empty() ? nullptr : depth.data(), depth.size(), ids.empty() ? nullptr : ids.data(),
+                          ids.size()));
+  }
+  /// Where points of the world lie in the picture: pixels from its left and its upper edge, and depth in metres.
+  std::vector<Vector> project(const mimo_picture_config &config, const std::vector<Vector> &points) const {
+    std::vector<Vector> pixels(points.size());
+    if (points.empty()) return pixels;
+    check(mimo_env_project(get(), &config, points[0].data(), points.size(), pixels[0].data()));
+    return pixels;
+  }
+
+  /// Where the time of steps went, in worlds whose config says timing = 1.
+  mimo_timing timing() const {
+    mimo_timing timing = {};
+    timing.struct_size = sizeof timing;
+    check(mimo_env_timing(get(), &timing));
+    return timing;
+  }
+  void reset_timing() { check(mimo_env_timing_reset(get())); }
+
+  std::string face(std::size_t agent = 0) const {
+    const char *name = nullptr;
+    check(mimo_env_face(get(), agent, &name));
+    return name;
+  }
+  void set_face(const std::string &name, std::size_t agent = 0) {
+    check(mimo_env_set_face(get(), agent, name.c_str()));
+  }
+
+  mimo_gaze gaze(std::size_t agent = 0) const {
+    mimo_gaze gaze;
+    gaze.struct_size = sizeof gaze;
+    check(mimo_env_gaze(get(), agent, &gaze));
+    return gaze;
+  }
+  /// Turns the eyes, and the head with MIMO_LOOK_HEAD, to a point at once.
+  void look_at(double x, double y, double z, std::int32_t how = MIMO_LOOK_EYES, std::size_t agent = 0) {
+    const double point[3] = {x, y, z};
+    check(mimo_env_look_at(get(), agent, point, how, nullptr));
+  }
+
+  /// Holds a joint at an angle, softly, from the next step on.
+  void lock(std::int32_t joint, double angle) { check(mimo_env_lock(get(), joint, angle)); }
+  void unlock(std::int32_t joint) { check(mimo_env_unlock(get(), joint)); }
+  void set_gravity(double x, double y, double z) { check(mimo_env_set_gravity(get(), x, y, z)); }
+
+  /// Everything that the future depends on; a world that loads it goes on exactly so.
+  std::vector<std::uint8_t> save() const {
+    std::size_t bytes = 0;
+    check(mimo_env_state_size(get(), &bytes));
+    std::vector<std::uint8_t> state(bytes);
+    check(mimo_env_state_save(get(), state.data(), state.size()));
+    return state;
+  }
+  void load(const std::vector<std::uint8_t> &state) { check(mimo_env_state_load(get(), state.data(), state.size())); }
+  /// Another world in the same state.
+  Env clone() const {
+    mimo_env *twin = nullptr;
+    check(mimo_env_clone(get(), &twin));
+    return Env(twin);
+  }
+
+ private:
+  static mimo_env *create(const Scene &scene, const mimo_env_config &config) {
+    mimo_env *env = nullptr;
+    check(mimo_env_create(scene.get(), &config, &env));
+    return env;
+  }
+};
+
+/// The usual case: a built-in scene with its own infants.
+inline Env make(const std::string &scene_name) {
+  mimo_env *env = nullptr;
+  check(mimo_env_make(scene_name.c_str(), &env));
+  return Env(env);
+}
+
+}  // namespace mimo
+
+#endif

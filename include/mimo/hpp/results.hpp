@@ -1,0 +1,111 @@
+/**
+ * @file mimo/hpp/results.hpp
+ * What worlds tell: results of steps, contacts, touch sensors, pictures. Part of mimo.hpp, which programs include.
+ * MIT licence, see LICENSE.
+ */
+#ifndef MIMO_HPP_RESULTS
+#define MIMO_HPP_RESULTS
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "../mimo.h"
+
+namespace mimo {
+
+/// What a step returns for one agent.
+struct Result {
+  double reward;
+  bool terminated;
+  bool truncated;
+};
+
+/// The same for all agents, in memory that is made once: Env::make_results. Empty ones, Results(), are not written.
+struct Results {
+  std::vector<double> reward;
+  std::vector<std::uint8_t> terminated, truncated;
+};
+
+/// Bounds of all actions.
+struct Bounds {
+  std::vector<float> low, high;
+};
+
+/// A point or direction.
+using Vector = std::array<double, 3>;
+static_assert(sizeof(Vector) == 3 * sizeof(double), "vectors stand one after the other in memory");
+
+/// Two geoms that touch. Metres, newtons; world frame where nothing else is said.
+struct Contact {
+  std::int32_t geoms[2];
+  std::int32_t bodies[2];  ///< To which the geoms belong.
+  Vector position;
+  Vector normal;       ///< From the first geom to the second.
+  Vector tangents[2];  ///< With the normal the contact's frame.
+  double distance;     ///< Negative: so far they overlap.
+  Vector force;        ///< On the second body, in the contact's frame.
+  Vector torque;       ///< Likewise, Nm.
+};
+
+/// A touch sensor. Metres, in the frame of its body.
+struct TouchSensor {
+  std::int32_t body;
+  std::int32_t geom;
+  Vector position;
+  Vector normal;  ///< Away from the body.
+  Vector tangents[2];
+};
+
+/// A pixel of a picture in colour.
+struct Rgb {
+  std::uint8_t r, g, b;
+};
+static_assert(sizeof(Rgb) == 3, "a picture is an array of bytes r g b");
+
+/// Row after row, the top one first unless MIMO_PICTURE_BOTTOM_UP says otherwise: that of row y and column x is
+/// pixels[y * width + x].
+template <typename Pixel>
+struct Picture {
+  std::uint32_t width, height;
+  std::vector<Pixel> pixels;
+};
+
+/// One view in colour, as depth in metres, and as ids of geoms, -1 for none: what of it was drawn. The others are empty.
+struct Pictures {
+  Picture<Rgb> color;
+  Picture<float> depth;
+  Picture<std::int32_t> segmentation;
+};
+
+namespace detail {
+inline Vector vector_at(const double *first) { return Vector{{first[0], first[1], first[2]}}; }
+
+inline Contact contact_of(const std::int32_t *ids, const double *values) {
+  Contact contact;
+  std::copy(ids, ids + 2, contact.geoms);
+  std::copy(ids + 2, ids + 4, contact.bodies);
+  contact.position = vector_at(values);
+  contact.normal = vector_at(values + 3);
+  contact.tangents[0] = vector_at(values + 6);
+  contact.tangents[1] = vector_at(values + 9);
+  contact.distance = values[12];
+  contact.force = vector_at(values + 13);
+  contact.torque = vector_at(values + 16);
+  return contact;
+}
+
+/// Makes room for the pixels of a picture that is wanted, and none for another.
+template <typename Pixel>
+void make_room(Picture<Pixel> &picture, const mimo_picture_config &config, bool wanted) {
+  picture.width = wanted ? config.width : 0;
+  picture.height = wanted ? config.height : 0;
+  picture.pixels.resize(std::size_t(picture.width) * picture.height);
+}
+}  // namespace detail
+
+}  // namespace mimo
+
+#endif

@@ -1,0 +1,89 @@
+/**
+ * @file mimo/hpp/scene.hpp
+ * Scenes: what a world is made of. Part of mimo.hpp, which programs include.
+ * MIT licence, see LICENSE.
+ */
+#ifndef MIMO_HPP_SCENE
+#define MIMO_HPP_SCENE
+
+#include <string>
+
+#include "configs.hpp"
+
+namespace mimo {
+
+namespace detail {
+inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
+}  // namespace detail
+
+/// What worlds are made of; not needed any more once they are.
+class Scene : public Handle<mimo_scene, detail::destroy_scene> {
+ public:
+  explicit Scene(const mimo_scene_config &config) : Handle(create(config)) {}
+
+  /// What the scene gives its next infant by itself.
+  mimo_agent_config default_agent() const {
+    mimo_agent_config config;
+    check(mimo_scene_default_agent(get(), &config, sizeof config));
+    return config;
+  }
+  std::int32_t add_agent(const mimo_agent_config &config = agent_config()) {
+    std::int32_t agent = 0;
+    check(mimo_scene_add_agent(get(), &config, &agent));
+    return agent;
+  }
+  void set_touch(double spacing, std::int32_t agent = 0) {
+    check(mimo_scene_set_touch(get(), agent, nullptr, spacing));
+  }
+  void set_touch(const std::string &body, double spacing, std::int32_t agent = 0) {
+    check(mimo_scene_set_touch(get(), agent, body.c_str(), spacing));
+  }
+  void read_joint(const std::string &joint, std::int32_t agent = 0) {
+    check(mimo_scene_read_joint(get(), agent, joint.c_str()));
+  }
+  void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
+    check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
+  }
+  /// All infants that the scene names; returns how many.
+  std::size_t add_agents(const mimo_agent_config *config = nullptr) {
+    std::size_t count = 0;
+    check(mimo_scene_add_agents(get(), config, &count));
+    return count;
+  }
+  void set_room(const std::string &name) { check(mimo_scene_set_room(get(), name.c_str())); }
+  void add_model(const mimo_model_config &config) { check(mimo_scene_add_model(get(), &config)); }
+  /// Fastens a body to another one, or to the world where other is "", as they start.
+  void weld(const std::string &body, const std::string &other = "") {
+    check(mimo_scene_weld(get(), body.c_str(), other.empty() ? nullptr : other.c_str(), nullptr));
+  }
+  /// The same in a pose in the other's frame: position, then quaternion.
+  void weld(const std::string &body, const std::string &other, const double (&pose)[7]) {
+    check(mimo_scene_weld(get(), body.c_str(), other.empty() ? nullptr : other.c_str(), pose));
+  }
+  void lock(const std::string &joint, double value) { check(mimo_scene_lock(get(), joint.c_str(), value)); }
+  void set_pose(const std::string &joint, double value) { check(mimo_scene_set_pose(get(), joint.c_str(), value)); }
+  void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
+  void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
+
+  std::string xml() const {
+    std::size_t length = 0;
+    check(mimo_scene_xml(get(), nullptr, 0, &length));
+    std::string text(length + 1, '\0');
+    check(mimo_scene_xml(get(), &text[0], text.size(), &length));
+    text.resize(length);
+    return text;
+  }
+
+  void save(const std::string &folder) const { check(mimo_scene_save(get(), folder.c_str())); }
+
+ private:
+  static mimo_scene *create(const mimo_scene_config &config) {
+    mimo_scene *scene = nullptr;
+    check(mimo_scene_create(&config, &scene));
+    return scene;
+  }
+};
+
+}  // namespace mimo
+
+#endif

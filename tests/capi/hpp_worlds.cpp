@@ -1,0 +1,247 @@
+// mimo.hpp: what worlds tell, in types of C++. Numbers are those of the scenes below, of models/mitten.xml and of
+// physics.
+#include <cmath>
+#include <cstring>
+#include <mimo/mimo.hpp>
+
+#include "support/capi.h"
+
+namespace {
+
+constexpr double kRadius = 0.1, kMass = 2, kGravity = 9.81;
+
+// A ball at rest on a floor, and an agent made of it: skin, no motors.
+mimo::Env make_ball() {
+  auto config = mimo::scene_config();
+  config.xml =
+      "<mujoco><option timestep='0.002'/><worldbody><light pos='0 0 3'/><geom name='floor' type='plane' size='5 5 1'/>"
+      "<geom name='wall' type='box' pos='-4 0 1' size='0.1 4 1'/><body name='ball' pos='0 0 0.1'><freejoint "
+      "name='ball'/>"
+      "<geom name='ball' size='0.1' mass='2' rgba='1 0 0 1'/></body></worldbody></mujoco>";
+  mimo::Scene scene(config);
+  auto agent = mimo::agent_config();
+  agent.body = "scene";
+  agent.root = agent.vestibular_at = "ball";
+  agent.vision = agent.proprioception = 0;
+  scene.add_agent(agent);
+  scene.set_touch(0.02);
+  auto simulation = mimo::env_config();
+  simulation.renderer = "ray";
+  simulation.timing = 1;
+  return mimo::Env(scene, simulation);
+}
+
+bool holds(const std::vector<std::string>& names, const char* name) {
+  for (const std::string& candidate : names) {
+    if (candidate == name) return true;
+  }
+  return false;
+}
+
+void check_names() {
+  CHECK(holds(mimo::scene_names(), "standup") && holds(mimo::room_names(), "playroom"));
+  CHECK(holds(mimo::task_names(), "reach") && mimo::task_names()[0] == "none");
+  CHECK(mimo::face_names().size() == 7 && holds(mimo::face_names(), "surprise"));
+  auto config = mimo::scene_config();
+  config.name = "catch";
+  const mimo_agent_config agent = mimo::Scene(config).default_agent();
+  CHECK_TEXT("fingers", agent.body);
+  CHECK(agent.actuation == MIMO_ACTUATION_MUSCLE);
+}
+
+void check_reach() {
+  const mimo::Env env = mimo::make("reach");
+  CHECK(env.task() == "reach" && env.frame_skip() == 2 && env.timestep() == 0.005);
+  const auto agents = env.agents();
+  CHECK(agents.size() == 1 && agents[0].action_offset == 0 && agents[0].action_count == 8);
+  const auto names = env.action_names();
+  const mimo::Bounds bounds = env.action_bounds();
+  CHECK(names.size() == 8 && bounds.low.size() == 8 && bounds.high.size() == 8);
+  CHECK(names[3] == "act:right_elbow" && bounds.low[3] == -1.0F && bounds.high[3] == 0.83F);
+
+  const std::int32_t elbow = env.find(MIMO_JOINT, "robot:left_elbow");
+  CHECK(env.name(MIMO_JOINT, elbow) == "robot:left_elbow");
+  const std::int32_t forearm = env.body_of(MIMO_JOINT, elbow);
+  CHECK(env.name(MIMO_BODY, forearm) == "left_lower_arm");
+  CHECK(env.name(MIMO_BODY, env.body_of(MIMO_BODY, forearm)) == "left_upper_arm");
+  CHECK(env.count(MIMO_CAMERA) == 2);
+  CHECK(env.ids(MIMO_CAMERA) == (std::vector<std::int32_t>{0, 1}));
+  CHECK(env.width(MIMO_BODY_ORIENTATION, {forearm, 0}) == 8);
+  CHECK(env.width(MIMO_BODY_ORIENTATION, {}) == 0 && env.get_values(MIMO_BODY_ORIENTATION, {}).empty());
+}
+
+// A ball of 2 kg on a floor: it presses with its weight, straight down.
+void check_contacts() {
+  mimo::Env env = make_ball();
+  CHECK(env.action_size() == 0 && env.action_bounds().low.empty());
+  const std::int32_t ball = env.find(MIMO_BODY, "ball");
+  env.physics_step(1000);
+  CHECK_NEAR(2.0, env.time(), 1e-9);
+  CHECK(env.contact_count() == 1);
+  const auto contacts = env.contacts();
+  CHECK(contacts.size() == 1);
+  const mimo::Contact& contact = contacts[0];
+  CHECK(contact.geoms[0] == env.find(MIMO_GEOM, "floor") && contact.geoms[1] == env.find(MIMO_GEOM, "ball"));
+  CHECK(contact.bodies[0] == 0 && contact.bodies[1] == ball);
+  CHECK_NEAR(1, contact.normal[2], 1e-9);
+  CHECK_NEAR(0, contact.tangents[0][2], 1e-9);
+  CHECK_NEAR(0, contact.tangents[1][2], 1e-9);
+  CHECK_NEAR(0, contact.position[2], 1e-3);
+  CHECK(contact.distance < 0 && contact.distance > -1e-3);
+  CHECK_NEAR(kMass * kGravity, contact.force[0], 1e-3);
+  CHECK_NEAR(0, contact.force[1], 1e-3);
+  CHECK_NEAR(0, contact.torque[1], 1e-3);
+
+  // Up with 10 m/s, 0.02 m a step.
+  env.set_values(MIMO_BODY_POSITION, {ball}, {0, 0, 1});
+  env.set_values(MIMO_JOINT_VELOCITY, {env.find(MIMO_JOINT, "ball")}, {0, 0, 10, 0, 0, 0});
+  env.physics_step();
+  CHECK_NEAR(1, env.get_values(MIMO_GEOM_POSITION, {contact.geoms[1]})[2], 1e-3);  // as the step began
+  env.update();
+  CHECK_NEAR(1.02, env.get_values(MIMO_GEOM_POSITION, {contact.geoms[1]})[2], 1e-3);
+  CHECK(env.contact_count() == 0 && env.contacts().empty());
+}
+
+double dot(const mimo::Vector& a, const mimo::Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Sensors lie on the ball and look away from its middle; the second tangent is the normal x the first.
+void check_touch_sensors() {
+  const mimo::Env env = make_ball();
+  const auto sensors = env.touch_sensors();
+  CHECK(!sensors.empty() && sensors.size() == env.touch_sensor_count());
+  CHECK(sensors.size() == env.field("touch/force").shape[0]);
+  for (const mimo::TouchSensor& sensor : sensors) {
+    CHECK(sensor.body == env.find(MIMO_BODY, "ball") && sensor.geom == env.find(MIMO_GEOM, "ball"));
+    const mimo::Vector &n = sensor.normal, &t = sensor.tangents[0];
+    CHECK_NEAR(kRadius, std::sqrt(dot(sensor.position, sensor.position)), 1e-9);
+    CHECK_NEAR(kRadius, dot(sensor.position, n), 1e-9);
+    CHECK_NEAR(1, dot(t, t), 1e-9);
+    const mimo::Vector across = {{n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};
+    CHECK_NEAR(1, dot(across, sensor.tangents[1]), 1e-9);
+  }
+}
+
+// Half a metre before the middle of a red ball, as high as it is.
+mimo_picture_config before_ball() {
+  auto config = mimo::picture_config();
+  config.width = 64;
+  config.height = 48;
+  config.look_at[0] = config.look_at[1] = 0;
+  config.look_at[2] = kRadius;
+  config.distance = 0.5;
+  config.azimuth = config.elevation = 0;
+  config.fovy = 45;
+  return config;
+}
+
+void check_pictures() {
+  constexpr std::uint32_t kAll = MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION;
+  mimo::Env env = make_ball();
+  const auto config = before_ball();
+  mimo::Pictures seen = env.render(config, kAll);
+  CHECK(seen.color.width == 64 && seen.color.height == 48 && seen.color.pixels.size() == std::size_t{64} * 48);
+  const std::size_t middle = 24 * 64 + 32;
+  const mimo::Rgb red = seen.color.pixels[middle];
+  CHECK(red.r > 2 * red.g && red.g == red.b);
+  CHECK_NEAR(0.5 - kRadius, seen.depth.pixels[middle], 1e-3);
+  CHECK(seen.segmentation.pixels[middle] == env.find(MIMO_GEOM, "ball"));
+  CHECK(seen.segmentation.pixels[47 * 64] == env.find(MIMO_GEOM, "floor"));  // the lowest row: the top comes first
+  CHECK(seen.segmentation.pixels[0] == -1);
+
+  const auto pixels = env.project(config, {{{0, 0, kRadius}}, {{0, 0.05, kRadius}}});
+  CHECK_NEAR(32, pixels[0][0], 1e-6);
+  CHECK_NEAR(24, pixels[0][1], 1e-6);
+  CHECK_NEAR(0.5, pixels[0][2], 1e-6);
+  CHECK_NEAR(32 - 0.05 / 0.5 * 24 / std::tan(22.5 * 3.14159265358979 / 180), pixels[1][0], 1e-6);  // +y is to the left
+  CHECK(env.project(config, {}).empty());
+
+  const float* const depth = seen.depth.pixels.data();
+  env.render(config, MIMO_VISION_DEPTH, seen);
+  CHECK(seen.depth.pixels.data() == depth && seen.depth.width == 64);
+  CHECK(seen.color.pixels.empty() && seen.color.width == 0 && seen.segmentation.pixels.empty());
+  CHECK(std::memcmp(env.render(config).color.pixels.data(), env.render(config, kAll).color.pixels.data(),
+                    std::size_t{3} * 64 * 48) == 0);
+
+  auto huge = config;
+  huge.width = huge.height = 4000000000U;
+  try {
+    env.render(huge, kAll, seen);
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(std::strstr(error.what(), "width is 4000000000") != nullptr);
+  }
+  CHECK(seen.depth.width == 64 && seen.depth.pixels.size() == std::size_t{64} * 48);  // as it was
+}
+
+// A world that steps without sensing or telling results goes the same way.
+void check_steps_without_observation() {
+  mimo::Env env = mimo::make("reach"), twin = mimo::make("reach");
+  mimo::Block block = env.make_block(), other = env.make_block(), nothing;
+  mimo::Results results = env.make_results(), unwanted, emptied = results;
+  CHECK(nothing.data() == nullptr && nothing.bytes() == 0);
+  const std::vector<float> actions(env.action_size(), 0.3F);
+  env.reset(4, block);
+  twin.reset(4, nothing);
+  for (int i = 0; i < 5; ++i) {
+    env.step(actions, block, results);
+    twin.step(actions, nothing, unwanted);
+  }
+  CHECK(unwanted.reward.empty());
+  emptied.reward.clear();  // though it has room
+  emptied.terminated.clear();
+  emptied.truncated.clear();
+  env.step(actions, block, results);
+  twin.step(actions, other, emptied);
+  CHECK(std::memcmp(block.data(), other.data(), block.bytes()) == 0);
+}
+
+void check_timing() {
+  mimo::Env env = make_ball();
+  mimo::Block block = env.make_block();
+  for (int i = 0; i < 3; ++i) env.step({}, block);
+  const mimo_timing timing = env.timing();
+  CHECK(timing.steps == 3 && timing.physics > 0 && timing.total >= timing.physics + timing.touch);
+  env.reset_timing();
+  CHECK(env.timing().steps == 0 && env.timing().total == 0);
+}
+
+// The batch's worlds are environments, and stay the batch's.
+void check_batch() {
+  auto config = mimo::scene_config();
+  config.name = "reach";
+  mimo::Scene scene(config);
+  scene.add_agent(scene.default_agent());
+  auto many = mimo::batch_config();
+  many.worlds = 2;
+  mimo::Batch batch(scene, mimo::env_config(), many);
+  mimo::Block blocks = batch.make_blocks();
+  const std::size_t actions = batch.env(1).action_size();
+  batch.reset({1, 2}, blocks);
+  batch.env(1).physics_step(10);
+  CHECK_NEAR(0.05, batch.env(1).time() - batch.env(0).time(), 1e-9);
+  batch.step(std::vector<float>(2 * actions), blocks);
+  mimo::Env left = [&] {
+    mimo::Batch gone(scene, 1);
+    return gone.env(0);
+  }();
+  try {
+    left.time();
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(error.status() == MIMO_E_BAD_HANDLE);
+  }
+}
+
+}  // namespace
+
+int main() {
+  check_names();
+  check_reach();
+  check_contacts();
+  check_touch_sensors();
+  check_steps_without_observation();
+  check_timing();
+  check_batch();
+  check_pictures();
+  return failures();
+}
