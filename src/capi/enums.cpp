@@ -8,9 +8,9 @@
 #include "engine/physics.h"
 #include "env/access.h"
 #include "mimo/mimo.h"
+#include "observation/field.h"
 #include "scene/groups.h"
 #include "scene/scene.h"
-#include "observation/field.h"
 #include "senses/touch/options.h"
 #include "senses/touch/spread.h"
 

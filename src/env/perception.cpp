@@ -27,7 +27,8 @@ body::Body chosen_joints(const mjModel& model, body::Body body, const std::vecto
     const auto found = std::find_if(body.joints.begin(), body.joints.end(), is);
     if (found == body.joints.end()) {
       std::vector<std::string> there;
-      for (const body::Joint& joint : body.joints) there.emplace_back(engine::name(model, engine::Kind::kJoint, joint.id));
+      for (const body::Joint& joint : body.joints)
+        there.emplace_back(engine::name(model, engine::Kind::kJoint, joint.id));
       fail(Status::kNotFound, "proprioception: the agent has no hinge or slide joint \"{}\"; it has: {}", name,
            join(there, ", "));
     }
