@@ -20,8 +20,8 @@ using batch::Batch;
 class Rig {
  public:
   Rig(const engine::ModelPtr& model, const batch::Options& options, const env::EnvOptions& world_options = {},
-      const LogSink& log = {})
-      : batch({model, {blind()}, world_options, {nullptr, {}, nullptr, log}}, options),
+      const LogSink& log = {}, const env::AgentOptions& agent = blind())
+      : batch({model, {agent}, world_options, {nullptr, {}, nullptr, log}}, options),
         block_bytes(batch.world(0).layout().bytes()),
         blocks(options.worlds * block_bytes),
         final_blocks(blocks.size()),
@@ -110,14 +110,18 @@ std::string failure(const std::function<void()>& call) {
   return "";
 }
 
-TEST(Batch, EqualsSingleWorldsForAnyNumberOfThreads) {
+void expect_equal_single_worlds(const env::AgentOptions& agent) {
   const engine::ModelPtr model = room_with_infant("reach");
   constexpr std::size_t kWorlds = 5;
   std::vector<std::unique_ptr<env::World>> singles;
   std::vector<std::unique_ptr<Rig>> rigs;
-  for (std::size_t i = 0; i < kWorlds; ++i) singles.push_back(single(model, i));
+  for (std::uint64_t i = 0; i < kWorlds; ++i) {
+    const std::uint64_t seed = 100 + i;
+    singles.push_back(std::make_unique<env::World>(model, std::vector<env::AgentOptions>{agent}, env::EnvOptions{}));
+    singles.back()->reset(&seed, nullptr);
+  }
   for (std::size_t threads = 1; threads <= 4; ++threads) {
-    rigs.push_back(std::make_unique<Rig>(model, sized(kWorlds, threads)));
+    rigs.push_back(std::make_unique<Rig>(model, sized(kWorlds, threads), env::EnvOptions{}, LogSink{}, agent));
   }
   for (int n = 0; n < 40; ++n) {
     for (const auto& rig : rigs) rig->step(n);
@@ -129,6 +133,16 @@ TEST(Batch, EqualsSingleWorldsForAnyNumberOfThreads) {
   for (std::size_t i = 0; i < kWorlds; ++i) {
     for (const auto& rig : rigs) EXPECT_EQ(saved(rig->batch.world(i)), saved(*singles[i]));
   }
+}
+
+TEST(Batch, EqualsSingleWorldsForAnyNumberOfThreads) { expect_equal_single_worlds(blind()); }
+
+// Both remember something from step to step.
+TEST(Batch, OfMusclesAndLimitedSensesEqualsSingleWorlds) {
+  env::AgentOptions agent = blind();
+  agent.actuation.mode = actuation::Mode::kMuscle;
+  agent.limits = {{"proprioception", {0.9, 0.05, 0, 4}}};
+  expect_equal_single_worlds(agent);
 }
 
 TEST(Batch, SendAndReceiveAreAStep) {
