@@ -1,9 +1,9 @@
+#include "base/bytes.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
-
-#include "base/bytes.h"
 
 namespace mimo {
 namespace {

@@ -1,9 +1,9 @@
+#include "base/hash.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
-
-#include "base/hash.h"
 
 namespace mimo {
 namespace {

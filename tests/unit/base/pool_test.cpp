@@ -1,10 +1,10 @@
+#include "base/pool.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <thread>
-
-#include "base/pool.h"
 
 namespace mimo {
 namespace {

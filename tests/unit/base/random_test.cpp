@@ -1,9 +1,9 @@
 // The generator's numbers, so that seeds mean the same everywhere and for ever.
+#include "base/random.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
-
-#include "base/random.h"
 
 namespace mimo::test {
 namespace {

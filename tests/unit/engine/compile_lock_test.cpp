@@ -1,3 +1,5 @@
+#include "engine/compile_lock.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -7,7 +9,6 @@
 #include <thread>
 
 #include "base/status.h"
-#include "engine/compile_lock.h"
 
 namespace mimo::engine {
 namespace {

@@ -1,4 +1,6 @@
 // The guard around MuJoCo's errors and warnings, and what the host had set for them.
+#include "engine/guard.h"
+
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -9,7 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "engine/guard.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
 

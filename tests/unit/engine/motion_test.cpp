@@ -1,10 +1,11 @@
 // What places on bodies feel, against MuJoCo's own accelerometers and gyroscopes.
+#include "engine/motion.h"
+
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include <string>
 
-#include "engine/motion.h"
 #include "engine/physics.h"
 #include "support/numbers.h"
 
