@@ -105,13 +105,25 @@ bool has_main_defaults(pugi::xml_node root) {
   return false;
 }
 
+namespace {
+
+// A class says something of each element once; what several sections of the main class say adds up, the last one
+// counts.
+void add_to_class(pugi::xml_node to, pugi::xml_node child) {
+  pugi::xml_node there = is(child, "default") ? pugi::xml_node() : to.child(child.name());
+  if (!there) return copy_into(to, child);
+  for (const pugi::xml_attribute attribute : child.attributes()) set(there, attribute.name(), attribute.value());
+}
+
+}  // namespace
+
 void name_main_defaults(pugi::xml_node root, const std::string& name) {
   const std::string old_name = main_class(root);
   pugi::xml_node top = append(root, "default");
   pugi::xml_node renamed = append(top, "default");
   set(renamed, "class", name);
   for (pugi::xml_node other = root.child("default"); other != top; other = root.child("default")) {
-    for (const pugi::xml_node child : other.children()) copy_into(renamed, child);
+    for (const pugi::xml_node child : other.children()) add_to_class(renamed, child);
     root.remove_child(other);
   }
   walk(root, [&](pugi::xml_node node) {

@@ -72,7 +72,21 @@ TEST_F(SceneForeign, SettingsReachNeitherInfantsNorObjects) {
   }
 }
 
-// The same for a document that becomes an object.
+// A main class in two sections, as includes bring them: what they say of one element adds up, the later one counts.
+TEST_F(SceneForeign, MainDefaultsInSeveralSectionsAddUp) {
+  scene::Scene scene(from_text(
+      "<mujoco><default><geom condim='4' margin='.01'/></default><default><geom condim='6' gap='.002'/></default>"
+      "<worldbody><body><geom name='own' size='.1'/></body></worldbody></mujoco>"));
+  scene.add_object({"ball", scene::Shape::kSphere, {.02, 0, 0}, {{2, 2, 2}, {1, 0, 0, 0}}, 0.1, {}, false});
+  const engine::ModelPtr model = compile(scene);
+  const int own = engine::find(*model, Kind::kGeom, "own"), ball = engine::find(*model, Kind::kGeom, "ball");
+  EXPECT_EQ(model->geom_condim[own], 6);
+  EXPECT_DOUBLE_EQ(model->geom_margin[own], 0.01);
+  EXPECT_DOUBLE_EQ(model->geom_gap[own], 0.002);
+  EXPECT_EQ(model->geom_margin[ball], 0) << "the object gets nothing of it";
+}
+
+// What settings do not reach, for a document that becomes an object.
 TEST_F(SceneForeign, SettingsOfAModelCountForItAlone) {
   for (const std::string setting : kSettings) {
     SCOPED_TRACE(setting);
