@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <mimo/mimo.hpp>
 #include <random>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace {
 
-constexpr int kSteps = 100, kInfantSteps = 20, kShoveEvery = 10;
+constexpr int kSteps = 100, kShoveEvery = 10;  // with an infant a fifth of the steps
 constexpr std::uint32_t kPixels = 128;
 using Random = std::mt19937;
 
@@ -221,7 +222,7 @@ void report(const Seen& seen) {
 }
 
 // With skin all over; an agent without anything that can touch has none.
-void visit(mimo::Scene& scene, const std::string& root, const Extent& extent) {
+void visit(mimo::Scene& scene, const std::string& root, const Extent& extent, int steps) {
   const Ball ball{extent.size / 20};
   auto agent = mimo::agent_config();
   agent.body = "scene";
@@ -235,13 +236,13 @@ void visit(mimo::Scene& scene, const std::string& root, const Extent& extent) {
   mimo::Env env = make(scene);
   tell("sensors", std::to_string(env.touch_sensor_count()));
   tell("stage", "step");
-  report(move(env, kSteps, &ball));
+  report(move(env, steps, &ball));
   tell("stage", "draw");
   tell("pictures", std::to_string(draw_all(env, extent)));
 }
 
 // The same model as somebody's room.
-void visit_with_infant(const char* file, const Extent& extent) {
+void visit_with_infant(const char* file, const Extent& extent, int steps) {
   mimo::Scene scene = load(file);
   auto infant = mimo::agent_config();
   infant.name = "infant";
@@ -252,12 +253,12 @@ void visit_with_infant(const char* file, const Extent& extent) {
   scene.add_agent(infant);
   mimo::Env env = make(scene);
   tell("stage", "step with an infant");
-  const Seen seen = move(env, kInfantSteps, nullptr);
+  const Seen seen = move(env, steps / 5, nullptr);
   if (!seen.broken.empty()) tell("wrong", seen.broken + " is not finite with an infant");
   tell("infant", "ok");
 }
 
-int run(const char* file) {
+int run(const char* file, int steps) {
   tell("stage", "load");
   mimo::Scene scene = load(file);
   tell("stage", "compile");
@@ -271,10 +272,10 @@ int run(const char* file) {
     extent = extent_of(env);
   }
   tell("root", root);
-  visit(scene, root, extent);
+  visit(scene, root, extent, steps);
   tell("stage", "with an infant");
   try {
-    visit_with_infant(file, extent);
+    visit_with_infant(file, extent, steps);
   } catch (const mimo::Exception& error) {
     if (error.status() == MIMO_E_INTERNAL) throw;
     tell("infant", std::string(mimo_status_name(error.status())) + ": " + error.what());
@@ -286,12 +287,12 @@ int run(const char* file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: zoo_visit FILE\n");
+  if (argc < 2 || argc > 3) {
+    std::fprintf(stderr, "usage: zoo_visit FILE [STEPS]\n");
     return 2;
   }
   try {
-    return run(argv[1]);
+    return run(argv[1], argc > 2 ? std::atoi(argv[2]) : kSteps);
   } catch (const mimo::Exception& error) {
     return refuse(error);
   }

@@ -110,12 +110,12 @@ def judge(name, code, output, errors):
     return Visit(name, "ok", words)
 
 
-def visit(program, path, name, seconds, child):
+def visit(program, path, name, seconds, steps, child):
     environment, prepare = child
     start = time.monotonic()
     try:
         run = subprocess.run(
-            [program, path],
+            [program, path, str(steps)],
             capture_output=True,
             timeout=seconds,
             env=environment,
@@ -233,6 +233,7 @@ def main():
     parser.add_argument("--only", default="", metavar="REGEX", help="models whose name matches")
     parser.add_argument("--write", action="store_true", help="writes the tables of docs/zoo.md anew")
     parser.add_argument("--seconds", type=float, default=300, help="time that one model has")
+    parser.add_argument("--steps", type=int, default=100, help="that one model makes; a few for a quick look at all")
     parser.add_argument("--gigabytes", type=int, default=8, help="memory that one model has")
     options = parser.parse_args()
 
@@ -242,7 +243,7 @@ def main():
     names = sorted(name for name, path in paths.items() if re.search(options.only, name) and is_model(path))
     visits = []
     for name in names:
-        visits.append(visit(options.program, paths[name], name, options.seconds, child))
+        visits.append(visit(options.program, paths[name], name, options.seconds, options.steps, child))
         print(line_of(visits[-1]), flush=True)
 
     wrong = list(problems(visits, expected))
