@@ -37,6 +37,8 @@ class World {
   std::size_t action_size() const { return action_size_; }
   // Agent and index in its actuation of an action.
   std::pair<const Agent*, std::size_t> action(std::size_t index) const;
+  // The bounds of all actions, each as long as there are actions or empty.
+  void action_bounds(Span<float> low, Span<float> high) const;
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
