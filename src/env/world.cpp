@@ -254,8 +254,12 @@ const std::string& World::face(std::size_t agent) const {
   return face == nullptr ? none : face->name;
 }
 
-void World::draw(const render::View& view, const render::Picture& picture) {
-  renderer().draw(model(), data(), view, picture);
+// The renderer comes first: where there is none, poses stay what they are. The view comes after the poses, which move
+// the model's cameras.
+void World::draw(const render::Viewpoint& from, const render::Picture& picture) {
+  render::Renderer& drawing = renderer();
+  physics_.update_poses();
+  drawing.draw(model(), data(), render::view_from(model(), data(), from), picture);
 }
 
 void World::report_warnings() {

@@ -12,7 +12,7 @@
 #include "env/state.h"
 #include "env/timing.h"
 #include "observation/observer.h"
-#include "render/renderer.h"
+#include "render/viewpoint.h"
 
 namespace mimo::env {
 
@@ -74,10 +74,8 @@ class World {
   void set_face(std::size_t agent, const std::string& name);
   const std::string& face(std::size_t agent) const;
 
-  // Makes sure that draw() has something to draw with, for callers who change something before it.
-  void prepare_to_draw() { renderer(); }
-  // Draws the poses as they are with the world's renderer, which is made when first needed.
-  void draw(const render::View& view, const render::Picture& picture);
+  // Draws the world as it is now, with a renderer that is made when first needed.
+  void draw(const render::Viewpoint& from, const render::Picture& picture);
 
  private:
   render::Renderer& renderer();
