@@ -217,11 +217,23 @@ void World::sense(std::uint8_t* block, Moment moment) {
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
 void World::evaluate() {
   const Flag at_work(in_task_);
-  for (const Agent& agent : agents_) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
     agent.task->spend(agent.actuation->effort(model(), data()));
     agent.task->evaluate(physics_);
+    check_reward(i);
   }
   for (const Agent& agent : agents_) agent.task->follow(physics_);
+}
+
+// A task that gave no number gave nothing: a world's state holds numbers only.
+void World::check_reward(std::size_t agent) {
+  tasks::Task& task = *agents_[agent].task;
+  const double reward = task.reward();
+  if (std::isfinite(reward)) return;
+  task.clear();
+  fail(Status::kInvalidArgument, "the task's function evaluate gave agent {} the reward {}, expected a finite number",
+       agent, reward);
 }
 
 void World::report(const Results& results) const {

@@ -88,6 +88,7 @@ class World {
   // Without a block only where senses are late, and what they give now is for later.
   void sense(std::uint8_t* block, Moment moment);
   void evaluate();
+  void check_reward(std::size_t agent);
   void report(const Results& results) const;
   void require_outside_task() const;
   bool out_of_time(const Agent& agent) const;
