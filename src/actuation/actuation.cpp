@@ -5,6 +5,7 @@
 #include "actuation/muscle.h"
 #include "actuation/position.h"
 #include "actuation/torque.h"
+#include "base/fail.h"
 
 namespace mimo::actuation {
 
@@ -46,8 +47,9 @@ std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body
     case Mode::kPosition: return std::make_unique<Position>(model, body, options.normalize);
     case Mode::kMuscle: return std::make_unique<MimoMuscle>(model, body, options.normalize);
     case Mode::kMujocoMuscle: return std::make_unique<MujocoMuscle>(model, body, options.normalize);
-    default: return std::make_unique<Torque>(model, body, options.normalize);
+    case Mode::kTorque: return std::make_unique<Torque>(model, body, options.normalize);
   }
+  fail(Status::kInvalidArgument, "actuation mode is {}, expected 0 to 3", static_cast<int>(options.mode));
 }
 
 }  // namespace mimo::actuation

@@ -17,21 +17,11 @@ void check_id(const mjModel& model, Kind kind, std::int32_t id) {
   require(id >= 0 && id < limit, "id is {}, expected a {} id from 0 to {}", id, engine::word(kind), limit - 1);
 }
 
-void write_contact(const mjModel& model, const mjData& data, int index, std::int32_t* ids, double* values) {
-  const mjContact& contact = data.contact[index];
-  if (ids != nullptr) {
-    const std::int32_t all[MIMO_CONTACT_IDS] = {contact.geom1, contact.geom2, model.geom_bodyid[contact.geom1],
-                                                model.geom_bodyid[contact.geom2]};
-    std::copy(std::begin(all), std::end(all), ids + MIMO_CONTACT_IDS * index);
-  }
-  if (values != nullptr) {
-    double* at = values + MIMO_CONTACT_VALUES * index;
-    at = std::copy_n(contact.pos, 3, at);
-    at = std::copy_n(contact.frame, 9, at);
-    *at++ = contact.dist;
-    const auto force = engine::contact_force(model, data, index);
-    std::copy(force.begin(), force.end(), at);
-  }
+void write_contact(const env::Contact& contact, int index, std::int32_t* ids, double* values) {
+  static_assert(sizeof contact.ids == sizeof(std::int32_t[MIMO_CONTACT_IDS]));
+  static_assert(sizeof contact.values == sizeof(double[MIMO_CONTACT_VALUES]));
+  if (ids != nullptr) std::copy(contact.ids.begin(), contact.ids.end(), ids + MIMO_CONTACT_IDS * index);
+  if (values != nullptr) std::copy(contact.values.begin(), contact.values.end(), values + MIMO_CONTACT_VALUES * index);
 }
 
 void check_width(const mjModel& model, env::Quantity quantity, Span<const std::int32_t> ids, std::size_t count) {
@@ -131,7 +121,9 @@ mimo_status mimo_env_contacts(const mimo_env* env, int32_t* ids, double* values,
     if (wanted && capacity < found) {
       fail(Status::kBufferTooSmall, "capacity is {}, but there are {} contacts", capacity, found);
     }
-    for (int i = 0; wanted && i < data.ncon; ++i) write_contact(world.model(), data, i, ids, values);
+    for (int i = 0; wanted && i < data.ncon; ++i) {
+      write_contact(env::contact(world.model(), data, i), i, ids, values);
+    }
   });
 }
 

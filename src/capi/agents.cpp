@@ -31,17 +31,16 @@ void check_choice(std::int32_t value, std::int32_t low, std::int32_t high, const
 }
 
 senses::TouchOptions touch(const mimo_agent_config& config) {
-  constexpr std::uint32_t kForces = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
-  check_bits(config.touch, kForces | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE, "touch");
+  constexpr std::uint32_t kAll = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
+  check_bits(config.touch, kAll, "touch");
   check_reserved(config.touch_reserved, "touch_reserved");
-  require((config.touch & kForces) != kForces,
-          "touch is {:#x}: MIMO_TOUCH_FORCE and MIMO_TOUCH_NORMAL_FORCE exclude each other", config.touch);
   const auto has = [&](std::uint32_t bit) { return (config.touch & bit) != 0; };
   senses::TouchOptions options;
   options.force = has(MIMO_TOUCH_FORCE);
   options.normal_force = has(MIMO_TOUCH_NORMAL_FORCE);
   options.slip = has(MIMO_TOUCH_SLIP);
   options.friction_use = has(MIMO_TOUCH_FRICTION_USE);
+  senses::check_outputs(options);
   if (!options.any()) return options;
   check_choice(config.touch_response, MIMO_TOUCH_NEAREST, MIMO_TOUCH_GAUSSIAN, "touch_response");
   check_choice(config.touch_frame, MIMO_FRAME_BODY, MIMO_FRAME_SKIN, "touch_frame");

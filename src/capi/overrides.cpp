@@ -1,6 +1,5 @@
 // What differs from world to world.
-#include <algorithm>
-#include <cmath>
+#include <Eigen/Core>
 
 #include "capi/check.h"
 #include "capi/guard.h"
@@ -22,10 +21,9 @@ mimo_status mimo_env_unlock(mimo_env* env, int32_t joint) noexcept {
 
 mimo_status mimo_env_lock_state(const mimo_env* env, int32_t joint, uint8_t* locked, double* angle) noexcept {
   return guard(env, [&] {
-    const mjModel& model = open(env).world.model();
-    const int lock = env::lock_of(model, joint);
-    if (locked != nullptr) *locked = model.eq_active[lock] != 0 ? 1 : 0;
-    if (angle != nullptr) *angle = engine::lock_angle(model, lock);
+    const env::Lock lock = env::lock_state(open(env).world, joint);
+    if (locked != nullptr) *locked = lock.locked ? 1 : 0;
+    if (angle != nullptr) *angle = lock.angle;
   });
 }
 
@@ -34,15 +32,15 @@ mimo_status mimo_env_set_gravity(mimo_env* env, double x, double y, double z) no
     engine::Physics& physics = open(env).world.physics();
     const double xyz[3] = {x, y, z};
     check_finite(xyz, 3, "gravity");
-    std::copy(xyz, xyz + 3, physics.gravity());
+    physics.set_gravity({x, y, z});
   });
 }
 
 mimo_status mimo_env_gravity(const mimo_env* env, double* xyz, size_t count) noexcept {
   return guard(env, [&] {
-    const mjModel& model = open(env).world.model();
+    const engine::Physics& physics = open(env).world.physics();
     check_buffer(&out(xyz, "xyz"), count, 3, "xyz");
-    std::copy_n(model.opt.gravity, 3, xyz);
+    Eigen::Map<Eigen::Vector3d>{xyz} = physics.gravity();
   });
 }
 

@@ -1,13 +1,13 @@
 // Pictures for people.
-#include <algorithm>
 #include <cmath>
 
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
-#include "render/pixels.h"
+#include "render/format.h"
 #include "render/projection.h"
+#include "render/viewpoint.h"
 
 namespace mimo::capi {
 namespace {
@@ -45,23 +45,20 @@ int camera_of(const env::World& world, const mimo_picture_config& config) {
   return engine::find_or_fail(world.model(), engine::Kind::kCamera, config.camera);
 }
 
-render::View view(const env::World& world, const mimo_picture_config& config, int camera) {
-  if (camera >= 0) return render::camera_view(world.model(), world.data(), camera, config.fovy);
-  const double fovy = config.fovy > 0 ? config.fovy : static_cast<double>(world.model().vis.global.fovy);
-  return render::orbit_view({config.look_at[0], config.look_at[1], config.look_at[2]}, config.distance, config.azimuth,
-                            config.elevation, fovy);
+render::Viewpoint viewpoint(const env::World& world, const mimo_picture_config& config) {
+  render::Viewpoint from;
+  from.camera = camera_of(world, config);
+  from.fovy = config.fovy;
+  from.look_at = {config.look_at[0], config.look_at[1], config.look_at[2]};
+  from.distance = config.distance;
+  from.azimuth = config.azimuth;
+  from.elevation = config.elevation;
+  return from;
 }
 
-// Turns a picture with so many numbers a pixel upside down; null pointers stay what they are.
-template <typename T>
-void flip(T* pixels, std::size_t numbers, const mimo_picture_config& config) {
-  if (pixels == nullptr) return;
-  render::flip_rows(reinterpret_cast<unsigned char*>(pixels), numbers * config.width * sizeof(T),
-                    static_cast<int>(config.height));
+render::Format format_of(const mimo_picture_config& config) {
+  return {(config.format & MIMO_PICTURE_RGBA) != 0, (config.format & MIMO_PICTURE_BOTTOM_UP) != 0};
 }
-
-// Numbers of a pixel's color.
-std::size_t colors(const mimo_picture_config& config) { return (config.format & MIMO_PICTURE_RGBA) != 0 ? 4 : 3; }
 
 render::Picture picture_for(const mimo_picture_config& config, std::uint8_t* rgb, float* depth,
                             std::int32_t* segmentation) {
@@ -72,16 +69,6 @@ render::Picture picture_for(const mimo_picture_config& config, std::uint8_t* rgb
   picture.depth = depth;
   picture.segmentation = segmentation;
   return picture;
-}
-
-// From how renderers draw it to how the caller wants it.
-void deliver(const render::Picture& picture, const mimo_picture_config& config) {
-  const std::size_t pixels = std::size_t{config.width} * config.height;
-  if (colors(config) == 4 && picture.rgb != nullptr) render::add_alpha(picture.rgb, pixels);
-  if ((config.format & MIMO_PICTURE_BOTTOM_UP) == 0) return;
-  flip(picture.rgb, colors(config), config);
-  flip(picture.depth, 1, config);
-  flip(picture.segmentation, 1, config);
 }
 
 }  // namespace
@@ -103,16 +90,14 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
     env::World& world = open(env).world;
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
+    const render::Format wanted = format_of(ours);
     const std::size_t pixels = std::size_t{ours.width} * ours.height;
-    check_buffer(rgb, rgb_bytes, colors(ours) * pixels, "rgb");
+    check_buffer(rgb, rgb_bytes, static_cast<std::size_t>(wanted.colors()) * pixels, "rgb");
     check_buffer(depth, depth_count, pixels, "depth");
     check_buffer(segmentation, segmentation_count, pixels, "segmentation");
-    const int camera = camera_of(world, ours);
-    world.prepare_to_draw();
-    world.physics().update_poses();
     const render::Picture picture = picture_for(ours, rgb, depth, segmentation);
-    world.draw(view(world, ours, camera), picture);
-    deliver(picture, ours);
+    world.draw(viewpoint(world, ours), picture);
+    render::deliver(picture, wanted);
   });
 }
 
@@ -125,7 +110,7 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     check_length<double[3]>(count, "count");
     check_finite(array(points, 3 * count, "points").data(), 3 * count, "points");
     array(pixels, 3 * count, "pixels");
-    const render::View from = view(world, ours, camera_of(world, ours));
+    const render::View from = render::view_from(world.model(), world.data(), viewpoint(world, ours));
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
       Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);

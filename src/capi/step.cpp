@@ -1,6 +1,4 @@
 // Stepping and observations.
-#include <algorithm>
-
 #include "capi/check.h"
 #include "capi/fields.h"
 #include "capi/guard.h"
@@ -15,8 +13,9 @@ void check_actions(const env::World& world, Span<const float> actions) {
   world.check_actions(actions);
 }
 
+// None where the caller wants none.
 template <typename T>
-Span<T> per_agent(T* values, std::size_t count) {
+Span<T> optional(T* values, std::size_t count) {
   return values == nullptr ? Span<T>() : Span<T>(values, count);
 }
 
@@ -59,11 +58,7 @@ mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high,
     if (count < world.action_size()) {
       fail(Status::kBufferTooSmall, "count is {}, but there are {} actions", count, world.action_size());
     }
-    for (const env::Agent& agent : world.agents()) {
-      const actuation::Actuation& actuation = *agent.actuation;
-      if (low != nullptr) std::copy(actuation.low().begin(), actuation.low().end(), low + agent.action_offset);
-      if (high != nullptr) std::copy(actuation.high().begin(), actuation.high().end(), high + agent.action_offset);
-    }
+    world.action_bounds(optional(low, world.action_size()), optional(high, world.action_size()));
   });
 }
 
@@ -90,7 +85,7 @@ mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_coun
     check_agents(world, agents, reward != nullptr || terminated != nullptr || truncated != nullptr);
     std::uint8_t* start = block_of(world.layout(), block, block_bytes);
     const std::size_t count = world.agents().size();
-    world.step(actions, start, {per_agent(reward, count), per_agent(terminated, count), per_agent(truncated, count)});
+    world.step(actions, start, {optional(reward, count), optional(terminated, count), optional(truncated, count)});
   });
 }
 

@@ -4,6 +4,7 @@
 #include <mujoco/mjdata.h>
 #include <mujoco/mjmodel.h>
 
+#include <Eigen/Core>
 #include <array>
 #include <memory>
 #include <string>
@@ -64,7 +65,8 @@ class Physics {
   void slacken(int joint, int dof, double damping) { overrides_.slacken(model_, joint, dof, damping); }
   void unlimit(int actuator) { overrides_.unlimit(model_, actuator); }
   void shape_ball(int body, double radius, double mass) { overrides_.shape_ball(model_, body, radius, mass); }
-  double* gravity() { return model_.opt.gravity; }
+  Eigen::Vector3d gravity() const { return Eigen::Map<const Eigen::Vector3d>(model_.opt.gravity); }  // m/s^2
+  void set_gravity(const Eigen::Vector3d& gravity) { Eigen::Map<Eigen::Vector3d>{model_.opt.gravity} = gravity; }
 
   // Throws Status::kUnsupported when callbacks of the host would act on this world (engine/callbacks.h).
   void require_undisturbed() const;

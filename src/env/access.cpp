@@ -232,4 +232,17 @@ void set(engine::Physics& physics, Quantity quantity, Span<const std::int32_t> i
   if (moves_bodies(quantity)) physics.update_poses();
 }
 
+Contact contact(const mjModel& model, const mjData& data, int index) {
+  const mjContact& touch = data.contact[index];
+  Contact contact;
+  contact.ids = {touch.geom1, touch.geom2, model.geom_bodyid[touch.geom1], model.geom_bodyid[touch.geom2]};
+  double* at = contact.values.data();
+  at = std::copy_n(touch.pos, 3, at);
+  at = std::copy_n(touch.frame, 9, at);
+  *at++ = touch.dist;
+  const auto force = engine::contact_force(model, data, index);
+  std::copy(force.begin(), force.end(), at);
+  return contact;
+}
+
 }  // namespace mimo::env

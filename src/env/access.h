@@ -1,6 +1,7 @@
 // Named access: reading and writing quantities of many model elements at once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "base/span.h"
@@ -52,5 +53,12 @@ void require_writable(Quantity quantity);
 void check_settable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values);
 // Checks everything before it writes anything; recomputes poses when something moved.
 void set(engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values);
+
+// What a contact tells, in the order of mimo.h (MIMO_CONTACT_IDS, MIMO_CONTACT_VALUES).
+struct Contact {
+  std::array<std::int32_t, 4> ids;  // geom 1, geom 2, body of geom 1, body of geom 2
+  std::array<double, 19> values;    // position 3, frame 9, distance 1, force on body 2 in that frame 3, torque 3
+};
+Contact contact(const mjModel& model, const mjData& data, int index);
 
 }  // namespace mimo::env

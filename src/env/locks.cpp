@@ -7,6 +7,16 @@
 namespace mimo::env {
 namespace {
 
+int lock_of(const mjModel& model, int joint) {
+  require(joint >= 0 && joint < model.njnt, "joint is {}, expected 0 to {}", joint, model.njnt - 1);
+  const int lock = engine::find_lock(model, joint);
+  if (lock < 0) {
+    fail(Status::kUnsupported, "joint {} (\"{}\") has no equality that could hold it", joint,
+         engine::name(model, engine::Kind::kJoint, joint));
+  }
+  return lock;
+}
+
 int free_lock_of(const World& world, int joint) {
   const int lock = lock_of(world.model(), joint);
   for (const Agent& agent : world.agents()) {
@@ -19,14 +29,10 @@ int free_lock_of(const World& world, int joint) {
 
 }  // namespace
 
-int lock_of(const mjModel& model, int joint) {
-  require(joint >= 0 && joint < model.njnt, "joint is {}, expected 0 to {}", joint, model.njnt - 1);
-  const int lock = engine::find_lock(model, joint);
-  if (lock < 0) {
-    fail(Status::kUnsupported, "joint {} (\"{}\") has no equality that could hold it", joint,
-         engine::name(model, engine::Kind::kJoint, joint));
-  }
-  return lock;
+Lock lock_state(const World& world, int joint) {
+  const mjModel& model = world.model();
+  const int lock = lock_of(model, joint);
+  return {model.eq_active[lock] != 0, engine::lock_angle(model, lock)};
 }
 
 void lock(World& world, int joint, double angle) {

@@ -5,9 +5,14 @@
 
 namespace mimo::env {
 
-// The lock of a joint. Throws Status::kUnsupported for a joint without one.
-int lock_of(const mjModel& model, int joint);
+// What a joint's lock does.
+struct Lock {
+  bool locked;
+  double angle;  // at which it holds the joint, or would hold it, radians
+};
 
+// All throw Status::kUnsupported for a joint without a lock.
+Lock lock_state(const World& world, int joint);
 // Both throw also for a joint under position control, whose lock follows the actions.
 void lock(World& world, int joint, double angle);
 void unlock(World& world, int joint);

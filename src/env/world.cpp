@@ -118,6 +118,14 @@ std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
   fail(Status::kInvalidArgument, "action index {}: there are {} actions", index, action_size_);
 }
 
+void World::action_bounds(Span<float> low, Span<float> high) const {
+  for (const Agent& agent : agents_) {
+    const std::vector<float>&own_low = agent.actuation->low(), &own_high = agent.actuation->high();
+    if (!low.empty()) std::copy(own_low.begin(), own_low.end(), low.begin() + agent.action_offset);
+    if (!high.empty()) std::copy(own_high.begin(), own_high.end(), high.begin() + agent.action_offset);
+  }
+}
+
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   require_outside_task();
   physics_.require_undisturbed();
@@ -209,11 +217,23 @@ void World::sense(std::uint8_t* block, Moment moment) {
 // Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
 void World::evaluate() {
   const Flag at_work(in_task_);
-  for (const Agent& agent : agents_) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
     agent.task->spend(agent.actuation->effort(model(), data()));
     agent.task->evaluate(physics_);
+    check_reward(i);
   }
   for (const Agent& agent : agents_) agent.task->follow(physics_);
+}
+
+// A task that gave no number gave nothing: a world's state holds numbers only.
+void World::check_reward(std::size_t agent) {
+  tasks::Task& task = *agents_[agent].task;
+  const double reward = task.reward();
+  if (std::isfinite(reward)) return;
+  task.clear();
+  fail(Status::kInvalidArgument, "the task's function evaluate gave agent {} the reward {}, expected a finite number",
+       agent, reward);
 }
 
 void World::report(const Results& results) const {
@@ -246,8 +266,12 @@ const std::string& World::face(std::size_t agent) const {
   return face == nullptr ? none : face->name;
 }
 
-void World::draw(const render::View& view, const render::Picture& picture) {
-  renderer().draw(model(), data(), view, picture);
+// The renderer comes first: where there is none, poses stay what they are. The view comes after the poses, which move
+// the model's cameras.
+void World::draw(const render::Viewpoint& from, const render::Picture& picture) {
+  render::Renderer& drawing = renderer();
+  physics_.update_poses();
+  drawing.draw(model(), data(), render::view_from(model(), data(), from), picture);
 }
 
 void World::report_warnings() {

@@ -12,7 +12,7 @@
 #include "env/state.h"
 #include "env/timing.h"
 #include "observation/observer.h"
-#include "render/renderer.h"
+#include "render/viewpoint.h"
 
 namespace mimo::env {
 
@@ -37,6 +37,8 @@ class World {
   std::size_t action_size() const { return action_size_; }
   // Agent and index in its actuation of an action.
   std::pair<const Agent*, std::size_t> action(std::size_t index) const;
+  // The bounds of all actions, each as long as there are actions or empty.
+  void action_bounds(Span<float> low, Span<float> high) const;
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
@@ -72,10 +74,8 @@ class World {
   void set_face(std::size_t agent, const std::string& name);
   const std::string& face(std::size_t agent) const;
 
-  // Makes sure that draw() has something to draw with, for callers who change something before it.
-  void prepare_to_draw() { renderer(); }
-  // Draws the poses as they are with the world's renderer, which is made when first needed.
-  void draw(const render::View& view, const render::Picture& picture);
+  // Draws the world as it is now, with a renderer that is made when first needed.
+  void draw(const render::Viewpoint& from, const render::Picture& picture);
 
  private:
   render::Renderer& renderer();
@@ -88,6 +88,7 @@ class World {
   // Without a block only where senses are late, and what they give now is for later.
   void sense(std::uint8_t* block, Moment moment);
   void evaluate();
+  void check_reward(std::size_t agent);
   void report(const Results& results) const;
   void require_outside_task() const;
   bool out_of_time(const Agent& agent) const;

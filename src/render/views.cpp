@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/angle.h"
-#include "render/renderer.h"
+#include "render/viewpoint.h"
 
 namespace mimo::render {
 
@@ -27,6 +27,12 @@ View orbit_view(const Eigen::Vector3d& look_at, double distance, double azimuth,
   view.rotation.col(2) = -forward;
   view.fovy = fovy;
   return view;
+}
+
+View view_from(const mjModel& model, const mjData& data, const Viewpoint& from) {
+  if (from.camera >= 0) return camera_view(model, data, from.camera, from.fovy);
+  const double fovy = from.fovy > 0 ? from.fovy : static_cast<double>(model.vis.global.fovy);
+  return orbit_view(from.look_at, from.distance, from.azimuth, from.elevation, fovy);
 }
 
 }  // namespace mimo::render

@@ -1,8 +1,6 @@
 // Catching: a ball of random size and mass falls into the right hand, which is to hold it for a second.
 #include "tasks/catch.h"
 
-#include <algorithm>
-
 #include "base/fail.h"
 #include "engine/joints.h"
 #include "tasks/contacts.h"
@@ -140,11 +138,10 @@ Span<const float> Catch::disturb(Span<const float> actions, Random& random) {
 
 // The pose is a sketch: weightless, it comes to rest where welds and locks want it.
 void Catch::settle(engine::Physics& physics) const {
-  double* gravity = physics.gravity();
-  const Eigen::Vector3d own = Eigen::Map<Eigen::Vector3d>(gravity);
-  std::fill_n(gravity, 3, 0.0);
+  const Eigen::Vector3d own = physics.gravity();
+  physics.set_gravity(Eigen::Vector3d::Zero());
   physics.step(settle_steps_);
-  Eigen::Map<Eigen::Vector3d>{gravity} = own;
+  physics.set_gravity(own);
 }
 
 bool Catch::lost(const engine::Physics& physics) const {

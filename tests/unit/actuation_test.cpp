@@ -207,7 +207,7 @@ TEST(Overrides, StayInTheirWorld) {
   const std::int32_t motor = engine::find_or_fail(changed->model(), Kind::kActuator, "act:left_elbow");
   const double gear = 7.5;
   env::set(changed->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&gear, 1});
-  changed->physics().gravity()[2] = -1;
+  changed->physics().set_gravity({0, 0, -1});
   double read = 0;
   env::get(changed->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&read, 1});
   EXPECT_EQ(read, gear);
@@ -244,7 +244,7 @@ double fall(World& world) {
 TEST(Gravity, PullsInOneWorld) {
   env::EnvOptions options = without_renderer();
   World moon(free_room(), {blind()}, options), earth(free_room(), {blind()}, options);
-  moon.physics().gravity()[2] = -1.62;
+  moon.physics().set_gravity({0, 0, -1.62});
   constexpr double kSum = 0.005 * 0.005 * 9 * 10 / 2;
   const double on_moon = fall(moon), on_earth = fall(earth);
   EXPECT_NEAR(on_moon, 1.62 * kSum, 2e-6);  // joints at work move it, too, as steps are not endlessly short

@@ -252,7 +252,10 @@ TEST(EnvContacts, BallAtRestCarriesItsWeight) {
   ASSERT_EQ(d.ncon, 1);
   EXPECT_EQ(d.contact[0].geom1, 0);
   EXPECT_TRUE(close({0, 0, 1}, d.contact[0].frame, {0, 1e-9})) << "up, from the floor to the ball";
-  const auto force = engine::contact_force(physics.model(), d, 0);
+  const env::Contact contact = env::contact(physics.model(), d, 0);
+  EXPECT_EQ(contact.ids, (std::array<std::int32_t, 4>{0, 1, 0, 1}));
+  EXPECT_TRUE(close({0, 0, 1}, contact.values.data() + 3, {0, 1e-9}));
+  const double* force = contact.values.data() + 13;
   EXPECT_NEAR(force[0], 0.3 * 9.81, 1e-6) << "on the ball, upwards";
   EXPECT_NEAR(force[1], 0, 1e-6);
   EXPECT_NEAR(force[2], 0, 1e-6);

@@ -292,7 +292,7 @@ TEST(State, HoldsPositionControlLocksGearsAndGravity) {
   agent.actuation.mode = actuation::Mode::kPosition;
   env::World world(benchmark_model(), {agent}, {}), other(benchmark_model(), {agent}, {});
   world.physics().gear(3) = 0.5;
-  world.physics().gravity()[1] = -3;
+  world.physics().set_gravity({0, -3, -9.81});
   expect_to_continue(world, other);
   EXPECT_EQ(other.physics().gear(3), 0.5);
 

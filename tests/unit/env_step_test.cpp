@@ -190,6 +190,42 @@ struct Messages {
   std::vector<std::string> texts;
 };
 
+// Gives the rewards 1, infinity, 1 ...
+class Generous : public tasks::Task {
+ public:
+  Generous() : Task({{"gift", 0.0}}) {}
+  void evaluate(const engine::Physics&) override {
+    terms_[0].value = ++steps_ == 2 ? std::numeric_limits<double>::infinity() : 1.0;
+    success_ = true;
+  }
+
+ private:
+  int steps_ = 0;
+};
+
+// Whatever task it is: the step fails, and the world can be saved, loaded and stepped.
+TEST(EnvStep, RewardsAreFinite) {
+  env::EnvOptions options = without_renderer();
+  options.custom_task = [](const env::Identity&, std::size_t) { return std::make_unique<Generous>(); };
+  const auto world = benchmark_world(blind(), options);
+  world->step({}, nullptr, {});
+  try {
+    world->step({}, nullptr, {});
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::kInvalidArgument);
+    EXPECT_EQ(error.message(), "the task's function evaluate gave agent 0 the reward inf, expected a finite number");
+  }
+  EXPECT_EQ(world->agents()[0].task->reward(), 0);
+  EXPECT_FALSE(world->agents()[0].task->success());
+  std::vector<std::uint8_t> state(world->state_bytes());
+  world->save({state.data(), state.size()});
+  world->load({state.data(), state.size()});
+  double reward = 0;
+  world->step({}, nullptr, {{&reward, 1}, {}, {}});
+  EXPECT_EQ(reward, 1);
+}
+
 // A full buffer is reported once an episode, and the world goes on.
 TEST(EnvStep, WarningsReachTheLog) {
   scene::Scene scene(  // of a box that lies on the floor with four corners

@@ -33,9 +33,12 @@ Rgb look_in_the_face(env::World& world, double aside = 0, double above = 0, cons
   const double* at = world.data().geom_xpos + 3 * geom;
   Rgb rgb(3 * kPixels * kPixels);
   render::Picture picture{kPixels, kPixels, rgb.data()};
-  const render::View view =
-      render::orbit_view({at[0], at[1] + aside, at[2] + above}, 0.5 + world.model().geom_size[3 * geom], 180, 0, 60);
-  world.draw(view, picture);
+  render::Viewpoint from;
+  from.look_at = {at[0], at[1] + aside, at[2] + above};
+  from.distance = 0.5 + world.model().geom_size[3 * geom];
+  from.azimuth = 180;
+  from.fovy = 60;
+  world.draw(from, picture);
   return rgb;
 }
 

@@ -27,4 +27,7 @@ struct TouchOptions {
   bool any() const { return force || normal_force || slip || friction_use; }
 };
 
+// Throws Status::kInvalidArgument for outputs that exclude each other.
+void check_outputs(const TouchOptions& options);
+
 }  // namespace mimo::senses

@@ -82,6 +82,7 @@ std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body&
 
 Touch::Touch(std::shared_ptr<const touch::Skin> skin, const TouchOptions& options)
     : options_(options), skin_(std::move(skin)), spread_(*skin_, options.response) {
+  check_outputs(options);
   const char* frame = frame_name(options.frame);
   force_ = add(options.force, "touch/force", 3, "N", frame);
   normal_force_ = add(options.normal_force, "touch/force", 1, "N", "");

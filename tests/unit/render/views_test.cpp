@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "render/viewpoint.h"
 #include "unit/render/fixture.h"
 
 namespace mimo::render::test {
@@ -62,6 +63,16 @@ TEST(Views, OrbitIsMujocosFreeCamera) {
   expect_same(view, mujoco_camera(world, camera));
   expect_right_handed(view);
   EXPECT_EQ(view.fovy, 45);
+}
+
+TEST(Views, FreeCameraHasTheModelsFieldOfViewUnlessToldOtherwise) {
+  const World world;
+  mjModel model = *world.model;
+  model.vis.global.fovy = 33;
+  Viewpoint from;
+  EXPECT_EQ(view_from(model, world.physics.data(), from).fovy, 33);
+  from.fovy = 70;
+  EXPECT_EQ(view_from(model, world.physics.data(), from).fovy, 70);
 }
 
 }  // namespace

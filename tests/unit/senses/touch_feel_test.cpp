@@ -90,6 +90,18 @@ TEST_P(TouchFeel, PressureIsNegativeAlongTheSkinsNormal) {
   }
 }
 
+TEST(Touch, ForceAndNormalForceExcludeEachOther) {
+  TouchOptions options;
+  options.normal_force = options.slip = true;
+  try {
+    const Feeler feeler(cube(), {{kCubeBody, 0.008}}, options);
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::kInvalidArgument);
+    EXPECT_EQ(error.message(), "touch is 0x7: MIMO_TOUCH_FORCE and MIMO_TOUCH_NORMAL_FORCE exclude each other");
+  }
+}
+
 TEST_P(TouchFeel, NormalForceAlone) {
   TouchOptions options;
   options.force = false;
