@@ -25,7 +25,30 @@ void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
   scene.add_body(plan.body, prefix, plan.place ? &*plan.place : nullptr, plan.acts);
 }
 
+void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
+  if (!kept.proprioception) {
+    senses::ProprioceptionOptions& felt = options.proprioception;
+    felt.position = felt.velocity = felt.torque = felt.limit = felt.joint_torque = false;
+    options.actuation.felt = options.actuation.effort = false;
+  }
+  if (!kept.vestibular) options.vestibular = false;
+  if (!kept.vision) options.vision.rgb = options.vision.depth = options.vision.segmentation = false;
+  if (!kept.touch) {
+    senses::TouchOptions& touch = options.touch;
+    touch.force = touch.normal_force = touch.slip = touch.friction_use = false;
+  }
+}
+
 }  // namespace
+
+AgentPlan usual_agent(const scene::Scene& scene) {
+  const scene::UsualInfant usual = scene.usual_infant();
+  AgentPlan plan;
+  plan.body = usual.body;
+  if (usual.muscles) plan.options.actuation.mode = actuation::Mode::kMuscle;
+  drop_senses(plan.options, usual.senses);
+  return plan;
+}
 
 env::AgentOptions& Agents::at(std::int32_t agent) {
   const std::size_t count = agents_.size();

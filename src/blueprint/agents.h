@@ -19,6 +19,9 @@ struct AgentPlan {
   unsigned acts = 0;                 // scene::Group bits; 0: the scene's own choice
 };
 
+// An infant as the scene usually has it.
+AgentPlan usual_agent(const scene::Scene& scene);
+
 // Those that a world is made with.
 class Agents {
  public:

@@ -23,6 +23,14 @@ env::Kit Blueprint::around(engine::ModelPtr model, const env::EnvOptions& option
   return kit;
 }
 
+KitPtr ready_world(const std::string& scene) {
+  scene::Source source;
+  source.name = scene;
+  Blueprint blueprint(source);
+  blueprint.edit([](Draft& draft) { draft.add_agents(usual_agent(draft.scene)); });
+  return blueprint.compile({}, {});
+}
+
 std::unique_ptr<env::World> clone(const env::Kit& kit, const env::World& original, const env::Identity& identity) {
   std::vector<std::uint8_t> state(original.state_bytes());
   original.save(Span<std::uint8_t>(state));

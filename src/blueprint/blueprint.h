@@ -61,6 +61,9 @@ class Blueprint {
   LogSink log_;
 };
 
+// A built-in scene with all its infants, everything as it usually is.
+KitPtr ready_world(const std::string& scene);
+
 // A world in the state that another of the same kit is in. It shares with that one what never changes.
 std::unique_ptr<env::World> clone(const env::Kit& kit, const env::World& original, const env::Identity& identity);
 

@@ -1,9 +1,12 @@
-#include "capi/agents.h"
+// Agents, from their configs to plans.
+#include "blueprint/agents.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "capi/check.h"
 #include "capi/guard.h"
+#include "capi/objects.h"
 #include "capi/pose.h"
 #include "capi/structs.h"
 #include "capi/vision.h"
@@ -83,41 +86,67 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   return options;
 }
 
-}  // namespace
+std::uint32_t bit_if(bool wanted, std::uint32_t bit) { return wanted ? bit : 0; }
 
-mimo_agent_config default_agent_config() {
+std::uint32_t proprioception_bits(const env::AgentOptions& options) {
+  const senses::ProprioceptionOptions& felt = options.proprioception;
+  return bit_if(felt.position, MIMO_PROPRIOCEPTION_POSITION) | bit_if(felt.velocity, MIMO_PROPRIOCEPTION_VELOCITY) |
+         bit_if(felt.torque, MIMO_PROPRIOCEPTION_TORQUE) | bit_if(felt.limit, MIMO_PROPRIOCEPTION_LIMIT) |
+         bit_if(felt.joint_torque, MIMO_PROPRIOCEPTION_JOINT_TORQUE) |
+         bit_if(options.actuation.felt, MIMO_PROPRIOCEPTION_ACTUATION) |
+         bit_if(options.actuation.effort, MIMO_PROPRIOCEPTION_EFFORT);
+}
+
+void write_vision(const senses::VisionOptions& options, mimo_agent_config& config) {
+  config.vision = bit_if(options.rgb, MIMO_VISION_RGB) | bit_if(options.depth, MIMO_VISION_DEPTH) |
+                  bit_if(options.segmentation, MIMO_VISION_SEGMENTATION);
+  config.vision_width = static_cast<std::uint32_t>(options.width);
+  config.vision_height = static_cast<std::uint32_t>(options.height);
+  config.vision_fovy = options.fovy;
+}
+
+void write_touch(const senses::TouchOptions& options, mimo_agent_config& config) {
+  config.touch = bit_if(options.force, MIMO_TOUCH_FORCE) | bit_if(options.normal_force, MIMO_TOUCH_NORMAL_FORCE) |
+                 bit_if(options.slip, MIMO_TOUCH_SLIP) | bit_if(options.friction_use, MIMO_TOUCH_FRICTION_USE);
+  config.touch_response = static_cast<std::int32_t>(options.response);
+  config.touch_frame = static_cast<std::int32_t>(options.frame);
+  config.touch_scale = options.scale;
+  config.touch_slip_threshold = options.slip_threshold;
+}
+
+// Outlives the plan that it stands in.
+const char* lasting_body(const std::string& body) {
+  for (std::size_t i = 0; const char* known = scene::built_in_body(i); ++i) {
+    if (body == known) return known;
+  }
+  return "scene";
+}
+
+// Of a plan that is nobody's yet: it has no name, no root and no place of its own.
+mimo_agent_config config_from(const blueprint::AgentPlan& plan) {
   mimo_agent_config config{};
   config.struct_size = sizeof config;
   config.name = "";
-  config.body = "mitten";
+  config.body = lasting_body(plan.body);
   config.orientation[0] = 1;
-  config.proprioception = MIMO_PROPRIOCEPTION_DEFAULT;
-  config.vestibular = 1;
-  config.limit_threshold = 0.035;
-  config.vision = MIMO_VISION_RGB;
-  config.vision_width = 256;
-  config.vision_height = 256;
-  config.touch = MIMO_TOUCH_FORCE;
-  config.touch_response = MIMO_TOUCH_LINEAR;
-  config.touch_frame = MIMO_FRAME_BODY;
-  config.touch_scale = 1;
-  config.touch_slip_threshold = senses::TouchOptions().slip_threshold;
+  config.proprioception = proprioception_bits(plan.options);
+  config.limit_threshold = plan.options.proprioception.limit_threshold;
+  config.vestibular = plan.options.vestibular ? 1 : 0;
+  config.actuation = static_cast<std::uint32_t>(plan.options.actuation.mode);
+  write_vision(plan.options.vision, config);
+  write_touch(plan.options.touch, config);
   return config;
 }
 
+mimo_agent_config default_agent_config() { return config_from({}); }
+
+// What the scene gives its infant by itself.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {
-  const scene::UsualInfant usual = scene.usual_infant();
-  mimo_agent_config config = default_agent_config();
-  config.body = usual.body;
-  if (usual.muscles) config.actuation = MIMO_ACTUATION_MUSCLE;
-  if (usual.place) {
-    std::copy(usual.place->position.begin(), usual.place->position.end(), config.position);
-    std::copy(usual.place->orientation.begin(), usual.place->orientation.end(), config.orientation);
+  mimo_agent_config config = config_from(blueprint::usual_agent(scene));
+  if (const std::optional<scene::Pose> place = scene.free_place()) {
+    std::copy(place->position.begin(), place->position.end(), config.position);
+    std::copy(place->orientation.begin(), place->orientation.end(), config.orientation);
   }
-  if (!usual.senses.proprioception) config.proprioception = 0;
-  if (!usual.senses.vestibular) config.vestibular = 0;
-  if (!usual.senses.vision) config.vision = 0;
-  if (!usual.senses.touch) config.touch = 0;
   return config;
 }
 
@@ -132,6 +161,7 @@ blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
   return plan;
 }
 
+}  // namespace
 }  // namespace mimo::capi
 
 using namespace mimo;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "capi/agents.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -122,12 +121,7 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     mimo_env*& result = out(env, "env");
     require(scene_name != nullptr, "scene_name is NULL");
     require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
-    scene::Source source;
-    source.name = scene_name;
-    blueprint::Blueprint blueprint(source);
-    const blueprint::AgentPlan plan = plan_from(default_agent_config(blueprint.draft().scene));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.add_agents(plan); });
-    result = make_env(make_kit(blueprint, default_env_config()));
+    result = make_env(blueprint::ready_world(scene_name));
   });
 }
 

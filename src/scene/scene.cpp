@@ -265,7 +265,7 @@ UsualInfant Scene::usual_infant() const {
   const auto* const found =
       fit.empty() ? std::begin(kBodies) : std::find(std::begin(kBodies), std::end(kBodies), fit.front());
   const char* body = found != std::end(kBodies) ? *found : kBodies[0];
-  return {body, recipe.senses(), recipe.muscles(), free_place()};
+  return {body, recipe.senses(), recipe.muscles()};
 }
 
 void Scene::add_object(const Object& object) {

@@ -54,8 +54,7 @@ struct Camera {
 struct UsualInfant {
   const char* body;  // static
   Senses senses;
-  bool muscles;               // else motors
-  std::optional<Pose> place;  // nothing where all places are taken
+  bool muscles;  // else motors
 };
 
 // Shared by copies of a scene; who changes a document changes a copy.
@@ -79,6 +78,9 @@ class Scene {
   std::vector<std::string> infants() const;
   // What it gives its next infant by itself.
   UsualInfant usual_infant() const;
+  // The room's place for it; the origin in a room that names none, near which it is put. Nothing where all places are
+  // taken.
+  std::optional<Pose> free_place() const;
   void add_object(const Object& object);
   void add_model(const Model& model);
   void add_camera(const Camera& camera);
@@ -106,9 +108,6 @@ class Scene {
  private:
   pugi::xml_document finished() const;
   pugi::xml_document shown() const;
-  // The room's place for the next infant; the origin in a room that names none, near which it is put. Nothing where all
-  // places are taken.
-  std::optional<Pose> free_place() const;
   bool has_name(const char* element, const std::string& name) const;
 
   Library models_;

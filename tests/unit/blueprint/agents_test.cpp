@@ -105,5 +105,15 @@ TEST(BlueprintAgents, WhatTheyReadAndFeel) {
   }
 }
 
+TEST(BlueprintAgents, AreUsuallyWhatTheirSceneWants) {
+  const AgentPlan standing = blueprint::usual_agent(scene::Scene(named("standup")));
+  EXPECT_EQ(standing.body, "mitten");
+  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt && standing.options.vestibular);
+  EXPECT_FALSE(standing.options.vision.any() || standing.options.touch.any());
+  const AgentPlan catching = blueprint::usual_agent(scene::Scene(named("catch")));
+  EXPECT_EQ(catching.body, "fingers");
+  EXPECT_EQ(catching.options.actuation.mode, actuation::Mode::kMuscle);
+}
+
 }  // namespace
 }  // namespace mimo::test
