@@ -32,28 +32,21 @@ mimo_model_config default_model_config() {
   return config;
 }
 
-// How many of the three sizes each shape has.
-int size_count(std::int32_t shape) {
-  switch (shape) {
-    case MIMO_SHAPE_SPHERE: return 1;
-    case MIMO_SHAPE_CAPSULE:
-    case MIMO_SHAPE_CYLINDER: return 2;
-    case MIMO_SHAPE_ELLIPSOID:
-    case MIMO_SHAPE_BOX: return 3;
-    default: fail(Status::kInvalidArgument, "shape is {}, expected MIMO_SHAPE_SPHERE (1) to MIMO_SHAPE_BOX (5)", shape);
-  }
+scene::Shape shape_from(std::int32_t shape) {
+  require(shape >= MIMO_SHAPE_SPHERE && shape <= MIMO_SHAPE_BOX,
+          "shape is {}, expected MIMO_SHAPE_SPHERE (1) to MIMO_SHAPE_BOX (5)", shape);
+  return static_cast<scene::Shape>(shape);
 }
 
 scene::Object object_from(const mimo_object_config& config) {
   scene::Object object;
   object.name = text(config.name);
   require(!object.name.empty(), "name is empty, expected a name for the object");
-  const int sizes = size_count(config.shape);
-  object.shape = static_cast<scene::Shape>(config.shape);
-  for (int i = 0; i < sizes; ++i) {
+  object.shape = shape_from(config.shape);
+  for (std::size_t i = 0; i < scene::size_count(object.shape); ++i) {
     require(config.size[i] > 0 && std::isfinite(config.size[i]), "size[{}] is {}, expected metres above 0", i,
             config.size[i]);
-    object.size[static_cast<std::size_t>(i)] = config.size[i];
+    object.size[i] = config.size[i];
   }
   object.pose = pose(config.position, config.orientation);
   require(config.mass >= 0 && std::isfinite(config.mass), "mass is {}, expected kilograms, or 0", config.mass);
@@ -74,8 +67,6 @@ scene::Model model_from(const mimo_model_config& config) {
   require(!model.name.empty(), "name is empty, expected a name for the model");
   model.file = text(config.file);
   model.xml = text(config.xml);
-  require(model.file.empty() != model.xml.empty(), "model \"{}\": {} of file and xml are set, expected one", model.name,
-          model.file.empty() ? "none" : "both");
   model.pose = pose(config.position, config.orientation);
   check_flag(config.fixed, "fixed");
   model.fixed = config.fixed != 0;
@@ -139,7 +130,9 @@ mimo_status mimo_scene_weld(mimo_scene* scene, const char* body, const char* oth
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(body != nullptr, "body is NULL");
-    const scene::Weld weld{body, other == nullptr ? "world" : other};
+    scene::Weld weld;
+    weld.body = body;
+    if (other != nullptr) weld.other = other;
     std::optional<scene::Pose> relative;
     if (pose != nullptr) relative = pose_from(pose);
     blueprint.edit([&](blueprint::Draft& draft) { draft.scene.weld(weld, relative ? &*relative : nullptr); });

@@ -28,12 +28,8 @@ scene::Limits limits(const mimo_scene_config& config) {
 
 scene::Source source(const mimo_scene_config& config) {
   check_reserved(config.reserved, "config: reserved");
-  scene::Source source{text(config.name),      text(config.file), text(config.xml),
-                       text(config.model_dir), limits(config),    LogSink{config.log, config.log_user}};
-  const int given = !source.name.empty() + !source.file.empty() + !source.xml.empty();
-  require(given <= 1, "config: name \"{}\", file \"{}\" and xml exclude each other, {} of them are set", source.name,
-          source.file, given);
-  return source;
+  return {text(config.name),      text(config.file), text(config.xml),
+          text(config.model_dir), limits(config),    LogSink{config.log, config.log_user}};
 }
 
 }  // namespace

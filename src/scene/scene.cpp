@@ -47,6 +47,9 @@ void require_known(const char* what, const char* const (&list)[N], const std::st
 }
 
 pugi::xml_document load(const Library& library, const Source& source) {
+  const int given = !source.name.empty() + !source.file.empty() + !source.xml.empty();
+  require(given <= 1, "config: name \"{}\", file \"{}\" and xml exclude each other, {} of them are set", source.name,
+          source.file, given);
   Loader loader(library, source.limits, source.log);
   if (!source.name.empty()) {
     require_known("scene", kScenes, source.name);
@@ -160,6 +163,17 @@ Document settled(pugi::xml_document&& document) {
 }
 
 }  // namespace
+
+std::size_t size_count(Shape shape) {
+  switch (shape) {
+    case Shape::kSphere: return 1;
+    case Shape::kCapsule:
+    case Shape::kCylinder: return 2;
+    case Shape::kEllipsoid:
+    case Shape::kBox: return 3;
+  }
+  return 0;
+}
 
 const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
 const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
@@ -293,6 +307,8 @@ void Scene::add_object(const Object& object) {
 }
 
 void Scene::add_model(const Model& model) {
+  require(model.file.empty() != model.xml.empty(), "model \"{}\": {} of file and xml are set, expected one", model.name,
+          model.file.empty() ? "none" : "both");
   require_plain(model.name);
   require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
               !has_names_with(document_->document_element(), model.name + "/"),

@@ -31,6 +31,8 @@ struct Source {
 };
 
 enum class Shape : int { kSphere = 1, kCapsule = 2, kEllipsoid = 3, kCylinder = 4, kBox = 5 };
+// How many of an object's three sizes count.
+std::size_t size_count(Shape shape);
 
 struct Object {
   std::string name;

@@ -12,7 +12,7 @@ namespace mimo::scene {
 
 struct Weld {
   std::string body;
-  std::string other;  // "world": the world
+  std::string other = "world";
 };
 
 // Throws Status::kNotFound for a body that is not there.

@@ -52,6 +52,21 @@ TEST_F(SceneSources, UnknownNamesListWhatThereIs) {
 }
 
 // No source at all is an empty world with the built-in solver options.
+TEST_F(SceneSources, AreOneOfNameFileAndText) {
+  scene::Source source;
+  source.name = "free";
+  source.xml = "<mujoco/>";
+  expect_error(Status::kInvalidArgument, "and xml exclude each other, 2 of them are set",
+               [&] { scene::Scene scene(source); });
+  scene::Scene scene{scene::Source()};
+  scene::Model model;
+  model.name = "box";
+  expect_error(Status::kInvalidArgument, "none of file and xml", [&] { scene.add_model(model); });
+  model.file = "box.xml";
+  model.xml = "<mujoco/>";
+  expect_error(Status::kInvalidArgument, "both of file and xml", [&] { scene.add_model(model); });
+}
+
 TEST_F(SceneSources, EmptyWorld) {
   const engine::ModelPtr model = compile(scene::Scene(scene::Source{}));
   EXPECT_EQ(model->nbody, 1);
