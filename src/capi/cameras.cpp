@@ -14,23 +14,22 @@ mimo_camera_config default_camera_config() {
   mimo_camera_config config{};
   config.struct_size = sizeof config;
   config.outputs = MIMO_VISION_RGB;
-  config.width = config.height = 256;
+  config.width = static_cast<std::uint32_t>(senses::VisionOptions().width);
+  config.height = static_cast<std::uint32_t>(senses::VisionOptions().height);
   config.position[0] = 1.5;
   config.position[2] = 0.8;
   config.look_at[2] = 0.4;
   return config;
 }
 
-scene::Camera new_camera(const mimo_camera_config& config) {
+blueprint::Stand stand(const mimo_camera_config& config) {
   check_finite(config.position, 3, "position");
   check_finite(config.look_at, 3, "look_at");
-  scene::Camera camera;
-  camera.name = text(config.name);
-  camera.body = text(config.body);
-  std::copy_n(config.position, 3, camera.position.begin());
-  std::copy_n(config.look_at, 3, camera.look_at.begin());
-  if (config.fovy > 0) camera.fovy = config.fovy;
-  return camera;
+  blueprint::Stand stand;
+  stand.body = text(config.body);
+  std::copy_n(config.position, 3, stand.position.begin());
+  std::copy_n(config.look_at, 3, stand.look_at.begin());
+  return stand;
 }
 
 blueprint::CameraPlan plan_from(const mimo_camera_config& config) {
@@ -39,10 +38,9 @@ blueprint::CameraPlan plan_from(const mimo_camera_config& config) {
   require(!plan.options.camera.empty(), "name is empty, expected the name of a camera");
   plan.options.vision =
       vision({"outputs", config.outputs}, {"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
-  require(plan.options.vision.any(), "outputs is 0, expected at least one of the MIMO_VISION_ bits");
   check_flag(config.placed, "placed");
   check_reserved(config.reserved, "reserved");
-  if (config.placed != 0) plan.placed = new_camera(config);
+  if (config.placed != 0) plan.placed = stand(config);
   return plan;
 }
 

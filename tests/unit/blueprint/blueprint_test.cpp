@@ -17,7 +17,7 @@ env::CameraOptions seen_by(const std::string& camera) {
 }
 
 blueprint::CameraPlan new_camera(const std::string& name) {
-  return {seen_by(name), scene::Camera{name, "", {1, 2, 3}, {0, 0, 0}}};
+  return {seen_by(name), blueprint::Stand{"", {1, 2, 3}, {0, 0, 0}}};
 }
 
 // The whole compiled model, as MuJoCo writes it.
@@ -44,12 +44,16 @@ TEST(Blueprint, WhatIsRefusedChangesNothing) {
   AgentPlan nobody = infant_at("carl", 2);
   nobody.body = "giant";
   blueprint::CameraPlan again = new_camera("aside");
-  again.placed->name = "elsewhere";  // which the scene could take
+  again.placed.reset();  // the scene has it
+  blueprint::CameraPlan blank = new_camera("blank");
+  blank.options.vision.rgb = false;
   EXPECT_NE(joining(blueprint, infant_at("anna", 2)), "");
   EXPECT_NE(joining(blueprint, infant("ben")), "");
   EXPECT_NE(joining(blueprint, nobody), "");
   EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.add_camera(again); }),
             "name: camera \"aside\" is observed already");
+  EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.add_camera(blank); }),
+            "outputs is 0, expected at least one of the MIMO_VISION_ bits");
   EXPECT_NE(refusal(blueprint, [&](Draft& draft) { draft.parameters.set("reach/episode_steps", -1); }), "");
   EXPECT_NE(refusal(blueprint, [&](Draft& draft) { draft.scene.weld({"anna/head", "nowhere"}, nullptr); }), "");
   EXPECT_EQ(told(blueprint), before);
