@@ -2,17 +2,27 @@
 
 #include <algorithm>
 #include <new>
+#include <thread>
 
 #include "base/fail.h"
 #include "base/format.h"
 
 namespace mimo::batch {
 
+namespace {
+
+std::size_t thread_count(const Options& options) {
+  const std::size_t wanted = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  return std::min(wanted, options.worlds);
+}
+
+}  // namespace
+
 Batch::Batch(const env::Kit& kit, const Options& options, HostOf host_of)
     : options_(options),
-      studio_(kit, std::min(options.threads, options.worlds), this),
+      studio_(kit, thread_count(options), this),
       reports_(options.worlds),
-      pool_(std::min(options.threads, options.worlds)) {
+      pool_(thread_count(options)) {
   if (env::draws(kit.agents, kit.options)) studio_.furnish();
   mailboxes_.reserve(options.worlds);
   worlds_.reserve(options.worlds);
@@ -120,8 +130,12 @@ void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
   });
 }
 
-void Batch::load(const std::uint8_t* mask, const std::uint8_t* states, std::size_t stride) {
-  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->load({states + i * stride, worlds_[i]->state_bytes()}); });
+void Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> states) {
+  const std::size_t one = world(0).state_bytes();
+  require(states.size() == one || states.size() == one * size(), "state_bytes is {}, expected {} or {}", states.size(),
+          one, one * size());
+  const std::size_t stride = states.size() == one ? 0 : one;
+  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->load({states.data() + i * stride, one}); });
 }
 
 void Batch::begin(const Operation& operation) {

@@ -58,9 +58,9 @@ class Batch : private Job {
 
   void set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask);
 
-  // States are `stride` bytes apart; with a stride of 0 all worlds load the same one.
+  // One state behind the other. A single one is loaded by all worlds.
   void save(const std::uint8_t* mask, std::uint8_t* states);
-  void load(const std::uint8_t* mask, const std::uint8_t* states, std::size_t stride);
+  void load(const std::uint8_t* mask, Span<const std::uint8_t> states);
 
  private:
   // What is done to a world; what it does not settle itself, the report tells afterwards.

@@ -13,7 +13,7 @@ enum class Autoreset : int { kNone = 0, kNextStep = 1, kSameStep = 2 };
 
 struct Options {
   std::size_t worlds = 1;
-  std::size_t threads = 1;
+  std::size_t threads = 1;  // 0: as many as the machine has
   Autoreset autoreset = Autoreset::kNone;
   bool restart_failed = false;
 };

@@ -1,5 +1,3 @@
-#include <thread>
-
 #include "capi/batch_arguments.h"
 #include "capi/check.h"
 #include "capi/env.h"
@@ -52,7 +50,7 @@ batch::Options batch_options(const mimo_batch_config& config) {
   check_reserved(config.reserved, "reserved");
   batch::Options options;
   options.worlds = config.worlds;
-  options.threads = config.threads != 0 ? config.threads : std::max(1u, std::thread::hardware_concurrency());
+  options.threads = config.threads;
   options.autoreset = static_cast<batch::Autoreset>(config.autoreset);
   options.restart_failed = config.restart_failed != 0;
   return options;
@@ -202,12 +200,9 @@ mimo_status mimo_batch_state_load(mimo_batch* batch, const uint8_t* mask, size_t
                                   size_t state_bytes) noexcept {
   return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
-    const std::size_t one = inner.world(0).state_bytes();
     check_per_world(inner, worlds, mask != nullptr);
     require(states != nullptr, "states is NULL");
-    require(state_bytes == one || state_bytes == one * inner.size(), "state_bytes is {}, expected {} or {}",
-            state_bytes, one, one * inner.size());
-    inner.load(mask, static_cast<const std::uint8_t*>(states), state_bytes == one ? 0 : one);
+    inner.load(mask, {static_cast<const std::uint8_t*>(states), state_bytes});
   });
 }
 

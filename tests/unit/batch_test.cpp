@@ -399,17 +399,23 @@ TEST(Batch, SavesAndLoadsManyStates) {
   const Bytes blocks = rig.blocks;
   EXPECT_EQ(rig.was_reset[2], 1);
   rig.step(5);
-  rig.batch.load(nullptr, states.data(), bytes);
+  rig.batch.load(nullptr, Span<const std::uint8_t>(states));
   rig.step(4);
   EXPECT_EQ(rig.blocks, blocks);
 
   const auto present = single(floating_model(), 9, lasting(4));
   const Bytes state = saved(*present);
-  rig.batch.load(nullptr, state.data(), 0);
+  rig.batch.load(nullptr, Span<const std::uint8_t>(state));
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(saved(rig.batch.world(i)), state);
 
+  EXPECT_EQ(failure([&] {
+              rig.batch.load(nullptr, {states.data(), 2 * bytes});
+            }),
+            "state_bytes is " + std::to_string(2 * bytes) + ", expected " + std::to_string(bytes) + " or " +
+                std::to_string(3 * bytes));
+
   states[bytes + 100] ^= 1;
-  EXPECT_EQ(failure([&] { rig.batch.load(nullptr, states.data(), bytes); }),
+  EXPECT_EQ(failure([&] { rig.batch.load(nullptr, Span<const std::uint8_t>(states)); }),
             "world 1: state: it is damaged, its checksum is wrong");
   EXPECT_EQ(saved(rig.batch.world(1)), state);
   EXPECT_NE(saved(rig.batch.world(2)), state);
