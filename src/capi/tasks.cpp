@@ -16,12 +16,6 @@ const tasks::Task& task_of(const mimo_env* env, std::size_t agent) {
   return *agents[agent].task;
 }
 
-std::size_t parameter_count() {
-  std::size_t count = 0;
-  while (tasks::parameter(count) != nullptr) ++count;
-  return count;
-}
-
 }  // namespace
 }  // namespace mimo::capi
 
@@ -36,19 +30,20 @@ const char* mimo_task_name(size_t index) noexcept {
 }
 
 mimo_status mimo_parameter_count(size_t* count) noexcept {
-  return guard([&] { out(count, "count") = parameter_count(); });
+  return guard([&] { out(count, "count") = tasks::parameters().size(); });
 }
 
 mimo_status mimo_parameter_describe(size_t index, mimo_parameter* parameter) noexcept {
   return guard([&] {
-    const tasks::Parameter* found = tasks::parameter(index);
-    require(found != nullptr, "index is {}, but there are {} parameters", index, parameter_count());
+    const std::vector<const tasks::Parameter*> all = tasks::parameters();
+    require(index < all.size(), "index is {}, but there are {} parameters", index, all.size());
+    const tasks::Parameter& found = *all[index];
     mimo_parameter ours{};
-    ours.name = found->name;
-    ours.description = found->description;
-    ours.standard = found->standard;
-    ours.low = found->low;
-    ours.high = found->high;
+    ours.name = found.name;
+    ours.description = found.description;
+    ours.standard = found.standard;
+    ours.low = found.low;
+    ours.high = found.high;
     write_described(parameter, ours, "parameter");
   });
 }

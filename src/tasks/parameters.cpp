@@ -11,7 +11,7 @@ namespace {
 
 const Parameter& find(const std::string& name) {
   std::vector<const char*> names;
-  for (std::size_t i = 0; const Parameter* candidate = parameter(i); ++i) {
+  for (const Parameter* candidate : parameters()) {
     if (name == candidate->name) return *candidate;
     names.push_back(candidate->name);
   }
@@ -20,12 +20,12 @@ const Parameter& find(const std::string& name) {
 
 }  // namespace
 
-const Parameter* parameter(std::size_t index) {
+std::vector<const Parameter*> parameters() {
+  std::vector<const Parameter*> all;
   for (const Definition* task : definitions()) {
-    if (index < task->parameters.size()) return &task->parameters[index];
-    index -= task->parameters.size();
+    for (const Parameter& parameter : task->parameters) all.push_back(&parameter);
   }
-  return nullptr;
+  return all;
 }
 
 void Settings::set(const std::string& name, double value) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/span.h"
 
@@ -15,8 +16,8 @@ struct Parameter {
   const char* description;
 };
 
-// Parameter number i of all tasks, one after the other; null past the last.
-const Parameter* parameter(std::size_t index);
+// Those of all tasks, one after the other.
+std::vector<const Parameter*> parameters();
 
 class Settings {
  public:

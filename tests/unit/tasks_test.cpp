@@ -445,7 +445,7 @@ TEST(Parameters, AreChecked) {
   expect_error(Status::kNotFound, "reach/success_reward", [&] { settings.set("reach/sucess", 1); });
   expect_error(Status::kInvalidArgument, "expected 0 to 1", [&] { settings.set("reach/original_rules", 2); });
   expect_error(Status::kInvalidArgument, "nan", [&] { settings.set("reach/success_reward", std::nan("")); });
-  for (std::size_t i = 0; const tasks::Parameter* parameter = tasks::parameter(i); ++i) {
+  for (const tasks::Parameter* parameter : tasks::parameters()) {
     EXPECT_EQ(settings[parameter->name], parameter->standard);
     EXPECT_NO_THROW(settings.set(parameter->name, parameter->standard)) << "a default is in its range";
   }
