@@ -1,7 +1,5 @@
 #include "capi/env.h"
 
-#include <algorithm>
-
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -24,9 +22,7 @@ namespace {
 render::Quality quality(const mimo_env_config& config) {
   check_bits(config.render, MIMO_RENDER_DEFAULT | MIMO_RENDER_FOG, "render");
   const auto has = [&](std::uint32_t bit) { return (config.render & bit) != 0; };
-  const auto known = {0u, 1u, 4u, 16u, 64u};
-  require(std::find(known.begin(), known.end(), config.samples) != known.end(),
-          "samples is {}, expected 1, 4, 16 or 64, or 0 for the renderer's own", config.samples);
+  render::require_samples(config.samples);
   require(config.render_threads >= 1 && config.render_threads <= 64, "render_threads is {}, expected 1 to 64",
           config.render_threads);
   render::Quality quality;
@@ -52,14 +48,6 @@ engine::PhysicsOptions physics(const mimo_env_config& config) {
   return options;
 }
 
-std::string renderer(const mimo_env_config& config) {
-  const std::string name = text(config.renderer);
-  const auto known = {"auto", "ray", "osmesa", "none"};
-  require(std::find(known.begin(), known.end(), name) != known.end(),
-          "renderer is \"{}\", expected auto, ray, osmesa or none", name);
-  return name;
-}
-
 }  // namespace
 
 env::EnvOptions env_options(const mimo_env_config& config) {
@@ -68,7 +56,7 @@ env::EnvOptions env_options(const mimo_env_config& config) {
           config.frame_skip);
   options.frame_skip = static_cast<int>(config.frame_skip);
   options.physics = physics(config);
-  options.renderer = renderer(config);
+  options.renderer = env::renderer_from(text(config.renderer));
   options.max_steps = config.max_steps;
   options.task = text(config.task);
   options.quality = quality(config);

@@ -31,7 +31,8 @@ struct Kit {
   Services services;
 };
 
-// Makes the renderer that the options ask for. Throws Status::kUnsupported where it does not work here.
+// Makes the renderer that the options ask for; the shelf belongs to this very model. Throws Status::kUnsupported where
+// it does not work here.
 std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options,
                                                 const Services& services);
 

@@ -1,24 +1,43 @@
-#include "env/renderers.h"
+// Which renderer a world gets.
+#include <array>
 
 #include "base/fail.h"
+#include "env/kit.h"
 #include "osmesa/renderer.h"
 #include "rays/renderer.h"
 #include "render/shelf.h"
 
 namespace mimo::env {
+namespace {
 
-std::unique_ptr<render::Renderer> choose_renderer(const std::string& name, const engine::ModelPtr& model,
-                                                  const render::Quality& quality,
-                                                  const std::shared_ptr<render::Shelf>& shelf, const LogSink& log) {
-  if (name == "osmesa") return osmesa::make_renderer(model, quality, log);
+constexpr std::array<const char*, 4> kNames{"auto", "ray", "osmesa", "none"};  // as RendererChoice numbers them
+
+std::unique_ptr<render::Renderer> make_rays(const engine::ModelPtr& model, const render::Quality& quality,
+                                            const Services& services) {
+  rays::Options options(quality);
+  if (services.shelf != nullptr) options.assets = services.shelf->get([&] { return rays::make_assets(model); });
+  return rays::make_renderer(model, options);
+}
+
+}  // namespace
+
+RendererChoice renderer_from(const std::string& name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (name == kNames[i]) return static_cast<RendererChoice>(i);
+  }
+  fail(Status::kInvalidArgument, "renderer is \"{}\", expected auto, ray, osmesa or none", name);
+}
+
+std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options,
+                                                const Services& services) {
+  const RendererChoice choice = options.renderer;
+  if (choice == RendererChoice::kOsmesa) return osmesa::make_renderer(model, options.quality, services.log);
   try {
-    rays::Options options(quality);
-    if (shelf != nullptr) options.assets = shelf->get([&] { return rays::make_assets(model); });
-    return rays::make_renderer(model, options);
+    return make_rays(model, options.quality, services);
   } catch (const Error& error) {
-    if (name != "auto" || error.status() != Status::kUnsupported) throw;
-    log(LogLevel::kInfo, "drawing with OSMesa: " + error.message());
-    return osmesa::make_renderer(model, quality, log);
+    if (choice == RendererChoice::kRay || error.status() != Status::kUnsupported) throw;
+    services.log(LogLevel::kInfo, "drawing with OSMesa: " + error.message());
+    return osmesa::make_renderer(model, options.quality, services.log);
   }
 }
 

@@ -7,7 +7,6 @@
 #include "base/stopwatch.h"
 #include "body/stored_pose.h"
 #include "engine/custom.h"
-#include "env/renderers.h"
 #include "format/names.h"
 
 namespace mimo::env {
@@ -102,13 +101,7 @@ render::Renderer& World::renderer() {
 
 bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
   const auto sees = [](const AgentOptions& agent) { return agent.vision.any(); };
-  return options.renderer != "none" && (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
-}
-
-std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options,
-                                                const Services& services) {
-  const std::string& name = options.renderer == "none" ? "auto" : options.renderer;
-  return choose_renderer(name, model, options.quality, services.shelf, services.log);
+  return options.renderer != RendererChoice::kNone && (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
 }
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {

@@ -24,14 +24,8 @@ const Path& path_for(const std::vector<Path>& paths, const std::string& name) {
 }
 
 int rays_along_an_edge(int samples) {
-  switch (samples) {
-    case 0:
-    case 1: return 1;
-    case 4: return 2;
-    case 16: return 4;
-    case 64: return 8;
-    default: fail(Status::kInvalidArgument, "samples is {}, expected 1, 4, 16 or 64", samples);
-  }
+  render::require_samples(samples);
+  return samples == 0 ? 1 : static_cast<int>(std::lround(std::sqrt(samples)));
 }
 
 // A picture in pieces: its rows of tiles.

@@ -37,6 +37,9 @@ struct Quality {
   int threads = 1;  // that draw one picture, the caller's among them; OSMesa has its own. Pictures do not differ.
 };
 
+// Throws for a number of samples that is not known.
+void require_samples(std::int64_t samples);
+
 class Renderer {
  public:
   virtual ~Renderer() = default;

@@ -80,7 +80,7 @@ inline env::AgentOptions blind() {
 
 inline env::EnvOptions without_renderer() {
   env::EnvOptions options;
-  options.renderer = "none";
+  options.renderer = env::RendererChoice::kNone;
   return options;
 }
 

@@ -197,7 +197,7 @@ TEST(Limits, ConcernPicturesInColour) {
   options.vision.rgb = options.vision.depth = true;
   options.vision.width = options.vision.height = 32;
   env::EnvOptions rays;
-  rays.renderer = "ray";
+  rays.renderer = env::RendererChoice::kRay;
   const auto perfect = benchmark_world(options, rays);
   options.limits = {{"vision", {0.5, 0, 0, 0}}, {"vision/eye_right", {1, 0, 0.2, 0}}};
   const auto limited = benchmark_world(options, rays);

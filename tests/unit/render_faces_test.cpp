@@ -17,7 +17,7 @@ using Rgb = std::vector<std::uint8_t>;
 
 env::EnvOptions drawn_by(const std::string& renderer) {
   env::EnvOptions options;
-  options.renderer = renderer;
+  options.renderer = env::renderer_from(renderer);
   return options;
 }
 

@@ -91,7 +91,7 @@ TEST(Blueprint, AnEditThatFailsInTheMiddleChangesNothing) {
 TEST(Blueprint, CompilesTwiceToTheSame) {
   const Blueprint blueprint = furnished();
   env::EnvOptions options;
-  options.renderer = "ray";
+  options.renderer = env::RendererChoice::kRay;
   const blueprint::KitPtr kits[2] = {blueprint.compile(options, {}), blueprint.compile(options, {})};
   EXPECT_NE(kits[0]->model, kits[1]->model);
   EXPECT_EQ(bytes_of(*kits[0]->model), bytes_of(*kits[1]->model));
