@@ -101,7 +101,8 @@ render::Renderer& World::renderer() {
 
 bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
   const auto sees = [](const AgentOptions& agent) { return agent.vision.any(); };
-  return options.renderer != RendererChoice::kNone && (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
+  return options.renderer != RendererChoice::kNone &&
+         (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
 }
 
 std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
