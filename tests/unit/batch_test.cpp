@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 #include "batch/workplace.h"
 #include "support/worlds.h"
@@ -419,6 +420,11 @@ TEST(Batch, SavesAndLoadsManyStates) {
             "world 1: state: it is damaged, its checksum is wrong");
   EXPECT_EQ(saved(rig.batch.world(1)), state);
   EXPECT_NE(saved(rig.batch.world(2)), state);
+}
+
+TEST(Batch, HasTheMachinesThreads) {
+  const Batch batch({room_with_infant("free"), {blind()}, {}, {}}, sized(2, 0));
+  EXPECT_EQ(batch.threads(), std::min(2u, std::max(1u, std::thread::hardware_concurrency())));
 }
 
 TEST(Batch, UnseededWorldsDiffer) {
