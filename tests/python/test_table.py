@@ -41,7 +41,7 @@ STRUCTS = {
 
 @pytest.fixture(scope="module")
 def header(root):
-    text = (root / "include/mimo/mimo.h").read_text()
+    text = "".join(chapter.read_text() for chapter in sorted((root / "include/mimo").glob("*.h")))
     return re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
 
 

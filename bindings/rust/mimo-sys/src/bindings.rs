@@ -44,6 +44,16 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
 pub const MIMO_LOG_INFO: u32 = 2;
+#[doc = "size: radius."]
+pub const MIMO_SHAPE_SPHERE: u32 = 1;
+#[doc = "size: radius, half length of the cylindrical part (along z)."]
+pub const MIMO_SHAPE_CAPSULE: u32 = 2;
+#[doc = "size: three radii."]
+pub const MIMO_SHAPE_ELLIPSOID: u32 = 3;
+#[doc = "size: radius, half length (along z)."]
+pub const MIMO_SHAPE_CYLINDER: u32 = 4;
+#[doc = "size: three half lengths."]
+pub const MIMO_SHAPE_BOX: u32 = 5;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 #[doc = "Three-axis torque sensors at the joints, Nm."]
@@ -122,16 +132,6 @@ pub const MIMO_FRAME_BODY: u32 = 1;
 pub const MIMO_FRAME_WORLD: u32 = 2;
 #[doc = "Of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors."]
 pub const MIMO_FRAME_SKIN: u32 = 3;
-#[doc = "size: radius."]
-pub const MIMO_SHAPE_SPHERE: u32 = 1;
-#[doc = "size: radius, half length of the cylindrical part (along z)."]
-pub const MIMO_SHAPE_CAPSULE: u32 = 2;
-#[doc = "size: three radii."]
-pub const MIMO_SHAPE_ELLIPSOID: u32 = 3;
-#[doc = "size: radius, half length (along z)."]
-pub const MIMO_SHAPE_CYLINDER: u32 = 4;
-#[doc = "size: three half lengths."]
-pub const MIMO_SHAPE_BOX: u32 = 5;
 #[doc = "As the model says; built-in scenes say sparse."]
 pub const MIMO_JACOBIAN_MODEL: u32 = 0;
 #[doc = "As the original solves; for comparing trajectories to the last digit."]
@@ -388,6 +388,178 @@ extern "C" {
     #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown room; MIMO_E_INVALID_ARGUMENT for a scene that has a room or a floor already."]
     pub fn mimo_scene_set_room(scene: *mut mimo_scene, name: *const std::os::raw::c_char) -> mimo_status;
 }
+#[doc = "A rigid object of one primitive shape."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_object_config {
+    #[doc = "sizeof(mimo_object_config), set by mimo_object_config_init."]
+    pub struct_size: u32,
+    #[doc = "A MIMO_SHAPE_ constant."]
+    pub shape: i32,
+    #[doc = "Of its body and its geom; needed, unique among bodies and geoms."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Metres, by shape; unused entries are ignored."]
+    pub size: [f64; 3usize],
+    #[doc = "Metres, world frame."]
+    pub position: [f64; 3usize],
+    #[doc = "w x y z; need not be normalised."]
+    pub orientation: [f64; 4usize],
+    #[doc = "Kilograms; 0: a density of 1000 kg/m^3."]
+    pub mass: f64,
+    #[doc = "Colour, 0 to 1."]
+    pub rgba: [f64; 4usize],
+    #[doc = "1: part of the world; 0: it moves freely."]
+    pub fixed: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: a red sphere of 4 cm radius and 0.1 kg at the origin, free to move, without name."]
+    #[doc = "@param size sizeof(mimo_object_config) as the caller knows it."]
+    pub fn mimo_object_config_init(config: *mut mimo_object_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use."]
+    pub fn mimo_scene_add_object(scene: *mut mimo_scene, config: *const mimo_object_config) -> mimo_status;
+}
+#[doc = "An object that is described by an MJCF document of its own: a toy with parts, a piece of furniture, a robot."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_model_config {
+    #[doc = "sizeof(mimo_model_config), set by mimo_model_config_init."]
+    pub struct_size: u32,
+    #[doc = "1: it gets no free joint; 0: it moves freely, unless its body has joints of its own."]
+    pub fixed: u32,
+    #[doc = "Needed: letters, digits, '_', '-', '.'. Goes with '/' before all names in the document."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Path of an MJCF file; what it includes and its meshes lie relative to its folder."]
+    pub file: *const std::os::raw::c_char,
+    #[doc = "Or MJCF text; relative paths start from the working directory."]
+    pub xml: *const std::os::raw::c_char,
+    #[doc = "Where its body is, metres, world frame; in place of what the document says."]
+    pub position: [f64; 3usize],
+    #[doc = "w x y z; need not be normalised."]
+    pub orientation: [f64; 4usize],
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: at the origin, free to move, without name and document."]
+    #[doc = "@param size sizeof(mimo_model_config) as the caller knows it."]
+    pub fn mimo_model_config_init(config: *mut mimo_model_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,"]
+    #[doc = "equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,"]
+    #[doc = "\"cup/handle\", so the same document may be added often; the free joint, and a body without a name, have the object's."]
+    #[doc = "Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits are"]
+    #[doc = "converted to the scene's settings. What else stands in its worldbody (floor, lights) does not come along, nor do its"]
+    #[doc = "solver options, keyframes, sizes and visual settings: there the scene's count. Nor do keyframes of the scene stay:"]
+    #[doc = "they are positions of other joints."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just"]
+    #[doc = "one body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...);"]
+    #[doc = "MIMO_E_UNSUPPORTED for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT"]
+    #[doc = "for a name in use, and for fixed = 1 where the body has a free joint."]
+    pub fn mimo_scene_add_model(scene: *mut mimo_scene, config: *const mimo_model_config) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Fastens a body to another one or to the world, softly, as the solver holds things."]
+    #[doc = "@param body  name of a body in the scene, \"anna/left_hand\"."]
+    #[doc = "@param other name of the one to which it is fastened; NULL: the world."]
+    #[doc = "@param pose  where the body is in the other's frame: position (m) and quaternion w x y z; NULL: as they are to each"]
+    #[doc = "             other where the scene starts, with all that is added and posed before an environment is made."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have; the message lists those that it has."]
+    pub fn mimo_scene_weld(
+        scene: *mut mimo_scene,
+        body: *const std::os::raw::c_char,
+        other: *const std::os::raw::c_char,
+        pose: *const f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the"]
+    #[doc = "locks of the joints that it moves."]
+    #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
+    #[doc = "@param value rad or m, within the joint's range."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has."]
+    pub fn mimo_scene_lock(
+        scene: *mut mimo_scene,
+        joint: *const std::os::raw::c_char,
+        value: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets where a hinge or slide starts; resets lead there, before a task changes it."]
+    #[doc = "@param joint name of a joint in the scene, of an infant, an object or a model of your own."]
+    #[doc = "@param value rad or m, within the joint's range."]
+    #[doc = "Errors: as mimo_scene_lock."]
+    pub fn mimo_scene_set_pose(
+        scene: *mut mimo_scene,
+        joint: *const std::os::raw::c_char,
+        value: f64,
+    ) -> mimo_status;
+}
+#[doc = "A camera whose pictures are fields: \"vision/NAME\", \"vision/NAME_depth\", \"vision/NAME_segmentation\"."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_camera_config {
+    #[doc = "sizeof(mimo_camera_config), set by mimo_camera_config_init."]
+    pub struct_size: u32,
+    #[doc = "MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB."]
+    pub outputs: u32,
+    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name of"]
+    #[doc = "a new one."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Pixels, 1 to 4096. Default 256."]
+    pub width: u32,
+    #[doc = "Pixels, 1 to 4096. Default 256."]
+    pub height: u32,
+    #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one."]
+    pub fovy: f64,
+    #[doc = "1: make the camera, where the entries below say; 0: it is there already."]
+    pub placed: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Body that carries it, by its name in the model; NULL: it stands still in the world."]
+    pub body: *const std::os::raw::c_char,
+    #[doc = "Where it is, metres, in the frame of the body."]
+    pub position: [f64; 3usize],
+    #[doc = "The point in the middle of its picture, metres, in the frame of the body, whose z axis"]
+    #[doc = "points up in the picture."]
+    pub look_at: [f64; 3usize],
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: a camera of the model, no name yet; a new one looks from (1.5, 0, 0.8) at (0, 0, 0.4)."]
+    #[doc = "@param size sizeof(mimo_camera_config) as the caller knows it."]
+    pub fn mimo_camera_config_init(config: *mut mimo_camera_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Has a camera observed. Its fields come after those of all agents and belong to the scene."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have, and from mimo_env_create for a camera that the"]
+    #[doc = "        model does not have; MIMO_E_INVALID_ARGUMENT for a camera that is observed already, or a new one whose name"]
+    #[doc = "        is in use."]
+    pub fn mimo_scene_add_camera(scene: *mut mimo_scene, config: *const mimo_camera_config) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
+    #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
+    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the"]
+    #[doc = "        scene does not compile."]
+    #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only."]
+    #[doc = "@param length receives the length without the terminating zero; may be NULL."]
+    pub fn mimo_scene_xml(
+        scene: *const mimo_scene,
+        text: *mut std::os::raw::c_char,
+        capacity: usize,
+        length: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all"]
+    #[doc = "textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
+    #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND"]
+    #[doc = "        for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
+    pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
+}
 extern "C" {
     #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\","]
     #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named"]
@@ -576,226 +748,6 @@ extern "C" {
         limits: *const mimo_limits,
     ) -> mimo_status;
 }
-#[doc = "A rigid object of one primitive shape."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_object_config {
-    #[doc = "sizeof(mimo_object_config), set by mimo_object_config_init."]
-    pub struct_size: u32,
-    #[doc = "A MIMO_SHAPE_ constant."]
-    pub shape: i32,
-    #[doc = "Of its body and its geom; needed, unique among bodies and geoms."]
-    pub name: *const std::os::raw::c_char,
-    #[doc = "Metres, by shape; unused entries are ignored."]
-    pub size: [f64; 3usize],
-    #[doc = "Metres, world frame."]
-    pub position: [f64; 3usize],
-    #[doc = "w x y z; need not be normalised."]
-    pub orientation: [f64; 4usize],
-    #[doc = "Kilograms; 0: a density of 1000 kg/m^3."]
-    pub mass: f64,
-    #[doc = "Colour, 0 to 1."]
-    pub rgba: [f64; 4usize],
-    #[doc = "1: part of the world; 0: it moves freely."]
-    pub fixed: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-}
-extern "C" {
-    #[doc = "Fills a config with defaults: a red sphere of 4 cm radius and 0.1 kg at the origin, free to move, without name."]
-    #[doc = "@param size sizeof(mimo_object_config) as the caller knows it."]
-    pub fn mimo_object_config_init(config: *mut mimo_object_config, size: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use."]
-    pub fn mimo_scene_add_object(scene: *mut mimo_scene, config: *const mimo_object_config) -> mimo_status;
-}
-#[doc = "An object that is described by an MJCF document of its own: a toy with parts, a piece of furniture, a robot."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_model_config {
-    #[doc = "sizeof(mimo_model_config), set by mimo_model_config_init."]
-    pub struct_size: u32,
-    #[doc = "1: it gets no free joint; 0: it moves freely, unless its body has joints of its own."]
-    pub fixed: u32,
-    #[doc = "Needed: letters, digits, '_', '-', '.'. Goes with '/' before all names in the document."]
-    pub name: *const std::os::raw::c_char,
-    #[doc = "Path of an MJCF file; what it includes and its meshes lie relative to its folder."]
-    pub file: *const std::os::raw::c_char,
-    #[doc = "Or MJCF text; relative paths start from the working directory."]
-    pub xml: *const std::os::raw::c_char,
-    #[doc = "Where its body is, metres, world frame; in place of what the document says."]
-    pub position: [f64; 3usize],
-    #[doc = "w x y z; need not be normalised."]
-    pub orientation: [f64; 4usize],
-}
-extern "C" {
-    #[doc = "Fills a config with defaults: at the origin, free to move, without name and document."]
-    #[doc = "@param size sizeof(mimo_model_config) as the caller knows it."]
-    pub fn mimo_model_config_init(config: *mut mimo_model_config, size: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,"]
-    #[doc = "equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,"]
-    #[doc = "\"cup/handle\", so the same document may be added often; the free joint, and a body without a name, have the object's."]
-    #[doc = "Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits are"]
-    #[doc = "converted to the scene's settings. What else stands in its worldbody (floor, lights) does not come along, nor do its"]
-    #[doc = "solver options, keyframes, sizes and visual settings: there the scene's count. Nor do keyframes of the scene stay:"]
-    #[doc = "they are positions of other joints."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just"]
-    #[doc = "one body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...);"]
-    #[doc = "MIMO_E_UNSUPPORTED for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT"]
-    #[doc = "for a name in use, and for fixed = 1 where the body has a free joint."]
-    pub fn mimo_scene_add_model(scene: *mut mimo_scene, config: *const mimo_model_config) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Fastens a body to another one or to the world, softly, as the solver holds things."]
-    #[doc = "@param body  name of a body in the scene, \"anna/left_hand\"."]
-    #[doc = "@param other name of the one to which it is fastened; NULL: the world."]
-    #[doc = "@param pose  where the body is in the other's frame: position (m) and quaternion w x y z; NULL: as they are to each"]
-    #[doc = "             other where the scene starts, with all that is added and posed before an environment is made."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have; the message lists those that it has."]
-    pub fn mimo_scene_weld(
-        scene: *mut mimo_scene,
-        body: *const std::os::raw::c_char,
-        other: *const std::os::raw::c_char,
-        pose: *const f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the"]
-    #[doc = "locks of the joints that it moves."]
-    #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
-    #[doc = "@param value rad or m, within the joint's range."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has."]
-    pub fn mimo_scene_lock(
-        scene: *mut mimo_scene,
-        joint: *const std::os::raw::c_char,
-        value: f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets where a hinge or slide starts; resets lead there, before a task changes it."]
-    #[doc = "@param joint name of a joint in the scene, of an infant, an object or a model of your own."]
-    #[doc = "@param value rad or m, within the joint's range."]
-    #[doc = "Errors: as mimo_scene_lock."]
-    pub fn mimo_scene_set_pose(
-        scene: *mut mimo_scene,
-        joint: *const std::os::raw::c_char,
-        value: f64,
-    ) -> mimo_status;
-}
-#[doc = "A camera whose pictures are fields: \"vision/NAME\", \"vision/NAME_depth\", \"vision/NAME_segmentation\"."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_camera_config {
-    #[doc = "sizeof(mimo_camera_config), set by mimo_camera_config_init."]
-    pub struct_size: u32,
-    #[doc = "MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB."]
-    pub outputs: u32,
-    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name of"]
-    #[doc = "a new one."]
-    pub name: *const std::os::raw::c_char,
-    #[doc = "Pixels, 1 to 4096. Default 256."]
-    pub width: u32,
-    #[doc = "Pixels, 1 to 4096. Default 256."]
-    pub height: u32,
-    #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one."]
-    pub fovy: f64,
-    #[doc = "1: make the camera, where the entries below say; 0: it is there already."]
-    pub placed: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-    #[doc = "Body that carries it, by its name in the model; NULL: it stands still in the world."]
-    pub body: *const std::os::raw::c_char,
-    #[doc = "Where it is, metres, in the frame of the body."]
-    pub position: [f64; 3usize],
-    #[doc = "The point in the middle of its picture, metres, in the frame of the body, whose z axis"]
-    #[doc = "points up in the picture."]
-    pub look_at: [f64; 3usize],
-}
-extern "C" {
-    #[doc = "Fills a config with defaults: a camera of the model, no name yet; a new one looks from (1.5, 0, 0.8) at (0, 0, 0.4)."]
-    #[doc = "@param size sizeof(mimo_camera_config) as the caller knows it."]
-    pub fn mimo_camera_config_init(config: *mut mimo_camera_config, size: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Has a camera observed. Its fields come after those of all agents and belong to the scene."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have, and from mimo_env_create for a camera that the"]
-    #[doc = "        model does not have; MIMO_E_INVALID_ARGUMENT for a camera that is observed already, or a new one whose name"]
-    #[doc = "        is in use."]
-    pub fn mimo_scene_add_camera(scene: *mut mimo_scene, config: *const mimo_camera_config) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
-    #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
-    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the"]
-    #[doc = "        scene does not compile."]
-    #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only."]
-    #[doc = "@param length receives the length without the terminating zero; may be NULL."]
-    pub fn mimo_scene_xml(
-        scene: *const mimo_scene,
-        text: *mut std::os::raw::c_char,
-        capacity: usize,
-        length: *mut usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all"]
-    #[doc = "textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
-    #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND"]
-    #[doc = "        for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
-    pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Name of the index-th task (\"none\", \"reach\", ...), or NULL past the last. Static string."]
-    pub fn mimo_task_name(index: usize) -> *const std::os::raw::c_char;
-}
-#[doc = "A number by which a task can be changed."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_parameter {
-    #[doc = "sizeof(mimo_parameter), set by the caller."]
-    pub struct_size: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-    #[doc = "\"reach/success_reward\". Static."]
-    pub name: *const std::os::raw::c_char,
-    #[doc = "One line; with unit. Static."]
-    pub description: *const std::os::raw::c_char,
-    #[doc = "Value unless set."]
-    pub standard: f64,
-    #[doc = "Smallest allowed value."]
-    pub low: f64,
-    #[doc = "Largest allowed value. From 0 to 1 it may be a switch; the description says so."]
-    pub high: f64,
-}
-extern "C" {
-    #[doc = "Number of parameters of all tasks together."]
-    pub fn mimo_parameter_count(count: *mut usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Describes the index-th parameter. Set parameter->struct_size first."]
-    pub fn mimo_parameter_describe(index: usize, parameter: *mut mimo_parameter) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets a parameter for environments made from now on."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range."]
-    pub fn mimo_scene_set_parameter(
-        scene: *mut mimo_scene,
-        name: *const std::os::raw::c_char,
-        value: f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The value that a parameter has in this scene."]
-    pub fn mimo_scene_get_parameter(
-        scene: *const mimo_scene,
-        name: *const std::os::raw::c_char,
-        value: *mut f64,
-    ) -> mimo_status;
-}
 #[doc = "A world: physics, agents, senses, observation layout."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -901,6 +853,128 @@ extern "C" {
     #[doc = "Describes the index-th agent. Set info->struct_size first."]
     pub fn mimo_env_agent(env: *const mimo_env, index: usize, info: *mut mimo_agent_info) -> mimo_status;
 }
+extern "C" {
+    #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
+    #[doc = "@param seed  points to the seed of the world's random numbers; NULL goes on with its own stream."]
+    #[doc = "@param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
+    pub fn mimo_env_reset(
+        env: *mut mimo_env,
+        seed: *const u64,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards."]
+    #[doc = "@param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
+    #[doc = "                    controls as they are (0 after a reset, or as set by mimo_env_set)."]
+    #[doc = "@param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
+    #[doc = "@param reward       one per agent; may be NULL."]
+    #[doc = "@param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL."]
+    #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
+    #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
+    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
+    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
+    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
+    pub fn mimo_env_step(
+        env: *mut mimo_env,
+        action: *const f32,
+        action_count: usize,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+        reward: *mut f64,
+        terminated: *mut u8,
+        truncated: *mut u8,
+        agents: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
+    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START."]
+    pub fn mimo_env_observe(
+        env: *mut mimo_env,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Bare physics: count physics steps with the controls as they are, without actuation, senses or task."]
+    #[doc = "What MuJoCo alone costs; also for hosts that bring senses and control of their own."]
+    #[doc = "@param count 0 to 1000000."]
+    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
+    pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Simulated seconds since reset."]
+    pub fn mimo_env_time(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Length of one physics step, seconds."]
+    pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
+}
+#[doc = "Seconds spent in the parts of steps since the last call of mimo_env_timing_reset."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_timing {
+    #[doc = "sizeof(mimo_timing), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Environment steps counted."]
+    pub steps: u64,
+    #[doc = "Everything."]
+    pub total: f64,
+    #[doc = "MuJoCo's steps."]
+    pub physics: f64,
+    #[doc = "Sense of touch."]
+    pub touch: f64,
+    #[doc = "Drawing the eyes' pictures."]
+    pub vision: f64,
+    #[doc = "Joint senses."]
+    pub proprioception: f64,
+    #[doc = "Accelerometer and gyroscope."]
+    pub vestibular: f64,
+}
+extern "C" {
+    #[doc = "Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first."]
+    pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Starts counting anew."]
+    pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Number of terms of an agent's reward, which is their sum."]
+    pub fn mimo_env_reward_term_count(env: *const mimo_env, agent: usize, count: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Name of the index-th term, \"distance\". The string is owned by the environment."]
+    pub fn mimo_env_reward_term_name(
+        env: *const mimo_env,
+        agent: usize,
+        index: usize,
+        name: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The terms of the last step's reward, 0 after a reset. @param count length of values."]
+    pub fn mimo_env_reward_terms(
+        env: *const mimo_env,
+        agent: usize,
+        values: *mut f64,
+        count: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode."]
+    pub fn mimo_env_outcome(
+        env: *const mimo_env,
+        agent: usize,
+        success: *mut u8,
+        failure: *mut u8,
+    ) -> mimo_status;
+}
 #[doc = "One field of the observation block."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -981,66 +1055,6 @@ extern "C" {
         index: usize,
         name: *mut *const std::os::raw::c_char,
     ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
-    #[doc = "@param seed  points to the seed of the world's random numbers; NULL goes on with its own stream."]
-    #[doc = "@param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
-    pub fn mimo_env_reset(
-        env: *mut mimo_env,
-        seed: *const u64,
-        block: *mut std::os::raw::c_void,
-        block_bytes: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards."]
-    #[doc = "@param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
-    #[doc = "                    controls as they are (0 after a reset, or as set by mimo_env_set)."]
-    #[doc = "@param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
-    #[doc = "@param reward       one per agent; may be NULL."]
-    #[doc = "@param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL."]
-    #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
-    #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
-    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
-    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
-    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
-    pub fn mimo_env_step(
-        env: *mut mimo_env,
-        action: *const f32,
-        action_count: usize,
-        block: *mut std::os::raw::c_void,
-        block_bytes: usize,
-        reward: *mut f64,
-        terminated: *mut u8,
-        truncated: *mut u8,
-        agents: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
-    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START."]
-    pub fn mimo_env_observe(
-        env: *mut mimo_env,
-        block: *mut std::os::raw::c_void,
-        block_bytes: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Bare physics: count physics steps with the controls as they are, without actuation, senses or task."]
-    #[doc = "What MuJoCo alone costs; also for hosts that bring senses and control of their own."]
-    #[doc = "@param count 0 to 1000000."]
-    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
-    pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Simulated seconds since reset."]
-    pub fn mimo_env_time(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Length of one physics step, seconds."]
-    pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
 }
 extern "C" {
     #[doc = "How many of a kind (MIMO_BODY ...) the world has."]
@@ -1147,6 +1161,52 @@ extern "C" {
         capacity: usize,
         count: *mut usize,
     ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Gives an agent another face, in this world only. Pictures show it from the next one on."]
+    #[doc = "@param name see mimo_face_name."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are."]
+    pub fn mimo_env_set_face(
+        env: *mut mimo_env,
+        agent: usize,
+        name: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" where it has no faces."]
+    pub fn mimo_env_face(
+        env: *const mimo_env,
+        agent: usize,
+        name: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle."]
+    #[doc = "@param joint a hinge of an infant."]
+    #[doc = "@param angle within the joint's range, rad."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED when the model has no equality for that joint, or the joint is under position control."]
+    pub fn mimo_env_lock(env: *mut mimo_env, joint: i32, angle: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Lets a joint go, also one that the scene has locked."]
+    pub fn mimo_env_unlock(env: *mut mimo_env, joint: i32) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Whether a joint is held, and at which angle (rad; also that of a lock that is off). Either may be NULL."]
+    pub fn mimo_env_lock_state(
+        env: *const mimo_env,
+        joint: i32,
+        locked: *mut u8,
+        angle: *mut f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets gravity, m/s^2, world frame."]
+    pub fn mimo_env_set_gravity(env: *mut mimo_env, x: f64, y: f64, z: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Reads gravity. @param xyz receives three numbers."]
+    pub fn mimo_env_gravity(env: *const mimo_env, xyz: *mut f64, count: usize) -> mimo_status;
 }
 #[doc = "Where an infant looks."]
 #[repr(C)]
@@ -1271,114 +1331,6 @@ extern "C" {
         count: usize,
         pixels: *mut f64,
     ) -> mimo_status;
-}
-#[doc = "Seconds spent in the parts of steps since the last call of mimo_env_timing_reset."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_timing {
-    #[doc = "sizeof(mimo_timing), set by the caller."]
-    pub struct_size: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-    #[doc = "Environment steps counted."]
-    pub steps: u64,
-    #[doc = "Everything."]
-    pub total: f64,
-    #[doc = "MuJoCo's steps."]
-    pub physics: f64,
-    #[doc = "Sense of touch."]
-    pub touch: f64,
-    #[doc = "Drawing the eyes' pictures."]
-    pub vision: f64,
-    #[doc = "Joint senses."]
-    pub proprioception: f64,
-    #[doc = "Accelerometer and gyroscope."]
-    pub vestibular: f64,
-}
-extern "C" {
-    #[doc = "Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first."]
-    pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Starts counting anew."]
-    pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Number of terms of an agent's reward, which is their sum."]
-    pub fn mimo_env_reward_term_count(env: *const mimo_env, agent: usize, count: *mut usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Name of the index-th term, \"distance\". The string is owned by the environment."]
-    pub fn mimo_env_reward_term_name(
-        env: *const mimo_env,
-        agent: usize,
-        index: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The terms of the last step's reward, 0 after a reset. @param count length of values."]
-    pub fn mimo_env_reward_terms(
-        env: *const mimo_env,
-        agent: usize,
-        values: *mut f64,
-        count: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode."]
-    pub fn mimo_env_outcome(
-        env: *const mimo_env,
-        agent: usize,
-        success: *mut u8,
-        failure: *mut u8,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Gives an agent another face, in this world only. Pictures show it from the next one on."]
-    #[doc = "@param name see mimo_face_name."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are."]
-    pub fn mimo_env_set_face(
-        env: *mut mimo_env,
-        agent: usize,
-        name: *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" where it has no faces."]
-    pub fn mimo_env_face(
-        env: *const mimo_env,
-        agent: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle."]
-    #[doc = "@param joint a hinge of an infant."]
-    #[doc = "@param angle within the joint's range, rad."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED when the model has no equality for that joint, or the joint is under position control."]
-    pub fn mimo_env_lock(env: *mut mimo_env, joint: i32, angle: f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Lets a joint go, also one that the scene has locked."]
-    pub fn mimo_env_unlock(env: *mut mimo_env, joint: i32) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Whether a joint is held, and at which angle (rad; also that of a lock that is off). Either may be NULL."]
-    pub fn mimo_env_lock_state(
-        env: *const mimo_env,
-        joint: i32,
-        locked: *mut u8,
-        angle: *mut f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets gravity, m/s^2, world frame."]
-    pub fn mimo_env_set_gravity(env: *mut mimo_env, x: f64, y: f64, z: f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Reads gravity. @param xyz receives three numbers."]
-    pub fn mimo_env_gravity(env: *const mimo_env, xyz: *mut f64, count: usize) -> mimo_status;
 }
 extern "C" {
     #[doc = "Size of the world's state in bytes; it does not change."]
@@ -1628,6 +1580,54 @@ extern "C" {
         worlds: usize,
         states: *const std::os::raw::c_void,
         state_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Name of the index-th task (\"none\", \"reach\", ...), or NULL past the last. Static string."]
+    pub fn mimo_task_name(index: usize) -> *const std::os::raw::c_char;
+}
+#[doc = "A number by which a task can be changed."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_parameter {
+    #[doc = "sizeof(mimo_parameter), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "\"reach/success_reward\". Static."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "One line; with unit. Static."]
+    pub description: *const std::os::raw::c_char,
+    #[doc = "Value unless set."]
+    pub standard: f64,
+    #[doc = "Smallest allowed value."]
+    pub low: f64,
+    #[doc = "Largest allowed value. From 0 to 1 it may be a switch; the description says so."]
+    pub high: f64,
+}
+extern "C" {
+    #[doc = "Number of parameters of all tasks together."]
+    pub fn mimo_parameter_count(count: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Describes the index-th parameter. Set parameter->struct_size first."]
+    pub fn mimo_parameter_describe(index: usize, parameter: *mut mimo_parameter) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets a parameter for environments made from now on."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range."]
+    pub fn mimo_scene_set_parameter(
+        scene: *mut mimo_scene,
+        name: *const std::os::raw::c_char,
+        value: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The value that a parameter has in this scene."]
+    pub fn mimo_scene_get_parameter(
+        scene: *const mimo_scene,
+        name: *const std::os::raw::c_char,
+        value: *mut f64,
     ) -> mimo_status;
 }
 #[doc = "Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random"]
