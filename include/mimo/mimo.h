@@ -42,7 +42,7 @@
 #ifndef MIMO_H
 #define MIMO_H
 
-/* clang-format off: in the order of use */
+/* clang-format off */
 #include "status.h"
 #include "log.h"
 #include "scene.h"
