@@ -30,6 +30,7 @@ from .constants import (
     Time,
     Touch,
     TouchResponse,
+    Vestibular,
     Vision,
 )
 from .env import Env, register
@@ -111,6 +112,7 @@ __all__ = [
     "TouchResponse",
     "UnsupportedError",
     "VectorEnv",
+    "Vestibular",
     "Vision",
     "World",
     "faces",
