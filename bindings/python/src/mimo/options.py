@@ -23,6 +23,7 @@ from .constants import (
     Disable,
     Frame,
     Jacobian,
+    Place,
     Proprioception,
     Render,
     Shape,
