@@ -127,10 +127,16 @@ static void refuse_handle(const char* expected, double number) {
   mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "there is no %s %g; it was closed, or never made", expected, number);
 }
 
-worlds* mimo_worlds_of(const mxArray* number) {
+worlds* mimo_any_worlds_of(const mxArray* number) {
   const double value = mimo_number(number, "world");
   worlds* all = find_worlds(value);
   if (all == NULL) refuse_handle("world", value);
+  return all;
+}
+
+worlds* mimo_worlds_of(const mxArray* number) {
+  worlds* all = mimo_any_worlds_of(number);
+  mimo_need(!all->sent, "a step was sent; mimo_receive waits for it");
   return all;
 }
 
@@ -173,6 +179,9 @@ static void free_worlds(worlds* all) {
   mimo_batch_destroy(all->batch);
   free(all->blocks);
   free(all->actions);
+  free(all->reward);
+  free(all->terminated);
+  free(all->truncated);
   memset(all, 0, sizeof *all);
 }
 
@@ -193,7 +202,13 @@ static mimo_status prepare(worlds* all) {
   if (status != MIMO_OK) return status;
   all->blocks = calloc(all->count, all->bytes + 1);
   all->actions = calloc(all->count, (all->action_count + 1) * sizeof *all->actions);
-  return all->blocks != NULL && all->actions != NULL ? MIMO_OK : MIMO_E_OUT_OF_MEMORY;
+  all->reward = calloc(all->count, (all->agents + 1) * sizeof *all->reward);
+  all->terminated = calloc(all->count, all->agents + 1);
+  all->truncated = calloc(all->count, all->agents + 1);
+  return all->blocks != NULL && all->actions != NULL && all->reward != NULL && all->terminated != NULL &&
+                 all->truncated != NULL
+             ? MIMO_OK
+             : MIMO_E_OUT_OF_MEMORY;
 }
 
 double mimo_keep_worlds(worlds* all) {
@@ -220,7 +235,7 @@ void mimo_close_number(const mxArray* number) {
     mimo_scene_destroy(*scene);
     *scene = NULL;
   } else {
-    free_worlds(mimo_worlds_of(number));
+    free_worlds(mimo_any_worlds_of(number));
   }
   if (--living == 0) mexUnlock();
 }

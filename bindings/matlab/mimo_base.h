@@ -21,6 +21,9 @@ typedef struct worlds {
   mimo_env* first;   /* its world 0, which knows the names */
   char* blocks;
   float* actions; /* of all worlds */
+  int sent;       /* whether a step was sent, which then has blocks, actions and these three: */
+  double* reward;
+  uint8_t *terminated, *truncated;
   size_t count, bytes, fields, action_count, agents;
 } worlds;
 
@@ -50,8 +53,10 @@ worlds* mimo_new_worlds(void);
 double mimo_keep_worlds(worlds* all);
 void mimo_close_all(void);
 
-/* The worlds of a number; raises mimo:BAD_HANDLE. */
+/* The worlds of a number; raises mimo:BAD_HANDLE, or an error if they are still at work on a step that was sent. The
+   second gives them, at work or not. */
 worlds* mimo_worlds_of(const mxArray* number);
+worlds* mimo_any_worlds_of(const mxArray* number);
 
 /* The same for scenes, whose numbers are others than those of worlds. What is kept is being made no more. */
 double mimo_keep_scene(mimo_scene* scene);

@@ -104,6 +104,47 @@ static void step(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   if (nout > 2) out[2] = truncated;
 }
 
+/* send(number, actions): a step that goes on while MATLAB does something else */
+static void send(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  size_t count;
+  mimo_batch_results results;
+  (void)nout;
+  (void)out;
+  mimo_need(nin == 2, "expected a world and its actions");
+  all = mimo_worlds_of(in[0]);
+  count = read_actions(all, in[1]);
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.reward = all->reward;
+  results.terminated = all->terminated;
+  results.truncated = all->truncated;
+  results.agents = all->count * all->agents;
+  mimo_check(mimo_batch_send(all->batch, count > 0 ? all->actions : NULL, count, all->blocks, all->count * all->bytes,
+                             all->agents > 0 ? &results : NULL));
+  all->sent = 1;
+}
+
+static mxArray* flags(const worlds* all, const uint8_t* from) {
+  mxArray* array = mxCreateLogicalMatrix(all->agents, all->count);
+  memcpy(mxGetLogicals(array), from, all->count * all->agents);
+  return array;
+}
+
+/* [reward, terminated, truncated] = receive(number): as step gives them */
+static void receive(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_any_worlds_of(in[0]);
+  mimo_need(all->sent, "no step was sent; mimo_send does");
+  all->sent = 0;
+  mimo_check(mimo_batch_receive(all->batch));
+  out[0] = mxCreateDoubleMatrix(all->agents, all->count, mxREAL);
+  memcpy(mxGetPr(out[0]), all->reward, all->count * all->agents * sizeof *all->reward);
+  if (nout > 1) out[1] = flags(all, all->terminated);
+  if (nout > 2) out[2] = flags(all, all->truncated);
+}
+
 /* observe(number): the senses of the current state go to its block */
 static void observe(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
@@ -277,6 +318,7 @@ static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[
 }
 
 const mimo_command mimo_world_commands[] = {
-    {"create", create},   {"close", close_number},      {"reset", reset}, {"step", step},
-    {"observe", observe}, {"observation", observation}, {"block", block}, {"bounds", bounds},
-    {"physics", physics}, {"random", random_numbers},   {NULL, NULL}};
+    {"create", create}, {"close", close_number}, {"reset", reset},     {"step", step},
+    {"send", send},     {"receive", receive},    {"observe", observe}, {"observation", observation},
+    {"block", block},   {"bounds", bounds},      {"physics", physics}, {"random", random_numbers},
+    {NULL, NULL}};

@@ -5,7 +5,7 @@ function tests()
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, ...
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
                  @scenes_step_by_step, @two_infants, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
-                 @worlds_move_on_their_own, @points_and_looks};
+                 @worlds_move_on_their_own, @points_and_looks, @steps_in_two_halves};
   failed = 0;
   for i = 1:numel(all_of_them)
     try
@@ -537,4 +537,27 @@ function points_and_looks()
   mimo_set(world, 'joint_position', joints, angles);
   assert(max(abs(mimo_gaze(world).point - point)) < 1e-6);
   mimo_close(world);
+end
+
+function steps_in_two_halves()
+  one = mimo_create('reach', 'worlds', 2);
+  other = mimo_create('reach', 'worlds', 2);
+  mimo_reset(one, 3);
+  mimo_reset(other, 3);
+  actions = 0.1 * ones(numel(mimo_bounds(one)), 2);
+  refused(@() mimo_receive(one), 'mimo:INVALID_ARGUMENT');
+  mimo_send(one, actions);
+  refused(@() mimo_observation(one), 'mimo:INVALID_ARGUMENT');  % it is being written
+  refused(@() mimo_send(one, actions), 'mimo:INVALID_ARGUMENT');
+  [seen, reward, terminated, truncated] = mimo_receive(one);
+  [other_seen, other_reward, other_terminated, other_truncated] = mimo_step(other, actions);
+  assert(isequal(reward, other_reward) && all(reward ~= 0) && isequal(seen, other_seen));
+  assert(isequal({terminated, truncated}, {other_terminated, other_truncated}) && islogical(truncated));
+  actions(1, 2) = NaN;
+  mimo_send(one, actions);
+  said = message_of(@() mimo_receive(one));
+  assert(strcmp(said, 'world 2: action(1) is not a number'), said);
+  mimo_send(one, []);
+  mimo_close(one);  % waits for it
+  mimo_close(other);
 end
