@@ -41,6 +41,9 @@ internal static partial class Tests
                 Check(scene.GetParameter(one.Name) == one.Standard, one.Name + " is not its standard");
                 scene.SetParameter(one.Name, one.Low);
                 Check(scene.GetParameter(one.Name) == one.Low, one.Name + " was not set");
+                Refused(() => scene.SetParameter(one.Name, one.Low - 1));
+                scene.SetParameter(one.Name, one.High);
+                Refused(() => scene.SetParameter(one.Name, one.High + 1));
             }
             Check(Tasks.Parameters.Single(one => one.Name == "reach/success_reward").Standard == 100, "another reward");
             Check(Refused(() => scene.GetParameter("reach/luck")).StatusName == "MIMO_E_NOT_FOUND", "another status");

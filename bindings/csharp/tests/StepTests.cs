@@ -1,6 +1,7 @@
 // How worlds go on, what rewards consist of, where time goes and points lie.
 using System;
 using System.Linq;
+using System.Runtime.CompilerServices;
 using Mimo;
 
 internal static partial class Tests
@@ -140,6 +141,30 @@ internal static partial class Tests
                 Check(plain.Blocks.SequenceEqual(sent.Blocks) && plain.Rewards.SequenceEqual(sent.Rewards), "differ in step " + step);
             }
         }
+    }
+
+    /// <summary>Nobody but the library uses them.</summary>
+    private static void SentActionsStay()
+    {
+        using (var batch = ReachBatch(2))
+        {
+            var actions = SendNew(batch);
+            for (var i = 0; i < 3; ++i)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+            }
+            Check(actions.IsAlive, "the actions were collected");
+            batch.Receive();
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static WeakReference SendNew(Batch batch)
+    {
+        var actions = new float[2 * batch.ActionSize];
+        batch.Send(actions);
+        return new WeakReference(actions);
     }
 
     private static void SentStepsFailAsOthers()

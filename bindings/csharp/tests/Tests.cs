@@ -240,7 +240,7 @@ internal static partial class Tests
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
-            SentStepsAreSteps, SentStepsFailAsOthers, WhatWasSentEndsWithTheBatch, BatchesKnowTheirSize,
+            SentStepsAreSteps, SentActionsStay, SentStepsFailAsOthers, WhatWasSentEndsWithTheBatch, BatchesKnowTheirSize,
             VersionsAreThoseOfTheHeader, ScenesRoomsAndTasksAreListed, ParametersAreListed, ScenesAreWritten, DefaultAgentsAreMade,
             WorldsKnowTheirTaskAndTimeSteps, BarePhysicsStepsAreCounted, RewardsConsistOfTerms, TimingTellsWhereTimeGoes,
             PointsLieWhereAPinholeDrawsThem, ThingsBelongToBodies

@@ -122,6 +122,9 @@ fn tasks_and_parameters_are_listed() {
         assert_eq!(scene.parameter(&one.name), Ok(one.standard));
         scene.set_parameter(&one.name, one.low).unwrap();
         assert_eq!(scene.parameter(&one.name), Ok(one.low));
+        assert!(scene.set_parameter(&one.name, one.low - 1.0).is_err());
+        scene.set_parameter(&one.name, one.high).unwrap();
+        assert!(scene.set_parameter(&one.name, one.high + 1.0).is_err());
     }
     let success = all.iter().find(|one| one.name == "reach/success_reward").unwrap();
     assert_eq!(success.standard, 100.0);
