@@ -96,7 +96,8 @@ test_csharp() {
   build_csharp
   echo "Tests of the C# classes"
   local -x LD_LIBRARY_PATH=$PWD/build/lib
-  mono build/csharp/Tests.exe tests/abi/layout.json include/mimo/mimo.h
+  tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
+  mono build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
   test_loading_in_csharp
   mono build/csharp/Game.exe 1
   follow csharp

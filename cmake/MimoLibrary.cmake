@@ -2,7 +2,7 @@
 set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
 file(STRINGS ${exports} version_node REGEX "^MIMO_${MIMO_ABI_VERSION} ")
 if(NOT version_node)
-  message(FATAL_ERROR "${exports} does not name MIMO_${MIMO_ABI_VERSION}, the ABI version in mimo.h")
+  message(FATAL_ERROR "${exports} does not name MIMO_${MIMO_ABI_VERSION}, the ABI version in status.h")
 endif()
 
 add_library(mimo SHARED)

@@ -1,4 +1,4 @@
-# mimo_read_version(<mimo.h>): sets MIMO_VERSION ("0.1.0") and MIMO_ABI_VERSION (0) from the header's macros,
+# mimo_read_version(<header>): sets MIMO_VERSION ("0.1.0") and MIMO_ABI_VERSION (0) from the header's macros,
 # so that header, SONAME and packages cannot disagree.
 function(mimo_read_version header)
   foreach(part VERSION_MAJOR VERSION_MINOR VERSION_PATCH ABI_VERSION)

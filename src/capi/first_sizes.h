@@ -1,5 +1,5 @@
-// Sizes of structs in version 0.9 of the interface, written by ./dev freeze. They are those of 64-bit machines.
-MIMO_FIRST_SIZE(mimo_scene_config, 56);
+// Sizes of structs in the first version of this ABI, written by ./dev freeze. They are those of 64-bit machines.
+MIMO_FIRST_SIZE(mimo_scene_config, 120);
 MIMO_FIRST_SIZE(mimo_agent_config, 184);
 MIMO_FIRST_SIZE(mimo_limits, 32);
 MIMO_FIRST_SIZE(mimo_object_config, 144);

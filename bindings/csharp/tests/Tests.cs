@@ -225,7 +225,7 @@ internal static partial class Tests
         return 0;
     }
 
-    /// <summary>Tests.exe tests/abi/layout.json include/mimo/mimo.h, or alone: where no library can be used.</summary>
+    /// <summary>Tests.exe tests/abi/layout.json WHOLE_HEADER, or alone: where no library can be used.</summary>
     private static int Main(string[] arguments)
     {
         if (arguments.Length == 0) return SayWhyNothingOpens();
@@ -235,7 +235,8 @@ internal static partial class Tests
         {
             StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, ScenesAreBuilt, FacesShow,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, InfantsArePlacedByTheirSoles,
+            ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
         };

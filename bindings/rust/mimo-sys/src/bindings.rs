@@ -44,6 +44,16 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
 pub const MIMO_LOG_INFO: u32 = 2;
+#[doc = "size: radius."]
+pub const MIMO_SHAPE_SPHERE: u32 = 1;
+#[doc = "size: radius, half length of the cylindrical part (along z)."]
+pub const MIMO_SHAPE_CAPSULE: u32 = 2;
+#[doc = "size: three radii."]
+pub const MIMO_SHAPE_ELLIPSOID: u32 = 3;
+#[doc = "size: radius, half length (along z)."]
+pub const MIMO_SHAPE_CYLINDER: u32 = 4;
+#[doc = "size: three half lengths."]
+pub const MIMO_SHAPE_BOX: u32 = 5;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 #[doc = "Three-axis torque sensors at the joints, Nm."]
@@ -68,6 +78,18 @@ pub const MIMO_VISION_RGB: u32 = 1;
 pub const MIMO_VISION_DEPTH: u32 = 2;
 #[doc = "Geom id of each pixel, int32 H x W, -1 is background."]
 pub const MIMO_VISION_SEGMENTATION: u32 = 4;
+#[doc = "vestibular/acceleration, 3, m/s^2, gravity included."]
+pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
+#[doc = "vestibular/angular_velocity, 3, rad/s."]
+pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
+#[doc = "The scene's own place for an infant."]
+pub const MIMO_PLACE_SCENE: u32 = 0;
+#[doc = "The origin of its root body mimo_location; standing soles are 0.33 m below."]
+pub const MIMO_PLACE_ROOT: u32 = 1;
+#[doc = "The middle between its feet from above, at the height of the lowest point of them."]
+pub const MIMO_PLACE_SOLES: u32 = 2;
+#[doc = "Its root body from above, at the height of its lowest point: it lies on that height."]
+pub const MIMO_PLACE_LOWEST: u32 = 3;
 #[doc = "An action is a motor's share of its largest torque."]
 pub const MIMO_ACTUATION_TORQUE: u32 = 0;
 #[doc = "An action is the angle to which a soft lock takes a joint, rad."]
@@ -122,16 +144,6 @@ pub const MIMO_FRAME_BODY: u32 = 1;
 pub const MIMO_FRAME_WORLD: u32 = 2;
 #[doc = "Of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors."]
 pub const MIMO_FRAME_SKIN: u32 = 3;
-#[doc = "size: radius."]
-pub const MIMO_SHAPE_SPHERE: u32 = 1;
-#[doc = "size: radius, half length of the cylindrical part (along z)."]
-pub const MIMO_SHAPE_CAPSULE: u32 = 2;
-#[doc = "size: three radii."]
-pub const MIMO_SHAPE_ELLIPSOID: u32 = 3;
-#[doc = "size: radius, half length (along z)."]
-pub const MIMO_SHAPE_CYLINDER: u32 = 4;
-#[doc = "size: three half lengths."]
-pub const MIMO_SHAPE_BOX: u32 = 5;
 #[doc = "As the model says; built-in scenes say sparse."]
 pub const MIMO_JACOBIAN_MODEL: u32 = 0;
 #[doc = "As the original solves; for comparing trajectories to the last digit."]
@@ -388,194 +400,6 @@ extern "C" {
     #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown room; MIMO_E_INVALID_ARGUMENT for a scene that has a room or a floor already."]
     pub fn mimo_scene_set_room(scene: *mut mimo_scene, name: *const std::os::raw::c_char) -> mimo_status;
 }
-extern "C" {
-    #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\","]
-    #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named"]
-    #[doc = "\"mimo_face_<name>\"."]
-    pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
-}
-#[doc = "One agent: where it is, what it senses, what of it acts. Mostly an infant; with `root` any part of a model that"]
-#[doc = "knows nothing of infants. Such an agent"]
-#[doc = "  - reads the positions of its hinges and slides, its motors, and the torque sensors on it;"]
-#[doc = "  - acts with its actuators, within their ctrlrange (no bounds where they have none);"]
-#[doc = "  - has skin where mimo_scene_set_touch says so, and nowhere else;"]
-#[doc = "  - sees with all cameras that it carries, \"vision/NAME\";"]
-#[doc = "  - has a vestibular organ where vestibular_at says;"]
-#[doc = "  - has no face, no gaze, and its only task is \"none\" or one of your own."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_agent_config {
-    #[doc = "sizeof(mimo_agent_config), set by mimo_agent_config_init."]
-    pub struct_size: u32,
-    #[doc = "1: position and orientation below count; 0: the scene's own place for an infant."]
-    pub place_given: u32,
-    #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
-    pub name: *const std::os::raw::c_char,
-    #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the"]
-    #[doc = "body is part of the scene's MJCF."]
-    pub body: *const std::os::raw::c_char,
-    #[doc = "Of the root body mimo_location, m, world frame; standing soles are 0.33 below."]
-    pub position: [f64; 3usize],
-    #[doc = "Of the root body, w x y z; need not be normalised."]
-    pub orientation: [f64; 4usize],
-    #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception."]
-    pub proprioception: u32,
-    #[doc = "1: accelerometer and gyroscope in the head; 0: none."]
-    pub vestibular: u32,
-    #[doc = "Limit sensors work this near to a limit; radians, > 0. Default 0.035."]
-    pub limit_threshold: f64,
-    #[doc = "MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB."]
-    pub vision: u32,
-    #[doc = "Pixels, 1 to 4096. Default 256."]
-    pub vision_width: u32,
-    #[doc = "Pixels, 1 to 4096. Default 256."]
-    pub vision_height: u32,
-    #[doc = "A MIMO_ACTUATION_ constant. Default torque."]
-    pub actuation: u32,
-    #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own (60)."]
-    pub vision_fovy: f64,
-    #[doc = "MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice."]
-    pub acts: u32,
-    #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
-    pub normalize_actions: u32,
-    #[doc = "MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE."]
-    pub touch: u32,
-    #[doc = "MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much."]
-    pub touch_response: i32,
-    #[doc = "MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components."]
-    pub touch_frame: i32,
-    #[doc = "0."]
-    pub touch_reserved: u32,
-    #[doc = "Divides the usual distances between sensors: 2 makes 4 times as many. Default 1."]
-    pub touch_scale: f64,
-    #[doc = "Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005."]
-    pub touch_slip_threshold: f64,
-    #[doc = "The face that it shows at first, see mimo_face_name; NULL: neutral."]
-    pub face: *const std::os::raw::c_char,
-    #[doc = "With body \"scene\": the body of the model that the agent consists of, with all below"]
-    #[doc = "it; \"world\": everything. NULL: an infant."]
-    pub root: *const std::os::raw::c_char,
-    #[doc = "Site or body whose motion the vestibular sense feels; NULL: the infant's head."]
-    pub vestibular_at: *const std::os::raw::c_char,
-}
-extern "C" {
-    #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
-    #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
-    pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
-    #[doc = "orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,"]
-    #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as"]
-    #[doc = "mimo_agent_config_init."]
-    #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
-    pub fn mimo_scene_default_agent(
-        scene: *const mimo_scene,
-        config: *mut mimo_agent_config,
-        size: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Adds an infant."]
-    #[doc = ""]
-    #[doc = "In a scene that names no place for its first infant and where none is given, it stands on what stands still at the"]
-    #[doc = "origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to"]
-    #[doc = "4 m away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place,"]
-    #[doc = "or finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log."]
-    #[doc = "@param config NULL means the scene's own, see mimo_scene_default_agent."]
-    #[doc = "@param agent  receives its number, 0 for the first; may be NULL."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five"]
-    #[doc = "fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several"]
-    #[doc = "agents, and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where"]
-    #[doc = "its compiler settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a"]
-    #[doc = "composite, and for global coordinates."]
-    pub fn mimo_scene_add_agent(
-        scene: *mut mimo_scene,
-        config: *const mimo_agent_config,
-        agent: *mut i32,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Adds all infants that the scene names (its MJCF's custom text \"mimo:infants\", \"anna ben\"), each at a place of its"]
-    #[doc = "own; in a scene that names none a single one."]
-    #[doc = "@param config what they have in common; a name only where the scene gives none, a place only where there is just one."]
-    #[doc = "              NULL: the scene's own, see mimo_scene_default_agent."]
-    #[doc = "@param count  receives how many were added; may be NULL."]
-    #[doc = "Errors: as mimo_scene_add_agent. All of them are added, or none."]
-    pub fn mimo_scene_add_agents(
-        scene: *mut mimo_scene,
-        config: *const mimo_agent_config,
-        count: *mut usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets the distance between the touch sensors of one part of an infant's body, in place of the usual one."]
-    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
-    #[doc = "               single ones no longer counts."]
-    #[doc = "@param spacing metres, at most 10, as it is (touch_scale does not change it); 0: no skin there."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
-    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
-    pub fn mimo_scene_set_touch(
-        scene: *mut mimo_scene,
-        agent: i32,
-        body: *const std::os::raw::c_char,
-        spacing: f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Has an agent's proprioception read this joint; the first call takes away all others. Position, velocity, limits and"]
-    #[doc = "torque about the joint's axis then have one element for each call, in that order."]
-    #[doc = "@param joint a hinge or slide of the agent, by its name in the model, \"anna/robot:left_elbow\"."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a joint that is read already. A joint that the agent does not have is"]
-    #[doc = "        MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has."]
-    pub fn mimo_scene_read_joint(
-        scene: *mut mimo_scene,
-        agent: i32,
-        joint: *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-#[doc = "How much less an agent senses than there is to be sensed. What is not limited costs nothing."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_limits {
-    #[doc = "sizeof(mimo_limits), set by mimo_limits_init."]
-    pub struct_size: u32,
-    #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began"]
-    #[doc = "with. Default 0."]
-    pub delay: u32,
-    #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
-    pub gain: f64,
-    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit"]
-    #[doc = "(colours: levels of 255). Default 0."]
-    pub noise: f64,
-    #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0"]
-    #[doc = "(default): sharp. 0.05 to 1000."]
-    pub blur: f64,
-}
-extern "C" {
-    #[doc = "Fills limits with those of a perfect sense."]
-    #[doc = "@param size sizeof(mimo_limits) as the caller knows it."]
-    pub fn mimo_limits_init(limits: *mut mimo_limits, size: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then"]
-    #[doc = "comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field, and to the largest"]
-    #[doc = "float where there are none. The noise follows from"]
-    #[doc = "the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of"]
-    #[doc = "the world's state, and no episode senses anything of the one before."]
-    #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
-    #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
-    #[doc = "              segmentation, unless these are named."]
-    #[doc = "@param limits NULL: a perfect sense."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there"]
-    #[doc = "        are. Attached senses cannot be limited."]
-    pub fn mimo_scene_limit_sense(
-        scene: *mut mimo_scene,
-        agent: i32,
-        path: *const std::os::raw::c_char,
-        limits: *const mimo_limits,
-    ) -> mimo_status;
-}
 #[doc = "A rigid object of one primitive shape."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -749,51 +573,191 @@ extern "C" {
     pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Name of the index-th task (\"none\", \"reach\", ...), or NULL past the last. Static string."]
-    pub fn mimo_task_name(index: usize) -> *const std::os::raw::c_char;
+    #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\","]
+    #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named"]
+    #[doc = "\"mimo_face_<name>\"."]
+    pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
 }
-#[doc = "A number by which a task can be changed."]
+#[doc = "One agent: where it is, what it senses, what of it acts. Mostly an infant; with `root` any part of a model that"]
+#[doc = "knows nothing of infants. Such an agent"]
+#[doc = "  - reads the positions of its hinges and slides, its motors, and the torque sensors on it;"]
+#[doc = "  - acts with its actuators, within their ctrlrange (no bounds where they have none);"]
+#[doc = "  - has skin where mimo_scene_set_touch says so, and nowhere else;"]
+#[doc = "  - sees with all cameras that it carries, \"vision/NAME\";"]
+#[doc = "  - has a vestibular organ where vestibular_at says;"]
+#[doc = "  - has no face, no gaze, and its only task is \"none\" or one of your own."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
-pub struct mimo_parameter {
-    #[doc = "sizeof(mimo_parameter), set by the caller."]
+pub struct mimo_agent_config {
+    #[doc = "sizeof(mimo_agent_config), set by mimo_agent_config_init."]
     pub struct_size: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-    #[doc = "\"reach/success_reward\". Static."]
+    #[doc = "A MIMO_PLACE_ constant: which point of it lies at position. Default: the scene's."]
+    pub place: i32,
+    #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "One line; with unit. Static."]
-    pub description: *const std::os::raw::c_char,
-    #[doc = "Value unless set."]
-    pub standard: f64,
-    #[doc = "Smallest allowed value."]
-    pub low: f64,
-    #[doc = "Largest allowed value. From 0 to 1 it may be a switch; the description says so."]
-    pub high: f64,
+    #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the"]
+    #[doc = "body is part of the scene's MJCF."]
+    pub body: *const std::os::raw::c_char,
+    #[doc = "Of the point that place says, m, world frame; without meaning with PLACE_SCENE."]
+    pub position: [f64; 3usize],
+    #[doc = "Of the root body, w x y z; need not be normalised."]
+    pub orientation: [f64; 4usize],
+    #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception."]
+    pub proprioception: u32,
+    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both."]
+    pub vestibular: u32,
+    #[doc = "Limit sensors work this near to a limit; radians, > 0. Default 0.035."]
+    pub limit_threshold: f64,
+    #[doc = "MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB."]
+    pub vision: u32,
+    #[doc = "Pixels, 1 to 4096. Default 256."]
+    pub vision_width: u32,
+    #[doc = "Pixels, 1 to 4096. Default 256."]
+    pub vision_height: u32,
+    #[doc = "A MIMO_ACTUATION_ constant. Default torque."]
+    pub actuation: u32,
+    #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own (60)."]
+    pub vision_fovy: f64,
+    #[doc = "MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice."]
+    pub acts: u32,
+    #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
+    pub normalize_actions: u32,
+    #[doc = "MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE."]
+    pub touch: u32,
+    #[doc = "MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much."]
+    pub touch_response: i32,
+    #[doc = "MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components."]
+    pub touch_frame: i32,
+    #[doc = "0."]
+    pub touch_reserved: u32,
+    #[doc = "Divides the usual distances between sensors: 2 makes 4 times as many. Default 1."]
+    pub touch_scale: f64,
+    #[doc = "Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005."]
+    pub touch_slip_threshold: f64,
+    #[doc = "The face that it shows at first, see mimo_face_name; NULL: neutral."]
+    pub face: *const std::os::raw::c_char,
+    #[doc = "With body \"scene\": the body of the model that the agent consists of, with all below"]
+    #[doc = "it; \"world\": everything. NULL: an infant."]
+    pub root: *const std::os::raw::c_char,
+    #[doc = "Site or body whose motion the vestibular sense feels; NULL: the infant's head."]
+    pub vestibular_at: *const std::os::raw::c_char,
 }
 extern "C" {
-    #[doc = "Number of parameters of all tasks together."]
-    pub fn mimo_parameter_count(count: *mut usize) -> mimo_status;
+    #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
+    #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
+    pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Describes the index-th parameter. Set parameter->struct_size first."]
-    pub fn mimo_parameter_describe(index: usize, parameter: *mut mimo_parameter) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets a parameter for environments made from now on."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range."]
-    pub fn mimo_scene_set_parameter(
-        scene: *mut mimo_scene,
-        name: *const std::os::raw::c_char,
-        value: f64,
+    #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
+    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach, standup,"]
+    #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as"]
+    #[doc = "mimo_agent_config_init."]
+    #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
+    pub fn mimo_scene_default_agent(
+        scene: *const mimo_scene,
+        config: *mut mimo_agent_config,
+        size: usize,
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The value that a parameter has in this scene."]
-    pub fn mimo_scene_get_parameter(
-        scene: *const mimo_scene,
-        name: *const std::os::raw::c_char,
-        value: *mut f64,
+    #[doc = "Adds an infant."]
+    #[doc = ""]
+    #[doc = "In a scene that names no place for its first infant and where none is given, it stands on what stands still at the"]
+    #[doc = "origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to"]
+    #[doc = "4 m away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place,"]
+    #[doc = "or finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log."]
+    #[doc = "@param config NULL means the scene's own, see mimo_scene_default_agent."]
+    #[doc = "@param agent  receives its number, 0 for the first; may be NULL."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five"]
+    #[doc = "fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several"]
+    #[doc = "agents, and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where"]
+    #[doc = "its compiler settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a"]
+    #[doc = "composite, and for global coordinates."]
+    pub fn mimo_scene_add_agent(
+        scene: *mut mimo_scene,
+        config: *const mimo_agent_config,
+        agent: *mut i32,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Adds all infants that the scene names (its MJCF's custom text \"mimo:infants\", \"anna ben\"), each at a place of its"]
+    #[doc = "own; in a scene that names none a single one."]
+    #[doc = "@param config what they have in common; a name only where the scene gives none, a place only where there is just one."]
+    #[doc = "              NULL: the scene's own, see mimo_scene_default_agent."]
+    #[doc = "@param count  receives how many were added; may be NULL."]
+    #[doc = "Errors: as mimo_scene_add_agent. All of them are added, or none."]
+    pub fn mimo_scene_add_agents(
+        scene: *mut mimo_scene,
+        config: *const mimo_agent_config,
+        count: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets the distance between the touch sensors of one part of an infant's body, in place of the usual one."]
+    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
+    #[doc = "               single ones no longer counts."]
+    #[doc = "@param spacing metres, at most 10, as it is (touch_scale does not change it); 0: no skin there."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
+    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
+    pub fn mimo_scene_set_touch(
+        scene: *mut mimo_scene,
+        agent: i32,
+        body: *const std::os::raw::c_char,
+        spacing: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Has an agent's proprioception read this joint; the first call takes away all others. Position, velocity, limits and"]
+    #[doc = "torque about the joint's axis then have one element for each call, in that order."]
+    #[doc = "@param joint a hinge or slide of the agent, by its name in the model, \"anna/robot:left_elbow\"."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a joint that is read already. A joint that the agent does not have is"]
+    #[doc = "        MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has."]
+    pub fn mimo_scene_read_joint(
+        scene: *mut mimo_scene,
+        agent: i32,
+        joint: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+#[doc = "How much less an agent senses than there is to be sensed. What is not limited costs nothing."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_limits {
+    #[doc = "sizeof(mimo_limits), set by mimo_limits_init."]
+    pub struct_size: u32,
+    #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began"]
+    #[doc = "with. Default 0."]
+    pub delay: u32,
+    #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
+    pub gain: f64,
+    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit"]
+    #[doc = "(colours: levels of 255). Default 0."]
+    pub noise: f64,
+    #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0"]
+    #[doc = "(default): sharp. 0.05 to 1000."]
+    pub blur: f64,
+}
+extern "C" {
+    #[doc = "Fills limits with those of a perfect sense."]
+    #[doc = "@param size sizeof(mimo_limits) as the caller knows it."]
+    pub fn mimo_limits_init(limits: *mut mimo_limits, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then"]
+    #[doc = "comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field, and to the largest"]
+    #[doc = "float where there are none. The noise follows from"]
+    #[doc = "the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of"]
+    #[doc = "the world's state, and no episode senses anything of the one before."]
+    #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
+    #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
+    #[doc = "              segmentation, unless these are named."]
+    #[doc = "@param limits NULL: a perfect sense."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there"]
+    #[doc = "        are. Attached senses cannot be limited."]
+    pub fn mimo_scene_limit_sense(
+        scene: *mut mimo_scene,
+        agent: i32,
+        path: *const std::os::raw::c_char,
+        limits: *const mimo_limits,
     ) -> mimo_status;
 }
 #[doc = "A world: physics, agents, senses, observation layout."]
@@ -901,6 +865,128 @@ extern "C" {
     #[doc = "Describes the index-th agent. Set info->struct_size first."]
     pub fn mimo_env_agent(env: *const mimo_env, index: usize, info: *mut mimo_agent_info) -> mimo_status;
 }
+extern "C" {
+    #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
+    #[doc = "@param seed  points to the seed of the world's random numbers; NULL goes on with its own stream."]
+    #[doc = "@param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
+    pub fn mimo_env_reset(
+        env: *mut mimo_env,
+        seed: *const u64,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards."]
+    #[doc = "@param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
+    #[doc = "                    controls as they are (0 after a reset, or as set by mimo_env_set)."]
+    #[doc = "@param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
+    #[doc = "@param reward       one per agent; may be NULL."]
+    #[doc = "@param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL."]
+    #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
+    #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
+    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
+    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
+    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
+    pub fn mimo_env_step(
+        env: *mut mimo_env,
+        action: *const f32,
+        action_count: usize,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+        reward: *mut f64,
+        terminated: *mut u8,
+        truncated: *mut u8,
+        agents: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
+    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START."]
+    pub fn mimo_env_observe(
+        env: *mut mimo_env,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Bare physics: count physics steps with the controls as they are, without actuation, senses or task."]
+    #[doc = "What MuJoCo alone costs; also for hosts that bring senses and control of their own."]
+    #[doc = "@param count 0 to 1000000."]
+    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
+    pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Simulated seconds since reset."]
+    pub fn mimo_env_time(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Length of one physics step, seconds."]
+    pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
+}
+#[doc = "Seconds spent in the parts of steps since the last call of mimo_env_timing_reset."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_timing {
+    #[doc = "sizeof(mimo_timing), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Environment steps counted."]
+    pub steps: u64,
+    #[doc = "Everything."]
+    pub total: f64,
+    #[doc = "MuJoCo's steps."]
+    pub physics: f64,
+    #[doc = "Sense of touch."]
+    pub touch: f64,
+    #[doc = "Drawing the eyes' pictures."]
+    pub vision: f64,
+    #[doc = "Joint senses."]
+    pub proprioception: f64,
+    #[doc = "Accelerometer and gyroscope."]
+    pub vestibular: f64,
+}
+extern "C" {
+    #[doc = "Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first."]
+    pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Starts counting anew."]
+    pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Number of terms of an agent's reward, which is their sum."]
+    pub fn mimo_env_reward_term_count(env: *const mimo_env, agent: usize, count: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Name of the index-th term, \"distance\". The string is owned by the environment."]
+    pub fn mimo_env_reward_term_name(
+        env: *const mimo_env,
+        agent: usize,
+        index: usize,
+        name: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The terms of the last step's reward, 0 after a reset. @param count length of values."]
+    pub fn mimo_env_reward_terms(
+        env: *const mimo_env,
+        agent: usize,
+        values: *mut f64,
+        count: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode."]
+    pub fn mimo_env_outcome(
+        env: *const mimo_env,
+        agent: usize,
+        success: *mut u8,
+        failure: *mut u8,
+    ) -> mimo_status;
+}
 #[doc = "One field of the observation block."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -981,66 +1067,6 @@ extern "C" {
         index: usize,
         name: *mut *const std::os::raw::c_char,
     ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
-    #[doc = "@param seed  points to the seed of the world's random numbers; NULL goes on with its own stream."]
-    #[doc = "@param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
-    pub fn mimo_env_reset(
-        env: *mut mimo_env,
-        seed: *const u64,
-        block: *mut std::os::raw::c_void,
-        block_bytes: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards."]
-    #[doc = "@param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
-    #[doc = "                    controls as they are (0 after a reset, or as set by mimo_env_set)."]
-    #[doc = "@param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
-    #[doc = "@param reward       one per agent; may be NULL."]
-    #[doc = "@param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL."]
-    #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
-    #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
-    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
-    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
-    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
-    pub fn mimo_env_step(
-        env: *mut mimo_env,
-        action: *const f32,
-        action_count: usize,
-        block: *mut std::os::raw::c_void,
-        block_bytes: usize,
-        reward: *mut f64,
-        terminated: *mut u8,
-        truncated: *mut u8,
-        agents: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
-    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START."]
-    pub fn mimo_env_observe(
-        env: *mut mimo_env,
-        block: *mut std::os::raw::c_void,
-        block_bytes: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Bare physics: count physics steps with the controls as they are, without actuation, senses or task."]
-    #[doc = "What MuJoCo alone costs; also for hosts that bring senses and control of their own."]
-    #[doc = "@param count 0 to 1000000."]
-    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
-    pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Simulated seconds since reset."]
-    pub fn mimo_env_time(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Length of one physics step, seconds."]
-    pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
 }
 extern "C" {
     #[doc = "How many of a kind (MIMO_BODY ...) the world has."]
@@ -1147,6 +1173,52 @@ extern "C" {
         capacity: usize,
         count: *mut usize,
     ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Gives an agent another face, in this world only. Pictures show it from the next one on."]
+    #[doc = "@param name see mimo_face_name."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are."]
+    pub fn mimo_env_set_face(
+        env: *mut mimo_env,
+        agent: usize,
+        name: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" where it has no faces."]
+    pub fn mimo_env_face(
+        env: *const mimo_env,
+        agent: usize,
+        name: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle."]
+    #[doc = "@param joint a hinge of an infant."]
+    #[doc = "@param angle within the joint's range, rad."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED when the model has no equality for that joint, or the joint is under position control."]
+    pub fn mimo_env_lock(env: *mut mimo_env, joint: i32, angle: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Lets a joint go, also one that the scene has locked."]
+    pub fn mimo_env_unlock(env: *mut mimo_env, joint: i32) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Whether a joint is held, and at which angle (rad; also that of a lock that is off). Either may be NULL."]
+    pub fn mimo_env_lock_state(
+        env: *const mimo_env,
+        joint: i32,
+        locked: *mut u8,
+        angle: *mut f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets gravity, m/s^2, world frame."]
+    pub fn mimo_env_set_gravity(env: *mut mimo_env, x: f64, y: f64, z: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Reads gravity. @param xyz receives three numbers."]
+    pub fn mimo_env_gravity(env: *const mimo_env, xyz: *mut f64, count: usize) -> mimo_status;
 }
 #[doc = "Where an infant looks."]
 #[repr(C)]
@@ -1271,114 +1343,6 @@ extern "C" {
         count: usize,
         pixels: *mut f64,
     ) -> mimo_status;
-}
-#[doc = "Seconds spent in the parts of steps since the last call of mimo_env_timing_reset."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_timing {
-    #[doc = "sizeof(mimo_timing), set by the caller."]
-    pub struct_size: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-    #[doc = "Environment steps counted."]
-    pub steps: u64,
-    #[doc = "Everything."]
-    pub total: f64,
-    #[doc = "MuJoCo's steps."]
-    pub physics: f64,
-    #[doc = "Sense of touch."]
-    pub touch: f64,
-    #[doc = "Drawing the eyes' pictures."]
-    pub vision: f64,
-    #[doc = "Joint senses."]
-    pub proprioception: f64,
-    #[doc = "Accelerometer and gyroscope."]
-    pub vestibular: f64,
-}
-extern "C" {
-    #[doc = "Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first."]
-    pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Starts counting anew."]
-    pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Number of terms of an agent's reward, which is their sum."]
-    pub fn mimo_env_reward_term_count(env: *const mimo_env, agent: usize, count: *mut usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Name of the index-th term, \"distance\". The string is owned by the environment."]
-    pub fn mimo_env_reward_term_name(
-        env: *const mimo_env,
-        agent: usize,
-        index: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The terms of the last step's reward, 0 after a reset. @param count length of values."]
-    pub fn mimo_env_reward_terms(
-        env: *const mimo_env,
-        agent: usize,
-        values: *mut f64,
-        count: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode."]
-    pub fn mimo_env_outcome(
-        env: *const mimo_env,
-        agent: usize,
-        success: *mut u8,
-        failure: *mut u8,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Gives an agent another face, in this world only. Pictures show it from the next one on."]
-    #[doc = "@param name see mimo_face_name."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are."]
-    pub fn mimo_env_set_face(
-        env: *mut mimo_env,
-        agent: usize,
-        name: *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" where it has no faces."]
-    pub fn mimo_env_face(
-        env: *const mimo_env,
-        agent: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle."]
-    #[doc = "@param joint a hinge of an infant."]
-    #[doc = "@param angle within the joint's range, rad."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED when the model has no equality for that joint, or the joint is under position control."]
-    pub fn mimo_env_lock(env: *mut mimo_env, joint: i32, angle: f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Lets a joint go, also one that the scene has locked."]
-    pub fn mimo_env_unlock(env: *mut mimo_env, joint: i32) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Whether a joint is held, and at which angle (rad; also that of a lock that is off). Either may be NULL."]
-    pub fn mimo_env_lock_state(
-        env: *const mimo_env,
-        joint: i32,
-        locked: *mut u8,
-        angle: *mut f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets gravity, m/s^2, world frame."]
-    pub fn mimo_env_set_gravity(env: *mut mimo_env, x: f64, y: f64, z: f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Reads gravity. @param xyz receives three numbers."]
-    pub fn mimo_env_gravity(env: *const mimo_env, xyz: *mut f64, count: usize) -> mimo_status;
 }
 extern "C" {
     #[doc = "Size of the world's state in bytes; it does not change."]
@@ -1628,6 +1592,54 @@ extern "C" {
         worlds: usize,
         states: *const std::os::raw::c_void,
         state_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Name of the index-th task (\"none\", \"reach\", ...), or NULL past the last. Static string."]
+    pub fn mimo_task_name(index: usize) -> *const std::os::raw::c_char;
+}
+#[doc = "A number by which a task can be changed."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_parameter {
+    #[doc = "sizeof(mimo_parameter), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "\"reach/success_reward\". Static."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "One line; with unit. Static."]
+    pub description: *const std::os::raw::c_char,
+    #[doc = "Value unless set."]
+    pub standard: f64,
+    #[doc = "Smallest allowed value."]
+    pub low: f64,
+    #[doc = "Largest allowed value. From 0 to 1 it may be a switch; the description says so."]
+    pub high: f64,
+}
+extern "C" {
+    #[doc = "Number of parameters of all tasks together."]
+    pub fn mimo_parameter_count(count: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Describes the index-th parameter. Set parameter->struct_size first."]
+    pub fn mimo_parameter_describe(index: usize, parameter: *mut mimo_parameter) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets a parameter for environments made from now on."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range."]
+    pub fn mimo_scene_set_parameter(
+        scene: *mut mimo_scene,
+        name: *const std::os::raw::c_char,
+        value: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The value that a parameter has in this scene."]
+    pub fn mimo_scene_get_parameter(
+        scene: *const mimo_scene,
+        name: *const std::os::raw::c_char,
+        value: *mut f64,
     ) -> mimo_status;
 }
 #[doc = "Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random"]

@@ -1,8 +1,7 @@
 /*
- * A program from the days of version 0.9 of the interface. It is compiled against the header of those days, which lies
- * beside it, and runs on the library of today. Neither it nor that header ever changes: it shows that programs which
- * were built then go on working. It asks for what such programs rely on: functions, structs and their sizes,
- * constants, errors, and that what they did not know of is as if it were not there.
+ * A program of this version of the interface, and what such programs rely on: functions, structs and their sizes,
+ * constants, errors, and that what they do not know of is as if it were not there. ./dev freeze keeps a copy together
+ * with the header of its time; those never change, and go on running on the libraries that follow.
  */
 #include <mimo/mimo.h>
 #include <math.h>

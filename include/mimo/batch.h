@@ -1,0 +1,177 @@
+/**
+ * @file mimo/batch.h
+ * Batches: many worlds of one scene, stepped by a pool of threads. World i does exactly what a single
+ * environment does that is reset with the i-th seed and given the i-th actions, for any number of threads.
+ * Arrays stack the worlds along their first axis: blocks lie at i * mimo_env_observation_size.
+ *
+ * What one world cannot do (its simulation failed, its actions are not numbers) stops none of the others. The
+ * call then returns the status of the first such world, mimo_last_error() names it, and
+ * mimo_batch_world_error tells of each. Masks have one byte a world: 0 leaves that world alone, and its
+ * rows as they are; a NULL mask means all.
+ */
+#ifndef MIMO_BATCH_H
+#define MIMO_BATCH_H
+
+#include "env.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Many worlds. Needs itself alone like an environment; its threads are its own business. */
+typedef struct mimo_batch mimo_batch;
+
+#define MIMO_AUTORESET_NONE 0 /**< Worlds go on when an episode has ended, until mimo_batch_reset. */
+/**
+ * The step after the end of an episode starts a new one instead of acting: its reward is 0, both flags are 0, its block
+ * is that of the reset.
+ */
+#define MIMO_AUTORESET_NEXT_STEP 1
+/**
+ * The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is
+ * the first of the new one; the last block of the old one goes to final_blocks.
+ */
+#define MIMO_AUTORESET_SAME_STEP 2
+
+/** How many worlds, and what happens when one's episode ends. Modes are those of Gymnasium's vector environments. */
+typedef struct mimo_batch_config {
+  uint32_t struct_size;    /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
+  uint32_t worlds;         /**< At least 1. Default 1. */
+  uint32_t threads;        /**< 0 (default): as many as the machine has cores; never more than worlds. */
+  int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
+  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in
+                                the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
+  uint32_t reserved;       /**< 0. */
+} mimo_batch_config;
+
+/**
+ * Fills a config with defaults: one world, all cores, no automatic reset.
+ * @param size sizeof(mimo_batch_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_batch_config_init(mimo_batch_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Compiles a scene once and makes worlds of it. Until seeded, world i's random numbers are those of seed i.
+ * @param env_config   for all worlds; NULL means defaults. Messages of the worlds come on the thread that calls.
+ * @param batch_config NULL means defaults.
+ * Errors: as mimo_env_create.
+ */
+MIMO_API mimo_status mimo_batch_create(const mimo_scene *scene, const mimo_env_config *env_config,
+                                       const mimo_batch_config *batch_config, mimo_batch **batch) MIMO_NOEXCEPT;
+
+/**
+ * Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and
+ * destroyed handles are ignored.
+ */
+MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
+
+/** Number of worlds and of threads; either may be NULL. */
+MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, size_t *threads) MIMO_NOEXCEPT;
+
+/**
+ * One world as an environment. All functions of environments work on it, between the batch's own calls: what its
+ * observations and actions are (the same for all worlds), names, contacts, pictures, locks, state, single steps.
+ * Different worlds may then be used by different threads, or by tasks of other batches.
+ * @param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between
+ *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT.
+ */
+MIMO_API mimo_status mimo_batch_world(mimo_batch *batch, size_t world, mimo_env **env) MIMO_NOEXCEPT;
+
+/**
+ * What became of one world in the last call that concerned it.
+ * @param status  MIMO_OK, or why it did not do what was asked; may be NULL.
+ * @param message one line, "" for none; valid until the next call with this batch; may be NULL.
+ */
+MIMO_API mimo_status mimo_batch_world_error(const mimo_batch *batch, size_t world, mimo_status *status,
+                                            const char **message) MIMO_NOEXCEPT;
+
+/**
+ * Starts episodes.
+ * @param seeds  one for each world; NULL: every world goes on with its own random numbers.
+ * @param mask   which worlds; NULL: all.
+ * @param worlds length of seeds and mask; 0 if both are NULL.
+ * @param blocks receives the observations of the worlds that were reset; may be NULL with block_bytes 0.
+ */
+MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const uint64_t *seeds, const uint8_t *mask, size_t worlds,
+                                      void *blocks, size_t block_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Where the results of a step go, beside the observations. All are optional: NULL is not written.
+ * A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,
+ * terminated 0 and truncated 1; one whose actions are refused (see mimo_env_step) does not move, and only its status
+ * is written.
+ */
+typedef struct mimo_batch_results {
+  uint32_t struct_size;   /**< sizeof(mimo_batch_results), set by the caller. */
+  uint32_t reserved;      /**< 0. */
+  double *reward;         /**< worlds x agents. */
+  uint8_t *terminated;    /**< worlds x agents. */
+  uint8_t *truncated;     /**< worlds x agents. */
+  size_t agents;          /**< Length of the three arrays above. */
+  mimo_status *status;    /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
+  uint8_t *was_reset;     /**< Per world: 1 when this step started a new episode: the block is its first. */
+  uint8_t *final_written; /**< Per world: 1 when its final block was written. */
+  size_t worlds;          /**< Length of the three arrays above. */
+  void *final_blocks;     /**< With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows
+                               stay as they are. */
+  size_t final_bytes;     /**< Length, as that of the blocks. */
+} mimo_batch_results;
+
+/**
+ * Goes one step on in all worlds.
+ * @param actions worlds x mimo_env_action_size; NULL with action_count 0 leaves all controls as they are.
+ * @param blocks  receives the observations; NULL with block_bytes 0 skips the senses.
+ * @param results NULL: not wanted.
+ * Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on.
+ */
+MIMO_API mimo_status mimo_batch_step(mimo_batch *batch, const float *actions, size_t action_count, void *blocks,
+                                     size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;
+
+/**
+ * Starts a step and returns at once, so that the caller can do something else meanwhile. The arrays belong to the
+ * batch until mimo_batch_receive; the results struct itself does not. Nothing but mimo_batch_receive and
+ * mimo_batch_destroy can be called in between.
+ */
+MIMO_API mimo_status mimo_batch_send(mimo_batch *batch, const float *actions, size_t action_count, void *blocks,
+                                     size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;
+
+/** Waits for the step that was sent. Errors: as mimo_batch_step; MIMO_E_INVALID_ARGUMENT within a task of that step. */
+MIMO_API mimo_status mimo_batch_receive(mimo_batch *batch) MIMO_NOEXCEPT;
+
+/** The observations of the current states, as mimo_env_observe. */
+MIMO_API mimo_status mimo_batch_observe(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *blocks,
+                                        size_t block_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Reads a quantity of many ids in many worlds, as mimo_env_get; so that a reward needs one call and no loop.
+ * @param values worlds x the width that mimo_env_width gives for the ids.
+ */
+MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
+                                    const uint8_t *mask, size_t worlds, double *values,
+                                    size_t value_count) MIMO_NOEXCEPT;
+
+/** Writes a quantity of many ids in many worlds, as mimo_env_set. All values are checked before any is written. */
+MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
+                                    const uint8_t *mask, size_t worlds, const double *values,
+                                    size_t value_count) MIMO_NOEXCEPT;
+
+/** Gives an agent another face in many worlds, as mimo_env_set_face. */
+MIMO_API mimo_status mimo_batch_set_face(mimo_batch *batch, size_t agent, const char *name, const uint8_t *mask,
+                                         size_t worlds) MIMO_NOEXCEPT;
+
+/** Saves the states of many worlds. @param states worlds x mimo_env_state_size bytes. */
+MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *states,
+                                           size_t state_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Loads states into many worlds, from this batch or from a single environment of the same scene.
+ * @param states worlds x mimo_env_state_size bytes; or just one state, which all worlds load: futures of one present.
+ */
+MIMO_API mimo_status mimo_batch_state_load(mimo_batch *batch, const uint8_t *mask, size_t worlds, const void *states,
+                                           size_t state_bytes) MIMO_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,189 @@
+/**
+ * @file mimo/env.h
+ * Environments: one simulated world with its agents' senses.
+ */
+#ifndef MIMO_ENV_H
+#define MIMO_ENV_H
+
+#include "scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A world: physics, agents, senses, observation layout. */
+typedef struct mimo_env mimo_env;
+
+#define MIMO_JACOBIAN_MODEL 0  /**< As the model says; built-in scenes say sparse. */
+#define MIMO_JACOBIAN_DENSE 1  /**< As the original solves; for comparing trajectories to the last digit. */
+#define MIMO_JACOBIAN_SPARSE 2 /**< The same solution to rounding, about twice as fast. */
+
+#define MIMO_DISABLE_CONTACT 0x1u    /**< No contacts. */
+#define MIMO_DISABLE_GRAVITY 0x2u    /**< No gravity. */
+#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< mj_step as it is, instead of libmimo's solver: same to rounding, slower. */
+
+#define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
+#define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror what is before them. */
+#define MIMO_RENDER_SKY 0x04u         /**< The scene's sky; without it the background is black. */
+#define MIMO_RENDER_HAZE 0x08u        /**< Haze at the horizon of an endless floor. */
+#define MIMO_RENDER_FOG 0x10u         /**< Fog, as the scene's MJCF describes it. */
+#define MIMO_RENDER_DEFAULT 0x0fu     /**< Everything but fog. */
+
+/** How a world is simulated. */
+typedef struct mimo_env_config {
+  uint32_t struct_size;    /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
+  uint32_t frame_skip;     /**< Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms
+                                in built-in scenes. Default 0: the scene's own, mostly 2. */
+  int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
+  uint32_t disable;        /**< MIMO_DISABLE_ bits. */
+  const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene
+                                allows, else osmesa; or "none": then eyes must be off. */
+  uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's parameter episode_steps. */
+  uint32_t timing;         /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
+  mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
+  void *log_user;          /**< Passed to log. */
+  const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
+  uint32_t render;         /**< MIMO_RENDER_ bits (_DEFAULT): what pictures show. What is left out costs nothing. */
+  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or
+                                what the model tells OSMesa. */
+  uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
+                                Pictures do not differ. Default 1, which is best in batches. */
+  uint32_t reserved;       /**< 0. */
+} mimo_env_config;
+
+/**
+ * Fills a config with defaults.
+ * @param size sizeof(mimo_env_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Compiles a scene and makes a world of it, in its initial state.
+ * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
+ * @param scene  is not needed any more afterwards.
+ * @param config NULL means defaults.
+ * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
+ *         and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another
+ *         version lies in the program's global scope.
+ */
+MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
+                                     mimo_env **env) MIMO_NOEXCEPT;
+
+/** The usual case in one call: a built-in scene by name with its own infants (mimo_scene_add_agents) and task. */
+MIMO_API mimo_status mimo_env_make(const char *scene_name, mimo_env **env) MIMO_NOEXCEPT;
+
+/** Destroys a world. NULL and destroyed handles are ignored. */
+MIMO_API void mimo_env_destroy(mimo_env *env) MIMO_NOEXCEPT;
+
+/** What is to be known of one agent of a world. */
+typedef struct mimo_agent_info {
+  uint32_t struct_size;   /**< sizeof(mimo_agent_info), set by the caller. */
+  uint32_t action_offset; /**< Where its actions start in the action array. */
+  uint32_t action_count;  /**< How many they are. */
+  uint32_t reserved;      /**< 0. */
+  const char *name;       /**< Owned by the environment. */
+  double mass;            /**< Of its whole body, kg. */
+  double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
+} mimo_agent_info;
+
+/** Name of the task. The string is owned by the environment. */
+MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
+
+/** Physics steps per environment step. */
+MIMO_API mimo_status mimo_env_frame_skip(const mimo_env *env, uint32_t *frame_skip) MIMO_NOEXCEPT;
+
+/** Number of agents; also the length of the reward, terminated and truncated arrays of a step. */
+MIMO_API mimo_status mimo_env_agent_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
+
+/** Describes the index-th agent. Set info->struct_size first. */
+MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agent_info *info) MIMO_NOEXCEPT;
+
+/**
+ * Starts an episode: from the scene's stored state, as its task wants it.
+ * @param seed  points to the seed of the world's random numbers; NULL goes on with its own stream.
+ * @param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
+ */
+MIMO_API mimo_status mimo_env_reset(mimo_env *env, const uint64_t *seed, void *block,
+                                    size_t block_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards.
+ * @param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the
+ *                     controls as they are (0 after a reset, or as set by mimo_env_set).
+ * @param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
+ * @param reward       one per agent; may be NULL.
+ * @param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL.
+ * @param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL.
+ * @param agents       length of the last three arrays, 0 if all are NULL.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);
+ *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
+ *         world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,
+ *         sense, draw, write values, save or clone answers MIMO_E_SIMULATION.
+ */
+MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
+                                   size_t block_bytes, double *reward, uint8_t *terminated, uint8_t *truncated,
+                                   size_t agents) MIMO_NOEXCEPT;
+
+/**
+ * The observation of the current state, without changing the trajectory. All its fields belong to the current
+ * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START.
+ */
+MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
+
+/**
+ * Bare physics: count physics steps with the controls as they are, without actuation, senses or task.
+ * What MuJoCo alone costs; also for hosts that bring senses and control of their own.
+ * @param count 0 to 1000000.
+ * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world.
+ */
+MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
+
+/** Simulated seconds since reset. */
+MIMO_API mimo_status mimo_env_time(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
+
+/** Length of one physics step, seconds. */
+MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
+
+/* Timing: where a step's time goes. */
+
+/** Seconds spent in the parts of steps since the last call of mimo_env_timing_reset. */
+typedef struct mimo_timing {
+  uint32_t struct_size;  /**< sizeof(mimo_timing), set by the caller. */
+  uint32_t reserved;     /**< 0. */
+  uint64_t steps;        /**< Environment steps counted. */
+  double total;          /**< Everything. */
+  double physics;        /**< MuJoCo's steps. */
+  double touch;          /**< Sense of touch. */
+  double vision;         /**< Drawing the eyes' pictures. */
+  double proprioception; /**< Joint senses. */
+  double vestibular;     /**< Accelerometer and gyroscope. */
+} mimo_timing;
+
+/** Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first. */
+MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) MIMO_NOEXCEPT;
+
+/** Starts counting anew. */
+MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
+
+/* Rewards and outcomes, more closely than mimo_env_step tells. */
+
+/** Number of terms of an agent's reward, which is their sum. */
+MIMO_API mimo_status mimo_env_reward_term_count(const mimo_env *env, size_t agent, size_t *count) MIMO_NOEXCEPT;
+
+/** Name of the index-th term, "distance". The string is owned by the environment. */
+MIMO_API mimo_status mimo_env_reward_term_name(const mimo_env *env, size_t agent, size_t index,
+                                               const char **name) MIMO_NOEXCEPT;
+
+/** The terms of the last step's reward, 0 after a reset. @param count length of values. */
+MIMO_API mimo_status mimo_env_reward_terms(const mimo_env *env, size_t agent, double *values,
+                                           size_t count) MIMO_NOEXCEPT;
+
+/** Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode. */
+MIMO_API mimo_status mimo_env_outcome(const mimo_env *env, size_t agent, uint8_t *success,
+                                      uint8_t *failure) MIMO_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
