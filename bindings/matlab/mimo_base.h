@@ -8,8 +8,8 @@
  *   mimo_access.c    names and values of a world's things, states, sight;
  *   mimo_report.c    what is to be known of a world, and of the library.
  */
-#ifndef MIMO_MEX_BASE_H
-#define MIMO_MEX_BASE_H
+#ifndef MIMO_MATLAB_BASE_H
+#define MIMO_MATLAB_BASE_H
 
 #include <mex.h>
 #include <mimo/mimo.h>

@@ -1,6 +1,6 @@
 /* Names with values, and the members of mimo.h's structs that they set. */
-#ifndef MIMO_MEX_OPTIONS_H
-#define MIMO_MEX_OPTIONS_H
+#ifndef MIMO_MATLAB_OPTIONS_H
+#define MIMO_MATLAB_OPTIONS_H
 
 #include "mimo_base.h"
 

@@ -1,6 +1,6 @@
 /* What is to be known of worlds and of the library. */
-#ifndef MIMO_MEX_REPORT_H
-#define MIMO_MEX_REPORT_H
+#ifndef MIMO_MATLAB_REPORT_H
+#define MIMO_MATLAB_REPORT_H
 
 #include "mimo_base.h"
 

@@ -1,6 +1,6 @@
 /* Scenes: what worlds are made of. */
-#ifndef MIMO_MEX_SCENES_H
-#define MIMO_MEX_SCENES_H
+#ifndef MIMO_MATLAB_SCENES_H
+#define MIMO_MATLAB_SCENES_H
 
 #include "mimo_base.h"
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kFrameSkip = 2;  // where neither config nor scene say
 constexpr const char* kCustomTask = "custom";
+const std::string kNoFace;
 
 // True as long as this lives.
 class Flag {
@@ -255,9 +256,8 @@ void World::set_face(std::size_t agent, const std::string& name) {
 }
 
 const std::string& World::face(std::size_t agent) const {
-  static const std::string none;
   const body::Face* face = agents_[agent].faces.shown(model());
-  return face == nullptr ? none : face->name;
+  return face == nullptr ? kNoFace : face->name;
 }
 
 // The renderer comes first: where there is none, poses stay what they are. The view comes after the poses, which move

@@ -135,6 +135,8 @@ function senses_are_limited()
   assert(max(abs(late.proprioception_velocity - 2 * before.proprioception_velocity)) < 1e-6);
   assert(~isequal(before.proprioception_velocity, first.proprioception_velocity));
   refused(@() mimo_create('reach', 'limits', struct('gain', 2)), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'limits', struct('path', {'proprioception', []})), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'objects', 'ball'), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'limits', struct('path', 'smell')), 'mimo:NOT_FOUND');
   mimo_close(plain);
   mimo_close(limited);
