@@ -26,26 +26,25 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-static mimo_status lift_reset(void* user, mimo_env* env, size_t world, size_t agent, void* memory) {
-  episode* own = memory;
+static mimo_status lift_reset(void* user, mimo_env* env, const mimo_task_moment* moment) {
+  episode* own = moment->memory;
   double share;
   mimo_status status =
       mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
-  (void)user, (void)world, (void)agent;
+  (void)user;
   own->height = 0.2 + 0.2 * share;
   return status;
 }
 
-static mimo_status lift_evaluate(void* user, const mimo_env* env, size_t world, size_t agent, void* memory,
-                                 double* reward, int32_t* outcome) {
+static mimo_status lift_evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
+                                 mimo_task_verdict* verdict) {
   const lift* task = user;
-  const episode* own = memory;
+  const episode* own = moment->memory;
   double hand[3];
   mimo_status status = mimo_env_get(env, MIMO_BODY_POSITION, &task->hand, 1, hand, 3);
-  (void)world, (void)agent;
   if (status != MIMO_OK) return status;
-  *reward = hand[2] - own->height;
-  if (*reward > 0) *outcome = MIMO_OUTCOME_SUCCESS;
+  verdict->reward = hand[2] - own->height;
+  if (verdict->reward > 0) verdict->outcome = MIMO_OUTCOME_SUCCESS;
   return MIMO_OK;
 }
 

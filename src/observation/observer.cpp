@@ -32,4 +32,10 @@ void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* b
   layout_.clear_gaps(block);
 }
 
+void Observer::observe_part(Part part, const mjModel& model, const mjData& data, std::uint8_t* block) const {
+  for (Sense* sense : senses_) {
+    if (sense->part() == part) sense->write(model, data, block);
+  }
+}
+
 }  // namespace mimo::observation

@@ -23,6 +23,8 @@ class Observer {
 
   // Fills every byte of the block, and adds what each part took to `times`; null: nobody wants to know.
   void observe(const mjModel& model, const mjData& data, std::uint8_t* block, PartTimes* times) const;
+  // Fills the fields of one part only.
+  void observe_part(Part part, const mjModel& model, const mjData& data, std::uint8_t* block) const;
 
  private:
   std::vector<Sense*> senses_;

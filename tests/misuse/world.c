@@ -131,10 +131,9 @@ static void make_foreign_state(void) {
   mimo_scene_destroy(scene);
 }
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
-  (void)user, (void)env, (void)world, (void)agent, (void)memory, (void)outcome;
-  *reward = 1;
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  (void)user, (void)env, (void)moment;
+  verdict->reward = 1;
   return MIMO_OK;
 }
 
