@@ -14,6 +14,7 @@ enum mistake { NO_MISTAKE, NAN_TERM, REWARD_BESIDE, INFINITE_FIELD, OUT_OF_BOUND
 typedef struct rules {
   int32_t elbow;
   size_t action; /* of the elbow's motor */
+  float most;    /* that it can be told */
   size_t field;  /* where proprioception is in the block */
   int looks;     /* whether the caller has the senses written */
   enum mistake mistake;
@@ -157,7 +158,7 @@ static void check_declared(const mimo_env* env) {
   CHECK_TEXT("lazy", name);
 }
 
-/* The elbow's motor is told 3, and 1 is its bound. */
+/* The elbow's motor is told more than it can do, and the task is shown what it does. */
 static void check_steps(mimo_env* env, rules* rule) {
   mimo_field goal = field_named(env, "goal"), reached = field_named(env, "reached");
   size_t bytes = 0, actions = 0, state_bytes = 0, step;
@@ -183,7 +184,7 @@ static void check_steps(mimo_env* env, rules* rule) {
     CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
     CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &rule->elbow, 1, &angle, 1));
     target = floats(block, goal)[0];
-    CHECK(reward == terms[0] + terms[1] && terms[1] == -1);
+    CHECK(reward == terms[0] + terms[1] && terms[1] == -rule->most);
     CHECK_NEAR(-fabs(angle - target), terms[0], 1e-7);
     CHECK(floats(block, reached)[0] == (float)step && floats(block, reached)[1] == (float)angle);
     CHECK(success == (step % 4 == 0) && failure == 0);
@@ -459,6 +460,7 @@ int main(void) {
   mimo_env* env = blind_env("free", NULL);
   mimo_scene* scene;
   size_t count = 0, i;
+  float high[100];
   rule.elbow = find(env, MIMO_JOINT, "robot:left_elbow");
   CHECK_OK(mimo_env_action_size(env, &count));
   for (i = 0; i < count; ++i) {
@@ -466,6 +468,9 @@ int main(void) {
     CHECK_OK(mimo_env_action_name(env, i, &name));
     if (strcmp(name, "act:left_elbow") == 0) rule.action = i;
   }
+  CHECK_OK(mimo_env_action_bounds(env, NULL, high, count));
+  rule.most = high[rule.action];
+  CHECK(rule.most > 0 && rule.most < 3);
   mimo_env_destroy(env);
   scene = scene_with(&rule);
   env = env_of(scene);
