@@ -106,8 +106,8 @@ typedef struct mimo_task_field {
   const char *unit;     /**< "m"; NULL: none. */
   const char *frame;    /**< Frame of reference: "world"; NULL: none. */
   const size_t *shape;  /**< ndim sizes, each at least 1, the last one changes fastest. */
-  double low;           /**< Bounds of the values; infinite unless set. */
-  double high;
+  double low;           /**< Smallest allowed value; -infinity unless set. */
+  double high;          /**< Largest allowed value; infinity unless set. */
 } mimo_task_field;
 
 /**

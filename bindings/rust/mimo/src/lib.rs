@@ -54,7 +54,7 @@ pub use log::Level;
 pub use picture::Picture;
 pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
 pub use senses::Senses;
-pub use task::{Judgement, Task, Whom};
+pub use task::{Moment, Outcome, Task, TaskField, Verdict};
 pub use world::{Contact, Step, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
