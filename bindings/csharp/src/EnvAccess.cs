@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Mimo
 {
@@ -169,6 +170,29 @@ namespace Mimo
                 Position = three(0), Normal = three(3), Distance = values[at + 12],
                 Force = new Vector3d(world(0), world(1), world(2))
             };
+        }
+
+        /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
+        public void Random(double[] values)
+        {
+            MimoException.Check(Native.mimo_env_random(handle, values, (UIntPtr)values.Length));
+        }
+
+        /// <summary>The terms of an agent's last reward by name, in their order; the reward is their sum.</summary>
+        public IReadOnlyList<KeyValuePair<string, double>> RewardTerms(int agent = 0)
+        {
+            UIntPtr count;
+            MimoException.Check(Native.mimo_env_reward_term_count(handle, (UIntPtr)agent, out count));
+            var values = new double[(int)count];
+            MimoException.Check(Native.mimo_env_reward_terms(handle, (UIntPtr)agent, values, count));
+            var terms = new KeyValuePair<string, double>[values.Length];
+            for (var i = 0; i < terms.Length; ++i)
+            {
+                IntPtr name;
+                MimoException.Check(Native.mimo_env_reward_term_name(handle, (UIntPtr)agent, (UIntPtr)i, out name));
+                terms[i] = new KeyValuePair<string, double>(Utf8.Of(name), values[i]);
+            }
+            return terms;
         }
 
         /// <summary>Whether an agent's last step was a success or a failure, also where that does not end the episode.</summary>
