@@ -239,7 +239,8 @@ internal static partial class Tests
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
             RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
-            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
+            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
+            OwnTasksRewardAndTell, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads
         };
         var failed = 0;
         foreach (var test in tests)
