@@ -47,6 +47,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
+from .own_task import Moment, WorldTask
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
 from .tasks import GoalTask, Judgement, Task
@@ -93,6 +94,7 @@ __all__ = [
     "Layout",
     "Look",
     "ModelError",
+    "Moment",
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
@@ -113,6 +115,7 @@ __all__ = [
     "VectorEnv",
     "Vision",
     "World",
+    "WorldTask",
     "faces",
     "library_path",
     "make",

@@ -103,6 +103,11 @@ class Batch(Access):
         self._handle.keeps += [self.truncated, self.was_reset, self.status]
         self._sent: List[Any] = []  # what belongs to the step in flight; the handle has it, too
         self._handle.keeps.append(self._sent)
+        if self._scene._task is not None:  # which is asked about worlds while they are at work
+            handles = [self._world_handle(index) for index in range(worlds)]
+            judged = [World._of_batch(handle, self._scene, self._options, None) for handle in handles]
+            self._handle.keeps += [self._scene._task, judged]
+            self._scene._task.worlds.update((world._handle.value, world) for world in judged)
 
     @property
     def threads(self) -> int:

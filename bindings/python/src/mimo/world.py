@@ -147,6 +147,8 @@ class World(Access):
     def _describe(self, scene: Scene, options: Dict[str, Any], owner: Any) -> None:
         self._scene, self._options, self._owner = scene, options, owner
         handle = self._names_handle = self._handle
+        if scene._task is not None and handle.value is not None:  # which is to know the world that it is asked about
+            scene._task.worlds.setdefault(handle.value, self)
         self.layout = Layout(handle)
         self.agents = _agents(handle)
         self.action_names = _action_names(handle)
