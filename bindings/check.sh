@@ -100,6 +100,7 @@ test_csharp() {
   mono build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
   test_loading_in_csharp
   mono build/csharp/Game.exe 1
+  mono build/csharp/OwnGoal.exe
   follow csharp
 }
 

@@ -1,5 +1,6 @@
-/* A task of one's own for many worlds at once: the infant is to lift its left hand above a height that each episode
- * draws anew. The two functions below are the task; the library calls them while it steps, on all of its threads.
+/* A task of one's own for many worlds at once: the infant is to lift its left hand to a height that each episode draws
+ * anew. The two functions below are the task; the library calls them while it steps, on all of its threads. The height
+ * is a field of the observation, so that a learner sees what is wanted; the reward has two terms with names.
  *
  *   cc task_callback.c $(pkg-config --cflags --libs mimo) && ./a.out
  */
@@ -15,10 +16,8 @@ typedef struct lift {
   int32_t hand;
 } lift;
 
-/* Each world's own. The library keeps it, and saves it with the world's state. */
-typedef struct episode {
-  double height;
-} episode;
+enum { DESIRED, ACHIEVED, FIELDS }; /* one number each, m */
+enum { HEIGHT, EFFORT, TERMS };
 
 static void check(mimo_status status) {
   if (status == MIMO_OK) return;
@@ -27,33 +26,55 @@ static void check(mimo_status status) {
 }
 
 static mimo_status lift_reset(void* user, mimo_env* env, const mimo_task_moment* moment) {
-  episode* own = moment->memory;
   double share;
   mimo_status status =
       mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
   (void)user;
-  own->height = 0.2 + 0.2 * share;
+  moment->fields[DESIRED] = (float)(0.2 + 0.2 * share);
   return status;
 }
 
 static mimo_status lift_evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
                                  mimo_task_verdict* verdict) {
   const lift* task = user;
-  const episode* own = moment->memory;
   double hand[3];
+  size_t i;
   mimo_status status = mimo_env_get(env, MIMO_BODY_POSITION, &task->hand, 1, hand, 3);
   if (status != MIMO_OK) return status;
-  verdict->reward = hand[2] - own->height;
-  if (verdict->reward > 0) verdict->outcome = MIMO_OUTCOME_SUCCESS;
+  moment->fields[ACHIEVED] = (float)hand[2];
+  verdict->terms[HEIGHT] = hand[2] - moment->fields[DESIRED];
+  for (i = 0; i < moment->action_count; ++i) verdict->terms[EFFORT] -= 0.001 * moment->action[i] * moment->action[i];
+  if (verdict->terms[HEIGHT] > 0) verdict->outcome = MIMO_OUTCOME_SUCCESS;
+  verdict->truncated = moment->step == 100;
   return MIMO_OK;
+}
+
+static void give_task(mimo_scene* scene, lift* user) {
+  const char* const terms[TERMS] = {"height", "effort"};
+  mimo_task_field fields[FIELDS];
+  mimo_task task;
+  int i;
+  for (i = 0; i < FIELDS; ++i) {
+    check(mimo_task_field_init(&fields[i], sizeof fields[i]));
+    fields[i].name = i == DESIRED ? "desired_goal" : "achieved_goal";
+    fields[i].unit = "m";
+    fields[i].frame = "world";
+  }
+  check(mimo_task_init(&task, sizeof task));
+  task.user = user;
+  task.reset = lift_reset;
+  task.evaluate = lift_evaluate;
+  task.terms = terms;
+  task.term_count = TERMS;
+  task.fields = fields;
+  task.field_count = FIELDS;
+  check(mimo_scene_set_task(scene, &task)); /* it copies terms and fields */
 }
 
 static mimo_batch* make_batch(lift* user) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
-  mimo_env_config env_config;
   mimo_batch_config batch_config;
-  mimo_task task;
   mimo_scene* scene;
   mimo_batch* batch;
 
@@ -65,19 +86,12 @@ static mimo_batch* make_batch(lift* user) {
   agent.touch = 0;
   check(mimo_scene_add_agent(scene, &agent, NULL));
 
-  check(mimo_task_init(&task, sizeof task));
-  task.user = user;
-  task.memory_bytes = sizeof(episode);
-  task.reset = lift_reset;
-  task.evaluate = lift_evaluate;
-  check(mimo_scene_set_task(scene, &task));
+  give_task(scene, user);
 
-  check(mimo_env_config_init(&env_config, sizeof env_config));
-  env_config.max_steps = 100;
   check(mimo_batch_config_init(&batch_config, sizeof batch_config));
   batch_config.worlds = WORLDS;
   batch_config.autoreset = MIMO_AUTORESET_SAME_STEP;
-  check(mimo_batch_create(scene, &env_config, &batch_config, &batch));
+  check(mimo_batch_create(scene, NULL, &batch_config, &batch));
   mimo_scene_destroy(scene);
   return batch;
 }

@@ -66,8 +66,8 @@ impl Touch {
     /// The place of the hand is the achieved goal.
     fn feel(&self, world: &World, moment: &mut Moment) -> Result<()> {
         let place = world.get(MIMO_BODY_POSITION, &[self.hand])?;
-        for i in 0..3 {
-            moment.fields[3 + i] = place[i] as f32;
+        for (field, place) in moment.fields[3..].iter_mut().zip(place) {
+            *field = place as f32;
         }
         Ok(())
     }

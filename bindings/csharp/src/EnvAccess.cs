@@ -172,6 +172,17 @@ namespace Mimo
             };
         }
 
+        /// <summary>Name of the task; "custom" for one of your own.</summary>
+        public string TaskName
+        {
+            get
+            {
+                IntPtr name;
+                MimoException.Check(Native.mimo_env_task(handle, out name));
+                return Utf8.Of(name);
+            }
+        }
+
         /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
         public void Random(double[] values)
         {

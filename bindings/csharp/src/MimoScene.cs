@@ -213,6 +213,14 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_parameter(Handle, Utf8.Bytes(name), value));
         }
 
+        /// <summary>The value that a parameter has in this scene.</summary>
+        public double GetParameter(string name)
+        {
+            double value;
+            MimoException.Check(Native.mimo_scene_get_parameter(Handle, Utf8.Bytes(name), out value));
+            return value;
+        }
+
         /// <summary>Frees the scene.</summary>
         public void Dispose() { Handle.Dispose(); }
     }

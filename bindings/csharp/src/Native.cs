@@ -50,6 +50,11 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
+        [DllImport(File)] internal static extern IntPtr mimo_task_name(Size index);
+        [DllImport(File)] internal static extern int mimo_parameter_count(out Size count);
+        [DllImport(File)] internal static extern int mimo_parameter_describe(Size index, ref ParameterStruct parameter);
+        [DllImport(File)] internal static extern int mimo_scene_get_parameter(SceneHandle scene, byte[] name, out double value);
+        [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
         [DllImport(File)] internal static extern int mimo_task_init(out TaskStruct task, Size size);
         [DllImport(File)] internal static extern int mimo_task_field_init(out TaskFieldStruct field, Size size);
         [DllImport(File)] internal static extern int mimo_scene_set_task(SceneHandle scene, ref TaskStruct task);

@@ -126,6 +126,14 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct ParameterStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr name, description;
+        internal double standard, low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct TaskMomentStruct
     {
         internal uint struct_size, reserved;

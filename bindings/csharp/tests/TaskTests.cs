@@ -80,7 +80,7 @@ internal static partial class Tests
                 Check(!step.Terminated && step.Truncated == (number == 5), "success goes on, the fifth step is cut");
                 bool success, failure;
                 env.Outcome(0, out success, out failure);
-                Check(success == (number == 2) && !failure, "success");
+                Check(success == (number == 2) && !failure && env.TaskName == "custom", "success");
                 var terms = env.RewardTerms();
                 Check(terms[0].Key == "near" && terms[0].Value == number && terms[1].Key == "lazy" && terms[1].Value == 1, "terms");
                 env.Read(goal, now);
@@ -113,6 +113,20 @@ internal static partial class Tests
             scene.SetTask(null);
             using (var other = new Env(scene)) Check(other.Step(null).Reward == 0, "the task is taken away");
         }
+    }
+
+    private static void TasksOfTheLibrary()
+    {
+        Check(MimoTask.Names.Contains("reach") && MimoTask.Names[0] == "none", "names of tasks");
+        var reward = Parameter.All.Single(parameter => parameter.Name == "reach/success_reward");
+        Check(reward.Description.Length > 5 && reward.Low <= reward.Standard && reward.Standard <= reward.High, "a parameter");
+        using (var scene = MimoScene.Builtin("reach"))
+        {
+            Check(scene.GetParameter(reward.Name) == reward.Standard, "its standard");
+            scene.SetParameter(reward.Name, 7);
+            Check(scene.GetParameter(reward.Name) == 7, "as set");
+        }
+        using (var env = new Env("reach")) Check(env.TaskName == "reach", "the task's name");
     }
 
     /// <summary>The collector stops all threads, also those of the library that are at work in a task.</summary>

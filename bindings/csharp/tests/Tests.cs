@@ -39,6 +39,7 @@ internal static partial class Tests
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
             { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
             { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) },
+            { "mimo_parameter", typeof(ParameterStruct) },
             { "mimo_task", typeof(TaskStruct) }, { "mimo_task_field", typeof(TaskFieldStruct) },
             { "mimo_task_moment", typeof(TaskMomentStruct) }, { "mimo_task_verdict", typeof(TaskVerdictStruct) }
         };
@@ -241,7 +242,7 @@ internal static partial class Tests
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
-            OwnTasksRewardAndTell, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads
+            OwnTasksRewardAndTell, TasksOfTheLibrary, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads
         };
         var failed = 0;
         foreach (var test in tests)

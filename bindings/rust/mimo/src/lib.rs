@@ -52,10 +52,10 @@ pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use limits::Limits;
 pub use log::Level;
 pub use picture::Picture;
-pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
+pub use scene::{builtin_scenes, faces, rooms, task_names, DocumentLimits, Scene};
 pub use senses::Senses;
-pub use task::{Moment, Outcome, Task, TaskField, Verdict};
-pub use world::{Contact, Step, TouchSensor, World};
+pub use task::{parameters, Moment, Parameter, Task, TaskField, Verdict};
+pub use world::{Contact, Outcome, Step, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {

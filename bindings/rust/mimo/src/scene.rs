@@ -261,6 +261,11 @@ pub fn rooms() -> Vec<String> {
     names(sys::mimo_scene_room)
 }
 
+/// Names of the library's own tasks.
+pub fn task_names() -> Vec<String> {
+    names(sys::mimo_task_name)
+}
+
 /// Names of the faces of the built-in bodies.
 pub fn faces() -> Vec<String> {
     names(sys::mimo_face_name)
