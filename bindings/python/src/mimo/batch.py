@@ -128,6 +128,7 @@ class Batch(Access):
         """As reset, with blocks of your own (layout.new_block(worlds)); None skips the senses."""
         numbers, chosen = self._seeds(seeds), self._mask(mask)
         count = 0 if numbers is None and chosen is None else self.world_count
+        self._given = self._given if chosen is not None else None
         check(LIB.mimo_batch_reset(self._handle, _data(numbers), _data(chosen), count, *_place(blocks)))
 
     def step(self, actions: Optional[ArrayLike] = None) -> BatchResult:
@@ -264,12 +265,14 @@ class Batch(Access):
     # ---- Arguments -----------------------------------------------------------------------------------------------
 
     def _actions(self, actions: Optional[ArrayLike]) -> Optional[NDArray[np.float32]]:
+        self._given = None
         if actions is None:
             return None
         given = np.ascontiguousarray(actions, np.float32)
         shape = (self.world_count, len(self.action_names))
         if given.shape != shape:
             raise ValueError(f"actions have the shape {given.shape}, expected {shape}")
+        self._given = given
         return given
 
     def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:
