@@ -172,7 +172,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
   ++elapsed_;
-  ++timing_.steps;
+  if (options_.timing) ++timing_.steps;
   const bool senses_first = judges_senses();
   if (senses_first) sense(block, Moment::kStep);
   evaluate(actions, block);

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 
 namespace Mimo
 {
@@ -113,6 +112,14 @@ namespace Mimo
             return id;
         }
 
+        /// <summary>The body that a joint, geom, site or camera belongs to, or the parent of a body.</summary>
+        public int BodyOf(Kind kind, int id)
+        {
+            int body;
+            MimoException.Check(Native.mimo_env_body_of(handle, (int)kind, id, out body));
+            return body;
+        }
+
         /// <summary>Name of something; "" where the model gives none.</summary>
         public string Name(Kind kind, int id)
         {
@@ -172,38 +179,10 @@ namespace Mimo
             };
         }
 
-        /// <summary>Name of the task; "custom" for one of your own.</summary>
-        public string TaskName
-        {
-            get
-            {
-                IntPtr name;
-                MimoException.Check(Native.mimo_env_task(handle, out name));
-                return Utf8.Of(name);
-            }
-        }
-
         /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
         public void Random(double[] values)
         {
             MimoException.Check(Native.mimo_env_random(handle, values, (UIntPtr)values.Length));
-        }
-
-        /// <summary>The terms of an agent's last reward by name, in their order; the reward is their sum.</summary>
-        public IReadOnlyList<KeyValuePair<string, double>> RewardTerms(int agent = 0)
-        {
-            UIntPtr count;
-            MimoException.Check(Native.mimo_env_reward_term_count(handle, (UIntPtr)agent, out count));
-            var values = new double[(int)count];
-            MimoException.Check(Native.mimo_env_reward_terms(handle, (UIntPtr)agent, values, count));
-            var terms = new KeyValuePair<string, double>[values.Length];
-            for (var i = 0; i < terms.Length; ++i)
-            {
-                IntPtr name;
-                MimoException.Check(Native.mimo_env_reward_term_name(handle, (UIntPtr)agent, (UIntPtr)i, out name));
-                terms[i] = new KeyValuePair<string, double>(Utf8.Of(name), values[i]);
-            }
-            return terms;
         }
 
         /// <summary>Whether an agent's last step was a success or a failure, also where that does not end the episode.</summary>

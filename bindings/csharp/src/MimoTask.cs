@@ -15,45 +15,6 @@ namespace Mimo
         Failure = -1
     }
 
-    /// <summary>A number by which a task of the library's can be changed: MimoScene.SetParameter.</summary>
-    public sealed class Parameter
-    {
-        /// <summary>"reach/success_reward".</summary>
-        public string Name { get; private set; }
-        /// <summary>One line, with unit.</summary>
-        public string Description { get; private set; }
-        /// <summary>Value unless set.</summary>
-        public double Standard { get; private set; }
-        /// <summary>Smallest allowed value.</summary>
-        public double Low { get; private set; }
-        /// <summary>Largest allowed value.</summary>
-        public double High { get; private set; }
-
-        /// <summary>Those of all tasks.</summary>
-        public static IReadOnlyList<Parameter> All
-        {
-            get
-            {
-                Library.Require();
-                UIntPtr count;
-                MimoException.Check(Native.mimo_parameter_count(out count));
-                var all = new Parameter[(int)count];
-                for (var i = 0; i < all.Length; ++i) all[i] = At(i);
-                return all;
-            }
-        }
-
-        private static Parameter At(int index)
-        {
-            var raw = new ParameterStruct { struct_size = (uint)Structs.Size<ParameterStruct>() };
-            MimoException.Check(Native.mimo_parameter_describe((UIntPtr)index, ref raw));
-            return new Parameter
-            {
-                Name = Utf8.Of(raw.name), Description = Utf8.Of(raw.description), Standard = raw.standard, Low = raw.low, High = raw.high
-            };
-        }
-    }
-
     /// <summary>A field of the observation that a task fills, of floats: a goal, and what has been reached of it. Each infant
     /// has one of its own.</summary>
     public sealed class TaskField
@@ -190,19 +151,6 @@ namespace Mimo
     /// it.</summary>
     public abstract class MimoTask
     {
-        /// <summary>Names of the library's own tasks: "none", "reach", ...</summary>
-        public static IReadOnlyList<string> Names
-        {
-            get
-            {
-                Library.Require();
-                var names = new List<string>();
-                for (var name = Native.mimo_task_name(UIntPtr.Zero); name != IntPtr.Zero; name = Native.mimo_task_name((UIntPtr)names.Count))
-                    names.Add(Utf8.Of(name));
-                return names;
-            }
-        }
-
         /// <summary>How many numbers each world and infant keeps for the task.</summary>
         public virtual int Memory => 0;
 

@@ -51,7 +51,7 @@ namespace Mimo
             var fields = task.Fields;
             if (task.Memory < 0) throw new ArgumentOutOfRangeException(nameof(task), task.Memory, "Memory is a count");
             var tasking = new Tasking(task, terms.Count, fields);
-            using (var words = new Pinned())
+            using (var words = new PinnedParts())
             {
                 TaskStruct raw;
                 MimoException.Check(Native.mimo_task_init(out raw, Structs.Size<TaskStruct>()));
@@ -70,7 +70,7 @@ namespace Mimo
             return tasking;
         }
 
-        private static TaskFieldStruct Described(TaskField field, Pinned words)
+        private static TaskFieldStruct Described(TaskField field, PinnedParts words)
         {
             TaskFieldStruct raw;
             MimoException.Check(Native.mimo_task_field_init(out raw, Structs.Size<TaskFieldStruct>()));
@@ -170,23 +170,23 @@ namespace Mimo
     }
 
     /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
-    internal sealed class Pinned : IDisposable
+    internal sealed class PinnedParts : IDisposable
     {
-        private readonly List<GCHandle> handles = new List<GCHandle>();
+        private readonly List<Pinned> parts = new List<Pinned>();
 
         internal IntPtr Text(string text) { return text == null ? IntPtr.Zero : Keep(Utf8.Bytes(text)); }
 
         /// <summary>Elements without references.</summary>
         internal IntPtr Keep(Array array)
         {
-            var handle = GCHandle.Alloc(array, GCHandleType.Pinned);
-            handles.Add(handle);
-            return handle.AddrOfPinnedObject();
+            var part = new Pinned(array);
+            parts.Add(part);
+            return part.Pointer;
         }
 
         public void Dispose()
         {
-            foreach (var handle in handles) handle.Free();
+            foreach (var part in parts) part.Dispose();
         }
     }
 }

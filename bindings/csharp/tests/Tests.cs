@@ -39,7 +39,7 @@ internal static partial class Tests
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
             { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
             { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) },
-            { "mimo_parameter", typeof(ParameterStruct) },
+            { "mimo_timing", typeof(TimingStruct) }, { "mimo_parameter", typeof(ParameterStruct) },
             { "mimo_task", typeof(TaskStruct) }, { "mimo_task_field", typeof(TaskFieldStruct) },
             { "mimo_task_moment", typeof(TaskMomentStruct) }, { "mimo_task_verdict", typeof(TaskVerdictStruct) }
         };
@@ -67,7 +67,7 @@ internal static partial class Tests
     {
         foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
             new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
-            new BatchResultsStruct() })
+            new BatchResultsStruct(), new TimingStruct(), new ParameterStruct() })
             GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
     }
 
@@ -242,7 +242,11 @@ internal static partial class Tests
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
-            OwnTasksRewardAndTell, TasksOfTheLibrary, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads
+            OwnTasksRewardAndTell, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads,
+            SentStepsAreSteps, SentActionsStay, SentStepsFailAsOthers, WhatWasSentEndsWithTheBatch, BatchesKnowTheirSize,
+            VersionsAreThoseOfTheHeader, ScenesRoomsAndTasksAreListed, ParametersAreListed, ScenesAreWritten, DefaultAgentsAreMade,
+            WorldsKnowTheirTaskAndTimeSteps, BarePhysicsStepsAreCounted, RewardsConsistOfTerms, TimingTellsWhereTimeGoes,
+            PointsLieWhereAPinholeDrawsThem, ThingsBelongToBodies
         };
         var failed = 0;
         foreach (var test in tests)

@@ -33,11 +33,13 @@ mod error;
 mod field;
 mod gaze;
 mod limits;
+mod lists;
 mod log;
 mod overrides;
 mod picture;
 mod scene;
 mod senses;
+mod steps;
 mod task;
 mod world;
 
@@ -50,11 +52,13 @@ pub use error::{Error, Kind, Result};
 pub use field::{Field, Type};
 pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use limits::Limits;
+pub use lists::{builtin_scenes, faces, parameters, rooms, tasks, Parameter};
 pub use log::Level;
 pub use picture::Picture;
-pub use scene::{builtin_scenes, faces, rooms, task_names, DocumentLimits, Scene};
+pub use scene::{DocumentLimits, Scene};
 pub use senses::Senses;
-pub use task::{parameters, Moment, Parameter, Task, TaskField, Verdict};
+pub use steps::{RewardTerm, Timing};
+pub use task::{Moment, Task, TaskField, Verdict};
 pub use world::{Contact, Outcome, Step, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".

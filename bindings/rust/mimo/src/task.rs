@@ -1,5 +1,5 @@
 //! Tasks of one's own, which run inside reset and step, in a batch on all of its threads.
-use crate::error::{c_string, check, text, Kind, Result};
+use crate::error::{c_string, Kind, Result};
 use crate::field::{Field, Type};
 use crate::sys;
 use crate::world::{Outcome, World};
@@ -42,35 +42,6 @@ impl Moment<'_> {
         }
         Some(unsafe { std::slice::from_raw_parts(bytes.as_ptr() as *const f32, bytes.len() / 4) })
     }
-}
-
-/// A number by which a task of the library's can be changed, with [`Scene::set_parameter`](crate::Scene::set_parameter).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
-    /// "reach/success_reward".
-    pub name: String,
-    /// One line, with unit.
-    pub description: String,
-    /// Value unless set.
-    pub standard: f64,
-    /// Smallest allowed value.
-    pub low: f64,
-    /// Largest allowed value.
-    pub high: f64,
-}
-
-/// The parameters of all tasks.
-pub fn parameters() -> Result<Vec<Parameter>> {
-    let mut count = 0;
-    check(unsafe { sys::mimo_parameter_count(&mut count) })?;
-    let describe = |index| {
-        let mut raw: sys::mimo_parameter = unsafe { std::mem::zeroed() };
-        raw.struct_size = std::mem::size_of_val(&raw) as u32;
-        check(unsafe { sys::mimo_parameter_describe(index, &mut raw) })?;
-        let (name, description) = (text(raw.name), text(raw.description));
-        Ok(Parameter { name, description, standard: raw.standard, low: raw.low, high: raw.high })
-    };
-    (0..count).map(describe).collect()
 }
 
 /// What a task says of a step. Nothing is said at first: no reward, and the episode goes on.

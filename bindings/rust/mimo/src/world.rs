@@ -322,27 +322,6 @@ impl World {
         Ok(body)
     }
 
-    /// Name of the task; "custom" for one of one's own.
-    pub fn task(&self) -> Result<String> {
-        let mut name = null();
-        check(unsafe { sys::mimo_env_task(self.handle(), &mut name) })?;
-        Ok(text(name))
-    }
-
-    /// The terms of an agent's last reward by name, in their order; the reward is their sum.
-    pub fn reward_terms(&self, agent: usize) -> Result<Vec<(String, f64)>> {
-        let (env, mut count) = (self.handle(), 0);
-        check(unsafe { sys::mimo_env_reward_term_count(env, agent, &mut count) })?;
-        let mut values = vec![0.0; count];
-        check(unsafe { sys::mimo_env_reward_terms(env, agent, values.as_mut_ptr(), count) })?;
-        let named = |(index, value)| {
-            let mut name = null();
-            check(unsafe { sys::mimo_env_reward_term_name(env, agent, index, &mut name) })?;
-            Ok((text(name), value))
-        };
-        values.into_iter().enumerate().map(named).collect()
-    }
-
     /// Whether an agent's last step was a success or a failure, also where that does not end the episode.
     pub fn outcome(&self, agent: usize) -> Result<Outcome> {
         let (mut success, mut failure) = (0, 0);
