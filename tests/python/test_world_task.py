@@ -10,19 +10,24 @@ from gymnasium.spaces import Box
 import mimo
 
 ELBOW = "robot:left_elbow"
+FIELDS = {"goal": Box(-1, 1, (), np.float32), "reached": Box(-np.inf, np.inf, (2,), np.float32)}
+UNITS = {"goal": "rad"}
 
 
 class Goal(mimo.WorldTask):
     """Two terms, a goal that each episode draws, a success that goes on, a cut after five steps."""
 
     terms = ("near", "lazy")
-    fields = {"goal": Box(-1, 1, (), np.float32), "reached": Box(-np.inf, np.inf, (2,), np.float32)}
-    units = {"goal": "rad"}
+    fields = FIELDS
+    units = UNITS
     memory = 1
 
     def reset(self, world, moment):
-        assert moment.step == 0 and moment.action is None and moment.observation is None
-        assert moment.memory == [0] and moment.fields["goal"] == 0
+        assert moment.step == 0
+        assert moment.action is None
+        assert moment.observation is None
+        assert moment.memory == [0]
+        assert moment.fields["goal"] == 0
         moment.memory[0] = moment.fields["goal"][...] = world.random(1)[0]
 
     def evaluate(self, world, moment):
@@ -56,11 +61,13 @@ def test_fields_terms_and_ends():
             assert reward[0] == number + 1
             assert world.reward_terms() == {"near": number, "lazy": 1}
             assert world.outcome().success == (number == 2)
-            assert not terminated[0] and truncated[0] == (number == 5)
+            assert not terminated[0]
+            assert truncated[0] == (number == 5)
             assert observation["goal"] == drawn
             assert observation["reached"][1] == observation["proprioception/position"][0]
         twin = world.clone()
-        assert twin.step().reward[0] == 6 and world.step().reward[0] == 6  # as far as its state
+        assert twin.step().reward[0] == 6
+        assert world.step().reward[0] == 6
 
 
 def test_batches_equal_single_worlds():
@@ -143,7 +150,7 @@ def test_mistakes_are_errors_of_the_step(message):
 
 
 @pytest.mark.parametrize(
-    "change, message",
+    ("change", "message"),
     [
         ({"terms": ("near", "near")}, 'two terms "near"'),
         ({"memory": -1}, "memory"),
@@ -159,5 +166,5 @@ def test_descriptions_are_checked(change, message):
 
 
 def test_other_kinds_of_tasks_are_refused():
-    with pytest.raises(TypeError, match="expected a mimo.WorldTask"):
+    with pytest.raises(TypeError, match=r"expected a mimo\.WorldTask"):
         scene_with(mimo.Task())

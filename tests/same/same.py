@@ -18,7 +18,7 @@ class Height(mimo.WorldTask):
     """The task "own" of tests/capi/same.c."""
 
     terms = ("height", "effort")
-    fields = {name: Box(-np.inf, np.inf, (), np.float32) for name in ("desired_goal", "achieved_goal")}
+    fields = dict.fromkeys(("desired_goal", "achieved_goal"), Box(-np.inf, np.inf, (), np.float32))
     units = dict.fromkeys(fields, "m")
     frames = dict.fromkeys(fields, "world")
     memory = 1

@@ -298,9 +298,7 @@ class TaskVerdict(Struct):
 
 
 TaskReset = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, ctypes.POINTER(TaskMoment))
-TaskEvaluate = ctypes.CFUNCTYPE(
-    c_int32, c_void_p, c_void_p, ctypes.POINTER(TaskMoment), ctypes.POINTER(TaskVerdict)
-)
+TaskEvaluate = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, ctypes.POINTER(TaskMoment), ctypes.POINTER(TaskVerdict))
 
 
 class TaskField(Struct):

@@ -1,4 +1,4 @@
-"""Tasks that run inside the library's reset and step, as in C: their fields are part of the layout, all is of the state.
+"""Tasks that run inside the library's reset and step, as in C: their fields are part of the layout.
 
 For many worlds a mimo.Task is faster, for it judges all of them at once.
 """
@@ -30,8 +30,8 @@ SUCCESS, FAILURE = 1, -1  # MIMO_OUTCOME_
 class Moment:
     """What a task is told: of whom it is asked, and what happened. All arrays are copies, good for as long as you like.
 
-    What is in `memory` and `fields` when the method returns is kept. Both are 0 at the start of an episode, then as last
-    left, and part of the world's state.
+    What is in `memory` and `fields` when the method returns is kept. Both are 0 at the start of an episode, then as
+    last left, and part of the world's state.
     """
 
     world: int  # number of the world in its batch; 0 for a single one
@@ -135,12 +135,14 @@ class Bound:
         return parts
 
     def reset(self, env: int, told: Any) -> None:
+        """Asks the task to begin an episode."""
         world = self.worlds[env]
         moment = Moment(self, told, world.layout.views)
         self.task.reset(world, moment)
         moment._end(self, told)
 
     def evaluate(self, env: int, told: Any, verdict: Any) -> None:
+        """Asks the task to judge a step, and hands on what it says."""
         world = self.worlds[env]
         moment = Moment(self, told, world.layout.views)
         judged = self.task.evaluate(world, moment)
@@ -220,4 +222,3 @@ def _reset(user: int, env: int, told: Any) -> int:
 @_abi.TaskEvaluate  # type: ignore[untyped-decorator]
 def _evaluate(user: int, env: int, told: Any, verdict: Any) -> int:
     return _status(lambda: _bounds[user].evaluate(env, told.contents, verdict.contents))
-
