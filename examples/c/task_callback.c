@@ -1,6 +1,6 @@
-/* A task of one's own for many worlds at once: the infant is to lift its left hand to a height that each episode draws
- * anew. The two functions below are the task; the library calls them while it steps, on all of its threads. The height
- * is a field of the observation, so that a learner sees what is wanted; the reward has two terms with names.
+/* A task of one's own for many worlds at once: the infant is to bring its left hand down to a height that each episode
+ * draws anew. The two functions below are the task; the library calls them while it steps, on all of its threads. The
+ * height is a field of the observation, so that a learner sees what is wanted; the reward has two terms with names.
  *
  *   cc task_callback.c $(pkg-config --cflags --libs mimo) && ./a.out
  */
@@ -12,9 +12,9 @@
 enum { WORLDS = 16, STEPS = 200 };
 
 /* Shared by all worlds; only read while they run. */
-typedef struct lift {
+typedef struct lower {
   int32_t hand;
-} lift;
+} lower;
 
 enum { DESIRED, ACHIEVED, FIELDS }; /* one number each, m */
 enum { HEIGHT, EFFORT, TERMS };
@@ -25,31 +25,31 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-static mimo_status lift_reset(void* user, mimo_env* env, const mimo_task_moment* moment) {
+static mimo_status lower_reset(void* user, mimo_env* env, const mimo_task_moment* moment) {
   double share;
   mimo_status status =
       mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
   (void)user;
-  moment->fields[DESIRED] = (float)(0.2 + 0.2 * share);
+  moment->fields[DESIRED] = (float)(0.02 + 0.2 * share);
   return status;
 }
 
-static mimo_status lift_evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
-                                 mimo_task_verdict* verdict) {
-  const lift* task = user;
+static mimo_status lower_evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
+                                  mimo_task_verdict* verdict) {
+  const lower* task = user;
   double hand[3];
   size_t i;
   mimo_status status = mimo_env_get(env, MIMO_BODY_POSITION, &task->hand, 1, hand, 3);
   if (status != MIMO_OK) return status;
   moment->fields[ACHIEVED] = (float)hand[2];
-  verdict->terms[HEIGHT] = hand[2] - moment->fields[DESIRED];
+  verdict->terms[HEIGHT] = moment->fields[DESIRED] - hand[2];
   for (i = 0; i < moment->action_count; ++i) verdict->terms[EFFORT] -= 0.001 * moment->action[i] * moment->action[i];
   if (verdict->terms[HEIGHT] > 0) verdict->outcome = MIMO_OUTCOME_SUCCESS;
   verdict->truncated = moment->step == 100;
   return MIMO_OK;
 }
 
-static void give_task(mimo_scene* scene, lift* user) {
+static void give_task(mimo_scene* scene, lower* user) {
   const char* const terms[TERMS] = {"height", "effort"};
   mimo_task_field fields[FIELDS];
   mimo_task task;
@@ -62,8 +62,8 @@ static void give_task(mimo_scene* scene, lift* user) {
   }
   check(mimo_task_init(&task, sizeof task));
   task.user = user;
-  task.reset = lift_reset;
-  task.evaluate = lift_evaluate;
+  task.reset = lower_reset;
+  task.evaluate = lower_evaluate;
   task.terms = terms;
   task.term_count = TERMS;
   task.fields = fields;
@@ -71,7 +71,7 @@ static void give_task(mimo_scene* scene, lift* user) {
   check(mimo_scene_set_task(scene, &task)); /* it copies terms and fields */
 }
 
-static mimo_batch* make_batch(lift* user) {
+static mimo_batch* make_batch(lower* user) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
   mimo_batch_config batch_config;
@@ -97,7 +97,7 @@ static mimo_batch* make_batch(lift* user) {
 }
 
 int main(void) {
-  lift user;
+  lower user;
   mimo_batch* batch = make_batch(&user);
   mimo_batch_results results;
   mimo_env* first;
@@ -128,7 +128,7 @@ int main(void) {
       time_outs += truncated[i] && !terminated[i];
     }
   }
-  printf("%d times high enough, %d times not in time\n", successes, time_outs);
+  printf("%d times low enough, %d times not in time\n", successes, time_outs);
 
   free(actions);
   mimo_batch_destroy(batch);
