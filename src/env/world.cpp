@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kFrameSkip = 2;  // where neither config nor scene say
 constexpr const char* kCustomTask = "custom";
+const std::string kNoFace;
 
 // True as long as this lives.
 class Flag {
@@ -177,7 +178,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   if (senses_first) sense(block, Moment::kStep);
   evaluate(actions, block);
   if (!senses_first) sense(block, Moment::kStep);
-  if (senses_first && block != nullptr) observer_.observe_part(observation::Part::kTask, model(), data(), block);
+  if (senses_first && block != nullptr) observer_.observe_share(observation::Share::kTask, model(), data(), block);
   report(results);
   report_warnings();
 }
@@ -277,9 +278,8 @@ void World::set_face(std::size_t agent, const std::string& name) {
 }
 
 const std::string& World::face(std::size_t agent) const {
-  static const std::string none;
   const body::Face* face = agents_[agent].faces.shown(model());
-  return face == nullptr ? none : face->name;
+  return face == nullptr ? kNoFace : face->name;
 }
 
 // The renderer comes first: where there is none, poses stay what they are. The view comes after the poses, which move

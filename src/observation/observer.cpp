@@ -22,19 +22,19 @@ void Observer::add(std::unique_ptr<Sense> sense) {
   add(*own_.back());
 }
 
-void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* block, PartTimes* times) const {
-  PartTimes nobodys{};
-  PartTimes& sums = times != nullptr ? *times : nobodys;
+void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const {
+  ShareTimes nobodys{};
+  ShareTimes& sums = times != nullptr ? *times : nobodys;
   for (Sense* sense : senses_) {
-    const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(sense->part())]);
+    const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(sense->share())]);
     sense->write(model, data, block);
   }
   layout_.clear_gaps(block);
 }
 
-void Observer::observe_part(Part part, const mjModel& model, const mjData& data, std::uint8_t* block) const {
+void Observer::observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const {
   for (Sense* sense : senses_) {
-    if (sense->part() == part) sense->write(model, data, block);
+    if (sense->share() == share) sense->write(model, data, block);
   }
 }
 

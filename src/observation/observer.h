@@ -10,7 +10,7 @@
 
 namespace mimo::observation {
 
-using PartTimes = std::array<double, kParts>;  // seconds, by Part
+using ShareTimes = std::array<double, kShares>;  // seconds, by Share
 
 class Observer {
  public:
@@ -21,10 +21,10 @@ class Observer {
 
   const Layout& layout() const { return layout_; }
 
-  // Fills every byte of the block, and adds what each part took to `times`; null: nobody wants to know.
-  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, PartTimes* times) const;
-  // Fills the fields of one part only.
-  void observe_part(Part part, const mjModel& model, const mjData& data, std::uint8_t* block) const;
+  // Fills every byte of the block, and adds what each share took to `times`; null: nobody wants to know.
+  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
+  // Fills the fields of one share only.
+  void observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const;
 
  private:
   std::vector<Sense*> senses_;

@@ -15,18 +15,6 @@
 
 namespace mimo {
 
-/// The numbers by which tasks can be changed; their strings are static.
-inline std::vector<mimo_parameter> parameters() {
-  std::size_t count = 0;
-  check(mimo_parameter_count(&count));
-  std::vector<mimo_parameter> all(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    all[i].struct_size = sizeof(mimo_parameter);
-    check(mimo_parameter_describe(i, &all[i]));
-  }
-  return all;
-}
-
 /// A field of the observation that a task fills: single precision, one for each agent.
 struct TaskField {
   /// Without a shape it is one number.
