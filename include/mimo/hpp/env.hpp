@@ -139,7 +139,8 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   std::int32_t outcome(std::size_t agent = 0) const {
     std::uint8_t success = 0, failure = 0;
     check(mimo_env_outcome(get(), agent, &success, &failure));
-    return success != 0 ? MIMO_OUTCOME_SUCCESS : failure != 0 ? MIMO_OUTCOME_FAILURE : MIMO_OUTCOME_NONE;
+    return success != 0 ? MIMO_OUTCOME_SUCCESS : failure != 0 ? MIMO_OUTCOME_FAILURE
+                                                              : MIMO_OUTCOME_NONE;
   }
   /// The terms of the last step's reward by name, in their order.
   std::vector<std::pair<std::string, double>> reward_terms(std::size_t agent = 0) const {
