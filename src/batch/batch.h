@@ -58,9 +58,10 @@ class Batch : private Job {
 
   void set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask);
 
-  // One state behind the other. A single one is loaded by all worlds.
+  // One state behind the other, all of one size. A single one is loaded by all worlds.
   void save(const std::uint8_t* mask, std::uint8_t* states);
-  void load(const std::uint8_t* mask, Span<const std::uint8_t> states);
+  // Tells of the world where most started afresh.
+  env::LoadReport load(const std::uint8_t* mask, Span<const std::uint8_t> states);
 
  private:
   // What is done to a world; what it does not settle itself, the report tells afterwards.

@@ -3,32 +3,32 @@
  * constants, errors, and that what they do not know of is as if it were not there. ./dev freeze keeps a copy together
  * with the header of its time; those never change, and go on running on the libraries that follow.
  */
-#include <mimo/mimo.h>
 #include <math.h>
+#include <mimo/mimo.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static int failed = 0;
 
-#define CHECK(condition)                                                                                       \
-  do {                                                                                                         \
-    if (!(condition)) {                                                                                        \
-      ++failed;                                                                                                \
-      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error());             \
-    }                                                                                                          \
+#define CHECK(condition)                                                                          \
+  do {                                                                                            \
+    if (!(condition)) {                                                                           \
+      ++failed;                                                                                   \
+      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error()); \
+    }                                                                                             \
   } while (0)
 #define OK(call) CHECK((call) == MIMO_OK)
 
 static int messages = 0;
 
-static void count_message(void *user, int32_t level, const char *message) {
+static void count_message(void* user, int32_t level, const char* message) {
   CHECK(user == &messages && level >= MIMO_LOG_WARNING && message != NULL);
   ++messages;
 }
 
 static void versions(void) {
-  mimo_env *none = NULL;
+  mimo_env* none = NULL;
   CHECK(mimo_abi_version() == MIMO_ABI_VERSION);
   CHECK(strcmp(mimo_status_name(MIMO_E_NOT_FOUND), "MIMO_E_NOT_FOUND") == 0);
   CHECK(mimo_version()[0] != '\0' && mimo_mujoco_version()[0] != '\0');
@@ -38,7 +38,7 @@ static void versions(void) {
 }
 
 /* An infant with small eyes, a ball and a camera in the room "free". What follows a struct in memory stays as it is. */
-static mimo_scene *make_scene(void) {
+static mimo_scene* make_scene(void) {
   struct {
     mimo_agent_config config;
     uint64_t after;
@@ -47,9 +47,10 @@ static mimo_scene *make_scene(void) {
   mimo_object_config ball;
   mimo_camera_config wall;
   mimo_limits limits;
-  mimo_senses *senses = NULL;
-  mimo_scene *scene = NULL;
-  int32_t number = -1;
+  mimo_senses* senses = NULL;
+  mimo_senses_config senses_config;
+  mimo_scene* scene = NULL;
+  size_t number = 9;
   double value = 0;
   OK(mimo_scene_config_init(&room, sizeof room));
   CHECK(room.struct_size == sizeof room && room.name == NULL && room.log == NULL);
@@ -77,7 +78,10 @@ static mimo_scene *make_scene(void) {
   OK(mimo_limits_init(&limits, sizeof limits));
   CHECK(limits.gain == 1 && limits.delay == 0);
   OK(mimo_scene_limit_sense(scene, 0, "touch", &limits));
-  CHECK(mimo_senses_attach(scene, NULL, NULL, 222, 0, 0, &senses) == MIMO_E_INVALID_ARGUMENT && senses == NULL);
+  OK(mimo_scene_limit_motor(scene, 0, "left_arm", &limits));
+  OK(mimo_senses_config_init(&senses_config, sizeof senses_config));
+  senses_config.mujoco_version = 222;
+  CHECK(mimo_senses_attach(scene, NULL, &senses_config, &senses) == MIMO_E_INVALID_ARGUMENT && senses == NULL);
   mimo_senses_destroy(senses);
 
   OK(mimo_object_config_init(&ball, sizeof ball));
@@ -97,7 +101,7 @@ static mimo_scene *make_scene(void) {
   return scene;
 }
 
-static mimo_field field_named(const mimo_env *env, const char *name) {
+static mimo_field field_named(const mimo_env* env, const char* name) {
   mimo_field field;
   size_t count = 0, i;
   memset(&field, 0, sizeof field);
@@ -111,11 +115,11 @@ static mimo_field field_named(const mimo_env *env, const char *name) {
   exit(1);
 }
 
-static void check_fields(const mimo_env *env) {
+static void check_fields(const mimo_env* env) {
   const mimo_field eye = field_named(env, "vision/eye_left"), depth = field_named(env, "vision/eye_left_depth"),
                    joints = field_named(env, "proprioception/position"), touch = field_named(env, "touch/force"),
                    wall = field_named(env, "vision/wall");
-  const char *label = NULL;
+  const char* label = NULL;
   CHECK(eye.dtype == MIMO_U8 && eye.ndim == 3 && eye.shape[0] == 16 && eye.shape[2] == 3 && eye.bytes == 768);
   CHECK(depth.dtype == MIMO_F32 && depth.ndim == 2 && strcmp(depth.unit, "m") == 0);
   CHECK(joints.dtype == MIMO_F32 && joints.time == MIMO_AT_END && joints.offset % 64 == 0);
@@ -125,7 +129,7 @@ static void check_fields(const mimo_env *env) {
 }
 
 /* Steps, states, names. A ball falls by g h^2 n (n + 1) / 2 in n steps of h = 5 ms. */
-static void live(mimo_env *env) {
+static void live(mimo_env* env) {
   const uint64_t seed = 7;
   size_t bytes = 0, count = 0, agents = 0, state_bytes = 0, i;
   double reward = 9, seconds = 0, place[3], xyz[3];
@@ -134,7 +138,7 @@ static void live(mimo_env *env) {
   mimo_agent_info infant;
   uint8_t *block, *again, *state;
   float *action, *low;
-  mimo_env *twin = NULL;
+  mimo_env* twin = NULL;
   OK(mimo_env_observation_size(env, &bytes, NULL));
   OK(mimo_env_action_size(env, &count));
   OK(mimo_env_agent_count(env, &agents));
@@ -165,7 +169,7 @@ static void live(mimo_env *env) {
   OK(mimo_env_get(env, MIMO_BODY_POSITION, &toy, 1, place, 3));
   CHECK(fabs(place[2] - (2 - 9.81 * 0.005 * 0.005 * 20 * 21 / 2)) < 1e-12);
   OK(mimo_env_clone(env, &twin));
-  OK(mimo_env_state_load(env, state, state_bytes));
+  OK(mimo_env_state_load(env, state, state_bytes, NULL));
   for (i = 0; i < 10; ++i) OK(mimo_env_step(env, action, count, again, bytes, NULL, NULL, NULL, 0));
   CHECK(memcmp(block, again, bytes) == 0);
 
@@ -188,11 +192,11 @@ static void live(mimo_env *env) {
   free(block);
 }
 
-static void see(mimo_env *env) {
+static void see(mimo_env* env) {
   static uint8_t rgb[8 * 8 * 4];
   const double point[3] = {1, 0, 0.5};
   double errors[2], pixels[3];
-  const char *face = NULL;
+  const char* face = NULL;
   size_t sensors = 0, contacts = 0, terms = 9;
   mimo_gaze gaze;
   mimo_timing timing;
@@ -221,18 +225,18 @@ static void see(mimo_env *env) {
   CHECK(timing.steps == 20);
 }
 
-static mimo_status evaluate(void *user, const mimo_env *env, size_t world, size_t agent, void *memory, double *reward,
-                            int32_t *outcome) {
-  double *steps = memory;
+static mimo_status evaluate(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
+                            int32_t* outcome) {
+  double* steps = memory;
   (void)env;
   *steps += 1;
-  *reward = *steps + 10 * (double)world + 100 * (double)agent + *(const double *)user;
+  *reward = *steps + 10 * (double)world + 100 * (double)agent + *(const double*)user;
   *outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
   return MIMO_OK;
 }
 
 /* Two worlds with a task of their own. */
-static void live_together(mimo_scene *scene) {
+static void live_together(mimo_scene* scene) {
   static double thousand = 1000;
   const uint64_t seeds[2] = {1, 2};
   double reward[2] = {0, 0};
@@ -242,7 +246,7 @@ static void live_together(mimo_scene *scene) {
   mimo_task task;
   mimo_batch_config config;
   mimo_batch_results results;
-  mimo_batch *batch = NULL;
+  mimo_batch* batch = NULL;
   OK(mimo_task_init(&task, sizeof task));
   task.user = &thousand;
   task.memory_bytes = sizeof(double);
@@ -277,8 +281,8 @@ static void live_together(mimo_scene *scene) {
 
 int main(void) {
   mimo_env_config config;
-  mimo_scene *scene;
-  mimo_env *env = NULL;
+  mimo_scene* scene;
+  mimo_env* env = NULL;
   versions();
   scene = make_scene();
   OK(mimo_env_config_init(&config, sizeof config));

@@ -108,7 +108,7 @@ static void check_agents(void) {
   mimo_agent_config config;
   mimo_env* env = NULL;
   mimo_agent_info info;
-  int32_t agent = -1;
+  size_t agent = 99;
   size_t count = 0;
   const uint32_t defaults = MIMO_PROPRIOCEPTION_DEFAULT;
   CHECK_OK(mimo_agent_config_init(&config, sizeof config));

@@ -48,8 +48,18 @@ static void make_batch_of(const mimo_scene* of, mimo_batch** made) {
   CHECK_OK(mimo_batch_create(of, NULL, &config, made));
 }
 
+static mimo_senses_config host_config(void) {
+  mimo_senses_config config;
+  CHECK_OK(mimo_senses_config_init(&config, sizeof config));
+  config.mujoco_version = mj_version();
+  config.model_size = sizeof(mjModel);
+  config.data_size = sizeof(mjData);
+  return config;
+}
+
 static mimo_status attach_to(mimo_senses** made) {
-  return mimo_senses_attach(gripper_scene, NULL, host_model, mj_version(), sizeof(mjModel), sizeof(mjData), made);
+  const mimo_senses_config config = host_config();
+  return mimo_senses_attach(gripper_scene, host_model, &config, made);
 }
 
 static void begin_host(void) {
@@ -192,7 +202,7 @@ static mimo_status reset(void) {
 }
 static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL, NULL, NULL, 0); }
 static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof block); }
-static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes); }
+static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes, NULL); }
 static mimo_status draw(void) { return mimo_env_render(made_env, NULL, block, 640 * 480 * 3, NULL, 0, NULL, 0); }
 static mimo_status lock(void) {
   int32_t joint = -1;
@@ -210,7 +220,7 @@ static mimo_status create_batch(void) {
 }
 static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, NULL, 0, block, batch_bytes); }
 static mimo_status step_batch(void) { return mimo_batch_step(batch, NULL, 0, block, batch_bytes, NULL); }
-static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes); }
+static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes, NULL); }
 static void prepare_batch(void) { make_batch_of(small_scene, &made_batch); }
 static mimo_status view_world(void) { return mimo_batch_world(made_batch, 1, &env); }
 
