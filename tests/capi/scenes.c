@@ -137,7 +137,7 @@ static void check_agents(void) {
   REFUSED(MIMO_E_INVALID_ARGUMENT, "position[1] is inf", position[1], (double)INFINITY, 1);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "orientation is zero", orientation[0], 0, 2);
   config.vision = 0;
-  CHECK(agent == -1);
+  CHECK(agent == 99);
 
   /* Two infants; each has its actions and its names. */
   CHECK_OK(mimo_scene_add_agent(scene, &config, &agent));

@@ -49,8 +49,8 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))
-ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config, a->id_out), NULL_OK(agent_config),
-    NULL_OK(id_out), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place_given, 2),
+ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config, a->count), NULL_OK(agent_config),
+    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place_given, 2),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
     UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
     AGENT(proprioception, 0x80), AGENT(proprioception, -1), AGENT(vestibular, 2),

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/errors.h"
+#include "support/tiny.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
