@@ -33,6 +33,7 @@ static const option agent_options[] = {
     OPTION(mimo_agent_config, face, kText),
     OPTION(mimo_agent_config, root, kText),
     OPTION(mimo_agent_config, vestibular_at, kText),
+    OPTION(mimo_agent_config, place, kSigned),
     OPTION(mimo_agent_config, position, kThree),
     OPTION(mimo_agent_config, orientation, kFour),
     OPTION(mimo_agent_config, proprioception, kUnsigned),
@@ -196,6 +197,7 @@ typedef struct request {
   mimo_agent_config agent;
   mimo_env_config env;
   mimo_batch_config batch;
+  int is_placed; /* whether a position or orientation was given */
   const mxArray *objects, *cameras, *limits, *parameters;
 } request;
 
@@ -204,7 +206,7 @@ static void read_option(request* all, const char* name, const mxArray* value) {
   if (find_option(scene_options, name) != NULL) return; /* it had its turn when the scene was opened */
   if (found != NULL) {
     set_option(&all->agent, found, value);
-    if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->agent.place_given = 1;
+    if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->is_placed = 1;
   } else if ((found = find_option(env_options, name)) != NULL) {
     set_option(&all->env, found, value);
   } else if ((found = find_option(batch_options, name)) != NULL) {
@@ -255,6 +257,7 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
   mimo_check(mimo_env_config_init(&all.env, sizeof all.env));
   mimo_check(mimo_batch_config_init(&all.batch, sizeof all.batch));
   for (i = 1; i < nin; i += 2) read_option(&all, mimo_text(in[i], "option"), in[i + 1]);
+  if (all.is_placed && all.agent.place == MIMO_PLACE_SCENE) all.agent.place = MIMO_PLACE_ROOT;
   if (all.parameters != NULL) set_parameters(scene, all.parameters);
   mimo_check(mimo_scene_add_agents(scene, &all.agent, NULL));
   if (all.limits != NULL) limit_senses(scene, all.limits);

@@ -54,7 +54,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
     add(senses::make_proprioception(model, chosen_joints(model, agent.body, options.joints), options.proprioception,
                                     std::move(feedback.commands)));
   }
-  if (options.vestibular) add(senses::make_vestibular(model, agent.body, options.vestibular_at));
+  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular));
   if (options.touch.any()) {
     agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));

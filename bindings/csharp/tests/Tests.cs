@@ -235,7 +235,8 @@ internal static partial class Tests
         {
             StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, ScenesAreBuilt, FacesShow,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, InfantsArePlacedByTheirSoles,
+            ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
         };

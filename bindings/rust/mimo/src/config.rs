@@ -97,7 +97,12 @@ impl AgentConfig {
 
     /// Where the root body is: metres, and w x y z; world frame. Otherwise at the scene's own place for an infant.
     pub fn place(&mut self, position: [f64; 3], orientation: [f64; 4]) -> &mut Self {
-        self.raw.place_given = 1;
+        self.place_by(sys::MIMO_PLACE_ROOT as i32, position, orientation)
+    }
+
+    /// The same for another point of it, a `MIMO_PLACE_` constant: its soles, or its lowest point.
+    pub fn place_by(&mut self, place: i32, position: [f64; 3], orientation: [f64; 4]) -> &mut Self {
+        self.raw.place = place;
         self.raw.position = position;
         self.raw.orientation = orientation;
         self
@@ -109,9 +114,9 @@ impl AgentConfig {
         self
     }
 
-    /// Accelerometer and gyroscope in the head.
-    pub fn vestibular(&mut self, on: bool) -> &mut Self {
-        self.raw.vestibular = on.into();
+    /// `MIMO_VESTIBULAR_` bits: accelerometer and gyroscope in the head; 0: none.
+    pub fn vestibular(&mut self, bits: u32) -> &mut Self {
+        self.raw.vestibular = bits;
         self
     }
 
