@@ -88,6 +88,7 @@ class Batch : private Job {
   std::vector<Mailbox> mailboxes_;
   std::vector<std::unique_ptr<env::World>> worlds_;
   std::vector<Report> reports_;
+  std::vector<env::LoadReport> loaded_;  // by the worlds, in the last load
   Pool pool_;
   Operation operation_;
   std::optional<Step> sent_;

@@ -16,4 +16,4 @@ MIMO_FIRST_SIZE(mimo_batch_config, 24);
 MIMO_FIRST_SIZE(mimo_batch_results, 88);
 MIMO_FIRST_SIZE(mimo_task, 40);
 MIMO_FIRST_SIZE(mimo_load_report, 40);
-MIMO_FIRST_SIZE(mimo_senses_config, 80);
+MIMO_FIRST_SIZE(mimo_senses_config, 72);

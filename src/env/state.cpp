@@ -81,14 +81,19 @@ std::uint64_t size_of(const Section& section) {
 // Everything behind the header, which is whole.
 Span<const std::uint8_t> open_state(std::uint64_t model, Span<const std::uint8_t> state) {
   const Header header = read_header(state);
+  require(header.model == model, "state: it was saved from another model");
   require(state.size() == header.bytes, "state: it has {} bytes, expected {}", state.size(), header.bytes);
   require(header.checksum == checksum(state), "state: it is damaged, its checksum is wrong");
-  require(header.model == model, "state: it was saved from another model");
   const Span<const std::uint8_t> body = state.part(kStateHeaderBytes, state.size() - kStateHeaderBytes);
   ByteReader from(body);
   for (std::uint64_t i = 0; i < header.sections; ++i) read_section(from);
   require(from.left() == 0, "state: {} bytes are left over behind its last section", from.left());
   return body;
+}
+
+void note(std::string_view name, std::size_t& count, std::string& names) {
+  if (count++ > 0) names += ", ";
+  names += name;
 }
 
 template <typename Visit>
@@ -155,7 +160,7 @@ LoadReport Archive::load(Span<const std::uint8_t> state) {
   LoadReport report;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     found_[i] = fitting(sections_[i], stored);
-    if (found_[i].data() == nullptr) report.fresh.push_back(sections_[i].name);
+    if (found_[i].data() == nullptr) note(sections_[i].name, report.fresh, report.fresh_names);
   }
   for_each_section(stored, [&](const Stored& section) {
     if (knows(section.name)) return;
@@ -163,7 +168,7 @@ LoadReport Archive::load(Span<const std::uint8_t> state) {
             "state: it was saved from a world with another task, actuation or other agents: its section \"{}\" has no "
             "use here",
             section.name);
-    report.ignored.emplace_back(section.name);
+    note(section.name, report.ignored, report.ignored_names);
   });
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (!sections_[i].check) continue;

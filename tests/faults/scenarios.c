@@ -64,6 +64,7 @@ static mimo_status attach_to(mimo_senses** made) {
 
 static void begin_host(void) {
   mimo_agent_config agent;
+  mimo_limits limits;
   char error[200] = "";
   host_model = mj_loadXML(MIMO_TEST_MODELS "/gripper.xml", NULL, error, sizeof error);
   if (host_model == NULL) {
@@ -80,6 +81,9 @@ static void begin_host(void) {
   agent.root = "world";
   agent.vestibular = agent.vision = 0;
   CHECK_OK(mimo_scene_add_agent(gripper_scene, &agent, NULL));
+  CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+  limits.delay = limits.noise = 0.1;
+  CHECK_OK(mimo_scene_limit_sense(gripper_scene, 0, "proprioception", &limits));
   CHECK_OK(attach_to(&senses));
   CHECK_OK(mimo_senses_observation_size(senses, &senses_bytes, NULL));
   CHECK(senses_bytes <= ROOM);
@@ -187,6 +191,13 @@ static mimo_status limit_sense(void) {
   return mimo_scene_limit_sense(scene, 0, "proprioception/position", &limits);
 }
 
+static mimo_status limit_motor(void) {
+  mimo_limits limits;
+  CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+  limits.delay = 0.1;
+  return mimo_scene_limit_motor(scene, 0, "act:left_elbow", &limits);
+}
+
 static mimo_status set_parameter(void) { return mimo_scene_set_parameter(scene, "reach/success_reward", 3); }
 static mimo_status set_touch(void) { return mimo_scene_set_touch(infant_scene, 0, "left_hand", 0.01); }
 static mimo_status print_scene(void) { return mimo_scene_xml(infant_scene, (char*)block, sizeof block, NULL); }
@@ -226,6 +237,8 @@ static mimo_status view_world(void) { return mimo_batch_world(made_batch, 1, &en
 
 static mimo_status attach(void) { return attach_to(&made_senses); }
 static mimo_status observe(void) { return mimo_senses_observe(senses, host_data, block, senses_bytes); }
+static mimo_status advance(void) { return mimo_senses_advance(senses, host_data); }
+static mimo_status reset_senses(void) { return mimo_senses_reset(senses, host_data, NULL); }
 
 const scenario all_scenarios[] = {
     {"scene_create", nothing, create_scene, clean, 1, 0, 400},
@@ -239,6 +252,7 @@ const scenario all_scenarios[] = {
     {"scene_lock", prepare_defaults, lock_scene, clean, 0, 0, 400},
     {"scene_set_parameter", prepare_scene, set_parameter, clean, 0, 0, 400},
     {"scene_limit_sense", prepare_infant, limit_sense, clean, 0, 0, 400},
+    {"scene_limit_motor", prepare_infant, limit_motor, clean, 0, 0, 400},
     {"scene_set_touch", nothing, set_touch, clean, 0, 0, 400},
     {"scene_xml", nothing, print_scene, clean, 0, 0, 400},
     {"env_create, small", nothing, create_small, clean, 1, 1, 3000},
@@ -258,5 +272,7 @@ const scenario all_scenarios[] = {
     {"batch_state_load", nothing, load_batch, clean, 0, 0, 0},
     {"senses_attach", nothing, attach, clean, 1, 0, 600},
     {"senses_observe", nothing, observe, clean, 0, 0, 0},
+    {"senses_advance", nothing, advance, clean, 0, 0, 0},
+    {"senses_reset", nothing, reset_senses, clean, 0, 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 1},
 };

@@ -43,8 +43,8 @@ TEST(MotorPath, DelayIsExactAndOfThatMotorOnly) {
   const auto world = world_with({some("act:left_elbow", delay(0.03))});
   for (int i = 1; i <= 6; ++i) {
     step_all(*world, 0.1F * static_cast<float>(i));
-    EXPECT_FLOAT_EQ(told(*world, "act:right_elbow"), 0.1F * static_cast<float>(i));
-    EXPECT_FLOAT_EQ(told(*world, "act:left_elbow"), i <= 3 ? 0 : 0.1F * static_cast<float>(i - 3));
+    EXPECT_NEAR(told(*world, "act:right_elbow"), 0.1F * static_cast<float>(i), 1e-7);
+    EXPECT_NEAR(told(*world, "act:left_elbow"), i <= 3 ? 0 : 0.1F * static_cast<float>(i - 3), 1e-7);
   }
 }
 
@@ -72,11 +72,11 @@ TEST(MotorPath, AResetForgetsWhatIsOnItsWay) {
 TEST(MotorPath, GainWorksOnClippedActions) {
   const auto world = world_with({some("act:left_elbow", {0.5, 0, 0, 0})});
   step_all(*world, 7);
-  EXPECT_EQ(told(*world, "act:left_elbow"),
-            0.5 * world->model().actuator_forcerange[2 * motor(*world, "act:left_elbow") + 1]);
+  const double bound = world->model().actuator_forcerange[2 * motor(*world, "act:left_elbow") + 1];
+  EXPECT_NEAR(told(*world, "act:left_elbow"), bound / 2, 1e-7);  // actions are floats
   const auto strong = world_with({some("act:left_elbow", {3, 0, 0, 0})});
   step_all(*strong, 0.9F);
-  EXPECT_EQ(told(*strong, "act:left_elbow"), told(*world, "act:left_elbow") * 2);  // the bound
+  EXPECT_NEAR(told(*strong, "act:left_elbow"), bound, 1e-7);
 }
 
 // 2000 numbers: their mean is known to 0.05 / sqrt(2000) = 0.0011, their deviation to 0.0008; four times that is
@@ -111,7 +111,7 @@ TEST(MotorPath, IsPartOfTheState) {
     one->reset(&seed, nullptr);
     for (int i = 0; i < 12; ++i) step(*one, i);
     step(*other, 100);
-    EXPECT_TRUE(other->load(Span<const std::uint8_t>(saved(*one))).fresh.empty());
+    EXPECT_EQ(other->load(Span<const std::uint8_t>(saved(*one))).fresh, 0u);
     for (int i = 12; i < 30; ++i) ASSERT_EQ(step(*one, i), step(*other, i)) << i;
     EXPECT_EQ(saved(*one), saved(*other));
   }
@@ -135,7 +135,8 @@ TEST(MotorPath, WorksForAnglesAndMuscles) {
   step_all(*perfect, 0.5F);
   const double late = told(*muscles, "act:left_elbow"), prompt = told(*perfect, "act:left_elbow");
   EXPECT_LT(late, prompt - 1e-3);  // only the other one pulls
-  EXPECT_EQ(told(*muscles, "act:left_knee"), told(*perfect, "act:left_knee"));
+  // Others differ by what the arm does to them in the second physics step.
+  EXPECT_NEAR(told(*muscles, "act:left_knee"), told(*perfect, "act:left_knee"), 1e-3);
 }
 
 TEST(MotorPath, WithoutLimitsThereIsNone) {

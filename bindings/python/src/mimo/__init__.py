@@ -51,6 +51,7 @@ from .errors import (
 from .layout import Field, Layout, Observation
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
+from .states import LoadReport
 from .tasks import GoalTask, Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -93,6 +94,7 @@ __all__ = [
     "Judgement",
     "Kind",
     "Layout",
+    "LoadReport",
     "Look",
     "ModelError",
     "NotFoundError",

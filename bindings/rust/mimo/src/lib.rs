@@ -38,6 +38,7 @@ mod overrides;
 mod picture;
 mod scene;
 mod senses;
+mod state;
 mod task;
 mod world;
 
@@ -53,7 +54,8 @@ pub use limits::Limits;
 pub use log::Level;
 pub use picture::Picture;
 pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
-pub use senses::Senses;
+pub use senses::{Senses, SensesConfig};
+pub use state::LoadReport;
 pub use task::{Judgement, Task, Whom};
 pub use world::{Contact, Step, TouchSensor, World};
 

@@ -344,11 +344,11 @@ impl World {
         Ok(state)
     }
 
-    /// Goes on from a state of a world of the same model, agents and task, exactly as that one did.
-    pub fn load(&mut self, state: &[u8]) -> Result<()> {
-        check(unsafe {
-            sys::mimo_env_state_load(self.handle(), state.as_ptr() as *const c_void, state.len())
-        })
+    /// Goes on from a state of a world of the same model, agents and task, exactly as that one did. What it lacks of a
+    /// delay starts fresh.
+    pub fn load(&mut self, state: &[u8]) -> Result<LoadReport> {
+        let from = state.as_ptr() as *const c_void;
+        LoadReport::of(|report| unsafe { sys::mimo_env_state_load(self.handle(), from, state.len(), report) })
     }
 }
 
