@@ -91,7 +91,7 @@ static const option camera_options[] = {
 };
 
 static const option limit_options[] = {
-    OPTION(mimo_limits, delay, kUnsigned),
+    OPTION(mimo_limits, delay, kNumber),
     OPTION(mimo_limits, gain, kNumber),
     OPTION(mimo_limits, noise, kNumber),
     OPTION(mimo_limits, blur, kNumber),
@@ -169,16 +169,17 @@ static void add_cameras(mimo_scene* scene, const mxArray* things) {
   }
 }
 
-/* struct('path', 'touch', 'noise', 0.1), one or an array of them */
-static void limit_senses(mimo_scene* scene, const mxArray* things) {
+typedef mimo_status (*limit_call)(mimo_scene* scene, size_t agent, const char* path, const mimo_limits* limits);
+
+/* struct('path', 'touch', 'noise', 0.1), one or an array of them: of senses or of motors */
+static void limit(mimo_scene* scene, limit_call call, const char* option, const mxArray* things) {
   mimo_limits limits;
   size_t i;
-  if (!mxIsStruct(things) || mxGetFieldNumber(things, "path") < 0)
-    refuse("limits", "a struct array with the member path");
+  if (!mxIsStruct(things) || mxGetFieldNumber(things, "path") < 0) refuse(option, "a struct array with the member path");
   for (i = 0; i < mxGetNumberOfElements(things); ++i) {
     mimo_check(mimo_limits_init(&limits, sizeof limits));
     set_members(&limits, limit_options, things, i);
-    mimo_check(mimo_scene_limit_sense(scene, 0, mimo_text(mxGetField(things, i, "path"), "path"), &limits));
+    mimo_check(call(scene, 0, mimo_text(mxGetField(things, i, "path"), "path"), &limits));
   }
 }
 
@@ -198,7 +199,7 @@ typedef struct request {
   mimo_env_config env;
   mimo_batch_config batch;
   int is_placed; /* whether a position or orientation was given */
-  const mxArray *objects, *cameras, *limits, *parameters;
+  const mxArray *objects, *cameras, *limits, *motor_limits, *parameters;
 } request;
 
 static void read_option(request* all, const char* name, const mxArray* value) {
@@ -217,6 +218,8 @@ static void read_option(request* all, const char* name, const mxArray* value) {
     all->cameras = value;
   } else if (strcmp(name, "limits") == 0) {
     all->limits = value;
+  } else if (strcmp(name, "motor_limits") == 0) {
+    all->motor_limits = value;
   } else if (strcmp(name, "parameters") == 0) {
     all->parameters = value;
   } else {
@@ -260,7 +263,8 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
   if (all.is_placed && all.agent.place == MIMO_PLACE_SCENE) all.agent.place = MIMO_PLACE_ROOT;
   if (all.parameters != NULL) set_parameters(scene, all.parameters);
   mimo_check(mimo_scene_add_agents(scene, &all.agent, NULL));
-  if (all.limits != NULL) limit_senses(scene, all.limits);
+  if (all.limits != NULL) limit(scene, mimo_scene_limit_sense, "limits", all.limits);
+  if (all.motor_limits != NULL) limit(scene, mimo_scene_limit_motor, "motor_limits", all.motor_limits);
   if (all.objects != NULL) add_objects(scene, all.objects);
   if (all.cameras != NULL) add_cameras(scene, all.cameras);
   mimo_check(mimo_batch_create(scene, &all.env, &all.batch, &batch));

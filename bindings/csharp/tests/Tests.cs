@@ -37,7 +37,8 @@ internal static partial class Tests
             { "mimo_scene_config", typeof(SceneConfigStruct) }, { "mimo_agent_config", typeof(AgentConfig) },
             { "mimo_object_config", typeof(ObjectConfigStruct) }, { "mimo_env_config", typeof(EnvConfigStruct) },
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
-            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
+            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) },
+            { "mimo_load_report", typeof(LoadReportStruct) }, { "mimo_senses_config", typeof(SensesConfigStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
             { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) }
         };
         var text = File.ReadAllText(layoutFile);
@@ -63,7 +64,7 @@ internal static partial class Tests
     private static void StructsAreBlittable()
     {
         foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
-            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
+            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new LoadReportStruct(), new SensesConfigStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
             new BatchResultsStruct() })
             GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
     }
@@ -235,7 +236,7 @@ internal static partial class Tests
         {
             StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, InfantsArePlacedByTheirSoles,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, MotorsAreLimited, SensesRemember, InfantsArePlacedByTheirSoles,
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive

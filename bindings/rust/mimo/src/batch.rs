@@ -4,6 +4,7 @@ use crate::config::{defaults, EnvConfig};
 use crate::error::{c_string, check, text, Error, Kind, Result};
 use crate::log::Log;
 use crate::scene::Scene;
+use crate::state::LoadReport;
 use crate::sys;
 use crate::task::Shared;
 use crate::world::{memory, World};

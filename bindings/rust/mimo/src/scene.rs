@@ -248,11 +248,6 @@ impl Scene {
     }
 }
 
-/// C's number of an agent; one that is too large for it is none there either.
-fn number_of(agent: usize) -> i32 {
-    i32::try_from(agent).unwrap_or(i32::MAX)
-}
-
 impl Drop for Scene {
     fn drop(&mut self) {
         unsafe { sys::mimo_scene_destroy(self.handle()) }

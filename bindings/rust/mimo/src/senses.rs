@@ -160,14 +160,18 @@ impl Senses {
         let mut bytes = 0;
         check(unsafe { sys::mimo_senses_state_size(self.handle(), &mut bytes) })?;
         let mut state = vec![0; bytes];
-        check(unsafe { sys::mimo_senses_state_save(self.handle(), state.as_mut_ptr() as *mut c_void, bytes) })?;
+        check(unsafe {
+            sys::mimo_senses_state_save(self.handle(), state.as_mut_ptr() as *mut c_void, bytes)
+        })?;
         Ok(state)
     }
 
     /// Goes on from what other senses of such a model remembered; what the state lacks starts fresh.
     pub fn load(&mut self, state: &[u8]) -> Result<LoadReport> {
         let from = state.as_ptr() as *const c_void;
-        LoadReport::of(|report| unsafe { sys::mimo_senses_state_load(self.handle(), from, state.len(), report) })
+        LoadReport::of(|report| unsafe {
+            sys::mimo_senses_state_load(self.handle(), from, state.len(), report)
+        })
     }
 
     /// Senses what the data hold, which stay as they are; what is late comes out of memory, which stays as it is, too.

@@ -13,7 +13,9 @@ pub struct LoadReport {
 
 impl LoadReport {
     /// Of a call that loads.
-    pub(crate) fn of(load: impl FnOnce(*mut sys::mimo_load_report) -> sys::mimo_status) -> Result<LoadReport> {
+    pub(crate) fn of(
+        load: impl FnOnce(*mut sys::mimo_load_report) -> sys::mimo_status,
+    ) -> Result<LoadReport> {
         let mut raw: sys::mimo_load_report = unsafe { std::mem::zeroed() };
         raw.struct_size = std::mem::size_of_val(&raw) as u32;
         check(load(&mut raw))?;

@@ -2,6 +2,7 @@
 use crate::block::Block;
 use crate::error::{c_string, check, text, Error, Kind, Result};
 use crate::field::Field;
+use crate::state::LoadReport;
 use crate::sys;
 use std::fmt;
 use std::os::raw::c_void;

@@ -155,7 +155,7 @@ fn limited_motors() {
     let motors = ["act:left_elbow", "act:right_elbow"].map(|name| late.find(MIMO_ACTUATOR, name).unwrap());
     for expected in [[0.0, 0.5], [0.0, 0.5], [0.25, 0.5]] {
         late.step(&action, None).unwrap();
-        assert_eq!(late.get(MIMO_CONTROL, &motors).unwrap(), expected);
+        assert_eq!(late.get(MIMO_ACTUATOR_CONTROL, &motors).unwrap(), expected);
     }
     let report = plain.load(&late.save().unwrap()).unwrap();
     assert_eq!((report.fresh, report.ignored), (vec![], vec!["agent/motor delay".to_string()]));
