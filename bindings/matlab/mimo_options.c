@@ -1,34 +1,23 @@
-/* mimo_create's options, by the names that the members of mimo.h's structs have. */
+/* Options, by the names that the members of mimo.h's structs have. */
 #include "mimo_options.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText } kind;
-
-typedef struct option {
-  const char* name;
-  kind kind;
-  size_t offset;
-} option;
-
 #define OPTION(type, member, kind) \
   { #member, kind, offsetof(type, member) }
 
-static const option scene_options[] = {
-    OPTION(mimo_scene_config, max_file_bytes, kWide),
-    OPTION(mimo_scene_config, max_pixels, kWide),
-    OPTION(mimo_scene_config, max_vertices, kWide),
-    OPTION(mimo_scene_config, max_elements, kWide),
-    OPTION(mimo_scene_config, max_keyframes, kWide),
-    OPTION(mimo_scene_config, max_iterations, kWide),
-    OPTION(mimo_scene_config, max_world_bytes, kWide),
-    OPTION(mimo_scene_config, confined, kUnsigned),
-    {NULL, kText, 0},
+const option mimo_scene_options[] = {
+    OPTION(mimo_scene_config, model_dir, kText),      OPTION(mimo_scene_config, max_file_bytes, kWide),
+    OPTION(mimo_scene_config, max_pixels, kWide),     OPTION(mimo_scene_config, max_vertices, kWide),
+    OPTION(mimo_scene_config, max_elements, kWide),   OPTION(mimo_scene_config, max_keyframes, kWide),
+    OPTION(mimo_scene_config, max_iterations, kWide), OPTION(mimo_scene_config, max_world_bytes, kWide),
+    OPTION(mimo_scene_config, confined, kUnsigned),   {NULL, kText, 0},
 };
 
-static const option agent_options[] = {
+const option mimo_agent_options[] = {
+    OPTION(mimo_agent_config, name, kText),
     OPTION(mimo_agent_config, body, kText),
     OPTION(mimo_agent_config, face, kText),
     OPTION(mimo_agent_config, root, kText),
@@ -54,15 +43,21 @@ static const option agent_options[] = {
     {NULL, kText, 0},
 };
 
-static const option env_options[] = {
-    OPTION(mimo_env_config, frame_skip, kUnsigned),     OPTION(mimo_env_config, jacobian, kSigned),
-    OPTION(mimo_env_config, disable, kUnsigned),        OPTION(mimo_env_config, renderer, kText),
-    OPTION(mimo_env_config, max_steps, kUnsigned),      OPTION(mimo_env_config, task, kText),
-    OPTION(mimo_env_config, render, kUnsigned),         OPTION(mimo_env_config, samples, kUnsigned),
-    OPTION(mimo_env_config, render_threads, kUnsigned), {NULL, kText, 0},
+const option mimo_env_options[] = {
+    OPTION(mimo_env_config, frame_skip, kUnsigned),
+    OPTION(mimo_env_config, jacobian, kSigned),
+    OPTION(mimo_env_config, disable, kUnsigned),
+    OPTION(mimo_env_config, renderer, kText),
+    OPTION(mimo_env_config, max_steps, kUnsigned),
+    OPTION(mimo_env_config, task, kText),
+    OPTION(mimo_env_config, render, kUnsigned),
+    OPTION(mimo_env_config, samples, kUnsigned),
+    OPTION(mimo_env_config, render_threads, kUnsigned),
+    OPTION(mimo_env_config, timing, kUnsigned),
+    {NULL, kText, 0},
 };
 
-static const option batch_options[] = {
+const option mimo_batch_options[] = {
     OPTION(mimo_batch_config, worlds, kUnsigned),
     OPTION(mimo_batch_config, threads, kUnsigned),
     OPTION(mimo_batch_config, autoreset, kSigned),
@@ -70,7 +65,7 @@ static const option batch_options[] = {
     {NULL, kText, 0},
 };
 
-static const option object_options[] = {
+const option mimo_object_options[] = {
     OPTION(mimo_object_config, shape, kSigned),
     OPTION(mimo_object_config, name, kText),
     OPTION(mimo_object_config, size, kThree),
@@ -82,7 +77,17 @@ static const option object_options[] = {
     {NULL, kText, 0},
 };
 
-static const option camera_options[] = {
+const option mimo_model_options[] = {
+    OPTION(mimo_model_config, name, kText),
+    OPTION(mimo_model_config, file, kText),
+    OPTION(mimo_model_config, xml, kText),
+    OPTION(mimo_model_config, fixed, kUnsigned),
+    OPTION(mimo_model_config, position, kThree),
+    OPTION(mimo_model_config, orientation, kFour),
+    {NULL, kText, 0},
+};
+
+const option mimo_camera_options[] = {
     OPTION(mimo_camera_config, outputs, kUnsigned), OPTION(mimo_camera_config, name, kText),
     OPTION(mimo_camera_config, height, kUnsigned),  OPTION(mimo_camera_config, width, kUnsigned),
     OPTION(mimo_camera_config, fovy, kNumber),      OPTION(mimo_camera_config, placed, kUnsigned),
@@ -90,7 +95,7 @@ static const option camera_options[] = {
     OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
 };
 
-static const option limit_options[] = {
+const option mimo_limit_options[] = {
     OPTION(mimo_limits, delay, kNumber),
     OPTION(mimo_limits, gain, kNumber),
     OPTION(mimo_limits, noise, kNumber),
@@ -98,17 +103,78 @@ static const option limit_options[] = {
     {NULL, kText, 0},
 };
 
-static const option* find_option(const option* options, const char* name) {
-  for (; options->name != NULL; ++options)
-    if (strcmp(options->name, name) == 0) return options;
-  return NULL;
-}
+const option mimo_no_options[] = {{NULL, kText, 0}};
 
 static void refuse(const char* name, const char* expected) { mimo_refuse("%s: expected %s", name, expected); }
 
-static void read_numbers(double* to, size_t count, const char* name, const mxArray* value) {
+static properties room_for(size_t count) {
+  properties given;
+  given.count = 0;
+  given.names = mxCalloc(count + 1, sizeof *given.names); /* MATLAB frees them at the end of the call */
+  given.values = mxCalloc(count + 1, sizeof *given.values);
+  return given;
+}
+
+static void give(properties* given, const char* name, const mxArray* value) {
+  given->names[given->count] = name;
+  given->values[given->count++] = value;
+}
+
+properties mimo_pairs(int count, const mxArray* in[]) {
+  properties given = room_for((size_t)count);
+  int i;
+  mimo_need(count % 2 == 0, "expected names and values of options");
+  for (i = 0; i < count; i += 2) give(&given, mimo_text(in[i], "option"), in[i + 1]);
+  return given;
+}
+
+properties mimo_members(const mxArray* things, size_t index) {
+  const int count = mxGetNumberOfFields(things);
+  properties given = room_for((size_t)count);
+  int i;
+  for (i = 0; i < count; ++i) {
+    const mxArray* value = mxGetFieldByNumber(things, index, i);
+    if (value != NULL && !mxIsEmpty(value)) give(&given, mxGetFieldNameByNumber(things, i), value);
+  }
+  return given;
+}
+
+static size_t place_of(const properties* given, const char* name) {
+  size_t i;
+  for (i = 0; i < given->count && strcmp(given->names[i], name) != 0; ++i) continue;
+  return i;
+}
+
+int mimo_has(const properties* given, const char* name) { return place_of(given, name) < given->count; }
+
+const mxArray* mimo_take(properties* given, const char* name) {
+  const mxArray* value = NULL;
+  size_t i;
+  while ((i = place_of(given, name)) < given->count) { /* of several the last one counts */
+    value = given->values[i];
+    for (--given->count; i < given->count; ++i) {
+      given->names[i] = given->names[i + 1];
+      given->values[i] = given->values[i + 1];
+    }
+  }
+  return value;
+}
+
+const char* mimo_take_text(properties* given, const char* name) {
+  const mxArray* value = mimo_take(given, name);
+  if (value == NULL) refuse(name, "a text");
+  return mimo_text(value, name);
+}
+
+double mimo_take_number(properties* given, const char* name) {
+  const mxArray* value = mimo_take(given, name);
+  if (value == NULL) refuse(name, "a number");
+  return mimo_number(value, name);
+}
+
+void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value) {
   if (!mxIsDouble(value) || mxIsComplex(value) || mxGetNumberOfElements(value) != count)
-    refuse(name, count == 3 ? "three numbers" : "four numbers");
+    mimo_refuse("%s: expected %d numbers", name, (int)count);
   memcpy(to, mxGetPr(value), count * sizeof *to);
 }
 
@@ -126,148 +192,21 @@ static void set_option(void* config, const option* option, const mxArray* value)
     case kWide: *(uint64_t*)member = (uint64_t)whole(option->name, value, 0, 9007199254740992.0); break;
     case kSigned: *(int32_t*)member = (int32_t)whole(option->name, value, -2147483648.0, 2147483647.0); break;
     case kNumber: *(double*)member = mimo_number(value, option->name); break;
-    case kThree: read_numbers((double*)member, 3, option->name, value); break;
-    case kFour: read_numbers((double*)member, 4, option->name, value); break;
+    case kThree: mimo_read_numbers((double*)member, 3, option->name, value); break;
+    case kFour: mimo_read_numbers((double*)member, 4, option->name, value); break;
     default: *(const char**)member = mimo_text(value, option->name); break;
   }
 }
 
-/* The members of one struct of MATLAB's, which may leave out any. */
-static void set_members(void* config, const option* options, const mxArray* things, size_t index) {
-  int i;
-  for (i = 0; i < mxGetNumberOfFields(things); ++i) {
-    const char* name = mxGetFieldNameByNumber(things, i);
-    const option* found = find_option(options, name);
-    const mxArray* value = mxGetFieldByNumber(things, index, i);
-    if (strcmp(name, "path") == 0 && options == limit_options) continue;
-    if (found == NULL) refuse(name, "a member of mimo.h's struct");
-    if (value != NULL && !mxIsEmpty(value)) set_option(config, found, value);
+void mimo_set_known(void* config, const option* options, properties* given) {
+  const option* found;
+  for (found = options; found->name != NULL; ++found) {
+    const mxArray* value = mimo_take(given, found->name);
+    if (value != NULL) set_option(config, found, value);
   }
 }
 
-static void add_objects(mimo_scene* scene, const mxArray* things) {
-  mimo_object_config config;
-  size_t i;
-  if (!mxIsStruct(things)) refuse("objects", "a struct array");
-  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
-    mimo_check(mimo_object_config_init(&config, sizeof config));
-    set_members(&config, object_options, things, i);
-    mimo_check(mimo_scene_add_object(scene, &config));
-  }
-}
-
-static void add_cameras(mimo_scene* scene, const mxArray* things) {
-  mimo_camera_config config;
-  size_t i;
-  if (!mxIsStruct(things)) refuse("cameras", "a struct array");
-  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
-    const mxArray* place = mxGetField(things, i, "look_at");
-    mimo_check(mimo_camera_config_init(&config, sizeof config));
-    config.placed = place != NULL && !mxIsEmpty(place);
-    set_members(&config, camera_options, things, i);
-    mimo_check(mimo_scene_add_camera(scene, &config));
-  }
-}
-
-typedef mimo_status (*limit_call)(mimo_scene* scene, size_t agent, const char* path, const mimo_limits* limits);
-
-/* struct('path', 'touch', 'noise', 0.1), one or an array of them: of senses or of motors */
-static void limit(mimo_scene* scene, limit_call call, const char* option, const mxArray* things) {
-  mimo_limits limits;
-  size_t i;
-  if (!mxIsStruct(things) || mxGetFieldNumber(things, "path") < 0) refuse(option, "a struct array with the member path");
-  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
-    mimo_check(mimo_limits_init(&limits, sizeof limits));
-    set_members(&limits, limit_options, things, i);
-    mimo_check(call(scene, 0, mimo_text(mxGetField(things, i, "path"), "path"), &limits));
-  }
-}
-
-/* {'reach/success_reward', 5; ...} */
-static void set_parameters(mimo_scene* scene, const mxArray* pairs) {
-  const size_t count = mxGetM(pairs);
-  size_t i;
-  if (!mxIsCell(pairs) || mxGetN(pairs) != 2) refuse("parameters", "a cell array of names and values, two columns");
-  for (i = 0; i < count; ++i)
-    mimo_check(mimo_scene_set_parameter(scene, mimo_text(mxGetCell(pairs, i), "parameters"),
-                                        mimo_number(mxGetCell(pairs, count + i), "parameters")));
-}
-
-/* What the call asks for, in the order in which a scene takes it. */
-typedef struct request {
-  mimo_agent_config agent;
-  mimo_env_config env;
-  mimo_batch_config batch;
-  int is_placed; /* whether a position or orientation was given */
-  const mxArray *objects, *cameras, *limits, *motor_limits, *parameters;
-} request;
-
-static void read_option(request* all, const char* name, const mxArray* value) {
-  const option* found = find_option(agent_options, name);
-  if (find_option(scene_options, name) != NULL) return; /* it had its turn when the scene was opened */
-  if (found != NULL) {
-    set_option(&all->agent, found, value);
-    if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->is_placed = 1;
-  } else if ((found = find_option(env_options, name)) != NULL) {
-    set_option(&all->env, found, value);
-  } else if ((found = find_option(batch_options, name)) != NULL) {
-    set_option(&all->batch, found, value);
-  } else if (strcmp(name, "objects") == 0) {
-    all->objects = value;
-  } else if (strcmp(name, "cameras") == 0) {
-    all->cameras = value;
-  } else if (strcmp(name, "limits") == 0) {
-    all->limits = value;
-  } else if (strcmp(name, "motor_limits") == 0) {
-    all->motor_limits = value;
-  } else if (strcmp(name, "parameters") == 0) {
-    all->parameters = value;
-  } else {
-    mimo_refuse("no option %s; see help mimo_create", name);
-  }
-}
-
-/* "reach", or "room.xml" for a file of one's own; the names and values of options follow. */
-static mimo_scene* open_scene(const char* name, int count, const mxArray* options[]) {
-  const size_t length = strlen(name);
-  const int is_file = length > 4 && strcmp(name + length - 4, ".xml") == 0;
-  mimo_scene_config config;
-  mimo_scene* scene = NULL;
-  int i;
-  mimo_check(mimo_scene_config_init(&config, sizeof config));
-  for (i = 0; i + 1 < count; i += 2) {
-    const option* found = find_option(scene_options, mimo_text(options[i], "option"));
-    if (found != NULL) set_option(&config, found, options[i + 1]);
-  }
-  if (is_file)
-    config.file = name;
-  else
-    config.name = name;
-  mimo_check(mimo_scene_create(&config, &scene));
-  mimo_making(scene);
-  return scene;
-}
-
-mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
-  request all;
-  mimo_scene* scene;
-  mimo_batch* batch = NULL;
-  int i;
-  mimo_need(nin % 2 == 1, "expected the name of a scene, then names and values of options");
-  scene = open_scene(mimo_text(in[0], "scene"), nin - 1, in + 1);
-  memset(&all, 0, sizeof all);
-  mimo_check(mimo_scene_default_agent(scene, &all.agent, sizeof all.agent));
-  mimo_check(mimo_env_config_init(&all.env, sizeof all.env));
-  mimo_check(mimo_batch_config_init(&all.batch, sizeof all.batch));
-  for (i = 1; i < nin; i += 2) read_option(&all, mimo_text(in[i], "option"), in[i + 1]);
-  if (all.is_placed && all.agent.place == MIMO_PLACE_SCENE) all.agent.place = MIMO_PLACE_ROOT;
-  if (all.parameters != NULL) set_parameters(scene, all.parameters);
-  mimo_check(mimo_scene_add_agents(scene, &all.agent, NULL));
-  if (all.limits != NULL) limit(scene, mimo_scene_limit_sense, "limits", all.limits);
-  if (all.motor_limits != NULL) limit(scene, mimo_scene_limit_motor, "motor_limits", all.motor_limits);
-  if (all.objects != NULL) add_objects(scene, all.objects);
-  if (all.cameras != NULL) add_cameras(scene, all.cameras);
-  mimo_check(mimo_batch_create(scene, &all.env, &all.batch, &batch));
-  mimo_making(NULL);
-  return batch;
+void mimo_set_all(void* config, const option* options, properties* given, const char* of) {
+  mimo_set_known(config, options, given);
+  if (given->count > 0) mimo_refuse("no option %s of %s", given->names[0], of);
 }

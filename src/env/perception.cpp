@@ -65,7 +65,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
     }
     add(std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
   }
-  add(std::make_unique<observation::Signals>(observation::Part::kProprioception, std::move(feedback.exertion)));
+  add(std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(feedback.exertion)));
   return agent;
 }
 

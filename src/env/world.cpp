@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kFrameSkip = 2;  // where neither config nor scene say
 constexpr const char* kCustomTask = "custom";
+const std::string kNoFace;
 
 // True as long as this lives.
 class Flag {
@@ -170,7 +171,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
   ++episode_.step;
-  ++timing_.steps;
+  if (options_.timing) ++timing_.steps;
   evaluate();
   sense(block, Moment::kStep);
   report(results);
@@ -265,9 +266,8 @@ void World::set_face(std::size_t agent, const std::string& name) {
 }
 
 const std::string& World::face(std::size_t agent) const {
-  static const std::string none;
   const body::Face* face = agents_[agent].faces.shown(model());
-  return face == nullptr ? none : face->name;
+  return face == nullptr ? kNoFace : face->name;
 }
 
 // The renderer comes first: where there is none, poses stay what they are. The view comes after the poses, which move

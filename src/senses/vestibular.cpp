@@ -74,7 +74,7 @@ std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const 
           "vestibular is on, but the agent is no infant: vestibular_at has to name a site or body that carries the "
           "organ, or vestibular = 0");
   return std::make_unique<observation::Signals>(
-      observation::Part::kVestibular,
+      observation::Share::kVestibular,
       options.at.empty() ? readings(body, options) : motions(find_place(model, options.at), options));
 }
 

@@ -7,6 +7,19 @@ namespace Mimo
     [StructLayout(LayoutKind.Sequential)]
     public struct AgentConfig
     {
+        /// <summary>The library's defaults: the mitten body at the scene's place, all senses on. MimoScene.DefaultAgent gives
+        /// what a scene wants instead.</summary>
+        public static AgentConfig Default
+        {
+            get
+            {
+                Library.Require();
+                AgentConfig config;
+                MimoException.Check(Native.mimo_agent_config_init(out config, Structs.Size<AgentConfig>()));
+                return config;
+            }
+        }
+
         internal uint struct_size;
         /// <summary>Which point of it lies at position: 1 its root body, 2 its soles, 3 its lowest point; 0: the scene's own
         /// place counts instead.</summary>

@@ -28,11 +28,12 @@ internal static partial class Tests
             using (var env = new Env(scene))
             {
                 var action = Enumerable.Repeat(0.5f, env.ActionSize).ToArray();
+                var told = new double[2];
                 var ids = new[] { env.Find(Kind.Actuator, "act:left_elbow"), env.Find(Kind.Actuator, "act:right_elbow") };
                 for (var step = 0; step < 3; ++step)
                 {
                     env.Step(action);
-                    var told = env.Get(Quantity.ActuatorControl, ids);
+                    env.Get(Quantity.ActuatorControl, ids, told);
                     Near(step < 2 ? 0 : 0.25, told[0], 1e-7, "the left arm in step " + step);
                     Near(0.5, told[1], 1e-7, "the right arm");
                 }

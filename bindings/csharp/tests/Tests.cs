@@ -37,9 +37,10 @@ internal static partial class Tests
             { "mimo_scene_config", typeof(SceneConfigStruct) }, { "mimo_agent_config", typeof(AgentConfig) },
             { "mimo_object_config", typeof(ObjectConfigStruct) }, { "mimo_env_config", typeof(EnvConfigStruct) },
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
-            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) },
-            { "mimo_load_report", typeof(LoadReportStruct) }, { "mimo_senses_config", typeof(SensesConfigStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
-            { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) }
+            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
+            { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) },
+            { "mimo_load_report", typeof(LoadReportStruct) }, { "mimo_senses_config", typeof(SensesConfigStruct) },
+            { "mimo_timing", typeof(TimingStruct) }, { "mimo_parameter", typeof(ParameterStruct) }
         };
         var text = File.ReadAllText(layoutFile);
         foreach (var type in types)
@@ -64,8 +65,8 @@ internal static partial class Tests
     private static void StructsAreBlittable()
     {
         foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
-            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new LoadReportStruct(), new SensesConfigStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
-            new BatchResultsStruct() })
+            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
+            new BatchResultsStruct(), new TimingStruct(), new ParameterStruct(), new LoadReportStruct(), new SensesConfigStruct() })
             GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
     }
 
@@ -239,7 +240,11 @@ internal static partial class Tests
             RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, MotorsAreLimited, SensesRemember, InfantsArePlacedByTheirSoles,
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
-            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive
+            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
+            SentStepsAreSteps, SentActionsStay, SentStepsFailAsOthers, WhatWasSentEndsWithTheBatch, BatchesKnowTheirSize,
+            VersionsAreThoseOfTheHeader, ScenesRoomsAndTasksAreListed, ParametersAreListed, ScenesAreWritten, DefaultAgentsAreMade,
+            WorldsKnowTheirTaskAndTimeSteps, BarePhysicsStepsAreCounted, RewardsConsistOfTerms, TimingTellsWhereTimeGoes,
+            PointsLieWhereAPinholeDrawsThem, ThingsBelongToBodies
         };
         var failed = 0;
         foreach (var test in tests)

@@ -100,7 +100,7 @@ internal static partial class Tests
     {
         Func<double, double[]> feet = height =>
         {
-            using (var scene = new MimoScene("free"))
+            using (var scene = MimoScene.Builtin("free"))
             {
                 var agent = scene.DefaultAgent();
                 agent.vision = agent.touch = 0;

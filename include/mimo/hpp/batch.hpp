@@ -58,6 +58,44 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
                           blocks.bytes(), results));
   }
 
+  /// Starts a step and returns at once. Actions, blocks and what the results point to stay as they are, and where they
+  /// are, until receive(); nothing else can be asked of the batch meanwhile.
+  void send(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {
+    check(mimo_batch_send(get(), actions.empty() ? nullptr : actions.data(), actions.size(), blocks.data(),
+                          blocks.bytes(), results));
+  }
+  /// Waits for the step that was sent.
+  void receive() { check(mimo_batch_receive(get())); }
+
+  /// What became of a world in the last call that concerned it.
+  WorldError world_error(std::size_t index) const {
+    mimo_status status = MIMO_OK;
+    const char *message = nullptr;
+    check(mimo_batch_world_error(get(), index, &status, &message));
+    return WorldError{status, message};
+  }
+
+  /// The senses of the current states. Here and below a mask has one byte a world: 0 leaves that world alone; an empty
+  /// one means all.
+  void observe(Block &blocks, const std::vector<std::uint8_t> &mask = {}) {
+    check(mimo_batch_observe(get(), masked(mask), mask.size(), blocks.data(), blocks.bytes()));
+  }
+  /// A quantity of these ids in all worlds, world after world; 0 in those that the mask leaves alone.
+  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids,
+                                 const std::vector<std::uint8_t> &mask = {}) {
+    std::size_t width = 0;
+    check(mimo_env_width(world(0), quantity, ids.data(), ids.size(), &width));
+    std::vector<double> values(width * size());
+    check(mimo_batch_get(get(), quantity, ids.data(), ids.size(), masked(mask), mask.size(), values.data(),
+                         values.size()));
+    return values;
+  }
+  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values,
+                  const std::vector<std::uint8_t> &mask = {}) {
+    check(mimo_batch_set(get(), quantity, ids.data(), ids.size(), masked(mask), mask.size(), values.data(),
+                         values.size()));
+  }
+
   /// The states of all worlds, one after the other. Loading takes as many, or one for all.
   std::vector<std::uint8_t> save() {
     std::size_t bytes = 0;
@@ -78,6 +116,9 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
 
  private:
+  static const std::uint8_t *masked(const std::vector<std::uint8_t> &mask) {
+    return mask.empty() ? nullptr : mask.data();
+  }
   static mimo_batch_config sized(std::size_t worlds) {
     mimo_batch_config config = batch_config();
     config.worlds = static_cast<std::uint32_t>(worlds);

@@ -304,7 +304,7 @@ impl EnvConfig {
         use_it(&raw)
     }
 
-    /// A task by name, "none", "reach", ..., in place of the scene's.
+    /// A task by name, "none", "reach", ..., in place of the scene's; see [`tasks`](crate::tasks).
     pub fn task(&mut self, name: &str) -> Result<&mut Self> {
         self.task = Some(c_string(name)?);
         Ok(self)
@@ -325,6 +325,12 @@ impl EnvConfig {
     /// Steps after which an episode is truncated; 0: the task's own.
     pub fn max_steps(&mut self, steps: u32) -> &mut Self {
         self.raw.max_steps = steps;
+        self
+    }
+
+    /// Whether [`World::timing`](crate::World::timing) counts, which costs a few clock reads a step.
+    pub fn timing(&mut self, on: bool) -> &mut Self {
+        self.raw.timing = on.into();
         self
     }
 
