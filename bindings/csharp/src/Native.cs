@@ -51,7 +51,6 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, Size agent, byte[] joint);
-        [DllImport(File)] internal static extern int mimo_limits_init(out LimitsStruct limits, Size size);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
