@@ -108,7 +108,8 @@ TEST(BlueprintAgents, WhatTheyReadAndFeel) {
 TEST(BlueprintAgents, AreUsuallyWhatTheirSceneWants) {
   const AgentPlan standing = blueprint::usual_agent(scene::Scene(named("standup")));
   EXPECT_EQ(standing.body, "mitten");
-  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt && standing.options.vestibular.any());
+  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt &&
+              standing.options.vestibular.any());
   EXPECT_FALSE(standing.options.vision.any() || standing.options.touch.any());
   const AgentPlan catching = blueprint::usual_agent(scene::Scene(named("catch")));
   EXPECT_EQ(catching.body, "fingers");
