@@ -3,32 +3,32 @@
  * constants, errors, and that what they do not know of is as if it were not there. ./dev freeze keeps a copy together
  * with the header of its time; those never change, and go on running on the libraries that follow.
  */
-#include <math.h>
 #include <mimo/mimo.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static int failed = 0;
 
-#define CHECK(condition)                                                                          \
-  do {                                                                                            \
-    if (!(condition)) {                                                                           \
-      ++failed;                                                                                   \
-      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error()); \
-    }                                                                                             \
+#define CHECK(condition)                                                                                       \
+  do {                                                                                                         \
+    if (!(condition)) {                                                                                        \
+      ++failed;                                                                                                \
+      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error());             \
+    }                                                                                                          \
   } while (0)
 #define OK(call) CHECK((call) == MIMO_OK)
 
 static int messages = 0;
 
-static void count_message(void* user, int32_t level, const char* message) {
+static void count_message(void *user, int32_t level, const char *message) {
   CHECK(user == &messages && level >= MIMO_LOG_WARNING && message != NULL);
   ++messages;
 }
 
 static void versions(void) {
-  mimo_env* none = NULL;
+  mimo_env *none = NULL;
   CHECK(mimo_abi_version() == MIMO_ABI_VERSION);
   CHECK(strcmp(mimo_status_name(MIMO_E_NOT_FOUND), "MIMO_E_NOT_FOUND") == 0);
   CHECK(mimo_version()[0] != '\0' && mimo_mujoco_version()[0] != '\0');
@@ -38,7 +38,7 @@ static void versions(void) {
 }
 
 /* An infant with small eyes, a ball and a camera in the room "free". What follows a struct in memory stays as it is. */
-static mimo_scene* make_scene(void) {
+static mimo_scene *make_scene(void) {
   struct {
     mimo_agent_config config;
     uint64_t after;
@@ -47,9 +47,9 @@ static mimo_scene* make_scene(void) {
   mimo_object_config ball;
   mimo_camera_config wall;
   mimo_limits limits;
-  mimo_senses* senses = NULL;
+  mimo_senses *senses = NULL;
   mimo_senses_config senses_config;
-  mimo_scene* scene = NULL;
+  mimo_scene *scene = NULL;
   size_t number = 9;
   double value = 0;
   OK(mimo_scene_config_init(&room, sizeof room));
@@ -101,7 +101,7 @@ static mimo_scene* make_scene(void) {
   return scene;
 }
 
-static mimo_field field_named(const mimo_env* env, const char* name) {
+static mimo_field field_named(const mimo_env *env, const char *name) {
   mimo_field field;
   size_t count = 0, i;
   memset(&field, 0, sizeof field);
@@ -115,11 +115,11 @@ static mimo_field field_named(const mimo_env* env, const char* name) {
   exit(1);
 }
 
-static void check_fields(const mimo_env* env) {
+static void check_fields(const mimo_env *env) {
   const mimo_field eye = field_named(env, "vision/eye_left"), depth = field_named(env, "vision/eye_left_depth"),
                    joints = field_named(env, "proprioception/position"), touch = field_named(env, "touch/force"),
                    wall = field_named(env, "vision/wall");
-  const char* label = NULL;
+  const char *label = NULL;
   CHECK(eye.dtype == MIMO_U8 && eye.ndim == 3 && eye.shape[0] == 16 && eye.shape[2] == 3 && eye.bytes == 768);
   CHECK(depth.dtype == MIMO_F32 && depth.ndim == 2 && strcmp(depth.unit, "m") == 0);
   CHECK(joints.dtype == MIMO_F32 && joints.time == MIMO_AT_END && joints.offset % 64 == 0);
@@ -129,7 +129,7 @@ static void check_fields(const mimo_env* env) {
 }
 
 /* Steps, states, names. A ball falls by g h^2 n (n + 1) / 2 in n steps of h = 5 ms. */
-static void live(mimo_env* env) {
+static void live(mimo_env *env) {
   const uint64_t seed = 7;
   size_t bytes = 0, count = 0, agents = 0, state_bytes = 0, i;
   double reward = 9, seconds = 0, place[3], xyz[3];
@@ -138,7 +138,7 @@ static void live(mimo_env* env) {
   mimo_agent_info infant;
   uint8_t *block, *again, *state;
   float *action, *low;
-  mimo_env* twin = NULL;
+  mimo_env *twin = NULL;
   OK(mimo_env_observation_size(env, &bytes, NULL));
   OK(mimo_env_action_size(env, &count));
   OK(mimo_env_agent_count(env, &agents));
@@ -192,11 +192,11 @@ static void live(mimo_env* env) {
   free(block);
 }
 
-static void see(mimo_env* env) {
+static void see(mimo_env *env) {
   static uint8_t rgb[8 * 8 * 4];
   const double point[3] = {1, 0, 0.5};
   double errors[2], pixels[3];
-  const char* face = NULL;
+  const char *face = NULL;
   size_t sensors = 0, contacts = 0, terms = 9;
   mimo_gaze gaze;
   mimo_timing timing;
@@ -225,18 +225,23 @@ static void see(mimo_env* env) {
   CHECK(timing.steps == 20);
 }
 
-static mimo_status evaluate(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                            int32_t* outcome) {
-  double* steps = memory;
+static mimo_status evaluate(void *user, const mimo_env *env, const mimo_task_moment *moment,
+                            mimo_task_verdict *verdict) {
+  double *steps = moment->memory;
   (void)env;
   *steps += 1;
-  *reward = *steps + 10 * (double)world + 100 * (double)agent + *(const double*)user;
-  *outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
+  CHECK(moment->struct_size >= sizeof *moment && verdict->struct_size >= sizeof *verdict);
+  CHECK(moment->step == (uint64_t)*steps && moment->action == NULL && moment->action_count == 0);
+  CHECK(moment->block == NULL && moment->block_bytes == 0 && verdict->goes_on == 0 && verdict->truncated == 0);
+  moment->fields[1] = (float)*steps;
+  verdict->terms[0] = *steps + 10 * (double)moment->world + 100 * (double)moment->agent;
+  verdict->terms[1] = *(const double *)user;
+  verdict->outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
   return MIMO_OK;
 }
 
 /* Two worlds with a task of their own. */
-static void live_together(mimo_scene* scene) {
+static void live_together(mimo_scene *scene) {
   static double thousand = 1000;
   const uint64_t seeds[2] = {1, 2};
   double reward[2] = {0, 0};
@@ -246,8 +251,23 @@ static void live_together(mimo_scene* scene) {
   mimo_task task;
   mimo_batch_config config;
   mimo_batch_results results;
-  mimo_batch* batch = NULL;
+  mimo_batch *batch = NULL;
+  mimo_task_field goal;
+  const size_t two = 2;
+  const char *const terms[2] = {"steps", "thousand"}, *term = NULL;
+  mimo_env *world = NULL;
+  OK(mimo_task_field_init(&goal, sizeof goal));
+  CHECK(goal.ndim == 0 && goal.low < -1e308 && goal.high > 1e308);
+  goal.name = "goal";
+  goal.unit = "m";
+  goal.frame = "world";
+  goal.shape = &two;
+  goal.ndim = 1;
   OK(mimo_task_init(&task, sizeof task));
+  task.terms = terms;
+  task.term_count = 2;
+  task.fields = &goal;
+  task.field_count = 1;
   task.user = &thousand;
   task.memory_bytes = sizeof(double);
   task.evaluate = evaluate;
@@ -259,6 +279,9 @@ static void live_together(mimo_scene* scene) {
   OK(mimo_batch_create(scene, NULL, &config, &batch));
   OK(mimo_batch_size(batch, &worlds, NULL));
   CHECK(worlds == 2);
+  OK(mimo_batch_world(batch, 0, &world));
+  OK(mimo_env_reward_term_name(world, 0, 1, &term));
+  CHECK(strcmp(term, "thousand") == 0 && field_named(world, "goal").bytes == 8);
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = reward;
@@ -281,8 +304,8 @@ static void live_together(mimo_scene* scene) {
 
 int main(void) {
   mimo_env_config config;
-  mimo_scene* scene;
-  mimo_env* env = NULL;
+  mimo_scene *scene;
+  mimo_env *env = NULL;
   versions();
   scene = make_scene();
   OK(mimo_env_config_init(&config, sizeof config));

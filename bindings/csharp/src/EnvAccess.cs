@@ -179,6 +179,12 @@ namespace Mimo
             };
         }
 
+        /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
+        public void Random(double[] values)
+        {
+            MimoException.Check(Native.mimo_env_random(handle, values, (UIntPtr)values.Length));
+        }
+
         /// <summary>Whether an agent's last step was a success or a failure, also where that does not end the episode.</summary>
         public void Outcome(int agent, out bool success, out bool failure)
         {

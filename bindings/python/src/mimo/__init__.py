@@ -49,6 +49,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
+from .own_task import Moment, WorldTask
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
 from .states import LoadReport
@@ -97,6 +98,7 @@ __all__ = [
     "LoadReport",
     "Look",
     "ModelError",
+    "Moment",
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
@@ -119,6 +121,7 @@ __all__ = [
     "Vestibular",
     "Vision",
     "World",
+    "WorldTask",
     "faces",
     "library_path",
     "make",

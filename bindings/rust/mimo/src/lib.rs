@@ -60,8 +60,8 @@ pub use scene::{DocumentLimits, Scene};
 pub use senses::{Senses, SensesConfig};
 pub use state::LoadReport;
 pub use steps::{RewardTerm, Timing};
-pub use task::{Judgement, Task, Whom};
-pub use world::{Contact, Step, TouchSensor, World};
+pub use task::{Moment, Task, TaskField, Verdict};
+pub use world::{Contact, Outcome, Step, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {
