@@ -190,13 +190,15 @@ static void save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_state_save(all->batch, NULL, 0, mxGetData(out[0]), bytes * all->count));
 }
 
-/* load(number, states): a column a world, or one for all */
+/* fresh = load(number, states): a column a world, or one for all; gives names of what started fresh */
 static void load(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_load_report report;
   (void)nout;
-  (void)out;
   mimo_need(nin == 2 && mxIsUint8(in[1]), "expected a world and bytes that mimo_save gave");
-  mimo_check(
-      mimo_batch_state_load(mimo_worlds_of(in[0])->batch, NULL, 0, mxGetData(in[1]), mxGetNumberOfElements(in[1])));
+  report.struct_size = sizeof report;
+  mimo_check(mimo_batch_state_load(mimo_worlds_of(in[0])->batch, NULL, 0, mxGetData(in[1]),
+                                   mxGetNumberOfElements(in[1]), &report));
+  out[0] = mxCreateString(report.fresh_names);
 }
 
 /* name = face(number), or face(number, name): of the first agent, in all worlds */

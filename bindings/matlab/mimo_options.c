@@ -96,7 +96,7 @@ const option mimo_camera_options[] = {
 };
 
 const option mimo_limit_options[] = {
-    OPTION(mimo_limits, delay, kUnsigned),
+    OPTION(mimo_limits, delay, kNumber),
     OPTION(mimo_limits, gain, kNumber),
     OPTION(mimo_limits, noise, kNumber),
     OPTION(mimo_limits, blur, kNumber),

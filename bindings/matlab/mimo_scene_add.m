@@ -15,7 +15,9 @@ function number = mimo_scene_add(scene, what, varargin)
 %     'pose'       joint, which starts at value
 %     'skin'       spacing of the touch sensors, m (0: none), of body or else of all; agent
 %     'joint'      joint that proprioception reads, in place of all; once more for each further one; agent
-%     'limits'     path, gain, noise, delay, blur of a sense; agent
+%     'limits'     path, gain, noise, delay (s), blur of a sense; agent
+%     'motor_limits'  path, gain, noise, delay (s) of the way to a motor ('act:left_elbow'), to those of a part of the body
+%                  ('left_arm') or, with '', to all; agent
 %     'parameter'  name, value (mimo_parameters)
 %   agent is the number of one, 1 unless given. number is 0 for what has none.
 number = mimo_mex('scene_add', scene, char(what), varargin{:});

@@ -11,12 +11,12 @@
 typedef double (*adder)(mimo_scene* scene, properties* given);
 
 /* Agents are counted from 1; without a number it is the first. */
-static int32_t take_agent(properties* given) {
+static size_t take_agent(properties* given) {
   const mxArray* value = mimo_take(given, "agent");
   const double number = value == NULL ? 1 : mimo_number(value, "agent");
   if (!(number >= 1 && number <= 2147483647.0) || number != floor(number))
     mimo_refuse("agent is %g, expected a whole number from 1", number);
-  return (int32_t)number - 1;
+  return (size_t)number - 1;
 }
 
 /* A position counts where a place is said, so whoever gives one means it. */
@@ -31,7 +31,7 @@ static mimo_agent_config take_agent_config(mimo_scene* scene, properties* given)
 
 static double add_agent(mimo_scene* scene, properties* given) {
   const mimo_agent_config config = take_agent_config(scene, given);
-  int32_t agent = 0;
+  size_t agent = 0;
   mimo_set_all(NULL, mimo_no_options, given, "an agent");
   mimo_check(mimo_scene_add_agent(scene, &config, &agent));
   return (double)agent + 1;
@@ -107,7 +107,7 @@ static double add_pose(mimo_scene* scene, properties* given) {
 }
 
 static double add_skin(mimo_scene* scene, properties* given) {
-  const int32_t agent = take_agent(given);
+  const size_t agent = take_agent(given);
   const mxArray* body = mimo_take(given, "body");
   const double spacing = mimo_take_number(given, "spacing");
   mimo_set_all(NULL, mimo_no_options, given, "a skin");
@@ -116,20 +116,33 @@ static double add_skin(mimo_scene* scene, properties* given) {
 }
 
 static double add_joint(mimo_scene* scene, properties* given) {
-  const int32_t agent = take_agent(given);
+  const size_t agent = take_agent(given);
   const char* joint = mimo_take_text(given, "joint");
   mimo_set_all(NULL, mimo_no_options, given, "a joint that is read");
   mimo_check(mimo_scene_read_joint(scene, agent, joint));
   return 0;
 }
 
-static double add_limits(mimo_scene* scene, properties* given) {
-  const int32_t agent = take_agent(given);
-  const char* path = mimo_take_text(given, "path");
+static mimo_limits take_limits(properties* given) {
   mimo_limits limits;
   mimo_check(mimo_limits_init(&limits, sizeof limits));
   mimo_set_all(&limits, mimo_limit_options, given, "limits");
+  return limits;
+}
+
+static double add_limits(mimo_scene* scene, properties* given) {
+  const size_t agent = take_agent(given);
+  const char* path = mimo_take_text(given, "path");
+  const mimo_limits limits = take_limits(given);
   mimo_check(mimo_scene_limit_sense(scene, agent, path, &limits));
+  return 0;
+}
+
+static double add_motor_limits(mimo_scene* scene, properties* given) {
+  const size_t agent = take_agent(given);
+  const char* path = mimo_take_text(given, "path");
+  const mimo_limits limits = take_limits(given);
+  mimo_check(mimo_scene_limit_motor(scene, agent, path, &limits));
   return 0;
 }
 
@@ -145,10 +158,13 @@ static const struct thing {
   const char* name;
   adder add;
 } things[] = {
-    {"agent", add_agent},         {"agents", add_agents}, {"object", add_object}, {"model", add_model},
-    {"camera", add_camera},       {"room", add_room},     {"weld", add_weld},     {"lock", add_lock},
-    {"pose", add_pose},           {"skin", add_skin},     {"joint", add_joint},   {"limits", add_limits},
-    {"parameter", add_parameter},
+    {"agent", add_agent},         {"agents", add_agents},
+    {"object", add_object},       {"model", add_model},
+    {"camera", add_camera},       {"room", add_room},
+    {"weld", add_weld},           {"lock", add_lock},
+    {"pose", add_pose},           {"skin", add_skin},
+    {"joint", add_joint},         {"limits", add_limits},
+    {"parameter", add_parameter}, {"motor_limits", add_motor_limits},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */
@@ -256,6 +272,7 @@ static mimo_scene* furnished_scene(const mxArray* name, properties* given) {
   add_parameters(scene, given);
   mimo_check(mimo_scene_add_agents(scene, &agent, NULL));
   add_each(scene, given, "limits", add_limits);
+  add_each(scene, given, "motor_limits", add_motor_limits);
   add_each(scene, given, "objects", add_object);
   add_each(scene, given, "models", add_model);
   add_each(scene, given, "cameras", add_camera);

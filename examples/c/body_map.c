@@ -26,7 +26,7 @@ static mimo_env* make_world(void) {
   mimo_agent_config agent;
   mimo_scene* scene;
   mimo_env* env;
-  int32_t number;
+  size_t number;
 
   check(mimo_scene_config_init(&scene_config, sizeof scene_config));
   scene_config.name = "benchmark";

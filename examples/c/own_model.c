@@ -1,5 +1,6 @@
 /* Senses on a model of your own: this program simulates an MJCF file with MuJoCo by itself; libmimo only looks.
- * Prints what touches the model's parts, how its body accelerates, and where its joints are.
+ * Prints what touches the model's parts, and how its body accelerates; that is felt a tenth of a second late, so the
+ * senses have something to remember.
  *
  *   cc own_model.c $(pkg-config --cflags --libs mimo) -lmujoco && ./a.out robot.xml torso
  */
@@ -18,8 +19,9 @@ static void check(mimo_status status) {
 /* What is to be sensed: everything from the body `root` on, with a sensor every 3 cm of its skin. */
 static mimo_scene* describe(const char* root) {
   mimo_agent_config agent;
+  mimo_limits late;
   mimo_scene* scene;
-  int32_t number;
+  size_t number;
   check(mimo_scene_create(NULL, &scene)); /* empty: the model is our own */
   check(mimo_agent_config_init(&agent, sizeof agent));
   agent.body = "scene";
@@ -28,6 +30,9 @@ static mimo_scene* describe(const char* root) {
   agent.vision = 0;           /* MIMO_VISION_RGB would show what all cameras on it see */
   check(mimo_scene_add_agent(scene, &agent, &number));
   check(mimo_scene_set_touch(scene, number, NULL, 0.03));
+  check(mimo_limits_init(&late, sizeof late));
+  late.delay = 0.1; /* seconds */
+  check(mimo_scene_limit_sense(scene, number, "vestibular", &late));
   return scene;
 }
 
@@ -52,6 +57,7 @@ int main(int argc, char** argv) {
   mjModel* model;
   mjData* data;
   mimo_scene* scene;
+  mimo_senses_config config;
   mimo_senses* senses;
   void* block;
   const float *force, *acceleration;
@@ -70,7 +76,11 @@ int main(int argc, char** argv) {
   data = mj_makeData(model);
 
   scene = describe(argv[2]);
-  check(mimo_senses_attach(scene, NULL, model, mj_version(), sizeof(mjModel), sizeof(mjData), &senses));
+  check(mimo_senses_config_init(&config, sizeof config));
+  config.mujoco_version = mj_version();
+  config.model_size = sizeof(mjModel);
+  config.data_size = sizeof(mjData);
+  check(mimo_senses_attach(scene, model, &config, &senses));
   mimo_scene_destroy(scene);
   check(mimo_senses_observation_size(senses, &bytes, NULL));
   block = malloc(bytes);
@@ -78,8 +88,11 @@ int main(int argc, char** argv) {
   force = find(senses, block, "touch/force", &forces);
   acceleration = find(senses, block, "vestibular/acceleration", &axes);
 
+  mj_forward(model, data);
+  check(mimo_senses_reset(senses, data, NULL)); /* an episode starts: nothing was felt before this */
   for (step = 0; step < 200; ++step) {
-    mj_step(model, data); /* the simulation is ours */
+    mj_step(model, data);                     /* the simulation is ours */
+    check(mimo_senses_advance(senses, data)); /* once a step: what is late takes this in */
     if (step % 20 != 19) continue;
     check(mimo_senses_observe(senses, data, block, bytes)); /* and stays as it is */
     {

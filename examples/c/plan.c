@@ -61,7 +61,7 @@ int main(void) {
         nearest = distance(env, hand_and_ball);
         best = action;
       }
-      check(mimo_env_state_load(env, present, bytes)); /* as if nothing had happened, to the last bit */
+      check(mimo_env_state_load(env, present, bytes, NULL)); /* as if nothing had happened, to the last bit */
     }
     act(env, best, count, AHEAD);
     reached = distance(env, hand_and_ball);

@@ -155,7 +155,7 @@ MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agen
  * composite, and for global coordinates.
  */
 MIMO_API mimo_status mimo_scene_add_agent(mimo_scene *scene, const mimo_agent_config *config,
-                                          int32_t *agent) MIMO_NOEXCEPT;
+                                          size_t *agent) MIMO_NOEXCEPT;
 
 /**
  * Adds all infants that the scene names (its MJCF's custom text "mimo:infants", "anna ben"), each at a place of its
@@ -176,7 +176,7 @@ MIMO_API mimo_status mimo_scene_add_agents(mimo_scene *scene, const mimo_agent_c
  * Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the
  *         scene does not know (an agent with a root), it comes when an environment is made or senses are attached.
  */
-MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, int32_t agent, const char *body,
+MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, size_t agent, const char *body,
                                           double spacing) MIMO_NOEXCEPT;
 
 /**
@@ -186,40 +186,59 @@ MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, int32_t agent, cons
  * Errors: MIMO_E_INVALID_ARGUMENT for a joint that is read already. A joint that the agent does not have is
  *         MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has.
  */
-MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, int32_t agent, const char *joint) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, size_t agent, const char *joint) MIMO_NOEXCEPT;
 
-/** How much less an agent senses than there is to be sensed. What is not limited costs nothing. */
+/** How much less an agent senses than there is to be sensed, or does than it wants. What is not limited costs nothing. */
 typedef struct mimo_limits {
   uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
-  uint32_t delay;       /**< Steps by which what is sensed comes late, up to 1000; before that, what the episode began
-                             with. Default 0. */
+  uint32_t reserved;    /**< 0. */
+  double delay;         /**< Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000 of them.
+                             Default 0. */
   double gain;          /**< Factor of all values, 0 to 3.4e38 (the largest float). Default 1. */
-  double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit
-                             (colours: levels of 255). Default 0. */
-  double blur;          /**< Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0
+  double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's
+                             or action's unit (colours: levels of 255). Default 0. */
+  double blur;          /**< Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half their contrast; 0
                              (default): sharp. 0.05 to 1000. */
 } mimo_limits;
 
 /**
- * Fills limits with those of a perfect sense.
+ * Fills limits with those of a perfect sense or motor.
  * @param size sizeof(mimo_limits) as the caller knows it.
  */
 MIMO_API mimo_status mimo_limits_init(mimo_limits *limits, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then
- * comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field, and to the largest
- * float where there are none. The noise follows from
- * the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of
- * the world's state, and no episode senses anything of the one before.
+ * Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the
+ * picture is blurred, then comes the gain, then the noise, then the delay; before the delay is over, what the episode
+ * began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are none.
+ * The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any number
+ * of looks at a step. What is late is part of the world's state, and no episode senses anything of the one before.
  * @param path   a field without its agent's name, "vision/eye_left", or all fields below a path, "touch". Where several
  *               calls concern a field, the last one counts. Gain and noise of "vision" do not concern depth and
  *               segmentation, unless these are named.
  * @param limits NULL: a perfect sense.
- * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there
- *         are. Attached senses cannot be limited.
+ * Errors: MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach for a path that leads to no field, with a list
+ *         of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps.
  */
-MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, int32_t agent, const char *path,
+MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, size_t agent, const char *path,
+                                            const mimo_limits *limits) MIMO_NOEXCEPT;
+
+/**
+ * Limits the way of an agent's actions to its motors, for environments made from now on. Actions are clipped to their
+ * bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first ones arrive,
+ * motors are as the episode began. Noise is new in each step with actions and follows from the world's seed, the step
+ * and the action's name. What is on its way is part of the world's state, and no episode gets anything of the one
+ * before. A task sees the controls that arrive.
+ * @param path   a motor by its name, "act:left_elbow", or one of its muscles, "act:left_elbow/negative"; a part of the
+ *               body, as MIMO_ACT_ names it: "trunk", "head", "eyes", "right_arm", "left_arm", "right_hand", "left_hand",
+ *               "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls concern an action,
+ *               the last one counts.
+ * @param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0.
+ * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent
+ *         has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of
+ *         motors with MIMO_E_UNSUPPORTED: the host commands them.
+ */
+MIMO_API mimo_status mimo_scene_limit_motor(mimo_scene *scene, size_t agent, const char *path,
                                             const mimo_limits *limits) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus

@@ -12,7 +12,7 @@
 #ifndef MIMO_BATCH_H
 #define MIMO_BATCH_H
 
-#include "env.h"
+#include "state.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -164,11 +164,12 @@ MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mas
                                            size_t state_bytes) MIMO_NOEXCEPT;
 
 /**
- * Loads states into many worlds, from this batch or from a single environment of the same scene.
- * @param states worlds x mimo_env_state_size bytes; or just one state, which all worlds load: futures of one present.
+ * Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load.
+ * @param states one state a world, all of the same size; or just one, which all worlds load: futures of one present.
+ * @param report receives what started fresh in the world where that was most; may be NULL.
  */
 MIMO_API mimo_status mimo_batch_state_load(mimo_batch *batch, const uint8_t *mask, size_t worlds, const void *states,
-                                           size_t state_bytes) MIMO_NOEXCEPT;
+                                           size_t state_bytes, mimo_load_report *report) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

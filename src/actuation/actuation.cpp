@@ -1,6 +1,7 @@
 #include "actuation/actuation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "actuation/muscle.h"
 #include "actuation/position.h"
@@ -18,6 +19,7 @@ void Actuation::add(std::string name, double low, double high) {
 
 void Actuation::apply(Span<const float> actions, engine::Physics& physics) {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    if (std::isnan(actions[i])) continue;
     double value = static_cast<double>(std::clamp(actions[i], low_[i], high_[i]));
     if (normalize_) value = ranges_[i].low + (value + 1) / 2 * (ranges_[i].high - ranges_[i].low);
     command(i, value, physics);

@@ -39,7 +39,7 @@ class Actuation {
   virtual bool holds(int) const { return false; }
   // The world has been reset to its start.
   virtual void reset(engine::Physics&) {}
-  // Sets the commands for the coming step; actions are finite.
+  // Sets the commands for the coming step; actions are finite, or NaN for a command that stays as it is.
   void apply(Span<const float> actions, engine::Physics& physics);
   // Before each physics step, for what goes on by itself.
   virtual void advance(engine::Physics&) {}

@@ -22,6 +22,7 @@ Batch::Batch(const env::Kit& kit, const Options& options, HostOf host_of)
     : options_(options),
       studio_(kit, thread_count(options), this),
       reports_(options.worlds),
+      loaded_(options.worlds),
       pool_(thread_count(options)) {
   if (env::draws(kit.agents, kit.options)) studio_.furnish();
   mailboxes_.reserve(options.worlds);
@@ -130,12 +131,15 @@ void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
   });
 }
 
-void Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> states) {
-  const std::size_t one = world(0).state_bytes();
-  require(states.size() == one || states.size() == one * size(), "state_bytes is {}, expected {} or {}", states.size(),
-          one, one * size());
+env::LoadReport Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> states) {
+  const std::size_t one = env::state_length(states);
+  require(states.size() == one || (states.size() % size() == 0 && states.size() / size() == one),
+          "state_bytes is {}, expected {} or {} times that", states.size(), one, size());
   const std::size_t stride = states.size() == one ? 0 : one;
-  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->load({states.data() + i * stride, one}); });
+  std::fill(loaded_.begin(), loaded_.end(), env::LoadReport{});
+  perform(mask, [&](std::size_t i, Report&) { loaded_[i] = worlds_[i]->load({states.data() + i * stride, one}); });
+  const auto fewer = [](const env::LoadReport& a, const env::LoadReport& b) { return a.fresh < b.fresh; };
+  return std::move(*std::max_element(loaded_.begin(), loaded_.end(), fewer));
 }
 
 void Batch::begin(const Operation& operation) {

@@ -58,9 +58,10 @@ class Batch : private Job {
 
   void set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask);
 
-  // One state behind the other. A single one is loaded by all worlds.
+  // One state behind the other, all of one size. A single one is loaded by all worlds.
   void save(const std::uint8_t* mask, std::uint8_t* states);
-  void load(const std::uint8_t* mask, Span<const std::uint8_t> states);
+  // Tells of the world where most started afresh.
+  env::LoadReport load(const std::uint8_t* mask, Span<const std::uint8_t> states);
 
  private:
   // What is done to a world; what it does not settle itself, the report tells afterwards.
@@ -87,6 +88,7 @@ class Batch : private Job {
   std::vector<Mailbox> mailboxes_;
   std::vector<std::unique_ptr<env::World>> worlds_;
   std::vector<Report> reports_;
+  std::vector<env::LoadReport> loaded_;  // by the worlds, in the last load
   Pool pool_;
   Operation operation_;
   std::optional<Step> sent_;

@@ -54,10 +54,10 @@ AgentPlan usual_agent(const scene::Scene& scene) {
   return plan;
 }
 
-env::AgentOptions& Agents::at(std::int32_t agent) {
+env::AgentOptions& Agents::at(std::size_t agent) {
   const std::size_t count = agents_.size();
-  require(agent >= 0 && static_cast<std::size_t>(agent) < count, "agent is {}, but there are {} agents", agent, count);
-  return agents_[static_cast<std::size_t>(agent)];
+  require(agent < count, "agent is {}, but there are {} agents", agent, count);
+  return agents_[agent];
 }
 
 void Agents::require_name(const std::string& name) const {
@@ -91,17 +91,27 @@ std::size_t Agents::add_all(const AgentPlan& plan, scene::Scene& scene) {
   return names.size();
 }
 
-void Agents::read_joint(std::int32_t agent, const std::string& joint) {
+void Agents::read_joint(std::size_t agent, const std::string& joint) {
   std::vector<std::string>& joints = at(agent).joints;
   require(std::find(joints.begin(), joints.end(), joint) == joints.end(), "joint \"{}\" is read already", joint);
   joints.push_back(joint);
 }
 
-void Agents::limit_sense(std::int32_t agent, const std::string& path, const observation::Limits& limits) {
+void Agents::limit_sense(std::size_t agent, const std::string& path, const observation::Limits& limits) {
   at(agent).limits.push_back({path, limits});
 }
 
-void Agents::set_touch(std::int32_t agent, const std::string& body, double spacing, const scene::Scene& scene) {
+void Agents::limit_motor(std::size_t agent, const std::string& path, const observation::Limits& limits) {
+  require(limits.blur == 0, "blur is {}, but motors have no pictures", limits.blur);
+  const unsigned group = scene::group_named(path);
+  const auto concern = [path, group](const std::string& action) {
+    const bool muscle = action.compare(0, path.size() + 1, path + "/") == 0;  // one of a motor's two
+    return path.empty() || path == action || muscle || (group != 0 && scene::group_of(action) == group);
+  };
+  at(agent).motors.push_back({path, concern, limits});
+}
+
+void Agents::set_touch(std::size_t agent, const std::string& body, double spacing, const scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
   const std::vector<std::string> names = scene.body_names(options.prefix());
   const bool known = options.root.empty() && !names.empty();  // else only the compiled model tells
@@ -111,7 +121,7 @@ void Agents::set_touch(std::int32_t agent, const std::string& body, double spaci
   options.touch.spacing[body] = spacing;
 }
 
-void Agents::set_touch(std::int32_t agent, double spacing) {
+void Agents::set_touch(std::size_t agent, double spacing) {
   senses::TouchOptions& touch = at(agent).touch;
   touch.spacing.clear();
   touch.everywhere = spacing;

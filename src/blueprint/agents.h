@@ -1,7 +1,6 @@
 // Agents, and what goes together: their names, bodies, roots, places and motors.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,14 +33,16 @@ class Agents {
 
   // These throw for a number that is none of an agent.
   // What its proprioception reads: by their names in the model, instead of all joints.
-  void read_joint(std::int32_t agent, const std::string& joint);
-  void limit_sense(std::int32_t agent, const std::string& path, const observation::Limits& limits);
+  void read_joint(std::size_t agent, const std::string& joint);
+  void limit_sense(std::size_t agent, const std::string& path, const observation::Limits& limits);
+  // The paths to motors: one by its name, a part of the body, "left_arm", or "" for all.
+  void limit_motor(std::size_t agent, const std::string& path, const observation::Limits& limits);
   // How dense its skin is on a body of its own, or everywhere.
-  void set_touch(std::int32_t agent, const std::string& body, double spacing, const scene::Scene& scene);
-  void set_touch(std::int32_t agent, double spacing);
+  void set_touch(std::size_t agent, const std::string& body, double spacing, const scene::Scene& scene);
+  void set_touch(std::size_t agent, double spacing);
 
  private:
-  env::AgentOptions& at(std::int32_t agent);
+  env::AgentOptions& at(std::size_t agent);
   void require_name(const std::string& name) const;
 
   std::vector<env::AgentOptions> agents_;

@@ -192,13 +192,13 @@ mimo_status mimo_scene_default_agent(const mimo_scene* scene, mimo_agent_config*
       scene, [&] { write_struct(config, size, default_agent_config(open(scene).blueprint.draft().scene), "config"); });
 }
 
-mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* config, int32_t* agent) noexcept {
+mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* config, size_t* agent) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const mimo_agent_config defaults = default_agent_config(blueprint.draft().scene);
     const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
     const std::size_t number = blueprint.edit([&](blueprint::Draft& draft) { return draft.add_agent(plan); });
-    if (agent != nullptr) *agent = static_cast<int32_t>(number);
+    if (agent != nullptr) *agent = number;
   });
 }
 
@@ -212,7 +212,7 @@ mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* co
   });
 }
 
-mimo_status mimo_scene_set_touch(mimo_scene* scene, int32_t agent, const char* body, double spacing) noexcept {
+mimo_status mimo_scene_set_touch(mimo_scene* scene, size_t agent, const char* body, double spacing) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
@@ -224,7 +224,7 @@ mimo_status mimo_scene_set_touch(mimo_scene* scene, int32_t agent, const char* b
   });
 }
 
-mimo_status mimo_scene_read_joint(mimo_scene* scene, int32_t agent, const char* joint) noexcept {
+mimo_status mimo_scene_read_joint(mimo_scene* scene, size_t agent, const char* joint) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string name = text(joint);

@@ -197,12 +197,14 @@ mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t
 }
 
 mimo_status mimo_batch_state_load(mimo_batch* batch, const uint8_t* mask, size_t worlds, const void* states,
-                                  size_t state_bytes) noexcept {
+                                  size_t state_bytes, mimo_load_report* report) noexcept {
   return guard(batch, [&] {
-    batch::Batch& inner = open(batch).batch;
+    BatchObject& object = open(batch);
+    batch::Batch& inner = object.batch;
     check_per_world(inner, worlds, mask != nullptr);
     require(states != nullptr, "states is NULL");
-    inner.load(mask, {static_cast<const std::uint8_t*>(states), state_bytes});
+    const Span<const std::uint8_t> bytes(static_cast<const std::uint8_t*>(states), state_bytes);
+    load_and_report(report, object.loaded, [&] { return inner.load(mask, bytes); });
   });
 }
 

@@ -1,7 +1,7 @@
 // Sizes of structs in the first version of this ABI, written by ./dev freeze. They are those of 64-bit machines.
 MIMO_FIRST_SIZE(mimo_scene_config, 120);
 MIMO_FIRST_SIZE(mimo_agent_config, 184);
-MIMO_FIRST_SIZE(mimo_limits, 32);
+MIMO_FIRST_SIZE(mimo_limits, 40);
 MIMO_FIRST_SIZE(mimo_object_config, 144);
 MIMO_FIRST_SIZE(mimo_model_config, 88);
 MIMO_FIRST_SIZE(mimo_camera_config, 96);
@@ -16,3 +16,5 @@ MIMO_FIRST_SIZE(mimo_batch_config, 24);
 MIMO_FIRST_SIZE(mimo_batch_results, 88);
 MIMO_FIRST_SIZE(mimo_task_field, 56);
 MIMO_FIRST_SIZE(mimo_task, 72);
+MIMO_FIRST_SIZE(mimo_load_report, 40);
+MIMO_FIRST_SIZE(mimo_senses_config, 72);

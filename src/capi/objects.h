@@ -8,6 +8,7 @@
 #include "batch/batch.h"
 #include "blueprint/blueprint.h"
 #include "capi/handle.h"
+#include "capi/report.h"
 #include "env/attached.h"
 #include "env/world.h"
 #include "mimo/mimo.h"
@@ -32,6 +33,7 @@ struct EnvObject {
   env::World& world;
   const batch::Batch* batch = nullptr;
   std::size_t number = 0;
+  env::LoadReport loaded;
 
  private:
   env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
@@ -63,10 +65,14 @@ struct BatchObject {
   blueprint::KitPtr kit;
   Views views;  // before the batch, which waits for its work when it goes: tasks may be at work with them until then
   batch::Batch batch;
+  env::LoadReport loaded;
 };
 
 struct SensesObject {
+  SensesObject(const env::Kit& kit, double step) : attached(kit, step) {}
+
   env::Attached attached;
+  env::LoadReport loaded;
 };
 
 // Whether a handle may be used by this thread now.

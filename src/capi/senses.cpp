@@ -1,4 +1,6 @@
 // Senses on a host's own simulation.
+#include <cmath>
+
 #include "capi/check.h"
 #include "capi/env.h"
 #include "capi/fields.h"
@@ -7,22 +9,55 @@
 #include "capi/structs.h"
 #include "engine/host_model.h"
 
+namespace mimo::capi {
+namespace {
+
+mimo_senses_config default_senses_config() {
+  const mimo_env_config worlds = default_env_config();
+  mimo_senses_config config{};
+  config.struct_size = sizeof config;
+  config.renderer = worlds.renderer;
+  config.render = worlds.render;
+  config.render_threads = worlds.render_threads;
+  return config;
+}
+
+// Pictures are drawn as those of worlds.
+env::EnvOptions picture_options(const mimo_senses_config& config) {
+  mimo_env_config worlds = default_env_config();
+  worlds.renderer = config.renderer;
+  worlds.render = config.render;
+  worlds.samples = config.samples;
+  worlds.render_threads = config.render_threads;
+  return env_options(worlds);
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
 using namespace mimo;
 using namespace mimo::capi;
 
 extern "C" {
 
-mimo_status mimo_senses_attach(const mimo_scene* scene, const mimo_env_config* config, const void* model,
-                               int32_t mujoco_version, size_t model_size, size_t data_size,
+mimo_status mimo_senses_config_init(mimo_senses_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_senses_config(), "config"); });
+}
+
+mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const mimo_senses_config* config,
                                mimo_senses** senses) noexcept {
   return guard(scene, [&] {
     mimo_senses*& result = out(senses, "senses");
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
-    const mimo_env_config ours = read_struct(config, default_env_config(), "config");
-    const env::EnvOptions options = env_options(ours);
-    engine::ModelPtr theirs = engine::adopt({model, mujoco_version, model_size, data_size});
-    const env::Kit kit = blueprint.around(std::move(theirs), options, log_of(ours));
-    result = wrap<mimo_senses>(std::make_unique<SensesObject>(SensesObject{env::Attached(kit)}));
+    require(config != nullptr, "config is NULL, expected one that says the host's mujoco_version");
+    const mimo_senses_config ours = read_struct(config, default_senses_config(), "config");
+    check_reserved(ours.reserved, "reserved");
+    require(ours.step >= 0 && std::isfinite(ours.step), "step is {}, expected seconds above 0, or 0 for the model's",
+            ours.step);
+    const env::EnvOptions options = picture_options(ours);
+    engine::ModelPtr theirs = engine::adopt({model, ours.mujoco_version, ours.model_size, ours.data_size});
+    const env::Kit kit = blueprint.around(std::move(theirs), options, LogSink{ours.log, ours.log_user});
+    result = wrap<mimo_senses>(std::make_unique<SensesObject>(kit, ours.step));
   });
 }
 
@@ -56,6 +91,44 @@ mimo_status mimo_senses_observe(mimo_senses* senses, const void* data, void* blo
     const mjData& theirs = engine::adopt_data(attached.model(), data);
     require(block != nullptr, "block is NULL");
     attached.observe(theirs, block_of(attached.layout(), block, block_bytes));
+  });
+}
+
+mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const uint64_t* seed) noexcept {
+  return guard(senses, [&] {
+    env::Attached& attached = open(senses).attached;
+    attached.reset(engine::adopt_data(attached.model(), data), seed);
+  });
+}
+
+mimo_status mimo_senses_advance(mimo_senses* senses, const void* data) noexcept {
+  return guard(senses, [&] {
+    env::Attached& attached = open(senses).attached;
+    attached.advance(engine::adopt_data(attached.model(), data));
+  });
+}
+
+mimo_status mimo_senses_state_size(const mimo_senses* senses, size_t* bytes) noexcept {
+  return guard(senses, [&] { out(bytes, "bytes") = open(senses).attached.state_bytes(); });
+}
+
+mimo_status mimo_senses_state_save(const mimo_senses* senses, void* state, size_t state_bytes) noexcept {
+  return guard(senses, [&] {
+    const env::Attached& attached = open(senses).attached;
+    auto* start = static_cast<std::uint8_t*>(state);
+    require(start != nullptr, "state is NULL");
+    check_buffer(start, state_bytes, attached.state_bytes(), "state");
+    attached.save({start, attached.state_bytes()});
+  });
+}
+
+mimo_status mimo_senses_state_load(mimo_senses* senses, const void* state, size_t state_bytes,
+                                   mimo_load_report* report) noexcept {
+  return guard(senses, [&] {
+    SensesObject& object = open(senses);
+    const auto* start = static_cast<const std::uint8_t*>(state);
+    require(start != nullptr, "state is NULL");
+    load_and_report(report, object.loaded, [&] { return object.attached.load({start, state_bytes}); });
   });
 }
 

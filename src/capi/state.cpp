@@ -22,12 +22,13 @@ mimo_status mimo_env_state_save(const mimo_env* env, void* state, size_t state_b
   });
 }
 
-mimo_status mimo_env_state_load(mimo_env* env, const void* state, size_t state_bytes) noexcept {
+mimo_status mimo_env_state_load(mimo_env* env, const void* state, size_t state_bytes,
+                                mimo_load_report* report) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
+    EnvObject& object = open(env);
     const auto* start = static_cast<const std::uint8_t*>(state);
     require(start != nullptr, "state is NULL");
-    world.load({start, state_bytes});
+    load_and_report(report, object.loaded, [&] { return object.world.load({start, state_bytes}); });
   });
 }
 

@@ -40,6 +40,15 @@ void add_options(Hash& hash, const mjOption& opt) {
 
 }  // namespace
 
+std::uint64_t shape(const mjModel& model) {
+  Hash hash;
+#define X(name) hash.add(static_cast<std::uint64_t>(model.name));
+  MJMODEL_INTS
+#undef X
+  hash.add({reinterpret_cast<const std::uint8_t*>(model.names), static_cast<std::size_t>(model.nnames)});
+  return hash.value();
+}
+
 std::uint64_t fingerprint(const mjModel& model) {
   Hash hash;
 #define X(name) hash.add(static_cast<std::uint64_t>(model.name));

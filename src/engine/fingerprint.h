@@ -13,4 +13,7 @@ namespace mimo::engine {
 // Textures do not count: they change pictures only, and they are 99 of 100 bytes.
 std::uint64_t fingerprint(const mjModel& model);
 
+// A hash of its sizes and names: the same for models whose numbers differ.
+std::uint64_t shape(const mjModel& model);
+
 }  // namespace mimo::engine

@@ -75,12 +75,16 @@ class Physics {
   // Throws Status::kSimulation when the world has failed and has not been reset.
   void require_usable() const;
 
-  // The numbers from which the trajectory continues to the bit: state, controls, applied forces, the solver's start,
-  // and how this world differs from the shared model.
+  // The numbers from which the trajectory continues to the bit: how this world differs from the shared model; and
+  // state, controls, applied forces, the solver's start. Checks throw Status::kInvalidArgument for what save never
+  // writes, with nothing changed; a load comes after its check. After both loads poses and body velocities are those of
+  // the new state; contacts, sensors and accelerations are empty until the next step or forward(). Makes a failed world
+  // usable again.
+  void save_overrides(ByteWriter& to) const { Overrides::save(model_, to); }
+  void check_overrides(ByteReader& from) const { Overrides::check(model_, from); }
+  void load_overrides(ByteReader& from) { overrides_.load(model_, from); }
   void save(ByteWriter& to) const;
-  // Throws Status::kInvalidArgument, with nothing changed, for numbers that are not finite. Afterwards poses and body
-  // velocities are those of the new state; contacts, sensors and accelerations are empty until the next step or
-  // forward(). Makes a failed world usable again.
+  void check(ByteReader& from) const;
   void load(ByteReader& from);
 
   // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.

@@ -31,22 +31,21 @@ void clear(mjtNum* numbers, int count) { std::fill_n(numbers, count, 0.0); }
 }  // namespace
 
 void Physics::save(ByteWriter& to) const {
-  Overrides::save(model_, to);
   visit_state(model_, *data_, [&to](const char*, const mjtNum* numbers, int count) {
     to.put(Span<const double>(numbers, static_cast<std::size_t>(count)));
   });
 }
 
-void Physics::load(ByteReader& from) {
-  ByteReader check = from;
-  Overrides::check(model_, check);
-  visit_state(model_, *data_, [&check](const char* name, const mjtNum*, int count) {
-    for (int i = 0; i < count; ++i) check.take_finite(name);
+void Physics::check(ByteReader& from) const {
+  visit_state(model_, *data_, [&from](const char* name, const mjtNum*, int count) {
+    for (int i = 0; i < count; ++i) from.take_finite(name);
   });
+}
+
+void Physics::load(ByteReader& from) {
   // A step that broke off in the middle leaves its marks everywhere.
   if (failed_) run([this] { mj_resetData(&model_, data_.get()); });
   failed_ = false;
-  overrides_.load(model_, from);
   visit_state(model_, *data_, [&from](const char*, mjtNum* numbers, int count) {
     from.take(Span<double>(numbers, static_cast<std::size_t>(count)));
   });

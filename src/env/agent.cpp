@@ -28,7 +28,8 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
                  std::size_t number, render::Renderer* renderer, SkinPtr skin) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
-  Agent agent{perceive(model, options, renderer, std::move(skin)), options.name, {}, nullptr};
+  Agent agent{perceive(model, options, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr};
+  agent.mode = options.actuation.mode;
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);

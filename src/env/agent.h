@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "actuation/motor_path.h"
 #include "body/faces.h"
 #include "env/kit.h"
 #include "env/perception.h"
@@ -15,6 +16,8 @@ namespace mimo::env {
 struct Agent : Perception {
   std::string name;
   body::Faces faces;
+  actuation::Mode mode = actuation::Mode::kTorque;
+  std::unique_ptr<actuation::MotorPath> path;  // of its actions to its motors; null: nothing limits it
   std::unique_ptr<tasks::Task> task;
   std::size_t action_offset = 0;
   double mass = 0;

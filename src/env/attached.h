@@ -1,9 +1,12 @@
-// Senses of somebody else's simulation: they look at its data and change nothing.
+// Senses of somebody else's simulation: they look at its data and change nothing of it. What they remember is theirs.
 #pragma once
 
 #include <vector>
 
+#include "env/episode.h"
 #include "env/perception.h"
+#include "env/state.h"
+#include "observation/limited_senses.h"
 #include "observation/observer.h"
 #include "render/renderer.h"
 
@@ -11,21 +14,43 @@ namespace mimo::env {
 
 class Attached {
  public:
-  // The model outlives this object. Of the options only those of pictures count.
-  explicit Attached(const Kit& kit);
+  // The model outlives this object. Of the options only those of pictures count. `step` is what the host calls a step,
+  // in seconds; 0: a time step of the model.
+  Attached(const Kit& kit, double step);
+  Attached(const Attached&) = delete;
+  Attached& operator=(const Attached&) = delete;
 
   const mjModel& model() const { return *model_; }
   const observation::Layout& layout() const { return observer_.layout(); }
   const std::vector<Perception>& agents() const { return agents_; }
 
-  // What is sensed in data of the model, as they are: of the last step that their owner made.
-  void observe(const mjData& data, std::uint8_t* block) const { observer_.observe(*model_, data, block, nullptr); }
+  // Data are of the model, as they are: of the last step that their owner made.
+  // An episode starts with them. A null seed goes on from the last one.
+  void reset(const mjData& data, const std::uint64_t* seed);
+  // One step later: what is remembered takes them in.
+  void advance(const mjData& data);
+  // What is sensed, with what is remembered, which stays as it is.
+  void observe(const mjData& data, std::uint8_t* block);
+
+  // What is remembered.
+  std::size_t state_bytes() const { return archive_.bytes(); }
+  void save(Span<std::uint8_t> state) const { archive_.save(state); }
+  LoadReport load(Span<const std::uint8_t> state) { return archive_.load(state); }
 
  private:
+  void add_agent(const AgentOptions& options);
+  // What is sensed now, in room of our own; null where nobody remembers it.
+  std::uint8_t* sensed(const mjData& data);
+  std::vector<Section> sections();
+
   engine::ModelPtr model_;
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Perception> agents_;
   observation::Observer observer_;
+  observation::LimitedSenses limits_;
+  Random random_;
+  Episode episode_;
+  Archive archive_;
 };
 
 }  // namespace mimo::env

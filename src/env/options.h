@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actuation/actuation.h"
+#include "actuation/motor_path.h"
 #include "engine/physics.h"
 #include "observation/limited_senses.h"
 #include "render/renderer.h"
@@ -29,6 +29,7 @@ struct AgentOptions {
   senses::TouchOptions touch;
   std::string face;                             // that it shows at first; "": the model's own
   std::vector<observation::PathLimits> limits;  // of its senses
+  std::vector<actuation::MotorLimits> motors;   // and of the paths to its motors
 
   // Prefix of its fields, and of an infant's names in the model.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }

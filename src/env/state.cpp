@@ -1,16 +1,18 @@
 #include "env/state.h"
 
+#include <algorithm>
+#include <cstring>
+
 #include "base/fail.h"
 #include "base/hash.h"
-#include "engine/fingerprint.h"
-#include "env/world.h"
 
 namespace mimo::env {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x54415453'4f4d494d;  // "MIMOSTAT" where bytes lie as on x86-64
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kVersion = 2;                  // of the header and of what follows it; 1 was before 1.0
 constexpr std::size_t kChecksumAt = kStateHeaderBytes - sizeof(std::uint64_t);
+constexpr std::uint32_t kEssential = 1;
 
 // Of everything but itself.
 std::uint64_t checksum(Span<const std::uint8_t> state) {
@@ -20,106 +22,193 @@ std::uint64_t checksum(Span<const std::uint8_t> state) {
   return hash.value();
 }
 
+struct Header {
+  std::uint64_t bytes, model, sections, checksum;
+};
+
+Header read_header(Span<const std::uint8_t> state) {
+  require(state.size() >= kStateHeaderBytes, "state: {} bytes are too few for a state", state.size());
+  ByteReader from(state);
+  require(from.take<std::uint64_t>() == kMagic, "state: these bytes are no state of a world");
+  const auto version = from.take<std::uint64_t>();
+  require(version == kVersion, "state: its version is {}, expected {}", version, kVersion);
+  Header header{};
+  header.bytes = from.take<std::uint64_t>();
+  header.model = from.take<std::uint64_t>();
+  header.sections = from.take<std::uint64_t>();
+  header.checksum = from.take<std::uint64_t>();
+  return header;
+}
+
+// A section as it lies in a state.
+struct Stored {
+  std::string_view name;
+  std::uint32_t version = 0;
+  std::uint32_t flags = 0;
+  std::uint64_t kind = 0;
+  Span<const std::uint8_t> bytes;
+};
+
+Stored read_section(ByteReader& from) {
+  Stored section;
+  const auto name_bytes = from.take<std::uint32_t>();
+  section.version = from.take<std::uint32_t>();
+  section.flags = from.take<std::uint32_t>();
+  section.kind = from.take<std::uint64_t>();
+  const auto bytes = from.take<std::uint64_t>();
+  const Span<const std::uint8_t> name = from.skip(name_bytes);
+  section.name = {reinterpret_cast<const char*>(name.data()), name.size()};
+  section.bytes = from.skip(bytes);
+  return section;
+}
+
+void write_section(const Section& section, std::uint64_t bytes, ByteWriter& to) {
+  to.put(static_cast<std::uint32_t>(section.name.size()));
+  to.put(section.version);
+  to.put(section.essential ? kEssential : std::uint32_t{0});
+  to.put(section.kind);
+  to.put(bytes);
+  to.put(Span<const char>(section.name.data(), section.name.size()));
+  section.save(to);
+}
+
+std::uint64_t size_of(const Section& section) {
+  ByteWriter counter;
+  section.save(counter);
+  return counter.size();
+}
+
+// Everything behind the header, which is whole.
+Span<const std::uint8_t> open_state(std::uint64_t model, Span<const std::uint8_t> state) {
+  const Header header = read_header(state);
+  require(header.model == model, "state: it was saved from another model");
+  require(state.size() == header.bytes, "state: it has {} bytes, expected {}", state.size(), header.bytes);
+  require(header.checksum == checksum(state), "state: it is damaged, its checksum is wrong");
+  const Span<const std::uint8_t> body = state.part(kStateHeaderBytes, state.size() - kStateHeaderBytes);
+  ByteReader from(body);
+  for (std::uint64_t i = 0; i < header.sections; ++i) read_section(from);
+  require(from.left() == 0, "state: {} bytes are left over behind its last section", from.left());
+  return body;
+}
+
+void note(std::string_view name, std::size_t& count, std::string& names) {
+  if (count++ > 0) names += ", ";
+  names += name;
+}
+
+template <typename Visit>
+void for_each_section(Span<const std::uint8_t> body, Visit&& visit) {
+  for (ByteReader from(body); from.left() > 0;) visit(read_section(from));
+}
+
 }  // namespace
 
-void seal_state(const StateFormat& format, Span<std::uint8_t> state) {
-  ByteWriter header(state.part(0, kStateHeaderBytes));
-  header.put(kMagic);
-  header.put(kVersion);
-  header.put(std::uint64_t{format.bytes});
-  header.put(format.model);
-  header.put(format.layout);
-  header.put(checksum({state.data(), state.size()}));
+std::size_t state_length(Span<const std::uint8_t> state) { return read_header(state).bytes; }
+
+void seal_state(Span<std::uint8_t> state) {
+  const std::uint64_t sum = checksum({state.data(), state.size()});
+  std::memcpy(state.data() + kChecksumAt, &sum, sizeof sum);
 }
 
-Span<const std::uint8_t> open_state(const StateFormat& format, Span<const std::uint8_t> state) {
-  require(state.size() >= kStateHeaderBytes, "state: {} bytes are too few for a state", state.size());
-  ByteReader header(state);
-  require(header.take<std::uint64_t>() == kMagic, "state: these bytes are no state of a world");
-  const auto version = header.take<std::uint64_t>();
-  require(version == kVersion, "state: its version is {}, expected {}", version, kVersion);
-  const auto bytes = header.take<std::uint64_t>();
-  const auto model = header.take<std::uint64_t>();
-  const auto layout = header.take<std::uint64_t>();
-  require(model == format.model, "state: it was saved from another model");
-  require(layout == format.layout, "state: it was saved from a world with another task, actuation or other agents");
-  require(bytes == format.bytes && state.size() == bytes, "state: it has {} bytes, expected {}", state.size(),
-          format.bytes);
-  require(header.take<std::uint64_t>() == checksum(state), "state: it is damaged, its checksum is wrong");
-  return state.part(kStateHeaderBytes, state.size() - kStateHeaderBytes);
-}
-
-// What the world knows beside its physics. `layout`, where given, learns which parts there are; it covers no sense
-// that remembers nothing, so that a state also fits a world that looks at it with other senses.
-void World::save_parts(ByteWriter& to, Hash* layout) const {
-  std::size_t start = 0;
-  const auto done = [&](const char* part, const Agent* agent) {
-    if (layout != nullptr && to.size() > start) {
-      layout->add(std::string(part) + " " + (agent == nullptr ? "" : agent->name));
-      layout->add(std::uint64_t{to.size() - start});
-    }
-    start = to.size();
-  };
-  to.put(elapsed_);
-  done("episode", nullptr);
-  random_.save(to);
-  done("random", nullptr);
-  limits_.save(to);
-  done("limits", nullptr);
-  for (const Agent& agent : agents_) {
-    agent.task->save(to);
-    done("task", &agent);
-    agent.actuation->save(to);
-    done("actuation", &agent);
-    for (const auto& sense : agent.senses) {
-      sense->save(to);
-      done(sense->fields().empty() ? "sense" : sense->fields().front().name.c_str(), &agent);
-    }
+Archive::Archive(std::uint64_t model, std::vector<Section> sections) : model_(model), sections_(std::move(sections)) {
+  ByteWriter counter, undone;
+  for (const Section& section : sections_) {
+    sizes_.push_back(size_of(section));
+    write_section(section, sizes_.back(), counter);
+    if (!section.check) section.save(undone);
   }
+  bytes_ = kStateHeaderBytes + counter.size();
+  backup_.resize(undone.size());
+  found_.resize(sections_.size());
 }
 
-void World::load_parts(ByteReader& from) {
-  elapsed_ = from.take<std::uint64_t>();
-  random_.load(from);
-  limits_.load(from);
-  for (const Agent& agent : agents_) {
-    agent.task->load(from);
-    agent.actuation->load(from);
-    for (const auto& sense : agent.senses) sense->load(from);
+void Archive::save(Span<std::uint8_t> state) const {
+  ByteWriter to(state);
+  to.put(kMagic);
+  to.put(kVersion);
+  to.put(std::uint64_t{bytes_});
+  to.put(model_);
+  to.put(std::uint64_t{sections_.size()});
+  to.put(std::uint64_t{0});  // the checksum's place
+  for (std::size_t i = 0; i < sections_.size(); ++i) write_section(sections_[i], sizes_[i], to);
+  seal_state(state);
+}
+
+bool Archive::knows(std::string_view name) const {
+  return std::any_of(sections_.begin(), sections_.end(), [&](const Section& own) { return own.name == name; });
+}
+
+Span<const std::uint8_t> Archive::fitting(const Section& section, Span<const std::uint8_t> stored) const {
+  Stored match;
+  for_each_section(stored, [&](const Stored& candidate) {
+    if (candidate.name == section.name) match = candidate;
+  });
+  const bool there = match.name.data() != nullptr;
+  if (there && match.version <= section.version && match.kind == section.kind) return match.bytes;
+  if (!section.essential) return {};
+  if (there && match.version > section.version) {
+    fail(Status::kUnsupported, "state: version {} of its section \"{}\" needs a newer library, this one reads up to {}",
+         match.version, section.name, section.version);
   }
+  fail(Status::kInvalidArgument,
+       "state: it was saved from a world with another task, actuation or other agents: {} \"{}\"",
+       there ? "another kind of" : "it has no section", section.name);
 }
 
-void World::measure_state() {
-  ByteWriter counter;
-  Hash layout;
-  save_parts(counter, &layout);
-  parts_backup_.resize(counter.size());
-  physics_.save(counter);
-  state_.bytes = kStateHeaderBytes + counter.size();
-  state_.layout = layout.value();
-  state_.model = engine::fingerprint(*shared_model_);
-}
-
-void World::save(Span<std::uint8_t> state) const {
-  physics_.require_usable();
-  ByteWriter body(state.part(kStateHeaderBytes, state_.bytes - kStateHeaderBytes));
-  save_parts(body, nullptr);
-  physics_.save(body);
-  seal_state(state_, state.part(0, state_.bytes));
-}
-
-void World::load(Span<const std::uint8_t> state) {
-  require_outside_task();
-  ByteReader body(open_state(state_, state));
-  ByteWriter backup{Span<std::uint8_t>(parts_backup_)};
-  save_parts(backup, nullptr);
+LoadReport Archive::load(Span<const std::uint8_t> state) {
+  const Span<const std::uint8_t> stored = open_state(model_, state);
+  LoadReport report;
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    found_[i] = fitting(sections_[i], stored);
+    if (found_[i].data() == nullptr) note(sections_[i].name, report.fresh, report.fresh_names);
+  }
+  for_each_section(stored, [&](const Stored& section) {
+    if (knows(section.name)) return;
+    require((section.flags & kEssential) == 0,
+            "state: it was saved from a world with another task, actuation or other agents: its section \"{}\" has no "
+            "use here",
+            section.name);
+    note(section.name, report.ignored, report.ignored_names);
+  });
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    if (!sections_[i].check) continue;
+    ByteReader from(found_[i]);
+    sections_[i].check(from);
+    require(from.left() == 0, "state: its section \"{}\" is {} bytes too long", sections_[i].name, from.left());
+  }
+  save_backup();
   try {
-    load_parts(body);
-    physics_.load(body);  // last, because it alone changes nothing when it refuses
+    load_all();
   } catch (...) {
-    ByteReader before{Span<const std::uint8_t>(parts_backup_)};
-    load_parts(before);
+    load_backup();
     throw;
+  }
+  return report;
+}
+
+void Archive::load_all() {
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    if (found_[i].data() == nullptr) {
+      sections_[i].forget();
+      continue;
+    }
+    ByteReader from(found_[i]);
+    sections_[i].load(from);
+    require(from.left() == 0, "state: its section \"{}\" is {} bytes too long", sections_[i].name, from.left());
+  }
+}
+
+void Archive::save_backup() {
+  ByteWriter to{Span<std::uint8_t>(backup_)};
+  for (const Section& section : sections_) {
+    if (!section.check) section.save(to);
+  }
+}
+
+void Archive::load_backup() {
+  ByteReader from{Span<const std::uint8_t>(backup_)};
+  for (const Section& section : sections_) {
+    if (!section.check) section.load(from);
   }
 }
 

@@ -1,27 +1,60 @@
-// The bytes of a saved world: a header that says what they are, then the parts of the world, then the physics.
+// The bytes of a saved world, or of what attached senses remember: a header that says what they are, then sections,
+// each with its name, version and length. Within version 1 of the interface sections are only added, and newer
+// libraries read all older ones.
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include "base/bytes.h"
+#include "base/section.h"
 #include "base/span.h"
 
 namespace mimo::env {
 
-// What all states of one world have in common, and what a state to be loaded is compared with.
-struct StateFormat {
-  std::size_t bytes = 0;     // header included
-  std::uint64_t layout = 0;  // hash of which parts there are and how long they are
-  std::uint64_t model = 0;   // engine::fingerprint
-};
-
 constexpr std::size_t kStateHeaderBytes = 48;
 
-// Fills in the header of a state whose other bytes are in place.
-void seal_state(const StateFormat& format, Span<std::uint8_t> state);
+// The whole length of a state that begins like this. Throws for what is no state.
+std::size_t state_length(Span<const std::uint8_t> state);
 
-// The bytes after the header. Throws Status::kInvalidArgument for anything that is no whole and sound state of this
-// format.
-Span<const std::uint8_t> open_state(const StateFormat& format, Span<const std::uint8_t> state);
+// Puts the right checksum into a header.
+void seal_state(Span<std::uint8_t> state);
+
+// What a state did not hold of what loaded it.
+struct LoadReport {
+  std::size_t fresh = 0;      // sections that started afresh
+  std::size_t ignored = 0;    // sections of the state that nobody here has a use for
+  std::string fresh_names;    // with ", " between them
+  std::string ignored_names;  // likewise
+};
+
+class Archive {
+ public:
+  Archive() = default;
+  // `model` tells models apart. Sections with `check` stand behind all others.
+  Archive(std::uint64_t model, std::vector<Section> sections);
+
+  std::size_t bytes() const { return bytes_; }
+  void save(Span<std::uint8_t> state) const;  // exactly bytes()
+  // Throws, with nothing changed, for anything that is no whole and sound state of the same model, agents, tasks and
+  // actuations.
+  LoadReport load(Span<const std::uint8_t> state);
+
+ private:
+  // What the state has for a section; null bytes where there is nothing that fits.
+  Span<const std::uint8_t> fitting(const Section& section, Span<const std::uint8_t> stored) const;
+  bool knows(std::string_view name) const;
+  void load_all();
+  void save_backup();
+  void load_backup();
+
+  std::uint64_t model_ = 0;
+  std::vector<Section> sections_;
+  std::vector<std::uint64_t> sizes_;  // of their bytes
+  std::size_t bytes_ = 0;
+  std::vector<Span<const std::uint8_t>> found_;  // by section, of the state that is being loaded
+  std::vector<std::uint8_t> backup_;             // room to keep what load may have to put back
+};
 
 }  // namespace mimo::env

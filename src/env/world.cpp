@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "body/stored_pose.h"
 #include "engine/custom.h"
+#include "engine/fingerprint.h"
 #include "format/names.h"
 
 namespace mimo::env {
@@ -43,18 +44,19 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
-  for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits);
+  for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds());
   limits_.make_room(layout());
   bounded_.resize(action_size_);
   start();
-  limits_.start(random_);
+  episode_.start(random_, true);
   sense(nullptr, Moment::kStart);
-  measure_state();
+  archive_ = Archive(engine::fingerprint(*shared_model_), sections());
   report_warnings();
 }
 
 void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes) {
   Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes, services_.skin(agents_.size()));
+  agent.path = actuation::MotorPath::make(*agent.actuation, options.prefix(), options.motors, step_seconds());
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
   for (const auto& sense : agent.senses) observer_.add(*sense);
@@ -91,8 +93,10 @@ TaskMaker World::task_maker(const Identity& identity) const {
 // The stored state, before any task.
 void World::start() {
   physics_.reset();
-  for (const Agent& agent : agents_) agent.actuation->reset(physics_);
-  elapsed_ = 0;
+  for (const Agent& agent : agents_) {
+    agent.actuation->reset(physics_);
+    if (agent.path) agent.path->forget();
+  }
 }
 
 render::Renderer& World::renderer() {
@@ -126,6 +130,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   require_outside_task();
   physics_.require_undisturbed();
   if (seed != nullptr) random_.reseed(*seed);
+  episode_.start(random_, seed != nullptr);
   start();
   {
     const Flag at_work(in_task_);
@@ -136,7 +141,6 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   }
   physics_.data().time = 0;
   physics_.forward();
-  limits_.start(random_);
   sense(block, Moment::kStart);
   report_warnings();
 }
@@ -159,12 +163,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   physics_.require_usable();
   physics_.require_undisturbed();
   const Stopwatch total(options_.timing, timing_.total);
-  if (!actions.empty()) {
-    for (const Agent& agent : agents_) {
-      const auto own = actions.part(agent.action_offset, agent.actuation->size());
-      agent.actuation->apply(agent.task->disturb(own, random_), physics_);
-    }
-  }
+  act(actions);
   for (int i = 0; i < options_.frame_skip; ++i) {
     {
       const Stopwatch watch(options_.timing, timing_.physics);
@@ -172,7 +171,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
     }
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
-  ++elapsed_;
+  ++episode_.step;
   if (options_.timing) ++timing_.steps;
   const bool senses_first = judges_senses();
   if (senses_first) sense(block, Moment::kStep);
@@ -181,6 +180,17 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   if (senses_first && block != nullptr) observer_.observe_share(observation::Share::kTask, model(), data(), block);
   report(results);
   report_warnings();
+}
+
+void World::act(Span<const float> actions) {
+  for (const Agent& agent : agents_) {
+    Span<const float> own;
+    if (!actions.empty()) {
+      own = agent.task->disturb(actions.part(agent.action_offset, agent.actuation->size()), random_);
+    }
+    if (agent.path) own = agent.path->pass(own, episode_.noise, episode_.step);
+    if (!own.empty()) agent.actuation->apply(own, physics_);
+  }
 }
 
 void World::step_physics(int count) {
@@ -207,9 +217,9 @@ void World::sense(std::uint8_t* block, Moment moment) {
   const bool timed = options_.timing && moment == Moment::kStep;
   observer_.observe(model(), data(), to, timed ? &timing_.senses : nullptr);
   switch (moment) {
-    case Moment::kStart: return limits_.begin(to);
-    case Moment::kStep: return limits_.step(to, elapsed_);
-    case Moment::kBetween: return limits_.look(to, elapsed_);
+    case Moment::kStart: return limits_.begin(to, episode_.noise);
+    case Moment::kStep: return limits_.step(to, episode_.noise, episode_.step);
+    case Moment::kBetween: return limits_.look(to, episode_.noise, episode_.step);
   }
 }
 
@@ -225,7 +235,7 @@ void World::evaluate(Span<const float> actions, const std::uint8_t* block) {
     const Agent& agent = agents_[i];
     const double effort = agent.actuation->effort(model(), data());
     const Span<const std::uint8_t> sensed(block, block == nullptr ? 0 : layout().bytes());
-    agent.task->consider({elapsed_, effort, bounded(agent, actions), sensed});
+    agent.task->consider({episode_.step, effort, bounded(agent, actions), sensed});
     agent.task->evaluate(physics_);
     check_reward(i);
   }
@@ -264,7 +274,7 @@ void World::report(const Results& results) const {
 bool World::cut_off(const Agent& agent) const {
   if (agent.task->cut_off()) return true;
   const std::uint64_t limit = options_.max_steps > 0 ? options_.max_steps : agent.task->episode_steps();
-  return limit > 0 && elapsed_ >= limit;
+  return limit > 0 && episode_.step >= limit;
 }
 
 bool World::over() const {
@@ -288,6 +298,16 @@ void World::draw(const render::Viewpoint& from, const render::Picture& picture) 
   render::Renderer& drawing = renderer();
   physics_.update_poses();
   drawing.draw(model(), data(), render::view_from(model(), data(), from), picture);
+}
+
+void World::save(Span<std::uint8_t> state) const {
+  physics_.require_usable();
+  archive_.save(state);
+}
+
+LoadReport World::load(Span<const std::uint8_t> state) {
+  require_outside_task();
+  return archive_.load(state);
 }
 
 void World::report_warnings() {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "base/hash.h"
 #include "base/random.h"
 #include "engine/physics.h"
 #include "env/agent.h"
+#include "env/episode.h"
 #include "env/kit.h"
 #include "env/state.h"
 #include "env/timing.h"
@@ -64,11 +64,12 @@ class World {
   void step_physics(int count);
   void observe(std::uint8_t* block);
 
-  // The world's state: see env/state.cpp. A failed world has none to save.
-  std::size_t state_bytes() const { return state_.bytes; }
+  // The world's state: see env/state.h. A failed world has none to save.
+  std::size_t state_bytes() const { return archive_.bytes(); }
   void save(Span<std::uint8_t> state) const;  // exactly state_bytes()
-  // Throws, with nothing changed, for anything but a state of the same model, agents and task.
-  void load(Span<const std::uint8_t> state);
+  // Throws, with nothing changed, for anything but a state of the same model, agents and task. What senses and motor
+  // paths remember starts afresh where the state does not hold it.
+  LoadReport load(Span<const std::uint8_t> state);
 
   // Faces of the agents, in this world only; they outlive resets. The name is "" for a face that has none.
   void set_face(std::size_t agent, const std::string& name);
@@ -95,9 +96,10 @@ class World {
   void require_outside_task() const;
   bool cut_off(const Agent& agent) const;
   void report_warnings();
-  void measure_state();
-  void save_parts(ByteWriter& to, Hash* layout) const;
-  void load_parts(ByteReader& from);
+  double step_seconds() const { return options_.frame_skip * model().opt.timestep; }
+  void act(Span<const float> actions);
+  std::vector<Section> sections();
+  void add_sections(Agent& agent, std::vector<Section>& sections);
 
   EnvOptions options_;
   Services services_;
@@ -110,11 +112,10 @@ class World {
   Random random_;
   std::size_t action_size_ = 0;
   std::vector<float> bounded_;  // actions of a step, for tasks
-  std::uint64_t elapsed_ = 0;
+  Episode episode_;
   bool in_task_ = false;  // a task is at work, and must not start or step the world that it is part of
   Timing timing_;
-  StateFormat state_;
-  std::vector<std::uint8_t> parts_backup_;  // room for load() to keep what it may have to put back
+  Archive archive_;
 };
 
 }  // namespace mimo::env

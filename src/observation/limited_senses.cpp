@@ -1,10 +1,8 @@
 #include "observation/limited_senses.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/fail.h"
-#include "base/hash.h"
 
 namespace mimo::observation {
 namespace {
@@ -34,7 +32,8 @@ std::string names(const Layout& layout, const std::string& prefix) {
 
 }  // namespace
 
-void LimitedSenses::add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths) {
+void LimitedSenses::add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths,
+                        double step) {
   std::vector<Limits> chosen(layout.size());
   for (const PathLimits& entry : paths) {
     const std::string path = prefix + entry.path;
@@ -52,64 +51,42 @@ void LimitedSenses::add(const Layout& layout, const std::string& prefix, const s
     }
   }
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    if (chosen[i].any()) fields_.emplace_back(layout[i], chosen[i]);
+    if (chosen[i].any()) fields_.emplace_back(layout[i], chosen[i], step);
   }
 }
 
 void LimitedSenses::make_room(const Layout& layout) {
-  const bool late =
-      std::any_of(fields_.begin(), fields_.end(), [](const LimitedField& field) { return field.limits().delay > 0; });
-  if (late) room_.resize(layout.bytes());
-}
-
-void LimitedSenses::start(const Random& random) {
-  if (fields_.empty()) return;
-  std::array<std::uint8_t, 32> bytes{};
-  ByteWriter writer{Span<std::uint8_t>(bytes)};
-  random.save(writer);
-  Hash hash;
-  hash.add(Span<const std::uint8_t>(bytes));
-  seed_ = hash.value();
-}
-
-void LimitedSenses::weaken(std::uint8_t* block, std::uint64_t step) {
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    Hash hash;
-    hash.add(seed_);
-    hash.add(step);
-    hash.add(std::uint64_t{i});
-    fields_[i].weaken(block, hash.value());
+  if (std::any_of(fields_.begin(), fields_.end(), [](const LimitedField& field) { return field.late(); })) {
+    room_.resize(layout.bytes());
   }
 }
 
-void LimitedSenses::begin(std::uint8_t* block) {
-  weaken(block, 0);
+void LimitedSenses::weaken(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
+  for (LimitedField& field : fields_) field.weaken(block, episode, step);
+}
+
+void LimitedSenses::begin(std::uint8_t* block, std::uint64_t episode) {
+  weaken(block, episode, 0);
   for (LimitedField& field : fields_) field.begin(block);
 }
 
-void LimitedSenses::step(std::uint8_t* block, std::uint64_t step) {
-  weaken(block, step);
+void LimitedSenses::step(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
+  weaken(block, episode, step);
   for (LimitedField& field : fields_) {
     field.keep(block, step);
     field.recall(block, step);
   }
 }
 
-void LimitedSenses::look(std::uint8_t* block, std::uint64_t step) {
-  weaken(block, step);
+void LimitedSenses::look(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
+  weaken(block, episode, step);
   for (const LimitedField& field : fields_) field.recall(block, step);
 }
 
-void LimitedSenses::save(ByteWriter& to) const {
-  if (fields_.empty()) return;
-  to.put(seed_);
-  for (const LimitedField& field : fields_) field.save(to);
-}
-
-void LimitedSenses::load(ByteReader& from) {
-  if (fields_.empty()) return;
-  seed_ = from.take<std::uint64_t>();
-  for (LimitedField& field : fields_) field.load(from);
+void LimitedSenses::list(std::vector<Section>& sections) {
+  for (LimitedField& field : fields_) {
+    if (field.late()) sections.push_back(field.section());
+  }
 }
 
 }  // namespace mimo::observation

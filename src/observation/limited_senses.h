@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
 #include "observation/layout.h"
 #include "observation/limited_field.h"
 
@@ -18,9 +17,9 @@ struct PathLimits {
 
 class LimitedSenses {
  public:
-  // `prefix` is that of the agent's fields. Where several concern a field, the last one counts. Throws
-  // Status::kNotFound for a path that leads to no field.
-  void add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths);
+  // `prefix` is that of the agent's fields, `step` how long one is in seconds. Where several concern a field, the last
+  // one counts. Throws Status::kNotFound for a path that leads to no field.
+  void add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths, double step);
   // After all were added.
   void make_room(const Layout& layout);
 
@@ -28,22 +27,20 @@ class LimitedSenses {
   bool late() const { return !room_.empty(); }
   std::uint8_t* room() { return room_.data(); }
 
-  // A new episode: its noise follows from the world's random numbers, without using any up.
-  void start(const Random& random);
-  // What was just sensed, in an episode's first observation, in one of a step, or in between.
-  void begin(std::uint8_t* block);
-  void step(std::uint8_t* block, std::uint64_t step);
-  void look(std::uint8_t* block, std::uint64_t step);
+  // What was just sensed, in an episode's first observation, in one of a step, or in between, which changes nothing
+  // here. Noise follows from `episode`, the seed of its noise, and the step.
+  void begin(std::uint8_t* block, std::uint64_t episode);
+  void step(std::uint8_t* block, std::uint64_t episode, std::uint64_t step);
+  void look(std::uint8_t* block, std::uint64_t episode, std::uint64_t step);
 
-  void save(ByteWriter& to) const;
-  void load(ByteReader& from);
+  // What is late, for a state. This object outlives them, and nothing is added to it any more.
+  void list(std::vector<Section>& sections);
 
  private:
-  void weaken(std::uint8_t* block, std::uint64_t step);
+  void weaken(std::uint8_t* block, std::uint64_t episode, std::uint64_t step);
 
   std::vector<LimitedField> fields_;
   std::vector<std::uint8_t> room_;
-  std::uint64_t seed_ = 0;
 };
 
 }  // namespace mimo::observation

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/bytes.h"
 #include "observation/field.h"
 
 typedef struct mjModel_ mjModel;
@@ -24,11 +23,6 @@ class Sense {
   virtual Share share() const = 0;
   // Fills its fields of the block from the current data.
   virtual void write(const mjModel& model, const mjData& data, std::uint8_t* block) = 0;
-
-  // What it remembers from one step to the next: always the same number of bytes. A load that throws may leave it
-  // half loaded; the world then loads what was there before.
-  virtual void save(ByteWriter&) const {}
-  virtual void load(ByteReader&) {}
 
  protected:
   // Where a field starts in the block.

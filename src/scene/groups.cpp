@@ -61,14 +61,18 @@ unsigned group_of(const std::string& motor) {
   return begins(name, "left_") ? static_cast<unsigned>(kLeftHand) : 0u;
 }
 
+unsigned group_named(const std::string& word) {
+  for (const Named& entry : kGroups) {
+    if (word == entry.name) return entry.group;
+  }
+  return 0;
+}
+
 unsigned groups_from(const std::string& words) {
   std::istringstream stream(words);
   unsigned groups = 0;
   for (std::string word; stream >> word;) {
-    unsigned group = 0;
-    for (const Named& entry : kGroups) {
-      if (word == entry.name) group = entry.group;
-    }
+    const unsigned group = group_named(word);
     if (group == 0) fail(Status::kModel, "{}: \"{}\" is no part of the infant", names::kActs, word);
     groups |= group;
   }

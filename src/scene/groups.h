@@ -25,6 +25,9 @@ enum Group : unsigned {
 // The group of a motor, "act:left_elbow"; 0 for one that belongs to none.
 unsigned group_of(const std::string& motor);
 
+// The group of a word, "right_arm"; 0 for one that is none.
+unsigned group_named(const std::string& word);
+
 // The groups of "right_arm right_hand". Throws Status::kModel for a word that is none.
 unsigned groups_from(const std::string& words);
 

@@ -48,8 +48,9 @@ static mimo_scene *make_scene(void) {
   mimo_camera_config wall;
   mimo_limits limits;
   mimo_senses *senses = NULL;
+  mimo_senses_config senses_config;
   mimo_scene *scene = NULL;
-  int32_t number = -1;
+  size_t number = 9;
   double value = 0;
   OK(mimo_scene_config_init(&room, sizeof room));
   CHECK(room.struct_size == sizeof room && room.name == NULL && room.log == NULL);
@@ -77,7 +78,10 @@ static mimo_scene *make_scene(void) {
   OK(mimo_limits_init(&limits, sizeof limits));
   CHECK(limits.gain == 1 && limits.delay == 0);
   OK(mimo_scene_limit_sense(scene, 0, "touch", &limits));
-  CHECK(mimo_senses_attach(scene, NULL, NULL, 222, 0, 0, &senses) == MIMO_E_INVALID_ARGUMENT && senses == NULL);
+  OK(mimo_scene_limit_motor(scene, 0, "left_arm", &limits));
+  OK(mimo_senses_config_init(&senses_config, sizeof senses_config));
+  senses_config.mujoco_version = 222;
+  CHECK(mimo_senses_attach(scene, NULL, &senses_config, &senses) == MIMO_E_INVALID_ARGUMENT && senses == NULL);
   mimo_senses_destroy(senses);
 
   OK(mimo_object_config_init(&ball, sizeof ball));
@@ -165,7 +169,7 @@ static void live(mimo_env *env) {
   OK(mimo_env_get(env, MIMO_BODY_POSITION, &toy, 1, place, 3));
   CHECK(fabs(place[2] - (2 - 9.81 * 0.005 * 0.005 * 20 * 21 / 2)) < 1e-12);
   OK(mimo_env_clone(env, &twin));
-  OK(mimo_env_state_load(env, state, state_bytes));
+  OK(mimo_env_state_load(env, state, state_bytes, NULL));
   for (i = 0; i < 10; ++i) OK(mimo_env_step(env, action, count, again, bytes, NULL, NULL, NULL, 0));
   CHECK(memcmp(block, again, bytes) == 0);
 

@@ -70,6 +70,7 @@ int main(void) {
 
   BEGIN(mimo_limits);
   FIELD(mimo_limits, struct_size);
+  FIELD(mimo_limits, reserved);
   FIELD(mimo_limits, delay);
   FIELD(mimo_limits, gain);
   FIELD(mimo_limits, noise);
@@ -212,6 +213,28 @@ int main(void) {
   FIELD(mimo_batch_results, worlds);
   FIELD(mimo_batch_results, final_blocks);
   FIELD(mimo_batch_results, final_bytes);
+
+  BEGIN(mimo_load_report);
+  FIELD(mimo_load_report, struct_size);
+  FIELD(mimo_load_report, reserved);
+  FIELD(mimo_load_report, fresh);
+  FIELD(mimo_load_report, ignored);
+  FIELD(mimo_load_report, fresh_names);
+  FIELD(mimo_load_report, ignored_names);
+
+  BEGIN(mimo_senses_config);
+  FIELD(mimo_senses_config, struct_size);
+  FIELD(mimo_senses_config, mujoco_version);
+  FIELD(mimo_senses_config, model_size);
+  FIELD(mimo_senses_config, data_size);
+  FIELD(mimo_senses_config, step);
+  FIELD(mimo_senses_config, renderer);
+  FIELD(mimo_senses_config, log);
+  FIELD(mimo_senses_config, log_user);
+  FIELD(mimo_senses_config, render);
+  FIELD(mimo_senses_config, samples);
+  FIELD(mimo_senses_config, render_threads);
+  FIELD(mimo_senses_config, reserved);
 
   BEGIN(mimo_task);
   FIELD(mimo_task, struct_size);

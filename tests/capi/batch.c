@@ -137,9 +137,9 @@ static void check_states(mimo_batch* batch) {
   states = malloc(WORLDS * size);
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "states", mimo_batch_state_save(batch, NULL, 0, states, WORLDS * size - 1));
   CHECK_OK(mimo_batch_state_save(batch, NULL, 0, states, WORLDS * size));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state_bytes is", mimo_batch_state_load(batch, NULL, 0, states, 2 * size));
-  CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states, WORLDS * size));
-  CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states + size, size));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state_bytes is", mimo_batch_state_load(batch, NULL, 0, states, 2 * size, NULL));
+  CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states, WORLDS * size, NULL));
+  CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states + size, size, NULL));
   free(states);
 }
 

@@ -56,7 +56,7 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
 static void check_scene(mimo_scene* scene, mimo_status status, const char* part) {
   mimo_env* env = NULL;
   mimo_object_config object;
-  int32_t agent = GUARD;
+  size_t agent = GUARD;
   size_t length = GUARD;
   char text[4] = "abc";
   CHECK_OK(mimo_object_config_init(&object, sizeof object));

@@ -108,7 +108,7 @@ static void check_agents(void) {
   mimo_agent_config config;
   mimo_env* env = NULL;
   mimo_agent_info info;
-  int32_t agent = -1;
+  size_t agent = 99;
   size_t count = 0;
   const uint32_t defaults = MIMO_PROPRIOCEPTION_DEFAULT;
   CHECK_OK(mimo_agent_config_init(&config, sizeof config));
@@ -138,7 +138,7 @@ static void check_agents(void) {
   REFUSED(MIMO_E_INVALID_ARGUMENT, "position[1] is inf", position[1], (double)INFINITY, 1);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "orientation is zero", orientation[0], 0, 2);
   config.vision = 0;
-  CHECK(agent == -1);
+  CHECK(agent == 99);
 
   /* Two infants; each has its actions and its names. */
   CHECK_OK(mimo_scene_add_agent(scene, &config, &agent));

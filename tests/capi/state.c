@@ -28,7 +28,7 @@ static void check_round_trip(mimo_env* env) {
   step(env, 10);
   after = state_of(env);
   CHECK(memcmp(before, after, bytes) != 0);
-  CHECK_OK(mimo_env_state_load(env, before, bytes));
+  CHECK_OK(mimo_env_state_load(env, before, bytes, NULL));
   CHECK(same(env, before));
   step(env, 10);
   CHECK(same(env, after));
@@ -43,20 +43,20 @@ static void check_refusals(mimo_env* env) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "bytes is NULL", mimo_env_state_size(env, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "env is NULL", mimo_env_state_size(NULL, &size));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state is NULL", mimo_env_state_save(env, NULL, bytes));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state is NULL", mimo_env_state_load(env, NULL, bytes));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state is NULL", mimo_env_state_load(env, NULL, bytes, NULL));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "state has a length of", mimo_env_state_save(env, copy, bytes - 1));
   for (i = 0; i <= bytes; ++i) CHECK(copy[i] == 0x55);
   memcpy(copy, state, bytes);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "too few for a state", mimo_env_state_load(env, copy, 0));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes - 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes + 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "too few for a state", mimo_env_state_load(env, copy, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes - 1, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes + 1, NULL));
   for (i = 0; i < bytes; i += 1 + i / 16) {
     copy[i] ^= 0x10;
-    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: ", mimo_env_state_load(env, copy, bytes));
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: ", mimo_env_state_load(env, copy, bytes, NULL));
     copy[i] ^= 0x10;
   }
   CHECK(same(env, state));
-  CHECK_OK(mimo_env_state_load(env, copy, bytes));
+  CHECK_OK(mimo_env_state_load(env, copy, bytes, NULL));
   free(copy);
   free(state);
 }
@@ -64,7 +64,7 @@ static void check_refusals(mimo_env* env) {
 static void check_other_model(mimo_env* env) {
   uint8_t* state = state_of(env);
   mimo_env* other = blind_env("benchmark", NULL);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "another model", mimo_env_state_load(other, state, bytes));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "another model", mimo_env_state_load(other, state, bytes, NULL));
   mimo_env_destroy(other);
   free(state);
 }
@@ -96,7 +96,7 @@ static void check_failed(mimo_env* env) {
   CHECK_FAILS(MIMO_E_SIMULATION, "failed before", mimo_env_state_save(env, room, bytes));
   CHECK_FAILS(MIMO_E_SIMULATION, "failed before", mimo_env_clone(env, &twin));
   CHECK(twin == NULL);
-  CHECK_OK(mimo_env_state_load(env, state, bytes));
+  CHECK_OK(mimo_env_state_load(env, state, bytes, NULL));
   CHECK(same(env, state));
   step(env, 1);
   free(room);
@@ -109,7 +109,7 @@ static void check_random(mimo_env* env) {
   size_t i;
   CHECK_OK(mimo_env_random(env, first, 5));
   for (i = 0; i < 5; ++i) CHECK(first[i] >= 0 && first[i] < 1 && (i == 0 || first[i] != first[i - 1]));
-  CHECK_OK(mimo_env_state_load(env, state, bytes));
+  CHECK_OK(mimo_env_state_load(env, state, bytes, NULL));
   CHECK_OK(mimo_env_random(env, again, 5));
   CHECK(memcmp(first, again, sizeof first) == 0);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "values is NULL", mimo_env_random(env, NULL, 1));

@@ -127,7 +127,7 @@ static void check_spacing(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "spacing of body \"(every)\" is 11", mimo_scene_set_touch(scene, 0, NULL, 11));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1, but there are 1 agents",
               mimo_scene_set_touch(scene, 1, "head", 0.01));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is -1", mimo_scene_set_touch(scene, -1, "head", 0.01));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 99", mimo_scene_set_touch(scene, 99, "head", 0.01));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "scene is NULL", mimo_scene_set_touch(NULL, 0, "head", 0.01));
   mimo_scene_destroy(scene);
 }

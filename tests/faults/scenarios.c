@@ -48,12 +48,23 @@ static void make_batch_of(const mimo_scene* of, mimo_batch** made) {
   CHECK_OK(mimo_batch_create(of, NULL, &config, made));
 }
 
+static mimo_senses_config host_config(void) {
+  mimo_senses_config config;
+  CHECK_OK(mimo_senses_config_init(&config, sizeof config));
+  config.mujoco_version = mj_version();
+  config.model_size = sizeof(mjModel);
+  config.data_size = sizeof(mjData);
+  return config;
+}
+
 static mimo_status attach_to(mimo_senses** made) {
-  return mimo_senses_attach(gripper_scene, NULL, host_model, mj_version(), sizeof(mjModel), sizeof(mjData), made);
+  const mimo_senses_config config = host_config();
+  return mimo_senses_attach(gripper_scene, host_model, &config, made);
 }
 
 static void begin_host(void) {
   mimo_agent_config agent;
+  mimo_limits limits;
   char error[200] = "";
   host_model = mj_loadXML(MIMO_TEST_MODELS "/gripper.xml", NULL, error, sizeof error);
   if (host_model == NULL) {
@@ -70,6 +81,9 @@ static void begin_host(void) {
   agent.root = "world";
   agent.vestibular = agent.vision = 0;
   CHECK_OK(mimo_scene_add_agent(gripper_scene, &agent, NULL));
+  CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+  limits.delay = limits.noise = 0.1;
+  CHECK_OK(mimo_scene_limit_sense(gripper_scene, 0, "proprioception", &limits));
   CHECK_OK(attach_to(&senses));
   CHECK_OK(mimo_senses_observation_size(senses, &senses_bytes, NULL));
   CHECK(senses_bytes <= ROOM);
@@ -177,6 +191,13 @@ static mimo_status limit_sense(void) {
   return mimo_scene_limit_sense(scene, 0, "proprioception/position", &limits);
 }
 
+static mimo_status limit_motor(void) {
+  mimo_limits limits;
+  CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+  limits.delay = 0.1;
+  return mimo_scene_limit_motor(scene, 0, "act:left_elbow", &limits);
+}
+
 static mimo_status set_parameter(void) { return mimo_scene_set_parameter(scene, "reach/success_reward", 3); }
 static mimo_status set_touch(void) { return mimo_scene_set_touch(infant_scene, 0, "left_hand", 0.01); }
 static mimo_status print_scene(void) { return mimo_scene_xml(infant_scene, (char*)block, sizeof block, NULL); }
@@ -192,7 +213,7 @@ static mimo_status reset(void) {
 }
 static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL, NULL, NULL, 0); }
 static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof block); }
-static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes); }
+static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes, NULL); }
 static mimo_status draw(void) { return mimo_env_render(made_env, NULL, block, 640 * 480 * 3, NULL, 0, NULL, 0); }
 static mimo_status lock(void) {
   int32_t joint = -1;
@@ -210,12 +231,14 @@ static mimo_status create_batch(void) {
 }
 static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, NULL, 0, block, batch_bytes); }
 static mimo_status step_batch(void) { return mimo_batch_step(batch, NULL, 0, block, batch_bytes, NULL); }
-static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes); }
+static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes, NULL); }
 static void prepare_batch(void) { make_batch_of(small_scene, &made_batch); }
 static mimo_status view_world(void) { return mimo_batch_world(made_batch, 1, &env); }
 
 static mimo_status attach(void) { return attach_to(&made_senses); }
 static mimo_status observe(void) { return mimo_senses_observe(senses, host_data, block, senses_bytes); }
+static mimo_status advance(void) { return mimo_senses_advance(senses, host_data); }
+static mimo_status reset_senses(void) { return mimo_senses_reset(senses, host_data, NULL); }
 
 const scenario all_scenarios[] = {
     {"scene_create", nothing, create_scene, clean, 1, 0, 400},
@@ -229,6 +252,7 @@ const scenario all_scenarios[] = {
     {"scene_lock", prepare_defaults, lock_scene, clean, 0, 0, 400},
     {"scene_set_parameter", prepare_scene, set_parameter, clean, 0, 0, 400},
     {"scene_limit_sense", prepare_infant, limit_sense, clean, 0, 0, 400},
+    {"scene_limit_motor", prepare_infant, limit_motor, clean, 0, 0, 400},
     {"scene_set_touch", nothing, set_touch, clean, 0, 0, 400},
     {"scene_xml", nothing, print_scene, clean, 0, 0, 400},
     {"env_create, small", nothing, create_small, clean, 1, 1, 3000},
@@ -248,5 +272,7 @@ const scenario all_scenarios[] = {
     {"batch_state_load", nothing, load_batch, clean, 0, 0, 0},
     {"senses_attach", nothing, attach, clean, 1, 0, 600},
     {"senses_observe", nothing, observe, clean, 0, 0, 0},
+    {"senses_advance", nothing, advance, clean, 0, 0, 0},
+    {"senses_reset", nothing, reset_senses, clean, 0, 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 1},
 };

@@ -16,7 +16,7 @@ static const char* take_text(input* in, char* room) {
 
 static void add_agent(input* in, mimo_scene* scene) {
   char name[NAME_BYTES], body[NAME_BYTES], part[NAME_BYTES], face[NAME_BYTES], root[NAME_BYTES], organ[NAME_BYTES];
-  int32_t agent = -7;
+  size_t agent = 7; /* stays as it is where none was added */
   ROOMY(mimo_agent_config, given);
   CALL(mimo_scene_default_agent(scene, &given.config, sizeof given.config));
   if (take_byte(in) % 2 != 0) take(in, &given.config, sizeof given.config);
@@ -30,10 +30,10 @@ static void add_agent(input* in, mimo_scene* scene) {
   if (given.config.vision_height <= 4096) given.config.vision_height %= 9;
   if (given.config.touch_scale > 2 && given.config.touch_scale <= 1000) given.config.touch_scale = 2;
   if (CALL(mimo_scene_add_agent(scene, &given.config, &agent)) != MIMO_OK) {
-    PROMISE(agent == -7);
+    PROMISE(agent == 7);
     return;
   }
-  PROMISE(agent >= 0);
+  PROMISE(agent < 2);
   if (take_byte(in) % 4 == 0) {
     const double spacing = take_double(in);
     if (!(spacing > 0 && spacing < 0.01)) CALL(mimo_scene_set_touch(scene, agent, take_text(in, part), spacing));

@@ -68,9 +68,9 @@ Bytes saved() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   input in = {data, size};
   if (env == nullptr) make_world();
-  PROMISE(mimo_env_state_load(env, good.data(), good.size()) == MIMO_OK);
+  PROMISE(mimo_env_state_load(env, good.data(), good.size(), nullptr) == MIMO_OK);
   const Bytes state = state_from(in);
-  if (CALL(mimo_env_state_load(env, state.data(), state.size())) == MIMO_OK) {
+  if (CALL(mimo_env_state_load(env, state.data(), state.size(), nullptr)) == MIMO_OK) {
     CALL(mimo_env_observe(env, block.data(), block.size()));
     for (int i = 0; i < 3; ++i) {
       CALL(mimo_env_step(env, nullptr, 0, block.data(), block.size(), nullptr, nullptr, nullptr, 0));

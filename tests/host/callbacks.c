@@ -150,6 +150,7 @@ static void check_user_defined(const char* actuator, const char* sensor, mjfAct*
 static void check_senses(void) {
   char path[500], error[500] = "";
   mimo_agent_config config;
+  mimo_senses_config attached;
   mimo_scene* scene = NULL;
   mimo_senses* senses = NULL;
   size_t bytes = 0;
@@ -166,7 +167,9 @@ static void check_senses(void) {
   CHECK_OK(mimo_scene_create(NULL, &scene));
   CHECK_OK(mimo_scene_add_agent(scene, &config, NULL));
   mjcb_control = touch_all;
-  CHECK_OK(mimo_senses_attach(scene, NULL, model, mj_version(), sizeof(mjModel), sizeof(mjData), &senses));
+  CHECK_OK(mimo_senses_config_init(&attached, sizeof attached));
+  attached.mujoco_version = mj_version();
+  CHECK_OK(mimo_senses_attach(scene, model, &attached, &senses));
   CHECK_OK(mimo_senses_observation_size(senses, &bytes, NULL));
   asked = 0;
   mj_step(model, data);

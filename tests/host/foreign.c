@@ -42,8 +42,18 @@ static mimo_scene* scene_of(const mimo_agent_config* agent) {
   return scene;
 }
 
+static mimo_senses_config host_config(void) {
+  mimo_senses_config config;
+  CHECK_OK(mimo_senses_config_init(&config, sizeof config));
+  config.mujoco_version = mj_version();
+  config.model_size = sizeof(mjModel);
+  config.data_size = sizeof(mjData);
+  return config;
+}
+
 static mimo_status attach(const mimo_scene* scene, host h, mimo_senses** senses) {
-  return mimo_senses_attach(scene, NULL, h.model, mj_version(), sizeof(mjModel), sizeof(mjData), senses);
+  const mimo_senses_config config = host_config();
+  return mimo_senses_attach(scene, h.model, &config, senses);
 }
 
 static mimo_field field_of(const mimo_senses* senses, const char* name) {
@@ -217,20 +227,25 @@ static void check_foreign_memory(void) {
   mimo_scene* scene = scene_of(&config);
   mimo_senses* senses = NULL;
   static uint8_t junk[sizeof(mjModel) + sizeof(mjData)];
-  const int version = mj_version();
+  mimo_senses_config sensed = host_config();
+  sensed.mujoco_version = 237;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "mujoco_version is 237, but libmimo runs on MuJoCo 2.2.2",
-              mimo_senses_attach(scene, NULL, h.model, 237, sizeof(mjModel), sizeof(mjData), &senses));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "model_size",
-              mimo_senses_attach(scene, NULL, h.model, version, sizeof(mjModel) + 8, sizeof(mjData), &senses));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "data_size",
-              mimo_senses_attach(scene, NULL, h.model, version, sizeof(mjModel), 8, &senses));
+              mimo_senses_attach(scene, h.model, &sensed, &senses));
+  sensed = host_config();
+  sensed.model_size += 8;
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "model_size", mimo_senses_attach(scene, h.model, &sensed, &senses));
+  sensed = host_config();
+  sensed.data_size = 8;
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "data_size", mimo_senses_attach(scene, h.model, &sensed, &senses));
+  sensed = host_config();
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "model does not point to an mjModel",
-              mimo_senses_attach(scene, NULL, junk, version, sizeof(mjModel), sizeof(mjData), &senses));
+              mimo_senses_attach(scene, junk, &sensed, &senses));
   memset(junk, 0x7f, sizeof junk);
+  sensed.model_size = sensed.data_size = 0;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "model does not point to an mjModel",
-              mimo_senses_attach(scene, NULL, junk, version, 0, 0, &senses));
+              mimo_senses_attach(scene, junk, &sensed, &senses));
   CHECK(senses == NULL);
-  CHECK_OK(mimo_senses_attach(scene, NULL, h.model, version, 0, 0, &senses));
+  CHECK_OK(mimo_senses_attach(scene, h.model, &sensed, &senses));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "data is NULL", mimo_senses_observe(senses, NULL, block, sizeof block));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "data does not point to an mjData of the model",
               mimo_senses_observe(senses, junk, block, sizeof block));

@@ -1,4 +1,5 @@
-/* The host simulates MIMo's own scene with its own MuJoCo: attached senses give exactly the bytes of an environment. */
+/* The host simulates MIMo's own scene with its own MuJoCo: attached senses give exactly the bytes of an environment,
+ * also where they are late, noisy and weak. */
 #include <mujoco/mujoco.h>
 
 #include "support/capi.h"
@@ -72,6 +73,30 @@ static uint8_t* new_block(size_t bytes) {
   return block;
 }
 
+/* Every limit that there is, on senses of all kinds. */
+static void limit(mimo_scene* scene) {
+  static const struct {
+    const char* path;
+    double delay, gain, noise, blur;
+  } all[] = {{"proprioception", 0.05, 0.9, 0.02, 0},
+             {"proprioception/velocity", 0, 1, 0.1, 0},
+             {"touch", 0.12, 1, 0.5, 0},
+             {"vestibular", 0.01, 1, 0, 0},
+             {"vision", 0.03, 0.8, 4, 1}};
+  const size_t count = sizeof all / sizeof *all;
+  mimo_limits limits;
+  size_t i;
+  for (i = 0; i < count; ++i) {
+    CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+    limits.delay = all[i].delay;
+    limits.gain = all[i].gain;
+    limits.noise = all[i].noise;
+    limits.blur = all[i].blur;
+    if (i + 1 < count) CHECK_OK(mimo_scene_limit_sense(scene, 0, all[i].path, &limits));
+    if (i + 1 == count) CHECK_OK(mimo_scene_limit_sense(scene, 0, "vision/eye_left", &limits));
+  }
+}
+
 /* Which field differs, for people. */
 static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t* actual, int step) {
   size_t bytes = 0, fields = 0, i;
@@ -106,9 +131,33 @@ static void check_layouts(const mimo_env* env, const mimo_senses* senses) {
   }
 }
 
-static void run(const char* name, uint32_t vision) {
+/* Other senses that have loaded what these remember, as in another process. */
+static mimo_senses* moved(const mimo_scene* scene, const mjModel* model, const mimo_senses_config* config,
+                          mimo_senses* senses) {
+  mimo_senses* twin = NULL;
+  mimo_load_report report;
+  size_t bytes = 0, again = 0;
+  uint8_t* state;
+  CHECK_OK(mimo_senses_attach(scene, model, config, &twin));
+  CHECK_OK(mimo_senses_state_size(senses, &bytes));
+  CHECK_OK(mimo_senses_state_size(twin, &again));
+  CHECK(bytes == again);
+  state = new_block(bytes);
+  CHECK_OK(mimo_senses_state_save(senses, state, bytes));
+  report.struct_size = sizeof report;
+  CHECK_OK(mimo_senses_state_load(twin, state, bytes, &report));
+  CHECK(report.fresh == 0 && report.ignored == 0);
+  CHECK_TEXT("", report.fresh_names);
+  mimo_senses_destroy(senses);
+  free(state);
+  return twin;
+}
+
+static void run(const char* name, uint32_t vision, int limited) {
   mimo_scene* scene = make_scene(name, vision);
   mimo_env_config config;
+  mimo_senses_config attached;
+  const uint64_t seed = 11;
   mimo_env* env = NULL;
   mimo_senses* senses = NULL;
   mjModel* model = load(scene);
@@ -119,13 +168,18 @@ static void run(const char* name, uint32_t vision) {
   uint32_t random = 7;
   uint8_t *expected, *actual, *before;
   int step, changed = 0, pressed = 0;
+  if (limited) limit(scene);
   CHECK_OK(mimo_env_config_init(&config, sizeof config));
   config.disable = MIMO_DISABLE_OWN_SOLVER; /* the host calls mj_step */
   config.frame_skip = FRAME_SKIP;
   CHECK_OK(mimo_env_create(scene, &config, &env));
-  CHECK_OK(mimo_senses_attach(scene, &config, model, mj_version(), sizeof(mjModel), sizeof(mjData), &senses));
+  CHECK_OK(mimo_senses_config_init(&attached, sizeof attached));
+  attached.mujoco_version = mj_version();
+  attached.model_size = sizeof(mjModel);
+  attached.data_size = sizeof(mjData);
+  attached.step = FRAME_SKIP * model->opt.timestep;
+  CHECK_OK(mimo_senses_attach(scene, model, &attached, &senses));
   if (env == NULL || senses == NULL) exit(failures());
-  mimo_scene_destroy(scene);
   check_layouts(env, senses);
   CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
   CHECK_OK(mimo_env_action_size(env, &actions));
@@ -133,7 +187,11 @@ static void run(const char* name, uint32_t vision) {
   expected = new_block(bytes);
   actual = new_block(bytes);
   before = new_block((size_t)data->nbuffer);
-  CHECK_OK(mimo_env_reset(env, NULL, expected, bytes));
+  CHECK_OK(mimo_env_reset(env, &seed, expected, bytes));
+  mj_forward(model, data);
+  CHECK_OK(mimo_senses_reset(senses, data, &seed));
+  CHECK_OK(mimo_senses_observe(senses, data, actual, bytes));
+  compare(env, expected, actual, -1);
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < actions; ++i) action[i] = low[i] + random_share(&random) * (high[i] - low[i]);
     CHECK_OK(mimo_env_step(env, action, actions, expected, bytes, NULL, NULL, NULL, 0));
@@ -141,10 +199,12 @@ static void run(const char* name, uint32_t vision) {
     for (i = 0; i < actions; ++i) data->ctrl[i] = (double)action[i];
     for (i = 0; i < FRAME_SKIP; ++i) mj_step(model, data);
     memcpy(before, data->buffer, (size_t)data->nbuffer);
+    CHECK_OK(mimo_senses_advance(senses, data));
     CHECK_OK(mimo_senses_observe(senses, data, actual, bytes));
     changed += memcmp(before, data->buffer, (size_t)data->nbuffer) != 0;
     compare(env, expected, actual, step);
     pressed += data->ncon > 0;
+    if (step == STEPS / 2) senses = moved(scene, model, &attached, senses);
     /* The same senses look at other data in between, and see that. */
     if (step % 40 == 39) {
       mj_forward(model, other);
@@ -154,6 +214,7 @@ static void run(const char* name, uint32_t vision) {
   }
   CHECK(changed == 0);
   CHECK(pressed > 0);
+  mimo_scene_destroy(scene);
   mimo_senses_destroy(senses);
   mimo_env_destroy(env);
   mj_deleteData(data);
@@ -165,7 +226,8 @@ static void run(const char* name, uint32_t vision) {
 }
 
 int main(void) {
-  run("benchmark", MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
-  run("free", 0);
+  run("benchmark", MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, 0);
+  run("free", 0, 0);
+  run("free", MIMO_VISION_RGB | MIMO_VISION_DEPTH, 1);
   return failures();
 }

@@ -95,7 +95,7 @@ static mimo_status meddle(void* user, const mimo_env* env, const mimo_task_momen
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_reset(mine, NULL, NULL, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(mine, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_physics_step(mine, 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_state_load(mine, a->state, a->state_bytes));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_state_load(mine, a->state, a->state_bytes, NULL));
   mimo_env_destroy(mine);
   CHECK_OK(mimo_env_time(env, &later));
   CHECK(time == later);

@@ -154,7 +154,7 @@ static void taken_object(args* a) { a->object_config->name = "toy"; }
 static void no_text(args* a) { a->text = NULL, a->capacity = 0; }
 static void unknown_parameter(args* a) { a->parameter_name = "mood"; }
 static void no_evaluate(args* a) { a->task->evaluate = NULL; }
-static void unknown_renderer(args* a) { a->env_config->renderer = "crayons"; }
+static void unknown_renderer(args* a) { a->env_config->renderer = a->senses_config->renderer = "crayons"; }
 static void no_renderer(args* a) { a->env_config->renderer = "none"; }
 static void unknown_task(args* a) { a->env_config->task = "homework"; }
 static void no_custom_task(args* a) { a->env_config->task = "custom"; }
@@ -200,6 +200,8 @@ static void no_state(args* a) { memset((void*)a->state, 0, a->state_bytes); }
 static void damaged_state(args* a) { ((unsigned char*)a->state)[a->state_bytes - 1] ^= 1; }
 static void foreign_state_given(args* a) { memcpy((void*)a->state, foreign_state(), 64); }
 #define foreign_state foreign_state_given
+static void damaged_memory(args* a) { ((unsigned char*)a->memory)[a->memory_bytes - 1] ^= 1; }
+static void state_as_memory(args* a) { a->memory = a->state, a->memory_bytes = a->state_bytes; }
 
 static void same_joint(args* a) { CHECK_OK(mimo_scene_read_joint(a->scene, 0, a->name)); }
 static void root_and_body(args* a) { a->agent_config->root = "torso"; }

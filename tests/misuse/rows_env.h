@@ -129,9 +129,10 @@ ROW(mimo_env_gravity, ON_ENV, mimo_env_gravity(a->env, a->numbers, a->gravity_co
 ROW(mimo_env_state_size, ON_ENV, mimo_env_state_size(a->env, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->state_out, a->state_bytes),
     NO_NULL(state_out, "state"), SHORT(state_bytes, "state"))
-ROW(mimo_env_state_load, ON_ENV | HEALS, mimo_env_state_load(a->env, a->state, a->state_bytes), NO_NULL(state, "state"),
-    EXACT(state_bytes, "state"), BAD_SIZE(state_bytes, 0, "state"), BAD_SIZE(state_bytes, 47, "state"),
-    DO(no_state, E_ARG, "no state"), DO(damaged_state, E_ARG, "damaged"), DO(foreign_state, E_ARG, "another"))
+ROW(mimo_env_state_load, ON_ENV | HEALS, mimo_env_state_load(a->env, a->state, a->state_bytes, a->report),
+    NO_NULL(state, "state"), LOAD_REPORT, EXACT(state_bytes, "state"), BAD_SIZE(state_bytes, 0, "state"),
+    BAD_SIZE(state_bytes, 47, "state"), DO(no_state, E_ARG, "no state"), DO(damaged_state, E_ARG, "damaged"),
+    DO(foreign_state, E_ARG, "another"))
 ROW(mimo_env_clone, ON_ENV | SIMULATES, mimo_env_clone(a->env, a->made_env), NO_NULL(made_env, "clone"))
 ROW(mimo_env_random, ON_ENV, mimo_env_random(a->env, a->numbers, a->number_count), NO_NULL(numbers, "values"),
     BAD_SIZE(number_count, -1, "values"), SIZE_IS(number_count, 0, MIMO_OK, NULL))

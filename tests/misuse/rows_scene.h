@@ -51,8 +51,8 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))
-ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config, a->id_out), NULL_OK(agent_config),
-    NULL_OK(id_out), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place, 4),
+ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config, a->count), NULL_OK(agent_config),
+    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place, 4),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
     UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
     AGENT(proprioception, 0x80), AGENT(proprioception, -1), AGENT(vestibular, 4),
@@ -72,18 +72,24 @@ ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_conf
     NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place, 4), AGENT(vision, 8),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
-ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
-    BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
+ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent_index, a->part, a->spacing), NULL_OK(part),
+    BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
-ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent, a->name), BAD_I32(agent, 1, "agent"),
-    BAD_IDS(agent, "agent"), NO_NULL(name, "joint"), DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))
+ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_index, a->name),
+    BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(name, "joint"),
+    DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))
 #define LIMITS_REAL(f, n) BAD_REAL(limits, mimo_limits, f, n, #f)
-ROW(mimo_scene_limit_sense, ON_SCENE, mimo_scene_limit_sense(a->scene, a->agent, a->path, a->limits),
-    BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NO_NULL(path, "path"), NULL_OK(limits),
-    CONFIG(limits, mimo_limits, "limits"), BAD_FIELD(limits, mimo_limits, delay, 1001, "delay"),
-    UNREAL(limits, mimo_limits, gain, "gain"), LIMITS_REAL(gain, -1), UNREAL(limits, mimo_limits, noise, "noise"),
-    LIMITS_REAL(noise, -0.5), UNREAL(limits, mimo_limits, blur, "blur"), LIMITS_REAL(blur, -1), LIMITS_REAL(blur, 0.01),
-    LIMITS_REAL(blur, 1001))
+#define LIMITS                                                                                         \
+  NULL_OK(limits), CONFIG(limits, mimo_limits, "limits"), UNREAL(limits, mimo_limits, delay, "delay"), \
+      LIMITS_REAL(delay, -0.01), UNREAL(limits, mimo_limits, gain, "gain"), LIMITS_REAL(gain, -1),     \
+      UNREAL(limits, mimo_limits, noise, "noise"), LIMITS_REAL(noise, -0.5),                           \
+      UNREAL(limits, mimo_limits, blur, "blur"), LIMITS_REAL(blur, -1), LIMITS_REAL(blur, 0.01),       \
+      LIMITS_REAL(blur, 1001), BAD_FIELD(limits, mimo_limits, reserved, 1, "reserved")
+ROW(mimo_scene_limit_sense, ON_SCENE, mimo_scene_limit_sense(a->scene, a->agent_index, a->path, a->limits),
+    BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(path, "path"), LIMITS)
+ROW(mimo_scene_limit_motor, ON_SCENE, mimo_scene_limit_motor(a->scene, a->agent_index, a->motor_path, a->limits),
+    BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(motor_path, "path"), LIMITS,
+    BAD_REAL(limits, mimo_limits, blur, 1, "blur"))
 
 #define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_REAL(f, n) BAD_REAL(object_config, mimo_object_config, f, n, #f)

@@ -1,12 +1,23 @@
 /* Senses on the host's own simulation. See table.h. */
 
-ROW(mimo_senses_attach, ON_CART,
-    mimo_senses_attach(a->scene, a->env_config, a->model, a->version, a->model_size, a->data_size, a->made_senses),
-    NULL_OK(env_config), CONFIG(env_config, mimo_env_config, "config"), NO_NULL(model, "model"),
+#define SENSES_FIELD(kind, f, n, status, names) \
+  { kind, #f " is " #n, MEMBER(senses_config), FIELD(mimo_senses_config, f), (int64_t)(n), 0, NULL, status, names }
+#define SENSES_REAL(n) BAD_REAL(senses_config, mimo_senses_config, step, n, "step")
+ROW(mimo_senses_config_init, 0, mimo_senses_config_init(a->senses_config, sizeof *a->senses_config + a->more_bytes),
+    INIT(senses_config, mimo_senses_config, "config"))
+ROW(mimo_senses_attach, ON_CART, mimo_senses_attach(a->scene, a->model, a->senses_config, a->made_senses),
+    NO_NULL(senses_config, "config"), CONFIG(senses_config, mimo_senses_config, "config"), NO_NULL(model, "model"),
     NO_NULL(made_senses, "senses"),
-    {FAULT_I32, "another version", MEMBER(version), 0, 237, 0, NULL, MIMO_E_UNSUPPORTED, "mujoco_version"},
-    SIZE_IS(model_size, 1, MIMO_E_UNSUPPORTED, "model_size"), SIZE_IS(data_size, -1, MIMO_E_UNSUPPORTED, "data_size"),
-    SIZE_IS(model_size, 0, MIMO_OK, NULL), SIZE_IS(data_size, 0, MIMO_OK, NULL), DO(no_model, E_ARG, "model"),
+    SENSES_FIELD(FAULT_FIELD_I32, mujoco_version, 237, MIMO_E_UNSUPPORTED, "mujoco_version"),
+    SENSES_FIELD(FAULT_FIELD_I32, mujoco_version, 0, MIMO_E_UNSUPPORTED, "mujoco_version"),
+    SENSES_FIELD(FAULT_FIELD_SIZE, model_size, 1, MIMO_E_UNSUPPORTED, "model_size"),
+    SENSES_FIELD(FAULT_FIELD_SIZE, data_size, -1, MIMO_E_UNSUPPORTED, "data_size"),
+    SENSES_FIELD(FAULT_FIELD_SIZE, model_size, 0, MIMO_OK, NULL),
+    SENSES_FIELD(FAULT_FIELD_SIZE, data_size, 0, MIMO_OK, NULL), SENSES_REAL(-1), SENSES_REAL(NAN),
+    SENSES_REAL(INFINITY), BAD_FIELD(senses_config, mimo_senses_config, render, 0x40, "render"),
+    BAD_FIELD(senses_config, mimo_senses_config, samples, 3, "samples"),
+    BAD_FIELD(senses_config, mimo_senses_config, render_threads, 65, "render_threads"),
+    BAD_FIELD(senses_config, mimo_senses_config, reserved, 1, "reserved"), DO(no_model, E_ARG, "model"),
     DO(unknown_renderer, E_ARG, "crayons"))
 ROW(mimo_senses_destroy, ON_SCENE | ON_ENV | ON_BATCH | ON_SENSES | DESTROYS, check_destroy_senses(a), NONE)
 ROW(mimo_senses_observation_size, ON_SENSES, mimo_senses_observation_size(a->senses, a->count, a->count2),
@@ -24,3 +35,13 @@ ROW(mimo_senses_touch_sensors, ON_SENSES,
 ROW(mimo_senses_observe, ON_SENSES, mimo_senses_observe(a->senses, a->data, a->block, a->block_bytes),
     NO_NULL(data, "data"), NO_NULL(block, "block"), SIZE_IS(block_bytes, 1, MIMO_E_BUFFER_TOO_SMALL, "block"),
     BAD_SIZE(block_bytes, -1, "block"), DO(no_block, E_ARG, "block"), DO(no_data, E_ARG, "data"))
+ROW(mimo_senses_reset, ON_SENSES, mimo_senses_reset(a->senses, a->data, a->seed), NO_NULL(data, "data"), NULL_OK(seed),
+    DO(no_data, E_ARG, "data"))
+ROW(mimo_senses_advance, ON_SENSES, mimo_senses_advance(a->senses, a->data), NO_NULL(data, "data"),
+    DO(no_data, E_ARG, "data"))
+ROW(mimo_senses_state_size, ON_SENSES, mimo_senses_state_size(a->senses, a->count), NO_NULL(count, "bytes"))
+ROW(mimo_senses_state_save, ON_SENSES, mimo_senses_state_save(a->senses, a->memory_out, a->memory_bytes),
+    NO_NULL(memory_out, "state"), SHORT(memory_bytes, "state"))
+ROW(mimo_senses_state_load, ON_SENSES, mimo_senses_state_load(a->senses, a->memory, a->memory_bytes, a->report),
+    NO_NULL(memory, "state"), LOAD_REPORT, EXACT(memory_bytes, "state"), BAD_SIZE(memory_bytes, 0, "state"),
+    DO(damaged_memory, E_ARG, "damaged"), DO(state_as_memory, E_ARG, "another model"))

@@ -32,24 +32,27 @@ typedef struct args {
   mimo_model_config* model_config;
   mimo_gaze* gaze;
   mimo_limits* limits;
+  mimo_senses_config* senses_config;
+  mimo_load_report* report;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, agent, body_id, how, version;
-  size_t index, element, agent_index, world, steps, model_size, data_size;
+  int32_t kind, id, quantity, joint, body_id, how;
+  size_t index, element, agent_index, world, steps;
   double angle, value, spacing, x, y, z;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *joint_name, *other, *folder;
+  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *motor_path, *joint_name, *other,
+      *folder;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
   const double *points, *to_write, *all_to_write, *pose;
-  const void *state, *states, *model, *data;
-  size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, value_count,
-      values_count;
+  const void *state, *states, *memory, *model, *data;
+  size_t action_count, actions_count, id_count, point_count, worlds, state_bytes, states_bytes, memory_bytes,
+      value_count, values_count;
   /* arrays that are written */
-  void *block, *blocks, *state_out, *states_out;
+  void *block, *blocks, *state_out, *states_out, *memory_out;
   char* text;
   double *reward, *values, *all_values, *numbers, *pixels, *contact_values, *positions, *frames, *look_angles;
   uint8_t *terminated, *truncated, *rgb;
@@ -183,6 +186,9 @@ int rows_failures(void);
 #define CONFIG(m, t, names) \
   BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_STRUCT_SIZE, names)
 #define DESCRIPTION(m, t, names) NO_NULL(m, names), BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 1, MIMO_OK, NULL)
+#define LOAD_REPORT                                               \
+  NULL_OK(report), BAD_SIZES(report, mimo_load_report, "report"), \
+      STRUCT_LATER(report, mimo_load_report, 1, MIMO_OK, NULL)
 /* A function that is told the struct's size: sizeof(t) + more_bytes. */
 #define INIT(m, t, names)                                                                 \
   NO_NULL(m, names), SIZE_IS(more_bytes, -(int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), \

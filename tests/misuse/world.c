@@ -20,7 +20,7 @@ static mimo_senses* dead_senses;
 static mjModel* host_model;
 static mjData* host_data;
 static unsigned char not_a_handle[256];
-static unsigned char foreign[MOST_BYTES], first_state[MOST_BYTES];
+static unsigned char foreign[MOST_BYTES], first_state[MOST_BYTES], first_memory[MOST_BYTES];
 
 /* Memory of exactly this size, so that the address sanitizer sees what goes beyond it. */
 static void* region(size_t size) {
@@ -89,6 +89,7 @@ static void make_host(void) {
 /* A scene that describes senses on it. */
 static mimo_scene* make_cart(void) {
   mimo_agent_config agent;
+  mimo_limits late;
   mimo_scene* scene = NULL;
   CHECK_OK(mimo_scene_create(NULL, &scene));
   CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
@@ -97,13 +98,19 @@ static mimo_scene* make_cart(void) {
   agent.vision = 0;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_OK(mimo_scene_set_touch(scene, 0, NULL, 0.1));
+  CHECK_OK(mimo_limits_init(&late, sizeof late));
+  late.delay = 0.01;
+  CHECK_OK(mimo_scene_limit_sense(scene, 0, "vestibular", &late));
   return scene;
 }
 
 static mimo_senses* make_senses(void) {
   mimo_scene* scene = make_cart();
   mimo_senses* senses = NULL;
-  CHECK_OK(mimo_senses_attach(scene, NULL, host_model, mj_version(), 0, 0, &senses));
+  mimo_senses_config config;
+  CHECK_OK(mimo_senses_config_init(&config, sizeof config));
+  config.mujoco_version = mj_version();
+  CHECK_OK(mimo_senses_attach(scene, host_model, &config, &senses));
   mimo_scene_destroy(scene);
   return senses;
 }
@@ -196,6 +203,9 @@ static void make_arrays(void) {
   good.blocks = region(good.blocks_bytes);
   good.state_out = region(state);
   good.states_out = region(worlds * state);
+  CHECK_OK(mimo_senses_state_size(good.senses, &good.memory_bytes));
+  good.memory = region(good.memory_bytes);
+  good.memory_out = region(good.memory_bytes);
   good.text = region(good.capacity);
   good.reward = region(AGENTS * sizeof(double));
   good.values = region(good.value_count * sizeof(double));
@@ -254,6 +264,8 @@ static void make_structs(void) {
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
+  good.senses_config = region(sizeof *good.senses_config + TAIL);
+  good.report = region(sizeof *good.report + TAIL);
 }
 
 void make_everything(void) {
@@ -273,6 +285,7 @@ void make_everything(void) {
   make_structs();
   CHECK(good.state_bytes <= sizeof first_state);
   CHECK_OK(mimo_env_state_save(good.env, first_state, sizeof first_state));
+  CHECK_OK(mimo_senses_state_save(good.senses, first_memory, sizeof first_memory));
 }
 
 void destroy_everything(void) {
@@ -301,6 +314,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_task_field_init(good.task_field, sizeof *good.task_field));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
+  CHECK_OK(mimo_senses_config_init(good.senses_config, sizeof *good.senses_config));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
   good.scene_config->name = "free";
   good.agent_config->place = MIMO_PLACE_ROOT;
@@ -324,6 +338,10 @@ static void fill_configs(void) {
   good.field->struct_size = sizeof *good.field;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
+  good.report->struct_size = sizeof *good.report;
+  good.senses_config->mujoco_version = mj_version();
+  good.senses_config->model_size = sizeof *host_model;
+  good.senses_config->data_size = sizeof *host_data;
   good.model_config->name = "cup";
   good.model_config->xml = "<mujoco><worldbody><body><geom size='0.1'/></body></worldbody></mujoco>";
   good.camera_config->name = "watcher";
@@ -366,6 +384,7 @@ static void fill_arrays(void) {
 static void fill_states(void) {
   size_t i;
   memcpy((void*)good.state, first_state, good.state_bytes);
+  memcpy((void*)good.memory, first_memory, good.memory_bytes);
   for (i = 0; i < WORLDS_IN_BATCH; ++i) {
     memcpy((unsigned char*)good.states + i * good.state_bytes, first_state, good.state_bytes);
   }
@@ -396,14 +415,12 @@ args good_args(int uses) {
   good.joint_name = "robot:head_tilt";
   good.face = "fear";
   good.path = "touch";
+  good.motor_path = "right_arm";
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
   good.spacing = 0.05;
   good.model = host_model;
   good.data = host_data;
-  good.version = mj_version();
-  good.model_size = sizeof *host_model;
-  good.data_size = sizeof *host_data;
   a = good;
   /* Calls change scenes for good. */
   if (uses & ON_SCENE) a.scene = make_scene("selfbody", "mitten");

@@ -108,3 +108,38 @@ def test_the_mujoco_package_is_understood(root):
     mujoco.mj_step(model, data)
     with mimo.Senses(described("torso"), model) as senses:
         assert senses.observe(data)["proprioception/position"] == pytest.approx(data.qpos[7:], abs=1e-6)
+
+
+def late_senses(humanoid):
+    scene = described("torso")
+    scene.limit_sense("proprioception/position", delay=0.05, noise=0.01)
+    return mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version, step=0.01)
+
+
+def test_senses_remember_what_they_advance_over(humanoid):
+    with late_senses(humanoid) as senses, late_senses(humanoid) as others:
+        assert senses.reset(humanoid.data, seed=5) is None
+        first = senses.observe(humanoid.data)["proprioception/position"].copy()
+        for _ in range(5):
+            humanoid.step(2)
+            senses.advance(humanoid.data)
+            assert np.array_equal(senses.observe(humanoid.data)["proprioception/position"], first)
+        assert others.load(senses.save()) == mimo.LoadReport((), ())
+        humanoid.step(2)
+        for each in (senses, others):
+            each.advance(humanoid.data)
+        now = senses.observe(humanoid.data)["proprioception/position"]
+        assert not np.array_equal(now, first)
+        assert np.array_equal(now, others.observe(humanoid.data)["proprioception/position"])
+        assert np.array_equal(now, senses.observe(humanoid.data)["proprioception/position"])
+
+
+def test_what_senses_cannot_do_is_refused(humanoid):
+    scene = described("torso")
+    scene.limit_motor(delay=0.1)
+    with pytest.raises(mimo.UnsupportedError, match="the host commands them"):
+        mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version)
+    with pytest.raises(TypeError, match="frame_skip.*There are: .*step"):
+        mimo.Senses(described("torso"), humanoid.model, mujoco_version=humanoid.version, frame_skip=2)
+    with late_senses(humanoid) as senses, pytest.raises(ValueError, match="state: .* too few"):
+        senses.load(b"nothing")

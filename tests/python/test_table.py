@@ -27,6 +27,8 @@ STRUCTS = {
     "mimo_model_config": _abi.ModelConfig,
     "mimo_camera_config": _abi.CameraConfig,
     "mimo_gaze": _abi.Gaze,
+    "mimo_load_report": _abi.LoadReport,
+    "mimo_senses_config": _abi.SensesConfig,
     "mimo_parameter": _abi.Parameter,
     "mimo_env_config": _abi.EnvConfig,
     "mimo_agent_info": _abi.AgentInfo,

@@ -16,7 +16,8 @@ constexpr std::uint64_t kSeed = 5;
 
 observation::Limits gain(double factor) { return {factor, 0, 0, 0}; }
 observation::Limits noise(double deviation) { return {1, deviation, 0, 0}; }
-observation::Limits delay(int steps) { return {1, 0, 0, steps}; }
+// Of steps, which are 10 ms long.
+observation::Limits delay(int steps) { return {1, 0, 0, 0.01 * steps}; }
 
 env::AgentOptions limited(const std::vector<observation::PathLimits>& limits) {
   env::AgentOptions options = blind();
@@ -146,7 +147,7 @@ TEST(Limits, NothingOfTheLastEpisodeIsSensed) {
 }
 
 TEST(Limits, ArePartOfTheState) {
-  const std::vector<observation::PathLimits> limits = {{"proprioception", {0.9, 0.05, 0, 4}}, {"touch", delay(2)}};
+  const std::vector<observation::PathLimits> limits = {{"proprioception", {0.9, 0.05, 0, 0.04}}, {"touch", delay(2)}};
   const auto one = world_with(limits), other = world_with(limits);
   episode(*one, kVelocity, 12);
   std::vector<std::uint8_t> state(one->state_bytes());

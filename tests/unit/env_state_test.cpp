@@ -38,15 +38,11 @@ env::EnvOptions counting(std::uint32_t max_steps = 0) {
 
 CountingTask& task_of(const env::World& world) { return dynamic_cast<CountingTask&>(*world.agents()[0].task); }
 
-// Puts a checksum under bytes that were changed, as someone with a hex editor and patience would.
-void reseal(const env::World& world, Bytes& state) {
-  ByteReader header{Span<const std::uint8_t>(state)};
-  header.skip(24);
-  env::StateFormat format;
-  format.bytes = world.state_bytes();
-  format.model = header.take<std::uint64_t>();
-  format.layout = header.take<std::uint64_t>();
-  env::seal_state(format, Span<std::uint8_t>(state));
+// The bytes of a section.
+std::uint8_t* at(Bytes& state, const std::string& name) {
+  const auto found = std::search(state.begin(), state.end(), name.begin(), name.end());
+  EXPECT_NE(found, state.end());
+  return &*found + name.size();
 }
 
 engine::ModelPtr with(const scene::Object& object) {
@@ -196,8 +192,8 @@ TEST(State, RefusesNumbersThatAreNotFiniteAndPartsThatDoNotWantTheirs) {
   Bytes infinite = state;
   const double bad = HUGE_VAL;
   std::memcpy(infinite.data() + infinite.size() - sizeof bad, &bad, sizeof bad);
-  infinite[env::kStateHeaderBytes] ^= 1;  // another number of elapsed steps must not stay either
-  reseal(*world, infinite);
+  at(infinite, "episode")[0] ^= 1;                // another number of elapsed steps must not stay either
+  env::seal_state(Span<std::uint8_t>(infinite));  // as someone with a hex editor and patience would
   EXPECT_NE(refusal(*world, infinite).find("expected a finite number"), std::string::npos);
   EXPECT_EQ(saved(*world), state);
 
@@ -303,6 +299,117 @@ TEST(State, HoldsPositionControlLocksGearsAndGravity) {
   expect_to_continue(*locked, *plain);
   EXPECT_EQ(engine::lock_angle(plain->model(), lock), engine::lock_angle(locked->model(), lock));
   EXPECT_EQ(benchmark_model()->eq_active[lock], 0);  // what all worlds share stays as it was
+}
+
+std::unique_ptr<env::World> late_world(double force, double velocity) {
+  env::AgentOptions agent = blind();
+  agent.touch.everywhere = 0.1;
+  if (force > 0) agent.limits.push_back({"touch/force", {1, 0, 0, force}});
+  if (velocity > 0) agent.limits.push_back({"proprioception/velocity", {1, 0.05, 0, velocity}});
+  return std::make_unique<env::World>(benchmark_model(), std::vector<env::AgentOptions>{agent}, env::EnvOptions{});
+}
+
+// Sections that the state lacks start afresh, others go on, and all else is as in any world.
+TEST(State, WhatAWorldOfOtherLimitsLacksStartsAfresh) {
+  const auto world = late_world(0.03, 0.02);
+  for (int i = 0; i < 20; ++i) step(*world, i);
+  const Bytes state = saved(*world);
+  const std::string force = "delay/touch/force", velocity = "delay/proprioception/velocity";
+
+  EXPECT_EQ(late_world(0.03, 0.02)->load(Span<const std::uint8_t>(state)).fresh_names, "");
+  const env::LoadReport perfect = late_world(0, 0)->load(Span<const std::uint8_t>(state));
+  EXPECT_EQ(perfect.fresh_names, "");
+  EXPECT_EQ(perfect.ignored_names, velocity + ", " + force);
+  EXPECT_EQ(perfect.ignored, 2u);
+  const env::LoadReport slower = late_world(0.04, 0.02)->load(Span<const std::uint8_t>(state));
+  EXPECT_EQ(slower.fresh_names, force);
+  EXPECT_EQ(slower.ignored_names, "");
+
+  // Trajectories do not depend on what is sensed; what was never late is the same at once.
+  const auto prompt = late_world(0, 0), other = late_world(0.05, 0);
+  prompt->load(Span<const std::uint8_t>(state));
+  EXPECT_EQ(other->load(Span<const std::uint8_t>(state)).fresh_names, force);
+  EXPECT_EQ(observed(*prompt), observed(*other));
+  Bytes first;
+  for (int i = 20; i < 40; ++i) {
+    const Bytes now = step(*prompt, i), late = step(*other, i);
+    const observation::Field& touch = other->layout()[other->layout().size() - 1];
+    ASSERT_EQ(touch.name, "touch/force");
+    EXPECT_TRUE(std::equal(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(touch.offset), late.begin()));
+    if (i == 20) first = now;
+    if (i > 25) continue;
+    const auto start = static_cast<std::ptrdiff_t>(touch.offset);
+    EXPECT_TRUE(std::equal(first.begin() + start, first.begin() + start + static_cast<std::ptrdiff_t>(touch.bytes()),
+                           late.begin() + start))
+        << i;
+  }
+}
+
+TEST(State, NoiseGoesOnAlsoWhereNobodyHeardItBefore) {
+  const auto plain = late_world(0, 0), noisy = late_world(0, 0.02), twin = late_world(0, 0.02);
+  const std::uint64_t seed = 3;
+  plain->reset(&seed, nullptr);
+  noisy->reset(&seed, nullptr);
+  for (int i = 0; i < 10; ++i) step(*plain, i), step(*noisy, i);
+  twin->load(Span<const std::uint8_t>(saved(*plain)));
+  // After the delay nothing is left of the start.
+  for (int i = 10; i < 13; ++i) step(*noisy, i), step(*twin, i);
+  for (int i = 13; i < 20; ++i) EXPECT_EQ(step(*noisy, i), step(*twin, i));
+}
+
+TEST(State, ActuationsDoNotTakeEachOthers) {
+  env::AgentOptions agent = blind();
+  agent.actuation.mode = actuation::Mode::kPosition;
+  env::World angles(benchmark_model(), {agent}, {});
+  const auto torques = make_world(benchmark_model());
+  EXPECT_NE(refusal(angles, saved(*torques)).find("another task, actuation"), std::string::npos);
+  EXPECT_NE(refusal(*torques, saved(angles)).find("agent/actuation"), std::string::npos);
+}
+
+// Of a library to come: a section more that may be left out, and one that may not.
+TEST(State, ToleratesSectionsToComeUnlessTheyAreEssential) {
+  int memory = 5;
+  const auto sections = [&](bool more, bool essential, std::uint32_t version) {
+    std::vector<Section> all(1);
+    all[0].name = "old";
+    all[0].version = version;
+    if (more) {
+      all.push_back(all[0]);
+      all[1].name = "new";
+      all[1].essential = essential;
+    }
+    for (Section& section : all) {
+      section.save = [&](ByteWriter& to) { to.put(memory); };
+      section.load = [&](ByteReader& from) { memory = from.take<int>(); };
+      section.forget = [&] { memory = -1; };
+    }
+    return all;
+  };
+  const auto state_of = [&](const env::Archive& archive) {
+    Bytes state(archive.bytes());
+    archive.save(Span<std::uint8_t>(state));
+    return state;
+  };
+  env::Archive today(7, sections(false, false, 1));
+  const Bytes newer = state_of(env::Archive(7, sections(true, false, 1)));
+  memory = 6;
+  EXPECT_EQ(today.load(Span<const std::uint8_t>(newer)).ignored_names, "new");
+  EXPECT_EQ(memory, 5);
+  const auto refused = [&](const Bytes& state) {
+    try {
+      today.load(Span<const std::uint8_t>(state));
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return std::string();
+  };
+  EXPECT_NE(refused(state_of(env::Archive(7, sections(true, true, 1)))).find("\"new\" has no use here"),
+            std::string::npos);
+  EXPECT_EQ(refused(state_of(env::Archive(7, sections(false, false, 2)))),
+            "state: version 2 of its section \"old\" needs a newer library, this one reads up to 1");
+  EXPECT_EQ(refused(state_of(env::Archive(8, sections(false, false, 1)))), "state: it was saved from another model");
+  env::Archive tomorrow(7, sections(true, false, 2));
+  EXPECT_EQ(tomorrow.load(Span<const std::uint8_t>(state_of(today))).fresh_names, "new");
 }
 
 TEST(State, SavesAndLoadsQuickly) {

@@ -164,11 +164,13 @@ namespace Mimo
             return states;
         }
 
-        /// <summary>Loads one state for each world, or a single one into all: futures of one present.</summary>
-        public void Load(byte[] states, bool[] mask = null)
+        /// <summary>Loads one state for each world, or a single one into all: futures of one present. Tells of the world
+        /// where most started fresh.</summary>
+        public LoadReport Load(byte[] states, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_state_load(handle, chosen, CountOf(chosen), states, (UIntPtr)states.Length));
+            return LoadReport.Of((ref LoadReportStruct report) =>
+                Native.mimo_batch_state_load(handle, chosen, CountOf(chosen), states, (UIntPtr)states.Length, ref report));
         }
 
         private static byte[] BytesOf(bool[] mask) { return mask?.Select(chosen => (byte)(chosen ? 1 : 0)).ToArray(); }

@@ -15,10 +15,12 @@ namespace Mimo
             return state;
         }
 
-        /// <summary>Goes on from a state of a world of the same model, agents and task, exactly as that one did.</summary>
-        public void Load(byte[] state)
+        /// <summary>Goes on from a state of a world of the same model, agents and task, exactly as that one did. What it
+        /// lacks of a delay starts fresh.</summary>
+        public LoadReport Load(byte[] state)
         {
-            MimoException.Check(Native.mimo_env_state_load(handle, state, (UIntPtr)state.Length));
+            return LoadReport.Of((ref LoadReportStruct report) =>
+                Native.mimo_env_state_load(handle, state, (UIntPtr)state.Length, ref report));
         }
 
         /// <summary>Another world of the same scene and options, in the same state. The model is shared.</summary>

@@ -93,4 +93,18 @@ namespace Mimo
             return true;
         }
     }
+
+    /// <summary>Owns a mimo_senses.</summary>
+    internal sealed class SensesHandle : SafeHandle
+    {
+        internal SensesHandle() : base(IntPtr.Zero, true) { }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_senses_destroy(handle);
+            return true;
+        }
+    }
 }

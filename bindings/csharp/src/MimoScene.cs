@@ -71,9 +71,9 @@ namespace Mimo
                 if (root != null) config.body = body.Pointer;
                 config.root = r.Pointer;
                 config.vestibular_at = v.Pointer;
-                int agent;
+                UIntPtr agent;
                 MimoException.Check(Native.mimo_scene_add_agent(Handle, ref config, out agent));
-                return agent;
+                return (int)agent;
             }
         }
 
@@ -187,28 +187,43 @@ namespace Mimo
         /// <summary>Has an agent's proprioception read this hinge or slide; the first call takes away all others.</summary>
         public void ReadJoint(string joint, int agent = 0)
         {
-            MimoException.Check(Native.mimo_scene_read_joint(Handle, agent, Utf8.Bytes(joint)));
+            MimoException.Check(Native.mimo_scene_read_joint(Handle, (UIntPtr)agent, Utf8.Bytes(joint)));
         }
 
         /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
-        /// Gaussian noise of that standard deviation in the field's unit, a delay in steps; pictures keep half the contrast of
-        /// lines of blur cycles per degree.</summary>
-        public void LimitSense(string path, double gain = 1, double noise = 0, uint delay = 0, double blur = 0, int agent = 0)
+        /// Gaussian noise of that standard deviation in the field's unit, a delay in seconds; pictures keep half the contrast
+        /// of lines of blur cycles per degree.</summary>
+        public void LimitSense(string path, double gain = 1, double noise = 0, double delay = 0, double blur = 0, int agent = 0)
+        {
+            var limits = Limits(gain, noise, delay);
+            limits.blur = blur;
+            MimoException.Check(Native.mimo_scene_limit_sense(Handle, (UIntPtr)agent, Utf8.Bytes(path), ref limits));
+        }
+
+        /// <summary>Limits the way of an agent's actions to a motor ("act:left_elbow"), to those of a part of its body
+        /// ("left_arm"), or, with "", to all, for worlds made from now on: a factor, Gaussian noise of that standard deviation
+        /// in the action's unit, a delay in seconds.</summary>
+        public void LimitMotor(string path, double gain = 1, double noise = 0, double delay = 0, int agent = 0)
+        {
+            var limits = Limits(gain, noise, delay);
+            MimoException.Check(Native.mimo_scene_limit_motor(Handle, (UIntPtr)agent, Utf8.Bytes(path), ref limits));
+        }
+
+        private static LimitsStruct Limits(double gain, double noise, double delay)
         {
             LimitsStruct limits;
             MimoException.Check(Native.mimo_limits_init(out limits, Structs.Size<LimitsStruct>()));
             limits.gain = gain;
             limits.noise = noise;
             limits.delay = delay;
-            limits.blur = blur;
-            MimoException.Check(Native.mimo_scene_limit_sense(Handle, agent, Utf8.Bytes(path), ref limits));
+            return limits;
         }
 
         /// <summary>Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there; a body of
         /// null: everywhere.</summary>
         public void SetTouch(int agent, string body, double spacing)
         {
-            MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Utf8.Bytes(body), spacing));
+            MimoException.Check(Native.mimo_scene_set_touch(Handle, (UIntPtr)agent, Utf8.Bytes(body), spacing));
         }
 
         /// <summary>Gives worlds made from now on a task of your own in place of the scene's; null takes it away.</summary>

@@ -44,10 +44,10 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_create(ref SceneConfigStruct config, out SceneHandle scene);
         [DllImport(File)] internal static extern void mimo_scene_destroy(IntPtr scene);
         [DllImport(File)] internal static extern int mimo_scene_default_agent(SceneHandle scene, out AgentConfig config, Size size);
-        [DllImport(File)] internal static extern int mimo_scene_add_agent(SceneHandle scene, ref AgentConfig config, out int agent);
+        [DllImport(File)] internal static extern int mimo_scene_add_agent(SceneHandle scene, ref AgentConfig config, out Size agent);
         [DllImport(File)] internal static extern int mimo_scene_add_object(SceneHandle scene, ref ObjectConfigStruct config);
         [DllImport(File)] internal static extern int mimo_scene_add_camera(SceneHandle scene, ref CameraConfigStruct config);
-        [DllImport(File)] internal static extern int mimo_scene_set_touch(SceneHandle scene, int agent, byte[] body, double spacing);
+        [DllImport(File)] internal static extern int mimo_scene_set_touch(SceneHandle scene, Size agent, byte[] body, double spacing);
         [DllImport(File)] internal static extern int mimo_model_config_init(out ModelConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_scene_add_agents(SceneHandle scene, ref AgentConfig config, out Size count);
         [DllImport(File)] internal static extern int mimo_scene_set_room(SceneHandle scene, byte[] name);
@@ -57,8 +57,9 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_xml(SceneHandle scene, byte[] text, Size capacity, out Size length);
         [DllImport(File)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
-        [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
-        [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
+        [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, Size agent, byte[] joint);
+        [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
+        [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_get_parameter(SceneHandle scene, byte[] name, out double value);
         [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
         [DllImport(File)] internal static extern int mimo_task_init(out TaskStruct task, Size size);
@@ -115,7 +116,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_gravity(EnvHandle env, out Vector3d xyz, Size count);
         [DllImport(File)] internal static extern int mimo_env_state_size(EnvHandle env, out Size bytes);
         [DllImport(File)] internal static extern int mimo_env_state_save(EnvHandle env, byte[] state, Size bytes);
-        [DllImport(File)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, Size bytes);
+        [DllImport(File)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, Size bytes, ref LoadReportStruct report);
         [DllImport(File)] internal static extern int mimo_env_clone(EnvHandle env, out EnvHandle clone);
 
         [DllImport(File)] internal static extern int mimo_batch_create(SceneHandle scene, ref EnvConfigStruct env, ref BatchConfigStruct config, out BatchHandle batch);
@@ -132,6 +133,17 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_batch_set(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_batch_set_face(BatchHandle batch, Size agent, byte[] name, byte[] mask, Size worlds);
         [DllImport(File)] internal static extern int mimo_batch_state_save(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes);
-        [DllImport(File)] internal static extern int mimo_batch_state_load(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes);
+        [DllImport(File)] internal static extern int mimo_batch_state_load(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes, ref LoadReportStruct report);
+        [DllImport(File)] internal static extern int mimo_senses_config_init(out SensesConfigStruct config, Size size);
+        [DllImport(File)] internal static extern int mimo_senses_attach(SceneHandle scene, IntPtr model, ref SensesConfigStruct config, out SensesHandle senses);
+        [DllImport(File)] internal static extern void mimo_senses_destroy(IntPtr senses);
+        [DllImport(File)] internal static extern int mimo_senses_observation_size(SensesHandle senses, out Size bytes, out Size fields);
+        [DllImport(File)] internal static extern int mimo_senses_observation_field(SensesHandle senses, Size index, ref FieldStruct field);
+        [DllImport(File)] internal static extern int mimo_senses_reset(SensesHandle senses, IntPtr data, ulong[] seed);
+        [DllImport(File)] internal static extern int mimo_senses_advance(SensesHandle senses, IntPtr data);
+        [DllImport(File)] internal static extern int mimo_senses_observe(SensesHandle senses, IntPtr data, byte[] block, Size bytes);
+        [DllImport(File)] internal static extern int mimo_senses_state_size(SensesHandle senses, out Size bytes);
+        [DllImport(File)] internal static extern int mimo_senses_state_save(SensesHandle senses, byte[] state, Size bytes);
+        [DllImport(File)] internal static extern int mimo_senses_state_load(SensesHandle senses, byte[] state, Size bytes, ref LoadReportStruct report);
     }
 }

@@ -82,8 +82,27 @@ namespace Mimo
     [StructLayout(LayoutKind.Sequential)]
     internal struct LimitsStruct
     {
-        internal uint struct_size, delay;
-        internal double gain, noise, blur;
+        internal uint struct_size, reserved;
+        internal double delay, gain, noise, blur;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct LoadReportStruct
+    {
+        internal uint struct_size, reserved;
+        internal UIntPtr fresh, ignored;
+        internal IntPtr fresh_names, ignored_names;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct SensesConfigStruct
+    {
+        internal uint struct_size;
+        internal int mujoco_version;
+        internal UIntPtr model_size, data_size;
+        internal double step;
+        internal IntPtr renderer, log, log_user;
+        internal uint render, samples, render_threads, reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]

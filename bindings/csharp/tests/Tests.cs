@@ -39,6 +39,7 @@ internal static partial class Tests
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
             { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
             { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) },
+            { "mimo_load_report", typeof(LoadReportStruct) }, { "mimo_senses_config", typeof(SensesConfigStruct) },
             { "mimo_timing", typeof(TimingStruct) }, { "mimo_parameter", typeof(ParameterStruct) },
             { "mimo_task", typeof(TaskStruct) }, { "mimo_task_field", typeof(TaskFieldStruct) },
             { "mimo_task_moment", typeof(TaskMomentStruct) }, { "mimo_task_verdict", typeof(TaskVerdictStruct) }
@@ -67,7 +68,7 @@ internal static partial class Tests
     {
         foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
             new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
-            new BatchResultsStruct(), new TimingStruct(), new ParameterStruct() })
+            new BatchResultsStruct(), new TimingStruct(), new ParameterStruct(), new LoadReportStruct(), new SensesConfigStruct() })
             GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
     }
 
@@ -238,7 +239,7 @@ internal static partial class Tests
         {
             StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, InfantsArePlacedByTheirSoles,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, MotorsAreLimited, SensesRemember, InfantsArePlacedByTheirSoles,
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,

@@ -134,7 +134,7 @@ internal static partial class Tests
                 agent.vision = agent.vestibular = agent.touch = 0;
                 scene.AddAgent(agent, root: "arm");
                 scene.ReadJoint("hinge");
-                if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 1);
+                if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 0.004); // two time steps of 2 ms
                 using (var env = new Env(scene))
                 {
                     var seen = new List<float>();

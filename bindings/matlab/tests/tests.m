@@ -124,7 +124,7 @@ end
 
 function senses_are_limited()
   plain = mimo_create('reach');
-  limited = mimo_create('reach', 'limits', struct('path', 'proprioception/velocity', 'gain', 2, 'delay', 1));
+  limited = mimo_create('reach', 'limits', struct('path', 'proprioception/velocity', 'gain', 2, 'delay', 0.01));
   first = mimo_reset(plain, 1);
   mimo_reset(limited, 1);
   for step = 1:3
@@ -135,6 +135,18 @@ function senses_are_limited()
   assert(max(abs(late.proprioception_velocity - 2 * before.proprioception_velocity)) < 1e-6);
   assert(~isequal(before.proprioception_velocity, first.proprioception_velocity));
   refused(@() mimo_create('reach', 'limits', struct('gain', 2)), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'motor_limits', struct('path', 'tail')), 'mimo:NOT_FOUND');
+  assert(strcmp(mimo_load(limited, mimo_save(plain)), 'delay/proprioception/velocity'));
+  assert(isempty(mimo_load(limited, mimo_save(limited))));
+  % Motors get half of what they are told, a step late.
+  weak = mimo_create('reach', 'motor_limits', struct('path', {'right_arm', 'act:right_elbow'}, 'gain', {1, 0.5}, 'delay', 0.01));
+  mimo_step(weak, ones(size(mimo_bounds(weak))));
+  assert(mimo_get(weak, 'actuator_control', 'act:right_elbow') == 0);
+  mimo_step(weak, ones(size(mimo_bounds(weak))));
+  mimo_step(plain, ones(size(mimo_bounds(plain))));
+  told = mimo_get(plain, 'actuator_control', 'act:right_elbow');
+  assert(told > 0 && abs(mimo_get(weak, 'actuator_control', 'act:right_elbow') - told / 2) < 1e-6);
+  mimo_close(weak);
   refused(@() mimo_create('reach', 'limits', struct('path', {'proprioception', []})), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'objects', 'ball'), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'limits', struct('path', 'smell')), 'mimo:NOT_FOUND');

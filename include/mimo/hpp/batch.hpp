@@ -104,8 +104,11 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     check(mimo_batch_state_save(get(), nullptr, 0, states.data(), states.size()));
     return states;
   }
-  void load(const std::vector<std::uint8_t> &states) {
-    check(mimo_batch_state_load(get(), nullptr, 0, states.data(), states.size()));
+  /// The report is that of the world where most started fresh.
+  mimo_load_report load(const std::vector<std::uint8_t> &states) {
+    mimo_load_report report = detail::described<mimo_load_report>();
+    check(mimo_batch_state_load(get(), nullptr, 0, states.data(), states.size(), &report));
+    return report;
   }
 
   void set_face(const std::string &name, std::size_t agent = 0) {

@@ -21,6 +21,13 @@ Config defaults(mimo_status (*init)(Config *, std::size_t)) {
   check(init(&config, sizeof config));
   return config;
 }
+/// A struct that a call fills.
+template <typename Description>
+Description described() {
+  Description description{};
+  description.struct_size = sizeof description;
+  return description;
+}
 inline std::vector<std::string> names(const char *(*name)(std::size_t)) {
   std::vector<std::string> all;
   for (std::size_t i = 0; name(i) != nullptr; ++i) all.push_back(name(i));
@@ -38,6 +45,14 @@ inline mimo_env_config env_config() { return detail::defaults(mimo_env_config_in
 inline mimo_batch_config batch_config() { return detail::defaults(mimo_batch_config_init); }
 inline mimo_picture_config picture_config() { return detail::defaults(mimo_picture_config_init); }
 inline mimo_limits limits() { return detail::defaults(mimo_limits_init); }
+/// Of a host with that mj_version(), sizeof(mjModel) and sizeof(mjData).
+inline mimo_senses_config senses_config(int mujoco_version, std::size_t model_size, std::size_t data_size) {
+  mimo_senses_config config = detail::defaults(mimo_senses_config_init);
+  config.mujoco_version = mujoco_version;
+  config.model_size = model_size;
+  config.data_size = data_size;
+  return config;
+}
 
 /// What the library knows by name.
 inline std::vector<std::string> scene_names() { return detail::names(mimo_scene_builtin); }

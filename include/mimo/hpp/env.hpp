@@ -331,7 +331,12 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     check(mimo_env_state_save(get(), state.data(), state.size()));
     return state;
   }
-  void load(const std::vector<std::uint8_t> &state) { check(mimo_env_state_load(get(), state.data(), state.size())); }
+  /// What the state lacks of a delay starts fresh. The report's strings are valid until the next load.
+  mimo_load_report load(const std::vector<std::uint8_t> &state) {
+    mimo_load_report report = detail::described<mimo_load_report>();
+    check(mimo_env_state_load(get(), state.data(), state.size(), &report));
+    return report;
+  }
   /// Another world in the same state.
   Env clone() const {
     mimo_env *twin = nullptr;

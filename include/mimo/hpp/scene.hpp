@@ -29,22 +29,26 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     check(mimo_scene_default_agent(get(), &config, sizeof config));
     return config;
   }
-  std::int32_t add_agent(const mimo_agent_config &config = agent_config()) {
-    std::int32_t agent = 0;
+  std::size_t add_agent(const mimo_agent_config &config = agent_config()) {
+    std::size_t agent = 0;
     check(mimo_scene_add_agent(get(), &config, &agent));
     return agent;
   }
-  void set_touch(double spacing, std::int32_t agent = 0) {
+  void set_touch(double spacing, std::size_t agent = 0) {
     check(mimo_scene_set_touch(get(), agent, nullptr, spacing));
   }
-  void set_touch(const std::string &body, double spacing, std::int32_t agent = 0) {
+  void set_touch(const std::string &body, double spacing, std::size_t agent = 0) {
     check(mimo_scene_set_touch(get(), agent, body.c_str(), spacing));
   }
-  void read_joint(const std::string &joint, std::int32_t agent = 0) {
+  void read_joint(const std::string &joint, std::size_t agent = 0) {
     check(mimo_scene_read_joint(get(), agent, joint.c_str()));
   }
-  void limit_sense(const std::string &path, const mimo_limits &limits, std::int32_t agent = 0) {
+  void limit_sense(const std::string &path, const mimo_limits &limits, std::size_t agent = 0) {
     check(mimo_scene_limit_sense(get(), agent, path.c_str(), &limits));
+  }
+  /// A motor, a part of the body ("left_arm"), or "" for all.
+  void limit_motor(const std::string &path, const mimo_limits &limits, std::size_t agent = 0) {
+    check(mimo_scene_limit_motor(get(), agent, path.c_str(), &limits));
   }
   /// All infants that the scene names; returns how many.
   std::size_t add_agents(const mimo_agent_config *config = nullptr) {

@@ -19,14 +19,16 @@ inline void destroy_senses(mimo_senses *senses) { mimo_senses_destroy(senses); }
 }  // namespace detail
 
 /// Senses on the program's own MuJoCo model, which outlives them:
-///   mimo::Senses senses(scene, model, mj_version(), sizeof(mjModel), sizeof(mjData));
+///   mimo_senses_config config = mimo::senses_config(mj_version(), sizeof(mjModel), sizeof(mjData));
+///   mimo::Senses senses(scene, model, config);
+///   senses.reset(data, 1);
 ///   mj_step(model, data);
+///   senses.advance(data);
 ///   senses.observe(data, block);
 class Senses : public Handle<mimo_senses, detail::destroy_senses> {
  public:
-  Senses(const Scene &scene, const void *model, int mujoco_version, std::size_t model_size, std::size_t data_size,
-         const mimo_env_config &config = env_config())
-      : Handle(attach(scene, model, mujoco_version, model_size, data_size, config)) {}
+  Senses(const Scene &scene, const void *model, const mimo_senses_config &config)
+      : Handle(attach(scene, model, config)) {}
 
   Block make_block() const { return detail::block_of<mimo_senses>(get(), mimo_senses_observation_size); }
   std::vector<mimo_field> fields() const {
@@ -35,13 +37,31 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
   /// The field of that name; throws std::out_of_range when there is none.
   mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
 
+  /// Starts an episode; without a seed its noise goes on from the last one's.
+  void reset(const void *data) { check(mimo_senses_reset(get(), data, nullptr)); }
+  void reset(const void *data, std::uint64_t seed) { check(mimo_senses_reset(get(), data, &seed)); }
+  /// One step later: what is late takes in what the data hold.
+  void advance(const void *data) { check(mimo_senses_advance(get(), data)); }
   void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }
 
+  /// What the senses remember.
+  std::vector<std::uint8_t> save() const {
+    std::size_t bytes = 0;
+    check(mimo_senses_state_size(get(), &bytes));
+    std::vector<std::uint8_t> state(bytes);
+    check(mimo_senses_state_save(get(), state.data(), state.size()));
+    return state;
+  }
+  mimo_load_report load(const std::vector<std::uint8_t> &state) {
+    mimo_load_report report = detail::described<mimo_load_report>();
+    check(mimo_senses_state_load(get(), state.data(), state.size(), &report));
+    return report;
+  }
+
  private:
-  static mimo_senses *attach(const Scene &scene, const void *model, int mujoco_version, std::size_t model_size,
-                             std::size_t data_size, const mimo_env_config &config) {
+  static mimo_senses *attach(const Scene &scene, const void *model, const mimo_senses_config &config) {
     mimo_senses *senses = nullptr;
-    check(mimo_senses_attach(scene.get(), &config, model, mujoco_version, model_size, data_size, &senses));
+    check(mimo_senses_attach(scene.get(), model, &config, &senses));
     return senses;
   }
 };

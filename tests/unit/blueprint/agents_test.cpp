@@ -99,7 +99,7 @@ TEST(BlueprintAgents, WhatTheyReadAndFeel) {
   blueprint.edit([](Draft& draft) { draft.agents.set_touch(0, 0.05); });
   EXPECT_TRUE(blueprint.draft().agents.all()[0].touch.spacing.empty());
   EXPECT_EQ(blueprint.draft().agents.all()[0].touch.everywhere, 0.05);
-  for (const int nobody : {-1, 1}) {
+  for (const std::size_t nobody : {std::size_t{1}, std::size_t{7}}) {
     EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.agents.limit_sense(nobody, "touch", {}); }),
               "agent is " + std::to_string(nobody) + ", but there are 1 agents");
   }
@@ -108,7 +108,8 @@ TEST(BlueprintAgents, WhatTheyReadAndFeel) {
 TEST(BlueprintAgents, AreUsuallyWhatTheirSceneWants) {
   const AgentPlan standing = blueprint::usual_agent(scene::Scene(named("standup")));
   EXPECT_EQ(standing.body, "mitten");
-  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt && standing.options.vestibular.any());
+  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt &&
+              standing.options.vestibular.any());
   EXPECT_FALSE(standing.options.vision.any() || standing.options.touch.any());
   const AgentPlan catching = blueprint::usual_agent(scene::Scene(named("catch")));
   EXPECT_EQ(catching.body, "fingers");

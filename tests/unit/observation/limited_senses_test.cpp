@@ -21,14 +21,13 @@ class LimitedSensesTest : public ::testing::Test {
   }
 
   void limit(const std::vector<PathLimits>& paths) {
-    limited_.add(observer_.layout(), "anna/", paths);
+    limited_.add(observer_.layout(), "anna/", paths, 0.01);
     limited_.make_room(observer_.layout());
-    limited_.start(Random(1));
   }
   // What is sensed of a value, field by field.
   std::vector<float> sensed(float value, std::uint64_t step) {
     observer_.observe(mjModel_{}, mjData_{value}, block_.data(), nullptr);
-    step == 0 ? limited_.begin(block_.data()) : limited_.step(block_.data(), step);
+    step == 0 ? limited_.begin(block_.data(), kNoise) : limited_.step(block_.data(), kNoise, step);
     std::vector<float> values;
     for (std::size_t i = 0; i < observer_.layout().size(); ++i) {
       values.push_back(*reinterpret_cast<const float*>(block_.data() + observer_.layout()[i].offset));
@@ -36,6 +35,7 @@ class LimitedSensesTest : public ::testing::Test {
     return values;
   }
 
+  static constexpr std::uint64_t kNoise = 1;
   Signals sense_;
   Observer observer_;
   LimitedSenses limited_;
@@ -55,7 +55,7 @@ TEST_F(LimitedSensesTest, TheLastOneCounts) {
 }
 
 TEST_F(LimitedSensesTest, AreLateByWholeSteps) {
-  limit({{"touching", {1, 0, 0, 2}}});
+  limit({{"touching", {1, 0, 0, 0.02}}});
   ASSERT_TRUE(limited_.late());
   EXPECT_EQ(sensed(1, 0), (Values{1, 1, 1, 1}));
   EXPECT_EQ(sensed(2, 1), (Values{2, 2, 1, 2}));
@@ -66,9 +66,42 @@ TEST_F(LimitedSensesTest, AreLateByWholeSteps) {
 TEST_F(LimitedSensesTest, WithoutAnyNothingIsKept) {
   limit({});
   EXPECT_FALSE(limited_.late());
-  ByteWriter counter;
-  limited_.save(counter);
-  EXPECT_EQ(counter.size(), 0u);
+  std::vector<Section> sections;
+  limited_.list(sections);
+  EXPECT_TRUE(sections.empty());
+}
+
+// 24 ms are nearest to two steps of 10 ms, 4 ms to none.
+TEST_F(LimitedSensesTest, DelaysAreRoundedToSteps) {
+  limit({{"touching", {1, 0, 0, 0.024}}, {"touch", {1, 0, 0, 0.004}}});
+  sensed(1, 0);
+  sensed(2, 1);
+  EXPECT_EQ(sensed(3, 2), (Values{3, 3, 1, 3}));
+  EXPECT_EQ(sensed(4, 3), (Values{4, 4, 2, 4}));
+}
+
+TEST_F(LimitedSensesTest, AfterForgettingTheFirstStepIsAllThereIs) {
+  limit({{"touching", {1, 0, 0, 0.02}}});
+  std::vector<Section> sections;
+  limited_.list(sections);
+  ASSERT_EQ(sections.size(), 1u);
+  EXPECT_EQ(sections[0].name, "delay/anna/touching");
+  sensed(1, 0);
+  sensed(2, 1);
+  sections[0].forget();
+  EXPECT_EQ(sensed(3, 2)[2], 3);
+  EXPECT_EQ(sensed(4, 3)[2], 3);
+  EXPECT_EQ(sensed(5, 4)[2], 3);
+  EXPECT_EQ(sensed(6, 5)[2], 4);
+}
+
+TEST_F(LimitedSensesTest, RefuseMoreThan1000Steps) {
+  try {
+    limit({{"touching", {1, 0, 0, 10.01}}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.message(), "delay is 10.01 s, which is 1001 steps of 0.01 s, expected 0 to 1000 steps");
+  }
 }
 
 TEST_F(LimitedSensesTest, RefuseAPathThatLeadsNowhere) {

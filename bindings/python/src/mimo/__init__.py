@@ -52,6 +52,7 @@ from .layout import Field, Layout, Observation
 from .own_task import Moment, WorldTask
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
+from .states import LoadReport
 from .tasks import GoalTask, Judgement, Task
 from .vector import VectorEnv, make_vec
 from .world import World
@@ -94,6 +95,7 @@ __all__ = [
     "Judgement",
     "Kind",
     "Layout",
+    "LoadReport",
     "Look",
     "ModelError",
     "Moment",

@@ -89,7 +89,8 @@ class AgentConfig(Struct):
 class Limits(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("delay", c_uint32),
+        ("reserved", c_uint32),
+        ("delay", c_double),
         ("gain", c_double),
         ("noise", c_double),
         ("blur", c_double),
@@ -314,6 +315,34 @@ class TaskField(Struct):
     ]
 
 
+class LoadReport(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("fresh", c_size_t),
+        ("ignored", c_size_t),
+        ("fresh_names", c_char_p),
+        ("ignored_names", c_char_p),
+    ]
+
+
+class SensesConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("mujoco_version", c_int32),
+        ("model_size", c_size_t),
+        ("data_size", c_size_t),
+        ("step", c_double),
+        ("renderer", c_char_p),
+        ("log", LogFunction),
+        ("log_user", c_void_p),
+        ("render", c_uint32),
+        ("samples", c_uint32),
+        ("render_threads", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
 class Task(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -350,12 +379,13 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_set_room": (_status, [_Handle, c_char_p]),
     "mimo_agent_config_init": (_status, [_config(AgentConfig), c_size_t]),
     "mimo_scene_default_agent": (_status, [_Handle, _config(AgentConfig), c_size_t]),
-    "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_i32]),
+    "mimo_scene_add_agent": (_status, [_Handle, _config(AgentConfig), _Out_size]),
     "mimo_scene_add_agents": (_status, [_Handle, _config(AgentConfig), _Out_size]),
-    "mimo_scene_set_touch": (_status, [_Handle, c_int32, c_char_p, c_double]),
-    "mimo_scene_read_joint": (_status, [_Handle, c_int32, c_char_p]),
+    "mimo_scene_set_touch": (_status, [_Handle, c_size_t, c_char_p, c_double]),
+    "mimo_scene_read_joint": (_status, [_Handle, c_size_t, c_char_p]),
     "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
-    "mimo_scene_limit_sense": (_status, [_Handle, c_int32, c_char_p, _config(Limits)]),
+    "mimo_scene_limit_sense": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),
+    "mimo_scene_limit_motor": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
     "mimo_model_config_init": (_status, [_config(ModelConfig), c_size_t]),
@@ -436,7 +466,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_face": (_status, [_Handle, c_size_t, _Out_text]),
     "mimo_env_state_size": (_status, [_Handle, _Out_size]),
     "mimo_env_state_save": (_status, [_Handle, c_void_p, c_size_t]),
-    "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t]),
+    "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t, _config(LoadReport)]),
     "mimo_env_clone": (_status, [_Handle, _Out_handle]),
     "mimo_batch_config_init": (_status, [_config(BatchConfig), c_size_t]),
     "mimo_batch_create": (
@@ -468,15 +498,16 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     ),
     "mimo_batch_set_face": (_status, [_Handle, c_size_t, c_char_p, _Array, c_size_t]),
     "mimo_batch_state_save": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
-    "mimo_batch_state_load": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_batch_state_load": (
+        _status,
+        [_Handle, _Array, c_size_t, c_void_p, c_size_t, _config(LoadReport)],
+    ),
     "mimo_task_field_init": (_status, [_config(TaskField), c_size_t]),
     "mimo_task_init": (_status, [_config(Task), c_size_t]),
     "mimo_scene_set_task": (_status, [_Handle, _config(Task)]),
     "mimo_env_random": (_status, [_Handle, _Array, c_size_t]),
-    "mimo_senses_attach": (
-        _status,
-        [_Handle, _config(EnvConfig), c_void_p, c_int32, c_size_t, c_size_t, _Out_handle],
-    ),
+    "mimo_senses_config_init": (_status, [_config(SensesConfig), c_size_t]),
+    "mimo_senses_attach": (_status, [_Handle, c_void_p, _config(SensesConfig), _Out_handle]),
     "mimo_senses_destroy": (None, [_Handle]),
     "mimo_senses_observation_size": (_status, [_Handle, _Out_size, _Out_size]),
     "mimo_senses_observation_field": (_status, [_Handle, c_size_t, _config(Field)]),
@@ -485,5 +516,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         _status,
         [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
     ),
+    "mimo_senses_reset": (_status, [_Handle, c_void_p, _Array]),
+    "mimo_senses_advance": (_status, [_Handle, c_void_p]),
     "mimo_senses_observe": (_status, [_Handle, c_void_p, c_void_p, c_size_t]),
+    "mimo_senses_state_size": (_status, [_Handle, _Out_size]),
+    "mimo_senses_state_save": (_status, [_Handle, c_void_p, c_size_t]),
+    "mimo_senses_state_load": (_status, [_Handle, c_void_p, c_size_t, _config(LoadReport)]),
 }

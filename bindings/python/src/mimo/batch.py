@@ -20,6 +20,7 @@ from .errors import Error, make_error
 from .layout import Observation
 from .options import Options, refuse_unknown
 from .scene import Scene, prepare
+from .states import LoadReport, reported
 from .world import Contacts, World, contacts_of, env_config, seed_number
 
 Seeds = Optional[Union[int, Sequence[int]]]
@@ -237,12 +238,15 @@ class Batch(Access):
         raw = states.raw
         return [raw[i * size : (i + 1) * size] for i in range(self.world_count)]
 
-    def load(self, states: Union[bytes, Sequence[bytes]], mask: Mask = None) -> None:
-        """Loads one state into each world, or a single one into all: futures of one present."""
+    def load(self, states: Union[bytes, Sequence[bytes]], mask: Mask = None) -> LoadReport:
+        """Loads one state into each world, or a single one into all: futures of one present.
+
+        Tells of the world where most started fresh.
+        """
         joined = states if isinstance(states, bytes) else b"".join(states)
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
-        check(LIB.mimo_batch_state_load(self._handle, _data(chosen), count, joined, len(joined)))
+        return reported(LIB.mimo_batch_state_load, self._handle, _data(chosen), count, joined, len(joined))
 
     def _state_size(self) -> int:
         size = ctypes.c_size_t()

@@ -92,6 +92,16 @@ class PhysicsOptions(TypedDict, total=False):
     render_threads: int
 
 
+class SensesOptions(TypedDict, total=False):
+    """How attached senses look at a simulation; `step`: seconds between two calls of advance."""
+
+    step: float
+    renderer: str
+    render: Render
+    samples: int
+    render_threads: int
+
+
 class EnvOptions(AgentOptions, PhysicsOptions, total=False):
     """What make and make_vec understand beside their own arguments."""
 

@@ -100,7 +100,7 @@ class Scene(Handle):
 
     def add_agent(self, **options: Unpack[AgentOptions]) -> int:
         """Adds an infant and returns its number; what is not given is as the scene's task wants it."""
-        number = ctypes.c_int32()
+        number = ctypes.c_size_t()
         check(LIB.mimo_scene_add_agent(self._handle, self._agent_config(options), number))
         self._agents += 1
         self._remember("add_agent", **options)
@@ -134,25 +134,35 @@ class Scene(Handle):
 
     def set_touch(self, body: Optional[str], spacing: float, agent: int = 0) -> None:
         """Sets the distance (m) between the touch sensors of a part of the body; 0: no skin there; None: everywhere."""
-        check(LIB.mimo_scene_set_touch(self._handle, number_of("agent", agent, 31), utf8(body), spacing))
+        check(LIB.mimo_scene_set_touch(self._handle, number_of("agent", agent, 64), utf8(body), spacing))
         self._remember("set_touch", body, spacing, agent)
 
     def read_joint(self, joint: str, agent: int = 0) -> None:
         """Has proprioception read this hinge or slide of an agent; the first call takes away all others."""
-        check(LIB.mimo_scene_read_joint(self._handle, number_of("agent", agent, 31), utf8(joint)))
+        check(LIB.mimo_scene_read_joint(self._handle, number_of("agent", agent, 64), utf8(joint)))
         self._remember("read_joint", joint, agent)
 
     def limit_sense(
-        self, path: str, *, gain: float = 1, noise: float = 0, delay: int = 0, blur: float = 0, agent: int = 0
+        self, path: str, *, gain: float = 1, noise: float = 0, delay: float = 0, blur: float = 0, agent: int = 0
     ) -> None:
         """Limits a sense ("touch") or a field ("vision/eye_left") of an agent.
 
-        Values get a factor, Gaussian noise of a standard deviation in the field's unit, and a delay in steps. Pictures
-        keep half the contrast of lines of `blur` cycles per degree.
+        Values get a factor, Gaussian noise of a standard deviation in the field's unit, and a delay in seconds.
+        Pictures keep half the contrast of lines of `blur` cycles per degree.
         """
-        limits = _abi.Limits(gain=gain, noise=noise, delay=number_of("delay", delay), blur=blur)
-        check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 31), utf8(path), limits))
+        limits = _limits(gain=gain, noise=noise, delay=delay, blur=blur)
+        check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 64), utf8(path), limits))
         self._remember("limit_sense", path, gain=gain, noise=noise, delay=delay, blur=blur, agent=agent)
+
+    def limit_motor(self, path: str = "", *, gain: float = 1, noise: float = 0, delay: float = 0, agent: int = 0) -> None:
+        """Limits the way of actions to a motor ("act:left_elbow"), to those of a part of the body ("left_arm"), or to
+        all.
+
+        Actions get a factor, Gaussian noise of a standard deviation in their unit, and a delay in seconds.
+        """
+        limits = _limits(gain=gain, noise=noise, delay=delay)
+        check(LIB.mimo_scene_limit_motor(self._handle, number_of("agent", agent, 64), utf8(path), limits))
+        self._remember("limit_motor", path, gain=gain, noise=noise, delay=delay, agent=agent)
 
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
@@ -262,6 +272,14 @@ class Scene(Handle):
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _rebuilt, (self._start, copy.deepcopy(self._steps))
+
+
+def _limits(**values: float) -> _abi.Limits:
+    limits = _abi.Limits()
+    check(LIB.mimo_limits_init(limits, ctypes.sizeof(limits)))
+    for name, value in values.items():
+        setattr(limits, name, real_number(name, value))
+    return limits
 
 
 def _rebuilt(start: Dict[str, Any], steps: List[_Step]) -> Scene:

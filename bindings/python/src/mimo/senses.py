@@ -8,13 +8,15 @@ from typing import Any, Dict, Optional
 
 from typing_extensions import Unpack
 
+from . import _abi
 from ._handle import Handle
-from ._library import LIB, check
+from ._library import LIB, check, log_to_python
 from .arguments import number_of
 from .layout import Field, Layout, Observation, Supply
-from .options import PhysicsOptions
+from .options import SensesOptions, fill
 from .scene import Scene
-from .world import env_config
+from .states import LoadReport, reported, saved
+from .world import seed_number
 
 
 class Senses(Handle):
@@ -25,6 +27,7 @@ class Senses(Handle):
         scene.set_touch(None, 0.03)
         senses = mimo.Senses(scene, model)  # a mujoco.MjModel
         mujoco.mj_step(model, data)
+        senses.advance(data)
         senses.observe(data)["touch/force"]
 
     The scene describes the agents and cameras. The model is a mujoco.MjModel of exactly the MuJoCo version that this
@@ -38,12 +41,16 @@ class Senses(Handle):
         model: Any,
         *,
         mujoco_version: Optional[int] = None,
-        **options: Unpack[PhysicsOptions],
+        **options: Unpack[SensesOptions],
     ) -> None:
+        config = _abi.SensesConfig()
+        check(LIB.mimo_senses_config_init(config, ctypes.sizeof(config)))
+        config.log = log_to_python
+        fill(config, options, SensesOptions)
         version = _version_of(model) if mujoco_version is None else number_of("mujoco_version", mujoco_version, 31)
+        config.mujoco_version = version
         handle = ctypes.c_void_p()
-        config = env_config(dict(options), PhysicsOptions)
-        check(LIB.mimo_senses_attach(scene._handle, config, _address_of(model), version, 0, 0, handle))
+        check(LIB.mimo_senses_attach(scene._handle, _address_of(model), config, handle))
         self._own(handle.value, LIB.mimo_senses_destroy)
         self._handle.keeps = model
         self._layout = Layout(self._handle, "senses")
@@ -54,11 +61,30 @@ class Senses(Handle):
         """What an observation holds, by name."""
         return dict(self._layout.fields)
 
+    def reset(self, data: Any, seed: Optional[int] = None) -> None:
+        """Starts an episode: nothing was sensed before what data hold; noise follows from the seed."""
+        check(LIB.mimo_senses_reset(self._handle, _address_of(data), None if seed is None else ctypes.byref(seed_number(seed))))
+
+    def advance(self, data: Any) -> None:
+        """One step later, to be called once a step and before observe: senses with a delay take in what data hold."""
+        check(LIB.mimo_senses_advance(self._handle, _address_of(data)))
+
     def observe(self, data: Any) -> Observation:
-        """What is sensed of data (a mujoco.MjData, or the address of an mjData) as they are."""
+        """What is sensed of data (a mujoco.MjData, or the address of an mjData) as they are.
+
+        Looking changes nothing that the senses remember.
+        """
         address, observation = self._supply.take()
         check(LIB.mimo_senses_observe(self._handle, _address_of(data), address, self._layout.bytes))
         return observation
+
+    def save(self) -> bytes:
+        """What the senses remember, as bytes."""
+        return saved(self._handle, LIB.mimo_senses_state_size, LIB.mimo_senses_state_save)
+
+    def load(self, state: bytes) -> LoadReport:
+        """Goes on from what other senses of such a model remembered; what the state lacks starts fresh."""
+        return reported(LIB.mimo_senses_state_load, self._handle, state, len(state))
 
 
 def _address_of(struct: Any) -> int:

@@ -19,6 +19,7 @@ from .constants import Kind, Look
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
 from .scene import Scene, prepare
+from .states import LoadReport, reported, saved
 
 LOOK_JOINTS = 8  # MIMO_LOOK_JOINTS
 
@@ -458,15 +459,11 @@ class World(Access):
 
     def save(self) -> bytes:
         """Everything that the world's future depends on, as bytes."""
-        size = ctypes.c_size_t()
-        check(LIB.mimo_env_state_size(self._handle, size))
-        state = ctypes.create_string_buffer(size.value)
-        check(LIB.mimo_env_state_save(self._handle, state, size.value))
-        return state.raw
+        return saved(self._handle, LIB.mimo_env_state_size, LIB.mimo_env_state_save)
 
-    def load(self, state: bytes) -> None:
-        """Goes on from a state, exactly as the world that saved it."""
-        check(LIB.mimo_env_state_load(self._handle, state, len(state)))
+    def load(self, state: bytes) -> LoadReport:
+        """Goes on from a state, exactly as the world that saved it; what it lacks of a delay starts fresh."""
+        return reported(LIB.mimo_env_state_load, self._handle, state, len(state))
 
     def clone(self) -> "World":
         """Another world of the same scene and options, in the same state. The model is shared."""

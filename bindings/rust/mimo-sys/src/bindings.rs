@@ -676,7 +676,7 @@ extern "C" {
     pub fn mimo_scene_add_agent(
         scene: *mut mimo_scene,
         config: *const mimo_agent_config,
-        agent: *mut i32,
+        agent: *mut usize,
     ) -> mimo_status;
 }
 extern "C" {
@@ -701,7 +701,7 @@ extern "C" {
     #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
     pub fn mimo_scene_set_touch(
         scene: *mut mimo_scene,
-        agent: i32,
+        agent: usize,
         body: *const std::os::raw::c_char,
         spacing: f64,
     ) -> mimo_status;
@@ -714,48 +714,71 @@ extern "C" {
     #[doc = "        MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has."]
     pub fn mimo_scene_read_joint(
         scene: *mut mimo_scene,
-        agent: i32,
+        agent: usize,
         joint: *const std::os::raw::c_char,
     ) -> mimo_status;
 }
-#[doc = "How much less an agent senses than there is to be sensed. What is not limited costs nothing."]
+#[doc = "How much less an agent senses than there is to be sensed, or does than it wants. What is not limited costs nothing."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_limits {
     #[doc = "sizeof(mimo_limits), set by mimo_limits_init."]
     pub struct_size: u32,
-    #[doc = "Steps by which what is sensed comes late, up to 1000; before that, what the episode began"]
-    #[doc = "with. Default 0."]
-    pub delay: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000 of them."]
+    #[doc = "Default 0."]
+    pub delay: f64,
     #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
     pub gain: f64,
-    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's unit"]
-    #[doc = "(colours: levels of 255). Default 0."]
+    #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's"]
+    #[doc = "or action's unit (colours: levels of 255). Default 0."]
     pub noise: f64,
-    #[doc = "Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0"]
+    #[doc = "Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half their contrast; 0"]
     #[doc = "(default): sharp. 0.05 to 1000."]
     pub blur: f64,
 }
 extern "C" {
-    #[doc = "Fills limits with those of a perfect sense."]
+    #[doc = "Fills limits with those of a perfect sense or motor."]
     #[doc = "@param size sizeof(mimo_limits) as the caller knows it."]
     pub fn mimo_limits_init(limits: *mut mimo_limits, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Limits a sense of an agent, or a part of one, for environments made from now on. First the picture is blurred, then"]
-    #[doc = "comes the gain, then the noise, then the delay. What comes out is cut to the bounds of its field, and to the largest"]
-    #[doc = "float where there are none. The noise follows from"]
-    #[doc = "the world's seed and step: it is the same in every run and for any number of looks at a step. What is late is part of"]
-    #[doc = "the world's state, and no episode senses anything of the one before."]
+    #[doc = "Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the"]
+    #[doc = "picture is blurred, then comes the gain, then the noise, then the delay; before the delay is over, what the episode"]
+    #[doc = "began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are none."]
+    #[doc = "The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any number"]
+    #[doc = "of looks at a step. What is late is part of the world's state, and no episode senses anything of the one before."]
     #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
     #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
     #[doc = "              segmentation, unless these are named."]
     #[doc = "@param limits NULL: a perfect sense."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no field; the message lists those that there"]
-    #[doc = "        are. Attached senses cannot be limited."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach for a path that leads to no field, with a list"]
+    #[doc = "        of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps."]
     pub fn mimo_scene_limit_sense(
         scene: *mut mimo_scene,
-        agent: i32,
+        agent: usize,
+        path: *const std::os::raw::c_char,
+        limits: *const mimo_limits,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Limits the way of an agent's actions to its motors, for environments made from now on. Actions are clipped to their"]
+    #[doc = "bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first ones arrive,"]
+    #[doc = "motors are as the episode began. Noise is new in each step with actions and follows from the world's seed, the step"]
+    #[doc = "and the action's name. What is on its way is part of the world's state, and no episode gets anything of the one"]
+    #[doc = "before. A task sees the controls that arrive."]
+    #[doc = "@param path   a motor by its name, \"act:left_elbow\", or one of its muscles, \"act:left_elbow/negative\"; a part of the"]
+    #[doc = "              body, as MIMO_ACT_ names it: \"trunk\", \"head\", \"eyes\", \"right_arm\", \"left_arm\", \"right_hand\", \"left_hand\","]
+    #[doc = "              \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\", all. Where several calls concern an action,"]
+    #[doc = "              the last one counts."]
+    #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent"]
+    #[doc = "        has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of"]
+    #[doc = "        motors with MIMO_E_UNSUPPORTED: the host commands them."]
+    pub fn mimo_scene_limit_motor(
+        scene: *mut mimo_scene,
+        agent: usize,
         path: *const std::os::raw::c_char,
         limits: *const mimo_limits,
     ) -> mimo_status;
@@ -1349,8 +1372,8 @@ extern "C" {
     pub fn mimo_env_state_size(env: *const mimo_env, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces and gravity."]
-    #[doc = "The bytes may be kept in a file and are good for this version of the library on this kind of machine."]
+    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces, gravity, and what is late."]
+    #[doc = "The bytes may be kept in a file: machines that store numbers alike read them, and so do later versions."]
     #[doc = "@param state receives mimo_env_state_size bytes; needs no alignment."]
     #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed."]
     pub fn mimo_env_state_save(
@@ -1359,17 +1382,38 @@ extern "C" {
         state_bytes: usize,
     ) -> mimo_status;
 }
+#[doc = "What a state did not hold of the world that loaded it, and the other way round."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_load_report {
+    #[doc = "sizeof(mimo_load_report), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "How many memories the state did not hold, or held of another length or delay: they start"]
+    #[doc = "fresh, with the first that is sensed in a step, or with no action on its way."]
+    pub fresh: usize,
+    #[doc = "How many memories of the state this world does not have."]
+    pub ignored: usize,
+    #[doc = "Their sections' names, \", \" between them, \"\" for none. Both strings are owned by the"]
+    #[doc = "handle and valid until its next load."]
+    pub fresh_names: *const std::os::raw::c_char,
+    #[doc = "Likewise."]
+    pub ignored_names: *const std::os::raw::c_char,
+}
 extern "C" {
     #[doc = "Loads a state that was saved from a world of the same model, agents, actuation and task; its senses may have been"]
-    #[doc = "others. Poses and velocities of bodies are then those of the state; contacts, sensors and forces are zero until the"]
+    #[doc = "others, and others may have been late. Poses and velocities of bodies are then those of the state; contacts, sensors and forces are zero until the"]
     #[doc = "next step or mimo_env_observe. Makes a failed world usable again."]
-    #[doc = "@param state_bytes the state's own size, no more and no less."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a state of something else, a damaged one, or one that was cut short; the world"]
-    #[doc = "        then stays as it is."]
+    #[doc = "@param state_bytes the state's own size, no more and no less: mimo_env_state_size of the world that saved it."]
+    #[doc = "@param report      receives what started fresh; may be NULL."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a state of something else, a damaged one, or one that was cut short,"]
+    #[doc = "        MIMO_E_UNSUPPORTED for one of a newer library; the world then stays as it is."]
     pub fn mimo_env_state_load(
         env: *mut mimo_env,
         state: *const std::os::raw::c_void,
         state_bytes: usize,
+        report: *mut mimo_load_report,
     ) -> mimo_status;
 }
 extern "C" {
@@ -1584,14 +1628,16 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Loads states into many worlds, from this batch or from a single environment of the same scene."]
-    #[doc = "@param states worlds x mimo_env_state_size bytes; or just one state, which all worlds load: futures of one present."]
+    #[doc = "Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load."]
+    #[doc = "@param states one state a world, all of the same size; or just one, which all worlds load: futures of one present."]
+    #[doc = "@param report receives what started fresh in the world where that was most; may be NULL."]
     pub fn mimo_batch_state_load(
         batch: *mut mimo_batch,
         mask: *const u8,
         worlds: usize,
         states: *const std::os::raw::c_void,
         state_bytes: usize,
+        report: *mut mimo_load_report,
     ) -> mimo_status;
 }
 extern "C" {
@@ -1791,26 +1837,58 @@ extern "C" {
 pub struct mimo_senses {
     _unused: [u8; 0],
 }
+#[doc = "What the host simulates with, and how it is to be looked at."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_senses_config {
+    #[doc = "sizeof(mimo_senses_config), set by mimo_senses_config_init."]
+    pub struct_size: u32,
+    #[doc = "mj_version() of the host, which has to set it; has to be that of mimo_mujoco_version, 222"]
+    #[doc = "for \"2.2.2\"."]
+    pub mujoco_version: i32,
+    #[doc = "sizeof(mjModel) as the host's compiler knows it; 0 (default) where it cannot know, as in"]
+    #[doc = "Python."]
+    pub model_size: usize,
+    #[doc = "sizeof(mjData), likewise."]
+    pub data_size: usize,
+    #[doc = "Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time step,"]
+    #[doc = "so once every mj_step. Delays are counted in such steps."]
+    pub step: f64,
+    #[doc = "As in mimo_env_config."]
+    pub renderer: *const std::os::raw::c_char,
+    #[doc = "Messages while senses are attached, or NULL."]
+    pub log: mimo_log_fn,
+    #[doc = "Passed to log."]
+    pub log_user: *mut std::os::raw::c_void,
+    #[doc = "MIMO_RENDER_ bits, as in mimo_env_config."]
+    pub render: u32,
+    #[doc = "Samples a pixel, as in mimo_env_config."]
+    pub samples: u32,
+    #[doc = "Threads that draw one picture, as in mimo_env_config."]
+    pub render_threads: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: pictures as those of environments. The host's mujoco_version is still to be set."]
+    #[doc = "@param size sizeof(mimo_senses_config) as the caller knows it."]
+    pub fn mimo_senses_config_init(config: *mut mimo_senses_config, size: usize) -> mimo_status;
+}
 extern "C" {
     #[doc = "Attaches senses to a model."]
-    #[doc = "@param scene       describes the agents (mimo_scene_add_agent with body \"scene\", and a root where it is no infant),"]
-    #[doc = "                   their skin, joints and cameras. Its own MJCF does not count. Not needed any more afterwards."]
-    #[doc = "@param config      renderer, render, samples, render_threads and log count; NULL means defaults."]
-    #[doc = "@param model       the host's mjModel. It outlives the senses and keeps its sizes."]
-    #[doc = "@param mujoco_version mj_version() of the host; has to be that of mimo_mujoco_version, 222 for \"2.2.2\"."]
-    #[doc = "@param model_size  sizeof(mjModel) as the host's compiler knows it; 0 where the host cannot know, as in Python."]
-    #[doc = "@param data_size   sizeof(mjData), likewise."]
-    #[doc = "@param senses      receives the handle; destroy it with mimo_senses_destroy."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version, and for effort, muscles and limits, which only worlds of"]
-    #[doc = "        the library know of; MIMO_E_INVALID_ARGUMENT for what is no mjModel;"]
+    #[doc = "@param scene  describes the agents (mimo_scene_add_agent with body \"scene\", and a root where it is no infant), their"]
+    #[doc = "              skin, joints and cameras, and the limits of their senses. Its own MJCF does not count. Not needed any"]
+    #[doc = "              more afterwards."]
+    #[doc = "@param model  the host's mjModel. It outlives the senses and keeps its sizes."]
+    #[doc = "@param config says the host's MuJoCo; NULL is refused, as there is no default for that."]
+    #[doc = "@param senses receives the handle; destroy it with mimo_senses_destroy."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version, and for effort, muscles and limits of motors, which only"]
+    #[doc = "        worlds of the library know of; MIMO_E_INVALID_ARGUMENT for what is no mjModel;"]
     #[doc = "        MIMO_E_NOT_FOUND for what the model lacks, with a list of what it has."]
     pub fn mimo_senses_attach(
         scene: *const mimo_scene,
-        config: *const mimo_env_config,
         model: *const std::os::raw::c_void,
-        mujoco_version: i32,
-        model_size: usize,
-        data_size: usize,
+        config: *const mimo_senses_config,
         senses: *mut *mut mimo_senses,
     ) -> mimo_status;
 }
@@ -1857,16 +1935,60 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
+    #[doc = "Starts an episode: nothing was sensed before what the data hold. Noise and memory start anew. Who never calls it"]
+    #[doc = "begins with the first mimo_senses_advance, as with seed 0."]
+    #[doc = "@param data as in mimo_senses_observe; after mj_forward, as an environment's reset gives it."]
+    #[doc = "@param seed points to the seed of the noise, that of an environment's reset; NULL goes on from the last episode's."]
+    pub fn mimo_senses_reset(
+        senses: *mut mimo_senses,
+        data: *const std::os::raw::c_void,
+        seed: *const u64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Goes one step on: what senses remember takes in what the data hold now, and noise is drawn anew. To be called once"]
+    #[doc = "after each step of the host's, before mimo_senses_observe. Costs nothing worth mentioning where no sense is late."]
+    #[doc = "@param data as in mimo_senses_observe."]
+    pub fn mimo_senses_advance(senses: *mut mimo_senses, data: *const std::os::raw::c_void) -> mimo_status;
+}
+extern "C" {
     #[doc = "Senses what the data hold: after mj_step the fields belong to the times that mimo_field says, after mj_forward all of"]
     #[doc = "them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for"]
     #[doc = "models with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are"]
     #[doc = "those of the last stage."]
-    #[doc = "@param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped."]
+    #[doc = "@param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped. What is late"]
+    #[doc = "             comes out of memory."]
     #[doc = "@param block receives the observation, every byte of it."]
     pub fn mimo_senses_observe(
         senses: *mut mimo_senses,
         data: *const std::os::raw::c_void,
         block: *mut std::os::raw::c_void,
         block_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Size in bytes of what the senses remember; it does not change."]
+    pub fn mimo_senses_state_size(senses: *const mimo_senses, bytes: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Saves what the senses remember, and where the episode is. The host saves its own mjData."]
+    #[doc = "@param state receives mimo_senses_state_size bytes; needs no alignment."]
+    pub fn mimo_senses_state_save(
+        senses: *const mimo_senses,
+        state: *mut std::os::raw::c_void,
+        state_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Loads what senses remembered that were attached to such a model, of the same sizes and names. They go on exactly as"]
+    #[doc = "those that saved it, whatever data of that model they look at. What the state lacks starts fresh, as in"]
+    #[doc = "mimo_env_state_load."]
+    #[doc = "@param report receives what started fresh; may be NULL."]
+    #[doc = "Errors: as mimo_env_state_load; the senses then stay as they are."]
+    pub fn mimo_senses_state_load(
+        senses: *mut mimo_senses,
+        state: *const std::os::raw::c_void,
+        state_bytes: usize,
+        report: *mut mimo_load_report,
     ) -> mimo_status;
 }

@@ -4,6 +4,7 @@ use crate::config::{defaults, EnvConfig};
 use crate::error::{c_string, check, text, Error, Kind, Result};
 use crate::log::Log;
 use crate::scene::Scene;
+use crate::state::LoadReport;
 use crate::sys;
 use crate::task::Shared;
 use crate::world::{memory, World};
@@ -249,12 +250,12 @@ impl Batch {
     }
 
     /// Loads one state for each world, or a single one into all: futures of one present. Only into the worlds whose
-    /// entry of the mask is true; None: into all.
-    pub fn load(&mut self, states: &[u8], mask: Option<&[bool]>) -> Result<()> {
+    /// entry of the mask is true; None: into all. Tells of the world where most started fresh.
+    pub fn load(&mut self, states: &[u8], mask: Option<&[bool]>) -> Result<LoadReport> {
         let (mask, worlds) = chosen(mask);
-        check(unsafe {
-            let from = states.as_ptr() as *const c_void;
-            sys::mimo_batch_state_load(self.handle(), mask, worlds, from, states.len())
+        let from = states.as_ptr() as *const c_void;
+        LoadReport::of(|report| unsafe {
+            sys::mimo_batch_state_load(self.handle(), mask, worlds, from, states.len(), report)
         })
     }
 

@@ -1,26 +1,27 @@
-//! How much less an agent senses than there is to be sensed.
+//! How much less an agent senses than there is to be sensed, or does than it wants.
 use crate::config::defaults;
 use crate::error::Result;
 use crate::sys;
 
-/// Limits of a sense, for [`Scene::limit_sense`](crate::Scene::limit_sense). First the picture is blurred, then comes the
-/// gain, then the noise, then the delay.
+/// Limits of a sense, for [`Scene::limit_sense`](crate::Scene::limit_sense), or of the way to a motor, for
+/// [`Scene::limit_motor`](crate::Scene::limit_motor). First the picture is blurred, then comes the gain, then the noise,
+/// then the delay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Factor of all values, >= 0.
     pub gain: f64,
-    /// Standard deviation of the Gaussian noise that is added, in the field's unit (colours: levels of 255).
+    /// Standard deviation of the Gaussian noise that is added, in the field's or action's unit (colours: levels of 255).
     pub noise: f64,
-    /// Steps by which what is sensed comes late, up to 1000.
-    pub delay: u32,
+    /// Seconds by which it comes late: the nearest whole number of steps, up to 1000.
+    pub delay: f64,
     /// Of pictures in colour: lines this fine, in cycles per degree, keep half their contrast; 0: sharp.
     pub blur: f64,
 }
 
 impl Default for Limits {
-    /// A perfect sense.
+    /// A perfect sense or motor.
     fn default() -> Limits {
-        Limits { gain: 1.0, noise: 0.0, delay: 0, blur: 0.0 }
+        Limits { gain: 1.0, noise: 0.0, delay: 0.0, blur: 0.0 }
     }
 }
 

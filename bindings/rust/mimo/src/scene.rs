@@ -118,7 +118,7 @@ impl Scene {
     pub fn add_agent(&mut self, agent: &AgentConfig) -> Result<usize> {
         let mut number = 0;
         agent.with_raw(|raw| check(unsafe { sys::mimo_scene_add_agent(self.handle(), raw, &mut number) }))?;
-        Ok(number as usize)
+        Ok(number)
     }
 
     /// Adds all infants that the scene names, each at a place of its own; in a scene that names none a single one.
@@ -172,13 +172,20 @@ impl Scene {
     /// Has an agent's proprioception read this hinge or slide; the first call takes away all others.
     pub fn read_joint(&mut self, agent: usize, joint: &str) -> Result<()> {
         let joint = c_string(joint)?;
-        check(unsafe { sys::mimo_scene_read_joint(self.handle(), number_of(agent), joint.as_ptr()) })
+        check(unsafe { sys::mimo_scene_read_joint(self.handle(), agent, joint.as_ptr()) })
     }
 
     /// Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on.
     pub fn limit_sense(&mut self, agent: usize, path: &str, limits: &Limits) -> Result<()> {
         let (path, limits) = (c_string(path)?, limits.raw()?);
-        check(unsafe { sys::mimo_scene_limit_sense(self.handle(), number_of(agent), path.as_ptr(), &limits) })
+        check(unsafe { sys::mimo_scene_limit_sense(self.handle(), agent, path.as_ptr(), &limits) })
+    }
+
+    /// Limits the way of an agent's actions to a motor ("act:left_elbow"), to those of a part of its body ("left_arm"),
+    /// or, with "", to all; for worlds made from now on.
+    pub fn limit_motor(&mut self, agent: usize, path: &str, limits: &Limits) -> Result<()> {
+        let (path, limits) = (c_string(path)?, limits.raw()?);
+        check(unsafe { sys::mimo_scene_limit_motor(self.handle(), agent, path.as_ptr(), &limits) })
     }
 
     /// Has a camera observed; its fields come after those of all infants.
@@ -204,7 +211,7 @@ impl Scene {
     /// Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there.
     pub fn set_touch(&mut self, agent: usize, body: &str, spacing: f64) -> Result<()> {
         let body = c_string(body)?;
-        check(unsafe { sys::mimo_scene_set_touch(self.handle(), number_of(agent), body.as_ptr(), spacing) })
+        check(unsafe { sys::mimo_scene_set_touch(self.handle(), agent, body.as_ptr(), spacing) })
     }
 
     /// Sets a parameter of a task, "reach/success_reward", for worlds made from now on.
@@ -238,11 +245,6 @@ impl Scene {
         let folder = c_string(folder)?;
         check(unsafe { sys::mimo_scene_save(self.handle(), folder.as_ptr()) })
     }
-}
-
-/// C's number of an agent; one that is too large for it is none there either.
-fn number_of(agent: usize) -> i32 {
-    i32::try_from(agent).unwrap_or(i32::MAX)
 }
 
 impl Drop for Scene {

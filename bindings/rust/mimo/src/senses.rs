@@ -1,14 +1,16 @@
 //! Senses on a simulation that is not this library's.
 use crate::block::Block;
-use crate::config::EnvConfig;
-use crate::error::{check, Error, Kind, Result};
+use crate::config::{defaults, pointer};
+use crate::error::{c_string, check, Error, Kind, Result};
 use crate::field::Field;
-use crate::log::Log;
+use crate::log::{Level, Log};
 use crate::scene::Scene;
+use crate::state::LoadReport;
 use crate::sys;
 use crate::world::memory;
+use std::ffi::CString;
 use std::os::raw::c_void;
-use std::ptr::{null_mut, NonNull};
+use std::ptr::{null, null_mut, NonNull};
 
 /// Senses that look at a host's own MuJoCo model, and never change it.
 #[derive(Debug)]
@@ -22,34 +24,91 @@ pub struct Senses {
 unsafe impl Send for Senses {}
 unsafe impl Sync for Senses {}
 
+/// What the host simulates with, and how it is to be looked at.
+#[derive(Clone, Debug)]
+pub struct SensesConfig {
+    raw: sys::mimo_senses_config,
+    renderer: Option<CString>,
+    log: Option<Log>,
+}
+
+// The pointers inside are set for the length of a call only.
+unsafe impl Send for SensesConfig {}
+unsafe impl Sync for SensesConfig {}
+
+impl SensesConfig {
+    /// Of a host whose `mj_version()` is this; pictures as those of worlds.
+    pub fn new(mujoco_version: i32) -> Result<SensesConfig> {
+        let raw = sys::mimo_senses_config { mujoco_version, ..defaults(sys::mimo_senses_config_init)? };
+        Ok(SensesConfig { raw, renderer: None, log: None })
+    }
+
+    fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_senses_config) -> R) -> R {
+        let mut raw = self.raw;
+        if self.renderer.is_some() {
+            raw.renderer = pointer(&self.renderer);
+        }
+        let (log, log_user) = crate::log::raw(&self.log);
+        raw.log = log;
+        raw.log_user = log_user;
+        use_it(&raw)
+    }
+
+    /// Sizes of the host's mjModel and mjData; 0 (default) where it cannot know.
+    pub fn sizes(&mut self, model: usize, data: usize) -> &mut Self {
+        self.raw.model_size = model;
+        self.raw.data_size = data;
+        self
+    }
+
+    /// Seconds between two calls of [`Senses::advance`]; 0 (default): the model's time step.
+    pub fn step(&mut self, seconds: f64) -> &mut Self {
+        self.raw.step = seconds;
+        self
+    }
+
+    /// "ray", "osmesa", "auto", or "none": then eyes must be off.
+    pub fn renderer(&mut self, name: &str) -> Result<&mut Self> {
+        self.renderer = Some(c_string(name)?);
+        Ok(self)
+    }
+
+    /// `MIMO_RENDER_` bits: what pictures show.
+    pub fn render(&mut self, bits: u32) -> &mut Self {
+        self.raw.render = bits;
+        self
+    }
+
+    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.
+    pub fn samples(&mut self, samples: u32) -> &mut Self {
+        self.raw.samples = samples;
+        self
+    }
+
+    /// Threads that draw one picture, 1 to 64.
+    pub fn render_threads(&mut self, threads: u32) -> &mut Self {
+        self.raw.render_threads = threads;
+        self
+    }
+
+    /// Receives the library's messages while senses are attached, on the calling thread. A panic in it is caught and
+    /// dropped.
+    pub fn log(&mut self, log: impl Fn(Level, &str) + Send + Sync + 'static) -> &mut Self {
+        self.log = Some(Log::new(log));
+        self
+    }
+}
+
 impl Senses {
-    /// Attaches senses to a model; the scene describes the agents (with the body "scene"), their skin and the cameras.
-    /// Of the config, renderer, picture quality and log count. `mujoco_version` is what the host's `mj_version()` says,
-    /// `sizes` are those of its mjModel and mjData; 0 where it cannot know.
+    /// Attaches senses to a model; the scene describes the agents (with the body "scene"), their skin, the limits of
+    /// their senses and the cameras.
     ///
     /// # Safety
-    /// `model` is an mjModel of that version. It outlives the senses and keeps its sizes, and nobody writes to it while
-    /// a method runs.
-    pub unsafe fn attach(
-        scene: &Scene,
-        config: &EnvConfig,
-        model: *const c_void,
-        mujoco_version: i32,
-        sizes: [usize; 2],
-    ) -> Result<Senses> {
+    /// `model` is an mjModel of the config's version. It outlives the senses and keeps its sizes, and nobody writes to
+    /// it while a method runs.
+    pub unsafe fn attach(scene: &Scene, model: *const c_void, config: &SensesConfig) -> Result<Senses> {
         let mut handle = null_mut();
-        config.with_raw(|raw| {
-            let [model_size, data_size] = sizes;
-            check(sys::mimo_senses_attach(
-                scene.handle(),
-                raw,
-                model,
-                mujoco_version,
-                model_size,
-                data_size,
-                &mut handle,
-            ))
-        })?;
+        config.with_raw(|raw| check(sys::mimo_senses_attach(scene.handle(), model, raw, &mut handle)))?;
         Ok(Senses { handle: NonNull::new(handle).expect("a handle"), _log: config.log.clone() })
     }
 
@@ -78,7 +137,44 @@ impl Senses {
         Ok(Block::new(bytes, 1, self.fields()?.into()))
     }
 
-    /// Senses what the data hold, which stay as they are.
+    /// Starts an episode: nothing was sensed before what the data hold. Noise follows from the seed; None: it goes on
+    /// from the last episode's.
+    ///
+    /// # Safety
+    /// As [`Senses::observe`].
+    pub unsafe fn reset(&mut self, data: *const c_void, seed: Option<u64>) -> Result<()> {
+        let seed = seed.as_ref().map_or(null(), |seed| seed as *const u64);
+        check(sys::mimo_senses_reset(self.handle(), data, seed))
+    }
+
+    /// One step later, once after each step of the host: senses with a delay take in what the data hold.
+    ///
+    /// # Safety
+    /// As [`Senses::observe`].
+    pub unsafe fn advance(&mut self, data: *const c_void) -> Result<()> {
+        check(sys::mimo_senses_advance(self.handle(), data))
+    }
+
+    /// What the senses remember, as bytes.
+    pub fn save(&self) -> Result<Vec<u8>> {
+        let mut bytes = 0;
+        check(unsafe { sys::mimo_senses_state_size(self.handle(), &mut bytes) })?;
+        let mut state = vec![0; bytes];
+        check(unsafe {
+            sys::mimo_senses_state_save(self.handle(), state.as_mut_ptr() as *mut c_void, bytes)
+        })?;
+        Ok(state)
+    }
+
+    /// Goes on from what other senses of such a model remembered; what the state lacks starts fresh.
+    pub fn load(&mut self, state: &[u8]) -> Result<LoadReport> {
+        let from = state.as_ptr() as *const c_void;
+        LoadReport::of(|report| unsafe {
+            sys::mimo_senses_state_load(self.handle(), from, state.len(), report)
+        })
+    }
+
+    /// Senses what the data hold, which stay as they are; what is late comes out of memory, which stays as it is, too.
     ///
     /// # Safety
     /// `data` is an mjData of the model that the senses are attached to, and nobody writes to it meanwhile.

@@ -2,6 +2,7 @@
 use crate::block::Block;
 use crate::error::{c_string, check, text, Error, Kind, Result};
 use crate::field::Field;
+use crate::state::LoadReport;
 use crate::sys;
 use std::fmt;
 use std::os::raw::c_void;
@@ -367,11 +368,11 @@ impl World {
         Ok(state)
     }
 
-    /// Goes on from a state of a world of the same model, agents and task, exactly as that one did.
-    pub fn load(&mut self, state: &[u8]) -> Result<()> {
-        check(unsafe {
-            sys::mimo_env_state_load(self.handle(), state.as_ptr() as *const c_void, state.len())
-        })
+    /// Goes on from a state of a world of the same model, agents and task, exactly as that one did. What it lacks of a
+    /// delay starts fresh.
+    pub fn load(&mut self, state: &[u8]) -> Result<LoadReport> {
+        let from = state.as_ptr() as *const c_void;
+        LoadReport::of(|report| unsafe { sys::mimo_env_state_load(self.handle(), from, state.len(), report) })
     }
 }
 

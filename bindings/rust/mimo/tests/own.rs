@@ -136,12 +136,40 @@ fn limited_senses() {
     };
     let plain = build(None);
     assert_eq!(plain[0].len(), 1);
-    let twice = build(Some(mimo::Limits { gain: 2.0, delay: 2, ..mimo::Limits::default() }));
+    let twice = build(Some(mimo::Limits { gain: 2.0, delay: 0.02, ..mimo::Limits::default() }));
     assert_eq!(twice[4][0], 2.0 * plain[2][0]);
     assert_ne!(plain[2], plain[4]);
     let error =
         Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::default()).unwrap_err();
     assert_eq!(error.kind(), Kind::InvalidArgument);
+}
+
+/// Motors get half of what they are told, two steps late; a state tells what it lacks of that.
+#[test]
+fn limited_motors() {
+    let build = |limits: Option<mimo::Limits>| {
+        let mut scene = Scene::builtin("benchmark").unwrap();
+        let agent = scene.default_agent().unwrap();
+        scene.add_agent(&agent).unwrap();
+        if let Some(limits) = limits {
+            scene.limit_motor(0, "left_arm", &limits).unwrap();
+        }
+        let mut config = EnvConfig::new().unwrap();
+        config.renderer("ray").unwrap();
+        Env::new(&scene, &config).unwrap()
+    };
+    let mut plain = build(None);
+    let mut late = build(Some(mimo::Limits { gain: 0.5, delay: 0.02, ..mimo::Limits::default() }));
+    let action = vec![0.5; late.action_size().unwrap()];
+    let motors = ["act:left_elbow", "act:right_elbow"].map(|name| late.find(MIMO_ACTUATOR, name).unwrap());
+    for expected in [[0.0, 0.5], [0.0, 0.5], [0.25, 0.5]] {
+        late.step(&action, None).unwrap();
+        assert_eq!(late.get(MIMO_ACTUATOR_CONTROL, &motors).unwrap(), expected);
+    }
+    let report = plain.load(&late.save().unwrap()).unwrap();
+    assert_eq!((report.fresh, report.ignored), (vec![], vec!["agent/motor delay".to_string()]));
+    let report = late.load(&plain.save().unwrap()).unwrap();
+    assert_eq!((report.fresh, report.ignored), (vec!["agent/motor delay".to_string()], vec![]));
 }
 
 /// No MuJoCo is linked here, so only refusals can be tested; tests/capi attaches senses to a model.
@@ -151,9 +179,10 @@ fn senses_refuse_what_is_no_model() {
     let mut agent = mimo::AgentConfig::new().unwrap();
     agent.body("scene").unwrap().root("world").unwrap().vestibular_at("head").unwrap().vision(0, 8, 8);
     scene.add_agent(&agent).unwrap();
-    let config = EnvConfig::new().unwrap();
-    let attach =
-        |version| unsafe { mimo::Senses::attach(&scene, &config, std::ptr::null(), version, [0, 0]) };
+    let attach = |version| {
+        let config = mimo::SensesConfig::new(version).unwrap();
+        unsafe { mimo::Senses::attach(&scene, std::ptr::null(), &config) }
+    };
     assert_eq!(attach(222).err().unwrap().kind(), Kind::InvalidArgument);
     assert_eq!(attach(999).err().unwrap().kind(), Kind::Unsupported);
 }

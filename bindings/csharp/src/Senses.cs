@@ -1,0 +1,125 @@
+using System;
+using System.Collections.Generic;
+
+namespace Mimo
+{
+    /// <summary>How attached senses look at a simulation; what is not set is the library's default.</summary>
+    public sealed class SensesOptions
+    {
+        /// <summary>Seconds between two calls of Advance; 0: the model's time step.</summary>
+        public double Step;
+        /// <summary>"ray", "osmesa", "none"; null: what works.</summary>
+        public string Renderer;
+        /// <summary>What pictures show; null: everything but fog.</summary>
+        public Render? Render;
+        /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.</summary>
+        public uint Samples;
+        /// <summary>Threads that draw one picture, 1 to 64.</summary>
+        public uint RenderThreads = 1;
+    }
+
+    /// <summary>Senses that look at a host's own MuJoCo model, and never change it. Pointers are those of MuJoCo's structs,
+    /// as its plug-in for Unity has them; the model outlives the senses.</summary>
+    public sealed class Senses : IDisposable
+    {
+        private readonly SensesHandle handle;
+        private readonly Dictionary<string, Field> byName = new Dictionary<string, Field>();
+        private readonly ulong[] seedOf = new ulong[1];
+
+        /// <summary>The last observation.</summary>
+        public byte[] Block { get; }
+
+        /// <summary>What it consists of.</summary>
+        public IReadOnlyList<Field> Fields { get; }
+
+        /// <summary>Attaches senses to an mjModel of a host whose mj_version() is given. The scene describes the agents
+        /// (with the body "scene"), their skin, the limits of their senses and the cameras.</summary>
+        public Senses(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options = null)
+        {
+            handle = Attach(scene, model, mujocoVersion, options ?? new SensesOptions());
+            UIntPtr bytes, fields;
+            MimoException.Check(Native.mimo_senses_observation_size(handle, out bytes, out fields));
+            Block = new byte[(int)bytes];
+            Fields = ReadFields((int)fields);
+        }
+
+        private static SensesHandle Attach(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options)
+        {
+            using (var renderer = new PinnedText(options.Renderer))
+            {
+                SensesConfigStruct config;
+                MimoException.Check(Native.mimo_senses_config_init(out config, Structs.Size<SensesConfigStruct>()));
+                config.mujoco_version = mujocoVersion;
+                config.step = options.Step;
+                if (options.Renderer != null) config.renderer = renderer.Pointer;
+                if (options.Render.HasValue) config.render = (uint)options.Render.Value;
+                config.samples = options.Samples;
+                config.render_threads = options.RenderThreads;
+                SensesHandle made;
+                MimoException.Check(Native.mimo_senses_attach(scene.Handle, model, ref config, out made));
+                return made;
+            }
+        }
+
+        private IReadOnlyList<Field> ReadFields(int count)
+        {
+            var fields = new Field[count];
+            for (var i = 0; i < count; ++i)
+            {
+                var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
+                MimoException.Check(Native.mimo_senses_observation_field(handle, (UIntPtr)i, ref raw));
+                fields[i] = Field.Of(raw);
+                byName[fields[i].Name] = fields[i];
+            }
+            return fields;
+        }
+
+        /// <summary>A field by its name.</summary>
+        public Field FindField(string name)
+        {
+            Field field;
+            if (byName.TryGetValue(name, out field)) return field;
+            throw new KeyNotFoundException("no field named \"" + name + "\"; there are: " + string.Join(", ", byName.Keys));
+        }
+
+        /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
+        public void Read<T>(Field field, T[] into) where T : struct { field.CopyTo(into, Block, 0); }
+
+        /// <summary>Starts an episode: nothing was sensed before what the mjData hold. Noise follows from the seed; without
+        /// one it goes on from the last episode's.</summary>
+        public void Reset(IntPtr data, ulong? seed = null)
+        {
+            seedOf[0] = seed.GetValueOrDefault();
+            MimoException.Check(Native.mimo_senses_reset(handle, data, seed.HasValue ? seedOf : null));
+        }
+
+        /// <summary>One step later, once after each step of the host: senses with a delay take in what the mjData hold.</summary>
+        public void Advance(IntPtr data) { MimoException.Check(Native.mimo_senses_advance(handle, data)); }
+
+        /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
+        public void Observe(IntPtr data)
+        {
+            MimoException.Check(Native.mimo_senses_observe(handle, data, Block, (UIntPtr)Block.Length));
+        }
+
+        /// <summary>What the senses remember, as bytes.</summary>
+        public byte[] Save()
+        {
+            UIntPtr bytes;
+            MimoException.Check(Native.mimo_senses_state_size(handle, out bytes));
+            var state = new byte[(int)bytes];
+            MimoException.Check(Native.mimo_senses_state_save(handle, state, bytes));
+            return state;
+        }
+
+        /// <summary>Goes on from what other senses of such a model remembered; what the state lacks starts fresh.</summary>
+        public LoadReport Load(byte[] state)
+        {
+            return LoadReport.Of((ref LoadReportStruct report) =>
+                Native.mimo_senses_state_load(handle, state, (UIntPtr)state.Length, ref report));
+        }
+
+        /// <summary>Detaches the senses.</summary>
+        public void Dispose() { handle.Dispose(); }
+    }
+}

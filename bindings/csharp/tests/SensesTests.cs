@@ -1,0 +1,85 @@
+using System;
+using System.Linq;
+using System.Runtime.InteropServices;
+using System.Text;
+using Mimo;
+
+internal static partial class Tests
+{
+    private const string MuJoCo = "libmujoco.so.2.2.2";
+
+    [DllImport(MuJoCo)] private static extern int mj_version();
+    [DllImport(MuJoCo)] private static extern IntPtr mj_loadXML(byte[] file, IntPtr files, byte[] error, int length);
+    [DllImport(MuJoCo)] private static extern IntPtr mj_makeData(IntPtr model);
+    [DllImport(MuJoCo)] private static extern void mj_forward(IntPtr model, IntPtr data);
+    [DllImport(MuJoCo)] private static extern void mj_step(IntPtr model, IntPtr data);
+    [DllImport(MuJoCo)] private static extern void mj_deleteData(IntPtr data);
+    [DllImport(MuJoCo)] private static extern void mj_deleteModel(IntPtr model);
+
+    /// <summary>The left arm gets half of what it is told, two steps of 10 ms late.</summary>
+    private static void MotorsAreLimited()
+    {
+        using (var scene = MimoScene.Builtin("free"))
+        {
+            var agent = scene.DefaultAgent();
+            agent.vision = agent.touch = 0;
+            scene.AddAgent(agent);
+            scene.LimitMotor("left_arm", gain: 0.5, delay: 0.02);
+            using (var env = new Env(scene))
+            {
+                var action = Enumerable.Repeat(0.5f, env.ActionSize).ToArray();
+                var told = new double[2];
+                var ids = new[] { env.Find(Kind.Actuator, "act:left_elbow"), env.Find(Kind.Actuator, "act:right_elbow") };
+                for (var step = 0; step < 3; ++step)
+                {
+                    env.Step(action);
+                    env.Get(Quantity.ActuatorControl, ids, told);
+                    Near(step < 2 ? 0 : 0.25, told[0], 1e-7, "the left arm in step " + step);
+                    Near(0.5, told[1], 1e-7, "the right arm");
+                }
+            }
+        }
+    }
+
+    /// <summary>A host with its own MuJoCo: a delay of five steps, and what is remembered as bytes.</summary>
+    private static void SensesRemember()
+    {
+        IntPtr model = mj_loadXML(Encoding.UTF8.GetBytes("tests/models/humanoid.xml\0"), IntPtr.Zero, new byte[500], 500);
+        Check(model != IntPtr.Zero, "no model");
+        IntPtr data = mj_makeData(model);
+        mj_forward(model, data);
+        using (var scene = MimoScene.Empty())
+        {
+            var agent = scene.DefaultAgent();
+            agent.vision = agent.vestibular = agent.touch = 0;
+            scene.AddAgent(agent, root: "torso");
+            scene.LimitSense("proprioception/position", noise: 0.01, delay: 0.05);
+            var options = new SensesOptions { Step = 0.01 };
+            using (Senses senses = new Senses(scene, model, mj_version(), options), twin = new Senses(scene, model, mj_version(), options))
+            {
+                var position = senses.FindField("proprioception/position");
+                float[] first = new float[position.Shape[0]], now = new float[first.Length];
+                senses.Reset(data, 5);
+                senses.Observe(data);
+                senses.Read(position, first);
+                for (var step = 0; step < 6; ++step)
+                {
+                    if (step == 5) Check(twin.Load(senses.Save()).Fresh.Count == 0, "something started fresh");
+                    mj_step(model, data);
+                    foreach (var each in new[] { senses, twin })
+                    {
+                        each.Advance(data);
+                        each.Observe(data);
+                    }
+                    senses.Read(position, now);
+                    Check(first.SequenceEqual(now) == step < 5, "another delay than five steps: step " + step);
+                }
+                Check(senses.Block.SequenceEqual(twin.Block), "the twin remembers something else");
+                Check(Refused(() => senses.Load(new byte[3])).Message.Contains("state"), "another message");
+            }
+            Check(Refused(() => new Senses(scene, model, 237)).Message.Contains("mujoco_version"), "another message");
+        }
+        mj_deleteData(data);
+        mj_deleteModel(model);
+    }
+}
