@@ -48,7 +48,8 @@ typedef struct mimo_env_config {
                                 what the model tells OSMesa. */
   uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
                                 Pictures do not differ. Default 1, which is best in batches. */
-  uint32_t reserved;       /**< 0. */
+  uint32_t step_contacts;  /**< 1: what touched what during a step is recorded (MIMO_STEP_CONTACT). Default 0, which
+                                costs nothing. */
 } mimo_env_config;
 
 /**

@@ -61,8 +61,9 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   options.task = text(config.task);
   options.quality = quality(config);
   check_flag(config.timing, "timing");
-  check_reserved(config.reserved, "reserved");
+  check_flag(config.step_contacts, "step_contacts");
   options.timing = config.timing != 0;
+  options.step_contacts = config.step_contacts != 0;
   return options;
 }
 

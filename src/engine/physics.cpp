@@ -11,6 +11,31 @@
 namespace mimo::engine {
 namespace {
 
+// Calls visit(numbers, count) for all that kinematics gives.
+template <typename Visit>
+void visit_poses(const mjModel& model, mjData& data, Visit&& visit) {
+  visit(data.xpos, 3 * model.nbody);
+  visit(data.xquat, 4 * model.nbody);
+  visit(data.xmat, 9 * model.nbody);
+  visit(data.xipos, 3 * model.nbody);
+  visit(data.ximat, 9 * model.nbody);
+  visit(data.xanchor, 3 * model.njnt);
+  visit(data.xaxis, 3 * model.njnt);
+  visit(data.geom_xpos, 3 * model.ngeom);
+  visit(data.geom_xmat, 9 * model.ngeom);
+  visit(data.site_xpos, 3 * model.nsite);
+  visit(data.site_xmat, 9 * model.nsite);
+  visit(data.cam_xpos, 3 * model.ncam);
+  visit(data.cam_xmat, 9 * model.ncam);
+  visit(data.light_xpos, 3 * model.nlight);
+  visit(data.light_xdir, 3 * model.nlight);
+  visit(data.subtree_com, 3 * model.nbody);
+  visit(data.cdof, 6 * model.nv);
+  visit(data.cinert, 10 * model.nbody);
+  visit(data.cvel, 6 * model.nbody);
+  visit(data.cdof_dot, 6 * model.nv);
+}
+
 // MuJoCo resets a diverged state by itself and says so in these counters; for us the world has failed.
 constexpr mjtWarning kDivergence[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
 
@@ -47,7 +72,7 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 }  // namespace
 
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
-    : shared_(std::move(model)), model_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
+    : shared_(std::move(model)), model_(*shared_), overrides_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
   apply(options, model_.opt);
   step_ = options.own_solver && newton_step_serves(model_) ? newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
@@ -79,7 +104,9 @@ void Physics::step(int count, bool sensors) {
     for (int i = 0; i < count && !diverged(*data_); ++i) {
       step_time_ = data_->time;
       model_.opt.disableflags = sensors && i + 1 == count ? flags : flags | mjDSBL_SENSOR;
+      const WarningWatch watch(*data_);
       step_(&model_, data_.get());
+      watch.count(model_, *data_, counts_);
     }
   });
   model_.opt.disableflags = flags;
@@ -110,6 +137,40 @@ void Physics::update_contacts() {
     mj_camlight(&model_, data_.get());
     mj_collision(&model_, data_.get());
   });
+}
+
+void Physics::at_present(FunctionRef<void()> call) {
+  require_usable();
+  poses_.clear();
+  visit_poses(model_, *data_, [this](const mjtNum* at, int count) { poses_.insert(poses_.end(), at, at + count); });
+  const auto restore = [this] {
+    const double* from = poses_.data();
+    visit_poses(model_, *data_, [&from](mjtNum* to, int count) {
+      std::copy_n(from, count, to);
+      from += count;
+    });
+  };
+  try {
+    update_poses();
+    run([this] { mj_comVel(&model_, data_.get()); });
+    call();
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+}
+
+void Physics::place(int body, const double* position, const double* orientation) {
+  const int mocap = model_.body_mocapid[body];
+  if (position != nullptr) {
+    std::copy_n(position, 3, overrides_.position(model_, body));
+    if (mocap >= 0) std::copy_n(position, 3, data_->mocap_pos + 3 * mocap);
+  }
+  if (orientation != nullptr) {
+    std::copy_n(orientation, 4, overrides_.orientation(model_, body));
+    if (mocap >= 0) std::copy_n(orientation, 4, data_->mocap_quat + 4 * mocap);
+  }
 }
 
 void Physics::update_poses_at_last_start(Span<const int> turned) {

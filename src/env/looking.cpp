@@ -13,8 +13,9 @@ body::Gaze gaze(const World& world, std::size_t agent) { return eyes_of(world, a
 
 body::Look look(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {
   const body::Eyes eyes = eyes_of(world, agent);
-  world.physics().update_poses();
-  return eyes.look_at(world.model(), world.data(), point, turn_head);
+  body::Look wanted;
+  world.physics().at_present([&] { wanted = eyes.look_at(world.model(), world.data(), point, turn_head); });
+  return wanted;
 }
 
 body::Look look_at(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {

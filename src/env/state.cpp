@@ -116,6 +116,7 @@ void World::load(Span<const std::uint8_t> state) {
   try {
     load_parts(body);
     physics_.load(body);  // last, because it alone changes nothing when it refuses
+    step_contacts_.begin();
   } catch (...) {
     ByteReader before{Span<const std::uint8_t>(parts_backup_)};
     load_parts(before);
