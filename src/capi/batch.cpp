@@ -44,8 +44,7 @@ batch::Options batch_options(const mimo_batch_config& config) {
           kMostWorlds);
   require(config.threads <= kMostThreads, "threads is {}, expected up to {}, or 0 for the machine's", config.threads,
           kMostThreads);
-  require(config.autoreset >= MIMO_AUTORESET_NONE && config.autoreset <= MIMO_AUTORESET_SAME_STEP,
-          "autoreset is {}, expected a MIMO_AUTORESET_ constant, 0 to 2", config.autoreset);
+  check_choice(config.autoreset, MIMO_AUTORESET_NONE, MIMO_AUTORESET_SAME_STEP, "autoreset");
   check_flag(config.restart_failed, "restart_failed");
   check_reserved(config.reserved, "reserved");
   batch::Options options;

@@ -106,10 +106,10 @@ static void check_agents(void) {
   CHECK(agent.vision == 0 && agent.vestibular == 1 && agent.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
   CHECK(agent.acts == 0 && agent.actuation == MIMO_ACTUATION_TORQUE && agent.normalize_actions == 0);
   agent.acts = 0x800;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
   agent.acts = MIMO_ACT_RIGHT_LEG | MIMO_ACT_LEFT_LEG;
   agent.actuation = 4;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 4", mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "actuation is 4", mimo_scene_add_agent(scene, &agent, NULL));
   agent.actuation = MIMO_ACTUATION_POSITION;
   agent.normalize_actions = 1;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));

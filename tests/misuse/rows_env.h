@@ -69,11 +69,12 @@ ROW(mimo_env_touch_sensors, ON_ENV,
     NULL_OK(count), BAD_SIZE(touch_capacity, -1, "capacity"), DO(few_sensors, MIMO_E_BUFFER_TOO_SMALL, "capacity"))
 
 #define PICTURE(f, n) BAD_FIELD(picture_config, mimo_picture_config, f, n, #f)
+#define PICTURE_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
 #define PICTURE_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
 #define PICTURE_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
 #define PICTURES                                                                                                      \
   CONFIG(picture_config, mimo_picture_config, "config"), PICTURE(width, 0), PICTURE(width, 4097), PICTURE(width, -1), \
-      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(format, 4), PICTURE_UNREAL(look_at[2]),                      \
+      PICTURE(height, 0), PICTURE(height, 4097), PICTURE_UNKNOWN(format, 4), PICTURE_UNREAL(look_at[2]),              \
       PICTURE_UNREAL(distance), PICTURE_REAL(distance, 0), PICTURE_REAL(distance, -1), PICTURE_UNREAL(azimuth),       \
       PICTURE_UNREAL(elevation), PICTURE_UNREAL(fovy), PICTURE_REAL(fovy, -1), PICTURE_REAL(fovy, 171),               \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
@@ -93,9 +94,9 @@ ROW(mimo_env_set_face, ON_ENV, mimo_env_set_face(a->env, a->agent_index, a->face
 ROW(mimo_env_face, ON_ENV, mimo_env_face(a->env, a->agent_index, a->string), BAD_INDEX(agent_index, "agent"),
     NO_NULL(string, "name"))
 
-#define LOOK                                                                                                           \
-  BAD_INDEX(agent_index, "agent"), NO_NULL(points, "point"), DO(nan_point, E_ARG, "point[0]"), BAD_I32(how, 2, "how"), \
-      BAD_IDS(how, "how"), NULL_OK(numbers)
+#define LOOK                                                                                   \
+  BAD_INDEX(agent_index, "agent"), NO_NULL(points, "point"), DO(nan_point, E_ARG, "point[0]"), \
+      UNKNOWNS(how, 2, "how"), NULL_OK(numbers)
 ROW(mimo_env_gaze, ON_ENV, mimo_env_gaze(a->env, a->agent_index, a->gaze), BAD_INDEX(agent_index, "agent"),
     DESCRIPTION(gaze, mimo_gaze, "gaze"))
 ROW(mimo_env_look_angles, ON_ENV | SIMULATES,
