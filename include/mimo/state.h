@@ -16,7 +16,7 @@ extern "C" {
 MIMO_API mimo_status mimo_env_state_size(const mimo_env *env, size_t *bytes) MIMO_NOEXCEPT;
 
 /**
- * Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces and gravity.
+ * Saves physics, actuation, task, random numbers, elapsed steps, and all that mimo_env_set can write.
  * The bytes may be kept in a file and are good for this version of the library on this kind of machine.
  * @param state receives mimo_env_state_size bytes; needs no alignment.
  * Errors: MIMO_E_SIMULATION for a world that has failed.

@@ -23,7 +23,7 @@ env::Quantity writable_from(std::int32_t quantity) {
 }
 
 env::Kind kind_from(std::int32_t kind) {
-  if (kind < 1 || kind > env::kKinds) refuse_unknown("kind", kind);
+  check_choice(kind, 1, env::kKinds, "kind");
   return static_cast<env::Kind>(kind);
 }
 

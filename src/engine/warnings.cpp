@@ -6,8 +6,8 @@ namespace {
 Warning kind_of(int warning) {
   switch (warning) {
     case mjWARN_INERTIA: return Warning::kInertia;
-    case mjWARN_CONTACTFULL: return Warning::kContactsFull;
-    case mjWARN_CNSTRFULL: return Warning::kConstraintsFull;
+    case mjWARN_CONTACTFULL: return Warning::kContactsDropped;
+    case mjWARN_CNSTRFULL: return Warning::kConstraintsDropped;
     case mjWARN_BADQPOS: return Warning::kBadPosition;
     case mjWARN_BADQVEL: return Warning::kBadVelocity;
     case mjWARN_BADQACC: return Warning::kBadAcceleration;
@@ -22,8 +22,8 @@ void add(Warning kind, WarningCounts& counts) { ++counts[static_cast<std::size_t
 
 const char* word(Warning kind) {
   switch (kind) {
-    case Warning::kContactsFull: return "contacts full";
-    case Warning::kConstraintsFull: return "constraints full";
+    case Warning::kContactsDropped: return "contacts dropped";
+    case Warning::kConstraintsDropped: return "constraints dropped";
     case Warning::kBadPosition: return "bad position";
     case Warning::kBadVelocity: return "bad velocity";
     case Warning::kBadAcceleration: return "bad acceleration";

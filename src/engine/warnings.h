@@ -12,8 +12,8 @@ namespace mimo::engine {
 // As mimo.h numbers them (MIMO_WARNING_...).
 enum class Warning : int {
   kOther,
-  kContactsFull,
-  kConstraintsFull,
+  kContactsDropped,
+  kConstraintsDropped,
   kBadPosition,
   kBadVelocity,
   kBadAcceleration,
@@ -25,7 +25,7 @@ constexpr int kWarnings = 9;
 
 using WarningCounts = std::array<std::uint64_t, kWarnings>;
 
-const char* word(Warning kind);  // "contacts full"
+const char* word(Warning kind);  // "contacts dropped"
 
 // Adds one for each kind that a physics step has just met, and that MuJoCo had not noted before it.
 class WarningWatch {

@@ -35,7 +35,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       services_(services),
       shared_model_(std::move(model)),
       physics_(shared_model_, options.physics),
-      faces_(body::faces_of(model())),
+      faces_(body::faces_of(physics_.model())),
       step_contacts_(options.step_contacts),
       random_(identity.seed) {
   adopt_scene_choices();
