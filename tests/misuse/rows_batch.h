@@ -38,12 +38,13 @@ ROW(mimo_batch_observe, ON_BATCH | SIMULATES,
 ROW(mimo_batch_get, ON_BATCH,
     mimo_batch_get(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_values, a->values_count),
     QUANTITIES, IDS, WORLDS, NO_NULL(all_values, "values"), VALUES(values_count))
+ROW(mimo_batch_get_float, ON_BATCH,
+    mimo_batch_get_float(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->depth, a->values_count),
+    QUANTITIES, IDS, WORLDS, NO_NULL(depth, "values"), VALUES(values_count))
 ROW(mimo_batch_set, ON_BATCH | SIMULATES,
     mimo_batch_set(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_to_write, a->values_count),
     QUANTITIES, IDS, WORLDS, NO_NULL(all_to_write, "values"), VALUES(values_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
-ROW(mimo_batch_set_face, ON_BATCH, mimo_batch_set_face(a->batch, a->agent_index, a->face, a->mask, a->worlds),
-    BAD_INDEX(agent_index, "agent"), NO_NULL(face, "name"), DO(unknown_face, MIMO_E_NOT_FOUND, "boredom"), WORLDS)
 ROW(mimo_batch_state_save, ON_BATCH | SIMULATES,
     mimo_batch_state_save(a->batch, a->mask, a->worlds, a->states_out, a->states_bytes), WORLDS,
     NO_NULL(states_out, "states"), SHORT(states_bytes, "states"))

@@ -32,11 +32,11 @@ typedef struct args {
   mimo_limits* limits;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, agent, body_id, how, version;
+  int32_t kind, id, quantity, agent, body_id, how, version;
   size_t index, element, agent_index, world, steps, model_size, data_size;
-  double angle, value, spacing, x, y, z;
+  double angle, value, spacing;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *joint_name, *other, *folder;
+  const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *joint_name, *other, *folder;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
@@ -49,12 +49,13 @@ typedef struct args {
   /* arrays that are written */
   void *block, *blocks, *state_out, *states_out;
   char* text;
-  double *reward, *values, *all_values, *numbers, *pixels, *contact_values, *positions, *frames, *look_angles;
+  double *reward, *values, *all_values, *numbers, *pixels, *positions, *frames, *look_angles;
   uint8_t *terminated, *truncated, *rgb;
+  mimo_status *statuses;
   float *low, *high, *depth;
-  int32_t *segmentation, *contact_ids, *bodies, *geoms, *look_joints;
+  int32_t *segmentation, *bodies, *geoms, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
-  size_t contact_capacity, touch_capacity, look_capacity, number_count, term_count, gravity_count;
+  size_t touch_capacity, look_capacity, number_count, term_count;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;

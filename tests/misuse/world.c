@@ -139,16 +139,10 @@ static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t a
 }
 
 static void find_things(void) {
-  size_t joints = 0;
   static int32_t ids[1];
   CHECK_OK(mimo_env_find(good.env, MIMO_JOINT, "toy", &ids[0]));
   good.ids = ids;
   good.id_count = 1;
-  CHECK_OK(mimo_env_count(good.env, MIMO_JOINT, &joints));
-  for (good.joint = 0; (size_t)good.joint < joints; ++good.joint) {
-    if (mimo_env_lock_state(good.env, good.joint, NULL, &good.angle) == MIMO_OK) return;
-  }
-  CHECK(!"a joint that can be locked");
 }
 
 static void make_arrays(void) {
@@ -171,9 +165,7 @@ static void make_arrays(void) {
   good.value_count = VALUES_PER_WORLD;
   good.values_count = worlds * VALUES_PER_WORLD;
   good.touch_capacity = sensors;
-  good.contact_capacity = 200;
   good.number_count = 4;
-  good.gravity_count = 3;
   good.point_count = 2;
   good.capacity = text + 1;
   good.depth_count = good.segmentation_count = PICTURE_SIZE * PICTURE_SIZE;
@@ -200,8 +192,7 @@ static void make_arrays(void) {
   good.all_values = region(good.values_count * sizeof(double));
   good.numbers = region((good.term_count > 4 ? good.term_count : 4) * sizeof(double));
   good.pixels = region(3 * good.point_count * sizeof(double));
-  good.contact_values = region(good.contact_capacity * MIMO_CONTACT_VALUES * sizeof(double));
-  good.contact_ids = region(good.contact_capacity * MIMO_CONTACT_IDS * sizeof(int32_t));
+  good.statuses = region(worlds * sizeof(mimo_status));
   good.positions = region(3 * sensors * sizeof(double));
   good.frames = region(MIMO_TOUCH_FRAME_VALUES * sensors * sizeof(double));
   good.bodies = region(sensors * sizeof(int32_t));
@@ -326,7 +317,7 @@ static void fill_results(void) {
   results->terminated = good.state_out;
   results->truncated = (uint8_t*)good.state_out + WORLDS_IN_BATCH;
   results->agents = WORLDS_IN_BATCH * AGENTS;
-  results->status = (mimo_status*)good.contact_ids;
+  results->status = good.statuses;
   results->was_reset = (uint8_t*)good.state_out + 2 * WORLDS_IN_BATCH;
   results->final_written = (uint8_t*)good.state_out + 3 * WORLDS_IN_BATCH;
   results->worlds = WORLDS_IN_BATCH;
@@ -382,7 +373,6 @@ args good_args(int uses) {
   good.room_name = "playroom";
   good.folder = "misuse_saved_scene";
   good.joint_name = "robot:head_tilt";
-  good.face = "fear";
   good.path = "touch";
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
@@ -447,7 +437,6 @@ void break_worlds(void) {
 void mend_worlds(void) {
   CHECK_OK(mimo_env_reset(good.env, NULL, NULL, 0));
   CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0, NULL, 0));
-  CHECK_OK(mimo_env_set_gravity(good.env, 0, 0, -9.81));
 }
 
 int world_failures(void) { return failures(); }

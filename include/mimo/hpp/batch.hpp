@@ -70,11 +70,32 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     check(mimo_batch_state_load(get(), nullptr, 0, states.data(), states.size()));
   }
 
+  /// A quantity of some elements, or of all of its kind, in all worlds: one row for each.
+  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
+    return values_of(quantity, detail::some(ids), ids.size());
+  }
+  std::vector<double> get_values(std::int32_t quantity) { return values_of(quantity, nullptr, 0); }
+  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
+    check(mimo_batch_set(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(), values.size()));
+  }
+  /// Of all of its kind.
+  void set_values(std::int32_t quantity, const std::vector<double> &values) {
+    check(mimo_batch_set(get(), quantity, nullptr, 0, nullptr, 0, values.data(), values.size()));
+  }
+
   void set_face(const std::string &name, std::size_t agent = 0) {
-    check(mimo_batch_set_face(get(), agent, name.c_str(), nullptr, 0));
+    const double face = env(0).find(MIMO_FACE, name);
+    set_values(MIMO_AGENT_FACE, {static_cast<std::int32_t>(agent)}, std::vector<double>(size(), face));
   }
 
  private:
+  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
+    std::size_t width = 0;
+    check(mimo_env_width(world(0), quantity, ids, count, &width));
+    std::vector<double> values(width * size());
+    check(mimo_batch_get(get(), quantity, ids, count, nullptr, 0, values.data(), values.size()));
+    return values;
+  }
   static mimo_batch_config sized(std::size_t worlds) {
     mimo_batch_config config = batch_config();
     config.worlds = static_cast<std::uint32_t>(worlds);
