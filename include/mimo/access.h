@@ -31,66 +31,83 @@ extern "C" {
  * from world to world: what is set there outlives resets. All of what can be set is part of the saved state, but for
  * MIMO_WARNING_COUNT.
  */
-#define MIMO_JOINT_POSITION 1              /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
-#define MIMO_JOINT_VELOCITY 2              /**< Joint: 1, 3 or 6. Writable. */
-#define MIMO_JOINT_FORCE 3                 /**< Joint: 1, 3 or 6; generalised force that you apply, until you change it or the \
-                                                world is reset. Writable. */
-#define MIMO_JOINT_ACCELERATION 4          /**< Joint: 1, 3 or 6. */
-#define MIMO_JOINT_RANGE 5                 /**< Joint: 2, low and high; -inf and inf when not limited. */
-#define MIMO_BODY_POSITION 6               /**< Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one \
-                                                that stands on the world without joints. */
-#define MIMO_BODY_ORIENTATION 7            /**< Body: 4, w x y z. Writable as MIMO_BODY_POSITION. */
-#define MIMO_BODY_VELOCITY 8               /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
-#define MIMO_BODY_FORCE 9                  /**< Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE. */
-#define MIMO_BODY_MASS 10                  /**< Body: 1, kg, > 0. Writable, W: its inertia grows along. */
-#define MIMO_BODY_CENTER_OF_MASS 11        /**< Body: 3, of the body alone, world, m. */
-#define MIMO_GEOM_POSITION 12              /**< Geom: 3, world, m. */
-#define MIMO_GEOM_ORIENTATION 13           /**< Geom: 4, w x y z. */
-#define MIMO_GEOM_SIZE 14                  /**< Geom: 3, by shape, m, > 0; those that its shape does not use are left alone.    \
-                                                Writable, W, but for planes, meshes and height fields: what touches and what is \
-                                                seen; mass, inertia and touch sensors stay. */
-#define MIMO_SITE_POSITION 15              /**< Site: 3, world, m. */
-#define MIMO_SITE_ORIENTATION 16           /**< Site: 4, w x y z. */
-#define MIMO_CAMERA_POSITION 17            /**< Camera: 3, world, m. */
-#define MIMO_CAMERA_ORIENTATION 18         /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
-#define MIMO_ACTUATOR_CONTROL 19           /**< Actuator: 1, control input. Writable. */
-#define MIMO_ACTUATOR_FORCE 20             /**< Actuator: 1, N or Nm. */
-#define MIMO_SENSOR_VALUE 21               /**< Sensor: its dimension. */
-#define MIMO_ACTUATOR_GEAR 22              /**< Actuator: 1, Nm at control 1. Writable, W. */
-#define MIMO_BODY_POSE 23                  /**< Body: 7, position and orientation. Writable as MIMO_BODY_POSITION. */
-#define MIMO_GEOM_POSE 24                  /**< Geom: 7, position and orientation. */
-#define MIMO_SITE_POSE 25                  /**< Site: 7, position and orientation. */
-#define MIMO_CAMERA_POSE 26                /**< Camera: 7, position and orientation. */
-#define MIMO_GEOM_FRICTION 27              /**< Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the \
-                                                larger one, or as their <pair> in the model says. Writable, W. */
-#define MIMO_GEOM_COLOR 28                 /**< Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the \
-                                                material's colour, where there is a material. Writable, W. */
-#define MIMO_JOINT_DAMPING 29              /**< Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W. */
-#define MIMO_JOINT_LOCK 30                 /**< Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for \
-                                                hinges of infants; see mimo_env_set. 0 and 0 where nothing could hold it. */
-#define MIMO_LIGHT_POSITION 31             /**< Light: 3, m, in the frame of its body, mostly the world. Writable, W. */
-#define MIMO_LIGHT_DIRECTION 32            /**< Light: 3, unit vector in that frame. Writable (any length), W. */
-#define MIMO_LIGHT_COLOR 33                /**< Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W. */
-#define MIMO_CONTACT_GEOMS 34              /**< Contact: 2, ids of geom 1 and geom 2. */
-#define MIMO_CONTACT_BODIES 35             /**< Contact: 2, ids of their bodies. */
-#define MIMO_CONTACT_POSITION 36           /**< Contact: 3, world, m. */
-#define MIMO_CONTACT_FRAME 37              /**< Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world. */
-#define MIMO_CONTACT_DISTANCE 38           /**< Contact: 1, m; negative: overlap. */
-#define MIMO_CONTACT_FORCE 39              /**< Contact: 3, on the second body, in the contact's frame, N. */
-#define MIMO_CONTACT_TORQUE 40             /**< Contact: 3, on the second body, in the contact's frame, Nm. */
-#define MIMO_STEP_CONTACT_GEOMS 41         /**< Step contact: 2, ids of geom 1 and geom 2. */
-#define MIMO_STEP_CONTACT_BODIES 42        /**< Step contact: 2, ids of their bodies. */
-#define MIMO_STEP_CONTACT_START 43         /**< Step contact: 1, when they first touched, s since the step's start. */
-#define MIMO_STEP_CONTACT_END 44           /**< Step contact: 1, when they last touched, s since the step's start. */
-#define MIMO_STEP_CONTACT_IMPULSE 45       /**< Step contact: 3, on the second body over the step, world, N s. */
-#define MIMO_STEP_CONTACT_PEAK_FORCE 46    /**< Step contact: 3, the largest of the physics steps' forces, on the second \
-                                                body, world, N. */
+#define MIMO_JOINT_POSITION 1 /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
+#define MIMO_JOINT_VELOCITY 2 /**< Joint: 1, 3 or 6. Writable. */
+/** Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable. */
+#define MIMO_JOINT_FORCE 3
+#define MIMO_JOINT_ACCELERATION 4 /**< Joint: 1, 3 or 6. */
+#define MIMO_JOINT_RANGE 5        /**< Joint: 2, low and high; -inf and inf when not limited. */
+/**
+ * Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without
+ * joints.
+ */
+#define MIMO_BODY_POSITION 6
+#define MIMO_BODY_ORIENTATION 7     /**< Body: 4, w x y z. Writable as MIMO_BODY_POSITION. */
+#define MIMO_BODY_VELOCITY 8        /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
+#define MIMO_BODY_FORCE 9           /**< Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE. */
+#define MIMO_BODY_MASS 10           /**< Body: 1, kg, > 0. Writable, W: its inertia grows along. */
+#define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
+#define MIMO_GEOM_POSITION 12       /**< Geom: 3, world, m. */
+#define MIMO_GEOM_ORIENTATION 13    /**< Geom: 4, w x y z. */
+/**
+ * Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes and
+ * height fields: what touches and what is seen; mass, inertia and touch sensors stay.
+ */
+#define MIMO_GEOM_SIZE 14
+#define MIMO_SITE_POSITION 15      /**< Site: 3, world, m. */
+#define MIMO_SITE_ORIENTATION 16   /**< Site: 4, w x y z. */
+#define MIMO_CAMERA_POSITION 17    /**< Camera: 3, world, m. */
+#define MIMO_CAMERA_ORIENTATION 18 /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
+#define MIMO_ACTUATOR_CONTROL 19   /**< Actuator: 1, control input. Writable. */
+#define MIMO_ACTUATOR_FORCE 20     /**< Actuator: 1, N or Nm. */
+#define MIMO_SENSOR_VALUE 21       /**< Sensor: its dimension. */
+#define MIMO_ACTUATOR_GEAR 22      /**< Actuator: 1, Nm at control 1. Writable, W. */
+#define MIMO_BODY_POSE 23          /**< Body: 7, position and orientation. Writable as MIMO_BODY_POSITION. */
+#define MIMO_GEOM_POSE 24          /**< Geom: 7, position and orientation. */
+#define MIMO_SITE_POSE 25          /**< Site: 7, position and orientation. */
+#define MIMO_CAMERA_POSE 26        /**< Camera: 7, position and orientation. */
+/**
+ * Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
+ * model says. Writable, W.
+ */
+#define MIMO_GEOM_FRICTION 27
+/**
+ * Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
+ * material. Writable, W.
+ */
+#define MIMO_GEOM_COLOR 28
+#define MIMO_JOINT_DAMPING 29 /**< Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W. */
+/**
+ * Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see mimo_env_set.
+ * 0 and 0 where nothing could hold it.
+ */
+#define MIMO_JOINT_LOCK 30
+#define MIMO_LIGHT_POSITION 31       /**< Light: 3, m, in the frame of its body, mostly the world. Writable, W. */
+#define MIMO_LIGHT_DIRECTION 32      /**< Light: 3, unit vector in that frame. Writable (any length), W. */
+#define MIMO_LIGHT_COLOR 33          /**< Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W. */
+#define MIMO_CONTACT_GEOMS 34        /**< Contact: 2, ids of geom 1 and geom 2. */
+#define MIMO_CONTACT_BODIES 35       /**< Contact: 2, ids of their bodies. */
+#define MIMO_CONTACT_POSITION 36     /**< Contact: 3, world, m. */
+#define MIMO_CONTACT_FRAME 37        /**< Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world. */
+#define MIMO_CONTACT_DISTANCE 38     /**< Contact: 1, m; negative: overlap. */
+#define MIMO_CONTACT_FORCE 39        /**< Contact: 3, on the second body, in the contact's frame, N. */
+#define MIMO_CONTACT_TORQUE 40       /**< Contact: 3, on the second body, in the contact's frame, Nm. */
+#define MIMO_STEP_CONTACT_GEOMS 41   /**< Step contact: 2, ids of geom 1 and geom 2. */
+#define MIMO_STEP_CONTACT_BODIES 42  /**< Step contact: 2, ids of their bodies. */
+#define MIMO_STEP_CONTACT_START 43   /**< Step contact: 1, when they first touched, s since the step's start. */
+#define MIMO_STEP_CONTACT_END 44     /**< Step contact: 1, when they last touched, s since the step's start. */
+#define MIMO_STEP_CONTACT_IMPULSE 45 /**< Step contact: 3, on the second body over the step, world, N s. */
+/** Step contact: 3, the largest of the physics steps' forces, on the second body, world, N. */
+#define MIMO_STEP_CONTACT_PEAK_FORCE 46
 #define MIMO_STEP_CONTACT_PEAK_POSITION 47 /**< Step contact: 3, of the strongest contact at that time, world, m. */
-#define MIMO_AGENT_FACE 48                 /**< Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for \
-                                                agents that have a face. */
-#define MIMO_WORLD_GRAVITY 49              /**< World: 3, m/s^2, world frame. Writable, W. */
-#define MIMO_WARNING_COUNT 50              /**< Warning: 1, how many physics steps had it since the world was made; resets and loaded \
-                                                states leave it. Writable with 0, to count anew. */
+/** Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face. */
+#define MIMO_AGENT_FACE 48
+#define MIMO_WORLD_GRAVITY 49 /**< World: 3, m/s^2, world frame. Writable, W. */
+/**
+ * Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable with
+ * 0, to count anew.
+ */
+#define MIMO_WARNING_COUNT 50
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by

@@ -58,7 +58,7 @@ class Batch : private Job {
     require_idle();
     const std::size_t width = env::width(world(0), quantity, ids);
     for (std::size_t i = 0; i < size(); ++i) {
-      if (mask == nullptr || mask[i] != 0) env::get(*worlds_[i], quantity, ids, now, {values + i * width, width});
+      if (mask == nullptr || mask[i] != 0) env::get(world(i), quantity, ids, now, {values + i * width, width});
     }
   }
   void set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t* mask, const double* values);

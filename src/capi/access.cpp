@@ -47,7 +47,7 @@ void check_id(const env::World& world, env::Kind kind, std::int32_t id) {
 template <typename T>
 void get(const mimo_env* env, std::int32_t quantity, const std::int32_t* ids, std::size_t id_count, T* values,
          std::size_t value_count) {
-  env::World& world = open(env).world;
+  const env::World& world = open(env).world;
   const Request wanted = request_from(quantity);
   const env::Ids which = ids_of(world, wanted.quantity, ids, id_count);
   const Span<T> where = array(values, value_count, "values");

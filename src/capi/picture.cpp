@@ -5,6 +5,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "engine/present.h"
 #include "render/format.h"
 #include "render/projection.h"
 #include "render/viewpoint.h"
@@ -104,15 +105,14 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, ui
 mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* config, const double* points, size_t count,
                              double* pixels) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
+    const env::World& world = open(env).world;
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
     check_length<double[3]>(count, "count");
     check_finite(array(points, 3 * count, "points").data(), 3 * count, "points");
     array(pixels, 3 * count, "pixels");
-    const render::Viewpoint viewpoint_now = viewpoint(world, ours);
-    render::View from;
-    world.physics().at_present([&] { from = render::view_from(world.model(), world.data(), viewpoint_now); });
+    const engine::Present now(world.physics());
+    const render::View from = render::view_from(world.model(), now.data(), viewpoint(world, ours));
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
       Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);

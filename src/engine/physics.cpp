@@ -11,31 +11,6 @@
 namespace mimo::engine {
 namespace {
 
-// Calls visit(numbers, count) for all that kinematics gives.
-template <typename Visit>
-void visit_poses(const mjModel& model, mjData& data, Visit&& visit) {
-  visit(data.xpos, 3 * model.nbody);
-  visit(data.xquat, 4 * model.nbody);
-  visit(data.xmat, 9 * model.nbody);
-  visit(data.xipos, 3 * model.nbody);
-  visit(data.ximat, 9 * model.nbody);
-  visit(data.xanchor, 3 * model.njnt);
-  visit(data.xaxis, 3 * model.njnt);
-  visit(data.geom_xpos, 3 * model.ngeom);
-  visit(data.geom_xmat, 9 * model.ngeom);
-  visit(data.site_xpos, 3 * model.nsite);
-  visit(data.site_xmat, 9 * model.nsite);
-  visit(data.cam_xpos, 3 * model.ncam);
-  visit(data.cam_xmat, 9 * model.ncam);
-  visit(data.light_xpos, 3 * model.nlight);
-  visit(data.light_xdir, 3 * model.nlight);
-  visit(data.subtree_com, 3 * model.nbody);
-  visit(data.cdof, 6 * model.nv);
-  visit(data.cinert, 10 * model.nbody);
-  visit(data.cvel, 6 * model.nbody);
-  visit(data.cdof_dot, 6 * model.nv);
-}
-
 // MuJoCo resets a diverged state by itself and says so in these counters; for us the world has failed.
 constexpr mjtWarning kDivergence[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
 
@@ -137,28 +112,6 @@ void Physics::update_contacts() {
     mj_camlight(&model_, data_.get());
     mj_collision(&model_, data_.get());
   });
-}
-
-void Physics::at_present(FunctionRef<void()> call) {
-  require_usable();
-  poses_.clear();
-  visit_poses(model_, *data_, [this](const mjtNum* at, int count) { poses_.insert(poses_.end(), at, at + count); });
-  const auto restore = [this] {
-    const double* from = poses_.data();
-    visit_poses(model_, *data_, [&from](mjtNum* to, int count) {
-      std::copy_n(from, count, to);
-      from += count;
-    });
-  };
-  try {
-    update_poses();
-    run([this] { mj_comVel(&model_, data_.get()); });
-    call();
-  } catch (...) {
-    restore();
-    throw;
-  }
-  restore();
 }
 
 void Physics::place(int body, const double* position, const double* orientation) {

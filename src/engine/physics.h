@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "base/function_ref.h"
 #include "base/span.h"
 #include "engine/guard.h"
 #include "engine/model.h"
@@ -55,8 +54,6 @@ class Physics {
   void update_poses();
   // The same, and contacts.
   void update_contacts();
-  // Calls with poses, and velocities of bodies, as of now, then puts back those that there were.
-  void at_present(FunctionRef<void()> call);
   // Poses, but as of the start of the last physics step, to which everything else that a step computed belongs. For
   // a task that has turned joints since (`turned` holds their addresses in qpos): these are where they are now.
   void update_poses_at_last_start(Span<const int> turned);
@@ -126,7 +123,7 @@ class Physics {
   std::vector<double> start_;
   std::array<int, mjNWARNING> warned_{};
   WarningCounts counts_{};
-  std::vector<double> positions_, warmstart_, poses_;  // room to keep what a look at the world changes
+  std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
   double step_time_ = 0;  // when the step in progress started; MuJoCo sets a diverged world's time back
   void (*step_)(const mjModel*, mjData*);  // mj_step, or the same with our own solver
   bool failed_ = false;

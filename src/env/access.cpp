@@ -6,6 +6,7 @@
 
 #include "base/fail.h"
 #include "engine/overrides.h"
+#include "engine/present.h"
 
 namespace mimo::env {
 namespace {
@@ -95,9 +96,8 @@ void of_step_contact(const StepContact& contact, Quantity quantity, Out out) {
   }
 }
 
-void compute(const World& world, Quantity quantity, int id, Out out) {
+void compute(const World& world, const mjData& data, Quantity quantity, int id, Out out) {
   const mjModel& model = world.model();
-  const mjData& data = world.data();
   const auto contact = [&]() -> const mjContact& { return data.contact[id]; };
   switch (quantity) {
     case Quantity::kJointRange: range(model, id, out); break;
@@ -127,15 +127,15 @@ void compute(const World& world, Quantity quantity, int id, Out out) {
 }
 
 template <typename T>
-void read(const World& world, Quantity quantity, const Ids& ids, Span<T> values) {
+void read(const World& world, const mjData& data, Quantity quantity, const Ids& ids, Span<T> values) {
   const mjModel& model = world.model();
   T* to = values.data();
   double computed[kWidest];
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const int count = width(model, quantity, ids[i]);
-    const double* from = stored(model, world.data(), quantity, ids[i]);
+    const double* from = stored(model, data, quantity, ids[i]);
     if (from == nullptr) {
-      compute(world, quantity, ids[i], Out(computed));
+      compute(world, data, quantity, ids[i], Out(computed));
       from = computed;
     }
     to = std::transform(from, from + count, to, [](double value) { return static_cast<T>(value); });
@@ -143,20 +143,19 @@ void read(const World& world, Quantity quantity, const Ids& ids, Span<T> values)
 }
 
 template <typename T>
-void read_at(World& world, Quantity quantity, const Ids& ids, bool now, Span<T> values) {
-  if (!now) return read(world, quantity, ids, values);
-  require_known_now(quantity);
-  if (traits(quantity).moment == Moment::kAlways) return read(world, quantity, ids, values);
-  world.physics().at_present([&] { read(world, quantity, ids, values); });
+void read_at(const World& world, Quantity quantity, const Ids& ids, bool now, Span<T> values) {
+  if (now) require_known_now(quantity);
+  if (!now || traits(quantity).moment == Moment::kAlways) return read(world, world.data(), quantity, ids, values);
+  read(world, engine::Present(world.physics()).data(), quantity, ids, values);
 }
 
 }  // namespace
 
-void get(World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values) {
+void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values) {
   read_at(world, quantity, ids, now, values);
 }
 
-void get(World& world, Quantity quantity, const Ids& ids, bool now, Span<float> values) {
+void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<float> values) {
   read_at(world, quantity, ids, now, values);
 }
 

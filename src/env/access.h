@@ -7,8 +7,8 @@ namespace mimo::env {
 
 // `values` has exactly the width. `now`: what follows from positions and velocities is that of the current ones, and
 // what a physics step computes cannot be had; else all belongs to the last physics step, reset or update.
-void get(World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values);
-void get(World& world, Quantity quantity, const Ids& ids, bool now, Span<float> values);
+void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values);
+void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<float> values);
 // Throws Status::kInvalidArgument for a quantity that physics steps compute.
 void require_known_now(Quantity quantity);
 

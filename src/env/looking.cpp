@@ -1,5 +1,7 @@
 #include "env/looking.h"
 
+#include "engine/present.h"
+
 namespace mimo::env {
 namespace {
 
@@ -13,9 +15,8 @@ body::Gaze gaze(const World& world, std::size_t agent) { return eyes_of(world, a
 
 body::Look look(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {
   const body::Eyes eyes = eyes_of(world, agent);
-  body::Look wanted;
-  world.physics().at_present([&] { wanted = eyes.look_at(world.model(), world.data(), point, turn_head); });
-  return wanted;
+  const engine::Present now(world.physics());
+  return eyes.look_at(world.model(), now.data(), point, turn_head);
 }
 
 body::Look look_at(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {

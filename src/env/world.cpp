@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "body/stored_pose.h"
 #include "engine/custom.h"
+#include "engine/present.h"
 #include "format/names.h"
 
 namespace mimo::env {
@@ -268,10 +269,10 @@ int World::face(std::size_t agent) const {
   return found == faces_.end() ? -1 : static_cast<int>(found - faces_.begin());
 }
 
-// The view comes after the poses, which move the model's cameras.
 void World::draw(const render::Viewpoint& from, const render::Picture& picture) {
   render::Renderer& drawing = renderer();
-  physics_.at_present([&] { drawing.draw(model(), data(), render::view_from(model(), data(), from), picture); });
+  const engine::Present now(physics_);
+  drawing.draw(model(), now.data(), render::view_from(model(), now.data(), from), picture);
 }
 
 void World::report_warnings() {

@@ -12,7 +12,7 @@ namespace mimo::test {
 using Ids = std::vector<std::int32_t>;
 using Values = std::vector<double>;
 
-inline Values get(env::World& world, env::Quantity quantity, const Ids& ids, bool now = false) {
+inline Values get(const env::World& world, env::Quantity quantity, const Ids& ids, bool now = false) {
   const env::Ids which{Span<const std::int32_t>(ids)};
   Values values(env::width(world, quantity, which));
   env::get(world, quantity, which, now, Span<double>(values));
@@ -20,7 +20,7 @@ inline Values get(env::World& world, env::Quantity quantity, const Ids& ids, boo
 }
 
 // Of all of its kind.
-inline Values get(env::World& world, env::Quantity quantity) {
+inline Values get(const env::World& world, env::Quantity quantity) {
   const env::Ids all(env::count(world, env::traits(quantity).kind));
   Values values(env::width(world, quantity, all));
   env::get(world, quantity, all, false, Span<double>(values));

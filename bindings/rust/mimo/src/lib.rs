@@ -55,7 +55,7 @@ pub use picture::Picture;
 pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
 pub use senses::Senses;
 pub use task::{Judgement, Task, Whom};
-pub use world::{Contact, Step, TouchSensor, World};
+pub use world::{Contact, Step, StepContact, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {
