@@ -1,6 +1,6 @@
 /* Names, states, faces, gaze, locks, gravity, pictures. */
-#ifndef MIMO_ACCESS_H
-#define MIMO_ACCESS_H
+#ifndef MIMO_MATLAB_ACCESS_H
+#define MIMO_MATLAB_ACCESS_H
 
 #include "mimo_base.h"
 

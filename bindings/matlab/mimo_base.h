@@ -5,8 +5,8 @@
  *   mimo_worlds.c    making, stepping, observing, which asks mimo_options.c what a world is made of, and
  *   mimo_access.c    everything else.
  */
-#ifndef MIMO_BASE_H
-#define MIMO_BASE_H
+#ifndef MIMO_MATLAB_BASE_H
+#define MIMO_MATLAB_BASE_H
 
 #include <mex.h>
 #include <mimo/mimo.h>

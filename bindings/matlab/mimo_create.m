@@ -9,7 +9,8 @@ function world = mimo_create(scene, varargin)
 %     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_height, vision_width, vision_fovy, touch (1
 %                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception,
 %                  vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts, normalize_actions, body,
-%                  face, position, orientation (w x y z); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
+%                  face, position, orientation (w x y z), place (1: position is that of the root, 2: of the soles,
+%                  3: of the lowest point); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
 %     no infant    root (with body "scene": a body of the MJCF file, with all below it; "world": everything), vestibular_at (the
 %                  site or body whose motion the vestibular sense feels)
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable

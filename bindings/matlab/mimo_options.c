@@ -5,7 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 
-typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText } kind;
+/* kArray: read later, by whoever knows what is in it. */
+typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText, kArray } kind;
 
 typedef struct option {
   const char* name;
@@ -33,6 +34,7 @@ static const option agent_options[] = {
     OPTION(mimo_agent_config, face, kText),
     OPTION(mimo_agent_config, root, kText),
     OPTION(mimo_agent_config, vestibular_at, kText),
+    OPTION(mimo_agent_config, place, kSigned),
     OPTION(mimo_agent_config, position, kThree),
     OPTION(mimo_agent_config, orientation, kFour),
     OPTION(mimo_agent_config, proprioception, kUnsigned),
@@ -89,11 +91,31 @@ static const option camera_options[] = {
     OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
 };
 
+/* A member of limits: mimo_limits, and what they are for. */
+typedef struct limited_sense {
+  mimo_limits limits; /* comes first: its members have the same offsets here */
+  const char* path;
+} limited_sense;
+
 static const option limit_options[] = {
-    OPTION(mimo_limits, delay, kUnsigned),
-    OPTION(mimo_limits, gain, kNumber),
-    OPTION(mimo_limits, noise, kNumber),
-    OPTION(mimo_limits, blur, kNumber),
+    OPTION(limited_sense, path, kText),  OPTION(mimo_limits, delay, kUnsigned), OPTION(mimo_limits, gain, kNumber),
+    OPTION(mimo_limits, noise, kNumber), OPTION(mimo_limits, blur, kNumber),    {NULL, kText, 0},
+};
+
+/* What the call asks for, in the order in which a scene takes it. */
+typedef struct request {
+  mimo_agent_config agent;
+  mimo_env_config env;
+  mimo_batch_config batch;
+  int is_placed; /* whether a position or orientation was given */
+  const mxArray *objects, *cameras, *limits, *parameters;
+} request;
+
+static const option array_options[] = {
+    OPTION(request, objects, kArray),
+    OPTION(request, cameras, kArray),
+    OPTION(request, limits, kArray),
+    OPTION(request, parameters, kArray),
     {NULL, kText, 0},
 };
 
@@ -127,6 +149,7 @@ static void set_option(void* config, const option* option, const mxArray* value)
     case kNumber: *(double*)member = mimo_number(value, option->name); break;
     case kThree: read_numbers((double*)member, 3, option->name, value); break;
     case kFour: read_numbers((double*)member, 4, option->name, value); break;
+    case kArray: *(const mxArray**)member = value; break;
     default: *(const char**)member = mimo_text(value, option->name); break;
   }
 }
@@ -138,88 +161,73 @@ static void set_members(void* config, const option* options, const mxArray* thin
     const char* name = mxGetFieldNameByNumber(things, i);
     const option* found = find_option(options, name);
     const mxArray* value = mxGetFieldByNumber(things, index, i);
-    if (strcmp(name, "path") == 0 && options == limit_options) continue;
     if (found == NULL) refuse(name, "a member of mimo.h's struct");
     if (value != NULL && !mxIsEmpty(value)) set_option(config, found, value);
   }
 }
 
-static void add_objects(mimo_scene* scene, const mxArray* things) {
+static void add_object(mimo_scene* scene, const mxArray* things, size_t index) {
   mimo_object_config config;
-  size_t i;
-  if (!mxIsStruct(things)) refuse("objects", "a struct array");
-  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
-    mimo_check(mimo_object_config_init(&config, sizeof config));
-    set_members(&config, object_options, things, i);
-    mimo_check(mimo_scene_add_object(scene, &config));
-  }
+  mimo_check(mimo_object_config_init(&config, sizeof config));
+  set_members(&config, object_options, things, index);
+  mimo_check(mimo_scene_add_object(scene, &config));
 }
 
-static void add_cameras(mimo_scene* scene, const mxArray* things) {
+static void add_camera(mimo_scene* scene, const mxArray* things, size_t index) {
+  const mxArray* place = mxGetField(things, index, "look_at");
   mimo_camera_config config;
-  size_t i;
-  if (!mxIsStruct(things)) refuse("cameras", "a struct array");
-  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
-    const mxArray* place = mxGetField(things, i, "look_at");
-    mimo_check(mimo_camera_config_init(&config, sizeof config));
-    config.placed = place != NULL && !mxIsEmpty(place);
-    set_members(&config, camera_options, things, i);
-    mimo_check(mimo_scene_add_camera(scene, &config));
-  }
+  mimo_check(mimo_camera_config_init(&config, sizeof config));
+  config.placed = place != NULL && !mxIsEmpty(place);
+  set_members(&config, camera_options, things, index);
+  mimo_check(mimo_scene_add_camera(scene, &config));
 }
 
-/* struct('path', 'touch', 'noise', 0.1), one or an array of them */
-static void limit_senses(mimo_scene* scene, const mxArray* things) {
-  mimo_limits limits;
+/* struct('path', 'touch', 'noise', 0.1) */
+static void limit_sense(mimo_scene* scene, const mxArray* things, size_t index) {
+  limited_sense sense;
+  sense.path = NULL;
+  mimo_check(mimo_limits_init(&sense.limits, sizeof sense.limits));
+  set_members(&sense, limit_options, things, index);
+  if (sense.path == NULL) refuse("limits", "a path in each");
+  mimo_check(mimo_scene_limit_sense(scene, 0, sense.path, &sense.limits));
+}
+
+/* One struct or an array of them; NULL is none. */
+static void each(mimo_scene* scene, const char* name, const mxArray* things,
+                 void (*add)(mimo_scene*, const mxArray*, size_t)) {
   size_t i;
-  if (!mxIsStruct(things) || mxGetFieldNumber(things, "path") < 0)
-    refuse("limits", "a struct array with the member path");
-  for (i = 0; i < mxGetNumberOfElements(things); ++i) {
-    mimo_check(mimo_limits_init(&limits, sizeof limits));
-    set_members(&limits, limit_options, things, i);
-    mimo_check(mimo_scene_limit_sense(scene, 0, mimo_text(mxGetField(things, i, "path"), "path"), &limits));
-  }
+  if (things == NULL) return;
+  if (!mxIsStruct(things)) refuse(name, "a struct array");
+  for (i = 0; i < mxGetNumberOfElements(things); ++i) add(scene, things, i);
 }
 
 /* {'reach/success_reward', 5; ...} */
 static void set_parameters(mimo_scene* scene, const mxArray* pairs) {
-  const size_t count = mxGetM(pairs);
-  size_t i;
+  size_t i, count;
+  if (pairs == NULL) return;
+  count = mxGetM(pairs);
   if (!mxIsCell(pairs) || mxGetN(pairs) != 2) refuse("parameters", "a cell array of names and values, two columns");
   for (i = 0; i < count; ++i)
     mimo_check(mimo_scene_set_parameter(scene, mimo_text(mxGetCell(pairs, i), "parameters"),
                                         mimo_number(mxGetCell(pairs, count + i), "parameters")));
 }
 
-/* What the call asks for, in the order in which a scene takes it. */
-typedef struct request {
-  mimo_agent_config agent;
-  mimo_env_config env;
-  mimo_batch_config batch;
-  const mxArray *objects, *cameras, *limits, *parameters;
-} request;
-
 static void read_option(request* all, const char* name, const mxArray* value) {
-  const option* found = find_option(agent_options, name);
+  const struct {
+    void* config;
+    const option* options;
+  } parts[] = {
+      {&all->agent, agent_options}, {&all->env, env_options}, {&all->batch, batch_options}, {all, array_options}};
+  size_t i;
   if (find_option(scene_options, name) != NULL) return; /* it had its turn when the scene was opened */
-  if (found != NULL) {
-    set_option(&all->agent, found, value);
-    if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->agent.place_given = 1;
-  } else if ((found = find_option(env_options, name)) != NULL) {
-    set_option(&all->env, found, value);
-  } else if ((found = find_option(batch_options, name)) != NULL) {
-    set_option(&all->batch, found, value);
-  } else if (strcmp(name, "objects") == 0) {
-    all->objects = value;
-  } else if (strcmp(name, "cameras") == 0) {
-    all->cameras = value;
-  } else if (strcmp(name, "limits") == 0) {
-    all->limits = value;
-  } else if (strcmp(name, "parameters") == 0) {
-    all->parameters = value;
-  } else {
-    mimo_refuse("no option %s; see help mimo_create", name);
+  for (i = 0; i < sizeof parts / sizeof *parts; ++i) {
+    const option* found = find_option(parts[i].options, name);
+    if (found == NULL) continue;
+    set_option(parts[i].config, found, value);
+    if (strcmp(name, "position") == 0 || strcmp(name, "orientation") == 0) all->is_placed = 1;
+    return;
   }
+  mimo_refuse("no option %s; see help mimo_create", name);
 }
 
 /* "reach", or "room.xml" for a file of one's own; the names and values of options follow. */
@@ -255,11 +263,12 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
   mimo_check(mimo_env_config_init(&all.env, sizeof all.env));
   mimo_check(mimo_batch_config_init(&all.batch, sizeof all.batch));
   for (i = 1; i < nin; i += 2) read_option(&all, mimo_text(in[i], "option"), in[i + 1]);
-  if (all.parameters != NULL) set_parameters(scene, all.parameters);
+  if (all.is_placed && all.agent.place == MIMO_PLACE_SCENE) all.agent.place = MIMO_PLACE_ROOT;
+  set_parameters(scene, all.parameters);
   mimo_check(mimo_scene_add_agents(scene, &all.agent, NULL));
-  if (all.limits != NULL) limit_senses(scene, all.limits);
-  if (all.objects != NULL) add_objects(scene, all.objects);
-  if (all.cameras != NULL) add_cameras(scene, all.cameras);
+  each(scene, "limits", all.limits, limit_sense);
+  each(scene, "objects", all.objects, add_object);
+  each(scene, "cameras", all.cameras, add_camera);
   mimo_check(mimo_batch_create(scene, &all.env, &all.batch, &batch));
   mimo_making(NULL);
   return batch;

@@ -1,6 +1,6 @@
 /* mimo_create's options. */
-#ifndef MIMO_OPTIONS_H
-#define MIMO_OPTIONS_H
+#ifndef MIMO_MATLAB_OPTIONS_H
+#define MIMO_MATLAB_OPTIONS_H
 
 #include "mimo_base.h"
 

@@ -1,6 +1,6 @@
 /* Making, stepping, observing. */
-#ifndef MIMO_WORLDS_H
-#define MIMO_WORLDS_H
+#ifndef MIMO_MATLAB_WORLDS_H
+#define MIMO_MATLAB_WORLDS_H
 
 #include "mimo_base.h"
 

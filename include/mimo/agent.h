@@ -25,6 +25,14 @@ extern "C" {
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
 #define MIMO_VISION_SEGMENTATION 0x04u /**< Geom id of each pixel, int32 H x W, -1 is background. */
 
+#define MIMO_VESTIBULAR_ACCELERATION 0x1u     /**< vestibular/acceleration, 3, m/s^2, gravity included. */
+#define MIMO_VESTIBULAR_ANGULAR_VELOCITY 0x2u /**< vestibular/angular_velocity, 3, rad/s. */
+
+#define MIMO_PLACE_SCENE 0  /**< The scene's own place for an infant. */
+#define MIMO_PLACE_ROOT 1   /**< The origin of its root body mimo_location; standing soles are 0.33 m below. */
+#define MIMO_PLACE_SOLES 2  /**< The middle between its feet from above, at the height of the lowest point of them. */
+#define MIMO_PLACE_LOWEST 3 /**< Its root body from above, at the height of its lowest point: it lies on that height. */
+
 #define MIMO_ACTUATION_TORQUE 0   /**< An action is a motor's share of its largest torque. */
 #define MIMO_ACTUATION_POSITION 1 /**< An action is the angle to which a soft lock takes a joint, rad. */
 /**
@@ -87,14 +95,14 @@ MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
  */
 typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
-  uint32_t place_given;        /**< 1: position and orientation below count; 0: the scene's own place for an infant. */
+  int32_t place;               /**< A MIMO_PLACE_ constant: which point of it lies at position. Default: the scene's. */
   const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
   const char *body;            /**< "mitten", "fingers" (hands with five fingers, feet with a big toe); or "scene": the
                                     body is part of the scene's MJCF. */
-  double position[3];          /**< Of the root body mimo_location, m, world frame; standing soles are 0.33 below. */
+  double position[3];          /**< Of the point that place says, m, world frame; without meaning with PLACE_SCENE. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
-  uint32_t vestibular;         /**< 1: accelerometer and gyroscope in the head; 0: none. */
+  uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both. */
   double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
   uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
   uint32_t vision_width;       /**< Pixels, 1 to 4096. Default 256. */
@@ -123,7 +131,7 @@ MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t si
 
 /**
  * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and
- * orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,
+ * orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach, standup,
  * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as
  * mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.

@@ -21,8 +21,12 @@ void join_as_part(AgentPlan& plan) {
 
 void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
   const std::string prefix = plan.options.prefix();
+  require(plan.body != "scene" || !plan.place,
+          "place is {}, but the body is part of the scene; 0: where it stands there",
+          static_cast<int>(plan.place->anchor));
   if (plan.body == "scene") return scene.choose_motors(prefix, plan.acts);
-  scene.add_body(plan.body, prefix, plan.place ? &*plan.place : nullptr, plan.acts);
+  const scene::Place place = plan.place.value_or(scene::Place{});
+  scene.add_body(plan.body, prefix, plan.place ? &place.pose : nullptr, plan.acts, place.anchor);
 }
 
 void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
@@ -31,7 +35,7 @@ void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
     felt.position = felt.velocity = felt.torque = felt.limit = felt.joint_torque = false;
     options.actuation.felt = options.actuation.effort = false;
   }
-  if (!kept.vestibular) options.vestibular = false;
+  if (!kept.vestibular) options.vestibular.acceleration = options.vestibular.angular_velocity = false;
   if (!kept.vision) options.vision.rgb = options.vision.depth = options.vision.segmentation = false;
   if (!kept.touch) {
     senses::TouchOptions& touch = options.touch;
@@ -77,7 +81,8 @@ std::size_t Agents::add_all(const AgentPlan& plan, scene::Scene& scene) {
   std::vector<std::string> names = scene.infants();
   require(names.empty() || given.empty(), "name is \"{}\", but the scene names its infants itself", given);
   if (names.empty()) names.push_back(given);
-  require(!plan.place || names.size() == 1, "place_given is 1, but each of {} infants has its own place", names.size());
+  require(!plan.place || names.size() == 1, "place is {}, but each of {} infants has its own place",
+          static_cast<int>(plan.place->anchor), names.size());
   for (const std::string& name : names) {
     AgentPlan own = plan;
     own.options.name = name;

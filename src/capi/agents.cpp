@@ -66,19 +66,26 @@ actuation::Options actuation(const mimo_agent_config& config) {
   return options;
 }
 
+senses::VestibularOptions vestibular(const mimo_agent_config& config) {
+  check_bits(config.vestibular, MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY, "vestibular");
+  senses::VestibularOptions options;
+  options.acceleration = (config.vestibular & MIMO_VESTIBULAR_ACCELERATION) != 0;
+  options.angular_velocity = (config.vestibular & MIMO_VESTIBULAR_ANGULAR_VELOCITY) != 0;
+  options.at = text(config.vestibular_at);
+  return options;
+}
+
 env::AgentOptions agent_options(const mimo_agent_config& config) {
-  check_flag(config.vestibular, "vestibular");
   env::AgentOptions options;
   options.name = text(config.name);
   options.proprioception = proprioception(config);
-  options.vestibular = config.vestibular != 0;
+  options.vestibular = vestibular(config);
   options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
                           {"vision_height", config.vision_height}, {"vision_fovy", config.vision_fovy});
   options.touch = touch(config);
   options.face = text(config.face);
   options.actuation = actuation(config);
   options.root = text(config.root);
-  options.vestibular_at = text(config.vestibular_at);
   return options;
 }
 
@@ -127,7 +134,9 @@ mimo_agent_config config_from(const blueprint::AgentPlan& plan) {
   config.orientation[0] = 1;
   config.proprioception = proprioception_bits(plan.options);
   config.limit_threshold = plan.options.proprioception.limit_threshold;
-  config.vestibular = plan.options.vestibular ? 1 : 0;
+  const senses::VestibularOptions& balance = plan.options.vestibular;
+  config.vestibular = bit_if(balance.acceleration, MIMO_VESTIBULAR_ACCELERATION) |
+                      bit_if(balance.angular_velocity, MIMO_VESTIBULAR_ANGULAR_VELOCITY);
   config.actuation = static_cast<std::uint32_t>(plan.options.actuation.mode);
   write_vision(plan.options.vision, config);
   write_touch(plan.options.touch, config);
@@ -150,8 +159,10 @@ blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
   blueprint::AgentPlan plan;
   plan.options = agent_options(config);
   plan.body = text(config.body);
-  check_flag(config.place_given, "place_given");
-  if (config.place_given != 0) plan.place = pose(config.position, config.orientation);
+  check_choice(config.place, MIMO_PLACE_SCENE, MIMO_PLACE_LOWEST, "place");
+  if (config.place != MIMO_PLACE_SCENE) {
+    plan.place = {pose(config.position, config.orientation), static_cast<scene::Anchor>(config.place)};
+  }
   if (config.acts != MIMO_ACT_NONE) check_bits(config.acts, MIMO_ACT_ALL, "acts");
   plan.acts = config.acts;
   return plan;

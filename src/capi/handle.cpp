@@ -4,7 +4,6 @@
 #include <sched.h>
 
 #include <atomic>
-#include <mutex>
 #include <utility>
 
 namespace mimo::capi {
@@ -42,10 +41,7 @@ std::atomic<Control*> all_controls{nullptr};
 // Counts forks on the child's side: handles of the parent have an older number.
 std::atomic<unsigned> fork_generation{0};
 
-void watch_forks() {
-  static std::once_flag once;
-  std::call_once(once, [] { pthread_atfork(nullptr, nullptr, [] { fork_generation.fetch_add(1); }); });
-}
+[[maybe_unused]] const int watching = pthread_atfork(nullptr, nullptr, [] { fork_generation.fetch_add(1); });
 
 const char* word(HandleType type) {
   switch (type) {
@@ -81,7 +77,6 @@ void check_generation(const Control& control, const char* argument) {
 }  // namespace
 
 void* make_handle(HandleType type, void* object) {
-  watch_forks();
   auto message = std::make_unique<Message>();
   auto* control = new Control{kMagic, type, fork_generation.load(), {object}, all_controls.load()};
   control->message = std::move(message);

@@ -10,15 +10,15 @@ extern "C" {
 mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
   return guard(env, [&] {
     const env::Timing& inner = open(env).world.timing();
-    const auto of = [&](observation::Part part) { return inner.senses[static_cast<std::size_t>(part)]; };
+    const auto of = [&](observation::Share share) { return inner.senses[static_cast<std::size_t>(share)]; };
     mimo_timing ours{};
     ours.steps = inner.steps;
     ours.total = inner.total;
     ours.physics = inner.physics;
-    ours.touch = of(observation::Part::kTouch);
-    ours.vision = of(observation::Part::kVision);
-    ours.proprioception = of(observation::Part::kProprioception);
-    ours.vestibular = of(observation::Part::kVestibular);
+    ours.touch = of(observation::Share::kTouch);
+    ours.vision = of(observation::Share::kVision);
+    ours.proprioception = of(observation::Share::kProprioception);
+    ours.vestibular = of(observation::Share::kVestibular);
     write_described(timing, ours, "timing");
   });
 }

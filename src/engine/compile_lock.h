@@ -1,5 +1,6 @@
-// One model is compiled at a time: MuJoCo's compiler has a lock for the whole process anyway. Ours lets fork() wait
-// until nobody compiles, because a child has only the thread that forked, and would never see MuJoCo's lock open.
+// One model is compiled at a time: MuJoCo's compiler has a lock for the whole process anyway, which printing its schema
+// takes as well. Ours lets fork() wait until nobody is in there, because a child has only the thread that forked, and
+// would never see MuJoCo's lock open.
 #pragma once
 
 namespace mimo::engine {

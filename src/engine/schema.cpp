@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/fail.h"
+#include "engine/compile_lock.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {
@@ -72,7 +73,10 @@ SchemaElement made() {
 
 }  // namespace
 
+// fork() waits for the lock: in a child, neither MuJoCo's own, which printing takes, nor that of a half made static
+// would ever open.
 const SchemaElement& schema() {
+  const CompileLock lock;
   static const SchemaElement root = made();
   return root;
 }

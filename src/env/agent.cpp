@@ -34,7 +34,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.height = body::height(model, physics.data(), agent.body);
   agent.task = make_task(model, agent.body, number);
   add_sense(agent, options,
-            std::make_unique<observation::Signals>(observation::Part::kTask, agent.task->signals(model)));
+            std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));
   return agent;
 }
 

@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
+#include "senses/vestibular.h"
 #include "senses/vision.h"
 #include "tasks/task.h"
 
@@ -22,8 +23,7 @@ struct AgentOptions {
   std::string root;  // "": an infant; else the body of the model that the agent consists of, with all below it
   senses::ProprioceptionOptions proprioception;
   std::vector<std::string> joints;  // that proprioception reads, by their names in the model; empty: all
-  bool vestibular = true;
-  std::string vestibular_at;  // site or body that carries the organ; "": the infant's own sensors
+  senses::VestibularOptions vestibular;
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;

@@ -54,7 +54,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
     add(senses::make_proprioception(model, chosen_joints(model, agent.body, options.joints), options.proprioception,
                                     std::move(feedback.commands)));
   }
-  if (options.vestibular) add(senses::make_vestibular(model, agent.body, options.vestibular_at));
+  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular));
   if (options.touch.any()) {
     agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));
@@ -65,7 +65,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
     }
     add(std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
   }
-  add(std::make_unique<observation::Signals>(observation::Part::kProprioception, std::move(feedback.exertion)));
+  add(std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(feedback.exertion)));
   return agent;
 }
 

@@ -11,7 +11,7 @@ struct Timing {
   std::uint64_t steps = 0;
   double total = 0;
   double physics = 0;
-  observation::PartTimes senses{};
+  observation::ShareTimes senses{};
 };
 
 }  // namespace mimo::env

@@ -178,7 +178,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
     for (const Agent& agent : agents_) agent.task->watch(physics_);
   }
   ++elapsed_;
-  ++timing_.steps;
+  if (options_.timing) ++timing_.steps;
   evaluate();
   sense(block, Moment::kStep);
   report(results);

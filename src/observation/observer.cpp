@@ -22,11 +22,11 @@ void Observer::add(std::unique_ptr<Sense> sense) {
   add(*own_.back());
 }
 
-void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* block, PartTimes* times) const {
-  PartTimes nobodys{};
-  PartTimes& sums = times != nullptr ? *times : nobodys;
+void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const {
+  ShareTimes nobodys{};
+  ShareTimes& sums = times != nullptr ? *times : nobodys;
   for (Sense* sense : senses_) {
-    const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(sense->part())]);
+    const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(sense->share())]);
     sense->write(model, data, block);
   }
   layout_.clear_gaps(block);

@@ -10,7 +10,7 @@
 
 namespace mimo::observation {
 
-using PartTimes = std::array<double, kParts>;  // seconds, by Part
+using ShareTimes = std::array<double, kShares>;  // seconds, by Share
 
 class Observer {
  public:
@@ -21,8 +21,8 @@ class Observer {
 
   const Layout& layout() const { return layout_; }
 
-  // Fills every byte of the block, and adds what each part took to `times`; null: nobody wants to know.
-  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, PartTimes* times) const;
+  // Fills every byte of the block, and adds what each share took to `times`; null: nobody wants to know.
+  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
 
  private:
   std::vector<Sense*> senses_;

@@ -12,16 +12,16 @@ typedef struct mjData_ mjData;
 
 namespace mimo::observation {
 
-// Which entry of a step's timing a sense counts for.
-enum class Part { kTouch, kVision, kProprioception, kVestibular, kTask };
-constexpr std::size_t kParts = 5;
+// The share of a step's time that a sense counts for.
+enum class Share { kTouch, kVision, kProprioception, kVestibular, kTask };
+constexpr std::size_t kShares = 5;
 
 class Sense {
  public:
   virtual ~Sense() = default;
   std::vector<Field>& fields() { return fields_; }
   const std::vector<Field>& fields() const { return fields_; }
-  virtual Part part() const = 0;
+  virtual Share share() const = 0;
   // Fills its fields of the block from the current data.
   virtual void write(const mjModel& model, const mjData& data, std::uint8_t* block) = 0;
 

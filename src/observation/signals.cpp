@@ -4,7 +4,7 @@
 
 namespace mimo::observation {
 
-Signals::Signals(Part part, std::vector<Signal> signals) : part_(part) {
+Signals::Signals(Share share, std::vector<Signal> signals) : share_(share) {
   for (Signal& signal : signals) {
     if (signal.field.count() == 0) continue;
     fields_.push_back(std::move(signal.field));

@@ -17,12 +17,12 @@ struct Signal {
 class Signals : public Sense {
  public:
   // A signal without any numbers is left out.
-  Signals(Part part, std::vector<Signal> signals);
-  Part part() const override { return part_; }
+  Signals(Share share, std::vector<Signal> signals);
+  Share share() const override { return share_; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
  private:
-  Part part_;
+  Share share_;
   std::vector<decltype(Signal::write)> writers_;  // one per field
 };
 

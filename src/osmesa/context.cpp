@@ -25,22 +25,19 @@ void refuse_forked() {
        "forking, or fork before the first picture");
 }
 
-template <typename Function>
-void look_up(const Library& library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(library.GetProcAddress(name));
-  if (function == nullptr) fail(Status::kRender, "the installed OSMesa has no function {}", name);
-}
-
 }  // namespace
 
 Context::Context(const Library& library) : library_(library) {
   refuse_forked();
-  look_up(library, "glBindRenderbuffer", gl_.BindRenderbuffer);
-  look_up(library, "glRenderbufferStorageMultisample", gl_.RenderbufferStorageMultisample);
-  look_up(library, "glBindFramebuffer", gl_.BindFramebuffer);
-  look_up(library, "glCheckFramebufferStatus", gl_.CheckFramebufferStatus);
-  look_up(library, "glGetIntegerv", gl_.GetIntegerv);
-  look_up(library, "glGetError", gl_.GetError);
+  const auto look_up = [&library](auto& function, const char* name) {
+    assign(function, library.GetProcAddress(name), name);
+  };
+  look_up(gl_.BindRenderbuffer, "glBindRenderbuffer");
+  look_up(gl_.RenderbufferStorageMultisample, "glRenderbufferStorageMultisample");
+  look_up(gl_.BindFramebuffer, "glBindFramebuffer");
+  look_up(gl_.CheckFramebufferStatus, "glCheckFramebufferStatus");
+  look_up(gl_.GetIntegerv, "glGetIntegerv");
+  look_up(gl_.GetError, "glGetError");
   drawing_process = getpid();
   context_ = library_.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr);
   if (context_ == nullptr) fail(Status::kRender, "OSMesa cannot create a context");

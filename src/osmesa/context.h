@@ -12,7 +12,8 @@ namespace mimo::osmesa {
 
 class Context {
  public:
-  // Throws Status::kRender, and Status::kForked in a process that was forked from one that has drawn.
+  // Throws Status::kRender, Status::kUnsupported, and Status::kForked in a process that was forked from one that has
+  // drawn.
   explicit Context(const Library& library);
   ~Context();
   Context(const Context&) = delete;

@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 
-#include "base/fail.h"
 #include "osmesa/exit_handlers.h"
 
 namespace mimo::osmesa {
@@ -20,24 +19,19 @@ void* open_first(const std::vector<std::string>& names) {
        "the renderer osmesa needs the library OSMesa (Debian package libosmesa6), which cannot be loaded: {}", why);
 }
 
-template <typename Function>
-void look_up(void* handle, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(handle, name));
-  if (function == nullptr) fail(Status::kUnsupported, "the installed OSMesa has no function {}", name);
-}
-
 }  // namespace
 
 Library load_library(const std::vector<std::string>& names) {
   void* handle = open_first(names);
+  const auto look_up = [handle](auto& function, const char* name) { assign(function, dlsym(handle, name), name); };
   Library library;
-  look_up(handle, "OSMesaCreateContextExt", library.CreateContextExt);
-  look_up(handle, "OSMesaDestroyContext", library.DestroyContext);
-  look_up(handle, "OSMesaMakeCurrent", library.MakeCurrent);
-  look_up(handle, "OSMesaGetCurrentContext", library.GetCurrentContext);
-  look_up(handle, "OSMesaGetIntegerv", library.GetIntegerv);
-  look_up(handle, "OSMesaGetColorBuffer", library.GetColorBuffer);
-  look_up(handle, "OSMesaGetProcAddress", library.GetProcAddress);
+  look_up(library.CreateContextExt, "OSMesaCreateContextExt");
+  look_up(library.DestroyContext, "OSMesaDestroyContext");
+  look_up(library.MakeCurrent, "OSMesaMakeCurrent");
+  look_up(library.GetCurrentContext, "OSMesaGetCurrentContext");
+  look_up(library.GetIntegerv, "OSMesaGetIntegerv");
+  look_up(library.GetColorBuffer, "OSMesaGetColorBuffer");
+  look_up(library.GetProcAddress, "OSMesaGetProcAddress");
   keep_exit_handlers_from_children(reinterpret_cast<const void*>(library.CreateContextExt));
   return library;
 }

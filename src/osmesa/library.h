@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/fail.h"
+
 namespace mimo::osmesa {
 
 // Named like what they stand for, without the prefix OSMesa.
@@ -26,5 +28,12 @@ inline const std::vector<std::string> kLibraryNames = {"libOSMesa.so.8", "libOSM
 // Loads the first of these libraries that is there; it stays loaded until the process ends, because Mesa's threads and
 // MuJoCo's function pointers live on in it. Throws Status::kUnsupported.
 Library load_library(const std::vector<std::string>& names = kLibraryNames);
+
+// Makes a function of what was found under a name. Throws Status::kUnsupported where that is nothing.
+template <typename Function, typename Address>
+void assign(Function& function, Address found, const char* name) {
+  if (found == nullptr) fail(Status::kUnsupported, "the installed OSMesa has no function {}", name);
+  function = reinterpret_cast<Function>(found);
+}
 
 }  // namespace mimo::osmesa

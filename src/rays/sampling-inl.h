@@ -143,14 +143,14 @@ HWY_INLINE V3 Unpacked(const Texel& texel) {
 
 #endif
 
-// Where a level begins, and its size.
-struct Place {
+// Where one begins, and its size.
+struct Mipmap {
   VI origin, stride;
   V width, height;
 };
 
 template <bool kCube>
-HWY_INLINE Place PlaceOf(const Texture& texture, int level, VI face) {
+HWY_INLINE Mipmap MipmapOf(const Texture& texture, int level, VI face) {
   const int width = std::max(texture.width >> level, 1);
   const int height = std::max(texture.height >> level, 1);
   VI origin = SetI(texture.origin[level]);
@@ -159,7 +159,7 @@ HWY_INLINE Place PlaceOf(const Texture& texture, int level, VI face) {
 }
 
 template <bool kCube>
-HWY_NOINLINE Place PlaceOf(const Texture& texture, VI level, VI face) {
+HWY_NOINLINE Mipmap MipmapOf(const Texture& texture, VI level, VI face) {
   const VI one = SetI(1);
   const VI two = SetI(2);
   const VI width = hn::Max(hn::Shr(SetI(texture.width), level), one);
@@ -177,13 +177,13 @@ struct Tap {
 };
 
 // With s and t in 0..1.
-HWY_INLINE Tap Aim(const Place& place, V s, V t) {
-  const V u = s * place.width - Set(0.5F);
-  const V v = t * place.height - Set(0.5F);
+HWY_INLINE Tap Aim(const Mipmap& mipmap, V s, V t) {
+  const V u = s * mipmap.width - Set(0.5F);
+  const V v = t * mipmap.height - Set(0.5F);
   const V u0 = hn::Floor(u);
   const V v0 = hn::Floor(v);
-  const VI upper = hn::Add(hn::Add(place.origin, Whole(u0)), hn::Mul(Whole(v0), place.stride));
-  return {upper, hn::Add(upper, place.stride), PairWeights(u - u0), Weight(v - v0)};
+  const VI upper = hn::Add(hn::Add(mipmap.origin, Whole(u0)), hn::Mul(Whole(v0), mipmap.stride));
+  return {upper, hn::Add(upper, mipmap.stride), PairWeights(u - u0), Weight(v - v0)};
 }
 
 HWY_INLINE Texel Fetch(const std::uint32_t* texels, const Tap& tap) {
@@ -207,7 +207,7 @@ HWY_INLINE V LevelOf(V spread) {
 // At s, t in 0..1 (of a cube's face), where no pixel spans more than a texel.
 template <bool kCube>
 HWY_INLINE Tap AimLarge(const Texture& texture, VI face, V s, V t) {
-  return Aim(PlaceOf<kCube>(texture, 0, face), Inside(s), Inside(t));
+  return Aim(MipmapOf<kCube>(texture, 0, face), Inside(s), Inside(t));
 }
 
 // The same for a mipmap between two.
@@ -226,11 +226,11 @@ HWY_INLINE Taps AimBetween(const Texture& texture, VI face, V s, V t, V wanted) 
   const VI mix = Weight(level - below);
   const int first = hn::GetLane(l0);
   if (hn::AllTrue(DI(), hn::Eq(l0, SetI(first)))) {
-    return {Aim(PlaceOf<kCube>(texture, first, face), s, t),
-            Aim(PlaceOf<kCube>(texture, std::min(first + 1, texture.levels - 1), face), s, t), mix};
+    return {Aim(MipmapOf<kCube>(texture, first, face), s, t),
+            Aim(MipmapOf<kCube>(texture, std::min(first + 1, texture.levels - 1), face), s, t), mix};
   }
   const VI l1 = hn::Min(hn::Add(l0, SetI(1)), SetI(texture.levels - 1));
-  return {Aim(PlaceOf<kCube>(texture, l0, face), s, t), Aim(PlaceOf<kCube>(texture, l1, face), s, t), mix};
+  return {Aim(MipmapOf<kCube>(texture, l0, face), s, t), Aim(MipmapOf<kCube>(texture, l1, face), s, t), mix};
 }
 
 // Colour 0..1 where no pixel spans more than a texel.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
+#include <initializer_list>
+#include <iterator>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "base/fail.h"
@@ -20,61 +22,71 @@ namespace {
 
 using engine::SchemaElement;
 
-// Attributes that say nothing of how things move, by element: what pictures look like, how the compiler and the solver
-// of newer versions go about their work, what is written back to files.
-const std::map<std::string, std::set<std::string>, std::less<>>& harmless_attributes() {
-  static const std::map<std::string, std::set<std::string>, std::less<>> names = {
-      {"compiler", {"alignfree", "saveinertial", "savecanonical", "savecompiled", "conflict"}},
-      {"option",
-       {"ccd_iterations", "ccd_tolerance", "ls_iterations", "ls_tolerance", "sdf_iterations", "sdf_initpoints",
-        "sleep_tolerance"}},
-      {"flag", {"autoreset", "eulerdamp", "invdiscrete", "island", "midphase", "nativeccd", "sleep", "diagexact"}},
-      {"size", {"memory"}},
-      {"mesh", {"maxhullvert", "content_type", "material", "octree_maxdepth"}},
-      {"hfield", {"content_type"}},
-      {"texture", {"colorspace", "content_type", "nchannel", "embed"}},
-      {"material", {"metallic", "roughness"}},
-      {"geom", {"castshadow"}},
-      {"camera",
-       {"focal", "focalpixel", "output", "principal", "principalpixel", "projection", "orthographic", "resolution",
-        "sensorsize"}},
-      {"light", {"bulbradius", "intensity", "range", "softness", "texture", "type"}},
-      {"body", {"sleep", "simple", "fuse"}},
-      {"freejoint", {"align"}},
-  };
-  return names;
-}
+// Tables are constants, not made at their first use: a child that is forked while another thread makes one would wait
+// for it for ever.
+using Names = std::initializer_list<const char*>;
+
+struct Attributes {
+  const char* element;
+  Names names;
+};
+
+// Attributes that say nothing of how things move: what pictures look like, how the compiler and the solver of newer
+// versions go about their work, what is written back to files.
+constexpr Attributes kHarmlessAttributes[] = {
+    {"compiler", {"alignfree", "saveinertial", "savecanonical", "savecompiled", "conflict"}},
+    {"option",
+     {"ccd_iterations", "ccd_tolerance", "ls_iterations", "ls_tolerance", "sdf_iterations", "sdf_initpoints",
+      "sleep_tolerance"}},
+    {"flag", {"autoreset", "eulerdamp", "invdiscrete", "island", "midphase", "nativeccd", "sleep", "diagexact"}},
+    {"size", {"memory"}},
+    {"mesh", {"maxhullvert", "content_type", "material", "octree_maxdepth"}},
+    {"hfield", {"content_type"}},
+    {"texture", {"colorspace", "content_type", "nchannel", "embed"}},
+    {"material", {"metallic", "roughness"}},
+    {"geom", {"castshadow"}},
+    {"camera",
+     {"focal", "focalpixel", "output", "principal", "principalpixel", "projection", "orthographic", "resolution",
+      "sensorsize"}},
+    {"light", {"bulbradius", "intensity", "range", "softness", "texture", "type"}},
+    {"body", {"sleep", "simple", "fuse"}},
+    {"freejoint", {"align"}},
+};
 
 // Values that newer versions give attributes by themselves: who writes them says nothing.
-const std::set<std::string, std::less<>>& harmless_zeros() {
-  static const std::set<std::string, std::less<>> names = {
-      "gravcomp", "dampratio", "kv",    "timeconst", "inheritrange", "adhesion", "springyield",
-      "armature", "damping",   "delay", "nsample",   "tausmooth",    "plastic"};
-  return names;
-}
+constexpr Names kHarmlessZeros = {"gravcomp", "dampratio",   "kv",       "timeconst", "inheritrange",
+                                  "adhesion", "springyield", "armature", "damping",   "delay",
+                                  "nsample",  "tausmooth",   "plastic"};
 
-const std::set<std::pair<std::string, std::string>>& harmless_words() {
-  static const std::set<std::pair<std::string, std::string>> words = {{"actearly", "false"},
-                                                                      {"actuatorgravcomp", "false"},
-                                                                      {"spring", "enable"},
-                                                                      {"damper", "enable"},
-                                                                      {"actuatorfrclimited", "false"},
-                                                                      {"actuatorgroupdisable", ""},
-                                                                      {"inertia", "legacy"},
-                                                                      {"inertia", "exact"},
-                                                                      {"inertia", "convex"},
-                                                                      {"actdim", "-1"}};
-  return words;
-}
+struct Word {
+  const char *attribute, *value;
+};
+constexpr Word kHarmlessWords[] = {{"actearly", "false"},
+                                   {"actuatorgravcomp", "false"},
+                                   {"spring", "enable"},
+                                   {"damper", "enable"},
+                                   {"actuatorfrclimited", "false"},
+                                   {"actuatorgroupdisable", ""},
+                                   {"inertia", "legacy"},
+                                   {"inertia", "exact"},
+                                   {"inertia", "convex"},
+                                   {"actdim", "-1"}};
 
 // Whole elements: sensors that only nobody can read any more, and defaults of what has none yet.
+constexpr Names kHarmlessSensors = {
+    "camprojection", "jointactuatorfrc", "tendonactuatorfrc", "insidesite", "distance", "normal",
+    "fromto",        "contact",          "e_potential",       "e_kinetic",  "tactile"};
+
+bool is(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
+
+bool holds(Names names, const char* name) {
+  return std::any_of(names.begin(), names.end(), [name](const char* one) { return is(one, name); });
+}
+
 bool is_harmless_element(pugi::xml_node node) {
-  static const std::set<std::string, std::less<>> sensors = {
-      "camprojection", "jointactuatorfrc", "tendonactuatorfrc", "insidesite", "distance", "normal",
-      "fromto",        "contact",          "e_potential",       "e_kinetic",  "tactile"};
-  const std::string name = node.name(), parent = node.parent().name();
-  if (parent == "sensor") return sensors.count(name) > 0;
-  return (parent == "default" && name == "texture") || (parent == "material" && name == "layer");
+  const char *name = node.name(), *parent = node.parent().name();
+  if (is(parent, "sensor")) return holds(kHarmlessSensors, name);
+  return (is(parent, "default") && is(name, "texture")) || (is(parent, "material") && is(name, "layer"));
 }
 
 struct Nearest {
@@ -83,8 +95,6 @@ struct Nearest {
 constexpr Nearest kNearest[] = {{"option", "integrator", "implicitfast", "implicit"},
                                 {"general", "dyntype", "filterexact", "filter"}};
 
-bool is(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
-
 bool is_picture_setting(pugi::xml_node node) { return is(node.parent().name(), "visual") || is(node.name(), "visual"); }
 
 bool is_zero(pugi::xml_attribute attribute) {
@@ -92,12 +102,18 @@ bool is_zero(pugi::xml_attribute attribute) {
   return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
 }
 
+bool is_harmless_word(pugi::xml_attribute attribute) {
+  return std::any_of(std::begin(kHarmlessWords), std::end(kHarmlessWords), [&](const Word& word) {
+    return is(word.attribute, attribute.name()) && is(word.value, attribute.value());
+  });
+}
+
 bool is_harmless(pugi::xml_node node, pugi::xml_attribute attribute) {
-  if (is_picture_setting(node)) return true;
-  if (harmless_words().count({attribute.name(), attribute.value()}) > 0) return true;
-  if (harmless_zeros().count(attribute.name()) > 0 && is_zero(attribute)) return true;
-  const auto found = harmless_attributes().find(node.name());
-  return found != harmless_attributes().end() && found->second.count(attribute.name()) > 0;
+  if (is_picture_setting(node) || is_harmless_word(attribute)) return true;
+  if (holds(kHarmlessZeros, attribute.name()) && is_zero(attribute)) return true;
+  return std::any_of(std::begin(kHarmlessAttributes), std::end(kHarmlessAttributes), [&](const Attributes& harmless) {
+    return is(harmless.element, node.name()) && holds(harmless.names, attribute.name());
+  });
 }
 
 // Warnings of one kind are one message, whose place is the first.

@@ -37,6 +37,48 @@ std::vector<Spot> spots() {
   return spots;
 }
 
+// Height of the lowest point of geoms.
+double lowest(const engine::Physics& physics, const std::vector<int>& geoms) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const int geom : geoms) {
+    const double height = physics.data().geom_xpos[3 * geom + 2];
+    low = std::min(low, height - engine::half_height(physics.model(), physics.data(), geom));
+  }
+  return low;
+}
+
+// Geoms of a body and of what hangs on it.
+std::vector<int> geoms_below(const mjModel& model, int body) {
+  std::vector<int> geoms;
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    int at = model.geom_bodyid[geom];
+    while (at != body && at != 0) at = model.body_parentid[at];
+    if (at == body) geoms.push_back(geom);
+  }
+  return geoms;
+}
+
+std::array<double, 3> position_of(const engine::Physics& physics, int body) {
+  const double* position = physics.data().xpos + 3 * body;
+  return {position[0], position[1], position[2]};
+}
+
+std::array<double, 3> lowest_below(const engine::Physics& physics, int root) {
+  const std::array<double, 3> at = position_of(physics, root);
+  return {at[0], at[1], lowest(physics, geoms_below(physics.model(), root))};
+}
+
+std::array<double, 3> soles(const engine::Physics& physics, const std::string& prefix) {
+  const mjModel& model = physics.model();
+  std::array<double, 3> middle{0, 0, std::numeric_limits<double>::infinity()};
+  for (const char* name : {"left_foot", "right_foot"}) {
+    const int foot = engine::find_or_fail(model, Kind::kBody, prefix + name);
+    const std::array<double, 3> at = lowest_below(physics, foot);
+    middle = {middle[0] + at[0] / 2, middle[1] + at[1] / 2, std::min(middle[2], at[2])};
+  }
+  return middle;
+}
+
 class Search {
  public:
   Search(engine::Physics& physics, const std::string& prefix)
@@ -47,7 +89,7 @@ class Search {
 
   Pose run() {
     put({0, 0}, 0);
-    const double sole = lowest();
+    const double sole = lowest(physics_, geoms_);
     bool ground = false;
     constexpr double kCupboard = 1;  // m; it rather stands beside something than so high on it
     for (const double highest : {kCupboard, std::numeric_limits<double>::infinity()}) {
@@ -75,15 +117,6 @@ class Search {
   Pose pose() {
     const double* place = physics_.data().qpos + address_;
     return {{place[0], place[1], place[2]}, {1, 0, 0, 0}};
-  }
-
-  double lowest() const {
-    double low = 0;
-    for (const int geom : geoms_) {
-      const double height = physics_.data().geom_xpos[3 * geom + 2];
-      low = std::min(low, height - engine::half_height(physics_.model(), physics_.data(), geom));
-    }
-    return low;
   }
 
   // The nearest to the origin's height first.
@@ -142,6 +175,16 @@ engine::Physics at_start(const engine::ModelPtr& model) {
 }
 
 Pose free_spot(engine::Physics& physics, const std::string& prefix) { return Search(physics, prefix).run(); }
+
+Pose root_of(const engine::Physics& physics, const std::string& prefix, const Place& place) {
+  const int root = engine::find_or_fail(physics.model(), Kind::kBody, prefix + names::kRootBody);
+  const std::array<double, 3> is = position_of(physics, root);
+  const bool by_soles = place.anchor == Anchor::kSoles;
+  const std::array<double, 3> anchor = by_soles ? soles(physics, prefix) : lowest_below(physics, root);
+  Pose pose = place.pose;
+  for (std::size_t i = 0; i < 3; ++i) pose.position[i] += is[i] - anchor[i];
+  return pose;
+}
 
 void warn_of_overlap(const engine::Physics& physics, const std::string& prefix, const LogSink& log) {
   constexpr double kWorthSaying = 0.005;  // m; what lies or stands sinks in by a millimetre or two

@@ -17,6 +17,9 @@ engine::Physics at_start(const engine::ModelPtr& model);
 // where there is no ground, the origin.
 Pose free_spot(engine::Physics& physics, const std::string& prefix);
 
+// Where the root of an infant has to be for its anchor to lie at the place; it has the place's orientation already.
+Pose root_of(const engine::Physics& physics, const std::string& prefix, const Place& place);
+
 // A warning for an infant that starts inside of something, with how deep and in what.
 void warn_of_overlap(const engine::Physics& physics, const std::string& prefix, const LogSink& log);
 

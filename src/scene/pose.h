@@ -13,6 +13,18 @@ struct Pose {
   Quaternion orientation{1, 0, 0, 0};
 };
 
+// Which point of an infant, as it starts, lies at its place.
+enum class Anchor : int {
+  kRoot = 1,    // the origin of its root body
+  kSoles = 2,   // between its feet, at the height of the lowest point of them
+  kLowest = 3,  // below its root body, at the height of its lowest point
+};
+
+struct Place {
+  Pose pose;
+  Anchor anchor = Anchor::kRoot;
+};
+
 // The turn `b`, then the turn `a`.
 Quaternion product(const Quaternion& a, const Quaternion& b);
 

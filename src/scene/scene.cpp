@@ -151,6 +151,13 @@ void find_spot(pugi::xml_document& document, const std::string& prefix, const Li
   set_pose(body, free_spot(physics, prefix));
 }
 
+// Puts an infant where a part of it that is not its root has to be.
+void put_by_anchor(pugi::xml_document& document, const std::string& prefix, const Place& place, const Limits& limits) {
+  const pugi::xml_node body = find_named(document, "body", prefix + names::kRootBody);
+  set_pose(body, place.pose);
+  set_pose(body, root_of(at_start(compile_quietly(document, limits)), prefix, place));
+}
+
 int count_bodies(pugi::xml_node root) {
   int count = 0;
   walk(root, [&](pugi::xml_node node) { count += std::string(node.name()) == "body" ? 1 : 0; });
@@ -207,7 +214,8 @@ void Scene::set_room(const std::string& room) {
   document_ = settled(std::move(changed));
 }
 
-void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups) {
+void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups,
+                     Anchor anchor) {
   require_known("body", kBodies, body);
   const bool no_place =
       pose == nullptr && bodies_ == 0 && numbers_of(document_->document_element(), names::kPlaces).empty();
@@ -252,10 +260,13 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   if (pose != nullptr || !built_in_) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
   if (no_place && numbers_of(root, (prefix + names::kRootPose).c_str()).empty()) unplaced = prefix;
+  std::map<std::string, Place> anchored = anchored_;
+  if (pose != nullptr && anchor != Anchor::kRoot) anchored.emplace(prefix, Place{*pose, anchor});
   Document next = settled(std::move(changed));
   Added& added = added_.emplace(body, Added{0, classes}).first->second;
   to_check_ = std::move(to_check);
   unplaced_ = std::move(unplaced);
+  anchored_ = std::move(anchored);
   document_ = std::move(next);
   ++added.count;
   ++bodies_;
@@ -377,6 +388,7 @@ pugi::xml_document Scene::finished() const {
   // Keyframes are positions of all joints that the document had by itself.
   while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
   settle(root);
+  for (const auto& [prefix, place] : anchored_) put_by_anchor(document, prefix, place, limits_);
   if (unplaced_) find_spot(document, *unplaced_, limits_);
   if (!start_welds_.empty()) add_start_welds(root, start_welds_, compile_quietly(document, limits_));
   return document;

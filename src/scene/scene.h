@@ -73,7 +73,8 @@ class Scene {
   // Adds the body of an infant ("mitten", "fingers"). Its model names get the prefix; no pose means the scene's own
   // place, and where it names none, on what is below or beside the origin; only motors of the groups act, 0 means the
   // scene's own choice.
-  void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0);
+  void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0,
+                Anchor anchor = Anchor::kRoot);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
   // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
@@ -117,8 +118,9 @@ class Scene {
   LogSink log_;
   Document document_;
   bool built_in_;
-  std::optional<std::string> unplaced_;  // prefix of the infant for whom nobody named a place
-  std::vector<std::string> to_check_;    // prefixes of infants whose places may be taken
+  std::optional<std::string> unplaced_;    // prefix of the infant for whom nobody named a place
+  std::map<std::string, Place> anchored_;  // by prefix: infants whose roots follow from where their soles are
+  std::vector<std::string> to_check_;      // prefixes of infants whose places may be taken
   int bodies_ = 0;
   int objects_ = 0;
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last

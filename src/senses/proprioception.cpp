@@ -111,7 +111,7 @@ std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, co
   if (options.limit) signals.push_back(limit(model, body.joints, options.limit_threshold));
   std::move(commands.begin(), commands.end(), std::back_inserter(signals));
   if (options.joint_torque) signals.push_back(joint_torque(model, body.joints));
-  return std::make_unique<observation::Signals>(observation::Part::kProprioception, std::move(signals));
+  return std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(signals));
 }
 
 }  // namespace mimo::senses

@@ -36,30 +36,28 @@ observation::Signal reading(observation::Field field, const body::Sensor& sensor
 }
 
 // An infant's: MuJoCo's accelerometer and gyroscope in its head.
-std::vector<observation::Signal> readings(const body::Body& body) {
+std::vector<observation::Signal> readings(const body::Body& body, const VestibularOptions& options) {
   std::vector<observation::Signal> signals;
-  if (body.accelerometer) signals.push_back(reading(acceleration("head"), *body.accelerometer));
-  if (body.gyroscope) signals.push_back(reading(angular_velocity("head"), *body.gyroscope));
+  if (options.acceleration && body.accelerometer) signals.push_back(reading(acceleration("head"), *body.accelerometer));
+  if (options.angular_velocity && body.gyroscope) {
+    signals.push_back(reading(angular_velocity("head"), *body.gyroscope));
+  }
   return signals;
 }
 
 // The same at any place of a model, which needs no sensors for it.
-class Organ : public observation::Sense {
- public:
-  explicit Organ(engine::Place place) : place_(place) {
-    const char* frame = place.kind == Kind::kSite ? "site" : "body";
-    fields_ = {acceleration(frame), angular_velocity(frame)};
-  }
-  observation::Part part() const override { return observation::Part::kVestibular; }
-  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override {
-    const engine::Motion motion = engine::motion_of(model, data, place_);
-    narrow(motion.acceleration.data(), at<float>(block, 0));
-    narrow(motion.angular_velocity.data(), at<float>(block, 1));
-  }
-
- private:
-  engine::Place place_;
-};
+std::vector<observation::Signal> motions(const engine::Place& place, const VestibularOptions& options) {
+  const char* frame = place.kind == Kind::kSite ? "site" : "body";
+  const auto signal = [place](observation::Field field, Eigen::Vector3d engine::Motion::*part) {
+    return observation::Signal{std::move(field), [place, part](const mjModel& model, const mjData& data, float* out) {
+                                 narrow((engine::motion_of(model, data, place).*part).data(), out);
+                               }};
+  };
+  std::vector<observation::Signal> signals;
+  if (options.acceleration) signals.push_back(signal(acceleration(frame), &engine::Motion::acceleration));
+  if (options.angular_velocity) signals.push_back(signal(angular_velocity(frame), &engine::Motion::angular_velocity));
+  return signals;
+}
 
 // Sites come first, as they are made for sensors.
 engine::Place find_place(const mjModel& model, const std::string& name) {
@@ -71,13 +69,13 @@ engine::Place find_place(const mjModel& model, const std::string& name) {
 }  // namespace
 
 std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
-                                                    const std::string& place) {
-  if (!place.empty()) return std::make_unique<Organ>(find_place(model, place));
-  require(
-      body.infant,
-      "vestibular is 1, but the agent is no infant: vestibular_at has to name a site or body that carries the organ, "
-      "or vestibular = 0");
-  return std::make_unique<observation::Signals>(observation::Part::kVestibular, readings(body));
+                                                    const VestibularOptions& options) {
+  require(body.infant || !options.at.empty(),
+          "vestibular is on, but the agent is no infant: vestibular_at has to name a site or body that carries the "
+          "organ, or vestibular = 0");
+  return std::make_unique<observation::Signals>(
+      observation::Share::kVestibular,
+      options.at.empty() ? readings(body, options) : motions(find_place(model, options.at), options));
 }
 
 }  // namespace mimo::senses

@@ -9,9 +9,15 @@
 
 namespace mimo::senses {
 
-// At a site or body of that name, in its frame; "" for an infant's own, in the middle of its head. Throws
-// Status::kNotFound with the sites that there are.
+struct VestibularOptions {
+  bool acceleration = true, angular_velocity = true;
+  std::string at;  // site or body that carries the organ, in whose frame it feels; "": the middle of an infant's head
+
+  bool any() const { return acceleration || angular_velocity; }
+};
+
+// Throws Status::kNotFound with the sites that there are.
 std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
-                                                    const std::string& place);
+                                                    const VestibularOptions& options);
 
 }  // namespace mimo::senses

@@ -35,7 +35,7 @@ class Vision : public observation::Sense {
   // The renderer outlives the sense.
   Vision(const mjModel& model, const std::vector<Lens>& lenses, const VisionOptions& options,
          render::Renderer& renderer);
-  observation::Part part() const override { return observation::Part::kVision; }
+  observation::Share share() const override { return observation::Share::kVision; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
  private:

@@ -43,7 +43,7 @@ int main(void) {
 
   BEGIN(mimo_agent_config);
   FIELD(mimo_agent_config, struct_size);
-  FIELD(mimo_agent_config, place_given);
+  FIELD(mimo_agent_config, place);
   FIELD(mimo_agent_config, name);
   FIELD(mimo_agent_config, body);
   FIELD(mimo_agent_config, position);

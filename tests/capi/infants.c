@@ -19,7 +19,7 @@ static void add(mimo_scene* scene, const char* name, double x, double y, double 
   CHECK_OK(mimo_agent_config_init(&config, sizeof config));
   config.name = name;
   config.vision = 0;
-  config.place_given = 1;
+  config.place = MIMO_PLACE_ROOT;
   config.position[0] = x;
   config.position[1] = y;
   config.position[2] = z;
@@ -32,6 +32,72 @@ static mimo_env* env_of(mimo_scene* scene) {
   mimo_scene_destroy(scene);
   if (env == NULL) exit(failures());
   return env;
+}
+
+/* How deep an infant is in the floor and by which of its bodies, as MuJoCo's collisions say; 0 where it is not. */
+static double depth(mimo_env* env, int32_t* body) {
+  double bodies[2 * 64], distances[64], deepest = 0;
+  size_t i, count = 0;
+  CHECK_OK(mimo_env_count(env, MIMO_CONTACT, &count));
+  CHECK_OK(mimo_env_get(env, MIMO_CONTACT_BODIES, NULL, 0, bodies, 2 * count));
+  CHECK_OK(mimo_env_get(env, MIMO_CONTACT_DISTANCE, NULL, 0, distances, count));
+  for (i = 0; i < count; ++i) {
+    if ((bodies[2 * i] != 0 && bodies[2 * i + 1] != 0) || distances[i] >= deepest) continue;
+    deepest = distances[i];
+    *body = (int32_t)(bodies[2 * i] + bodies[2 * i + 1]);
+  }
+  return -deepest;
+}
+
+/* An infant in a room with a floor, placed by one of its points. */
+static mimo_env* placed(int32_t place, double x, double y, double z, const double* orientation) {
+  mimo_scene* scene = NULL;
+  mimo_scene_config scene_config;
+  mimo_agent_config config;
+  CHECK_OK(mimo_scene_config_init(&scene_config, sizeof scene_config));
+  CHECK_OK(mimo_scene_create(&scene_config, &scene));
+  CHECK_OK(mimo_scene_set_room(scene, "playroom"));
+  CHECK_OK(mimo_agent_config_init(&config, sizeof config));
+  config.vision = config.touch = 0;
+  config.place = place;
+  config.position[0] = x;
+  config.position[1] = y;
+  config.position[2] = z;
+  if (orientation != NULL) memcpy(config.orientation, orientation, sizeof config.orientation);
+  CHECK_OK(mimo_scene_add_agent(scene, &config, NULL));
+  return env_of(scene);
+}
+
+static void check_places(void) {
+  static const double on_its_back[4] = {0.70710678118654752, 0, -0.70710678118654752, 0};
+  const char* feet[2] = {"left_foot", "right_foot"};
+  double left[3], right[3], root[3];
+  int32_t body = 0, ids[2];
+  int i;
+  mimo_env* env = placed(MIMO_PLACE_SOLES, 0.5, -0.25, 0.001, NULL);
+  CHECK(depth(env, &body) == 0);
+  for (i = 0; i < 2; ++i) ids[i] = find(env, MIMO_BODY, feet[i]);
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, ids, 1, left, 3));
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, ids + 1, 1, right, 3));
+  CHECK_NEAR((left[0] + right[0]) / 2, 0.5, 1e-12);
+  CHECK_NEAR((left[1] + right[1]) / 2, -0.25, 1e-12);
+  mimo_env_destroy(env);
+
+  env = placed(MIMO_PLACE_SOLES, 0, 0, -0.002, NULL);
+  CHECK_NEAR(depth(env, &body), 0.002, 1e-9);
+  for (i = 0; i < 4 && body != ids[0] && body != ids[1]; ++i) CHECK_OK(mimo_env_body_of(env, MIMO_BODY, body, &body));
+  CHECK(body == ids[0] || body == ids[1]); /* toes hang on the feet */
+  mimo_env_destroy(env);
+
+  env = placed(MIMO_PLACE_LOWEST, 1, 2, 0.001, on_its_back);
+  CHECK(depth(env, &body) == 0);
+  ids[0] = find(env, MIMO_BODY, "mimo_location");
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, ids, 1, root, 3));
+  CHECK(root[0] == 1 && root[1] == 2);
+  mimo_env_destroy(env);
+  env = placed(MIMO_PLACE_LOWEST, 1, 2, -0.002, on_its_back);
+  CHECK_NEAR(depth(env, &body), 0.002, 1e-9);
+  mimo_env_destroy(env);
 }
 
 static int32_t find_of(const mimo_env* env, int32_t kind, const char* infant, const char* name) {
@@ -150,16 +216,16 @@ static void check_own(void) {
   CHECK_OK(mimo_scene_default_agent(scene, &config, sizeof config));
   CHECK(config.vision == MIMO_VISION_RGB && config.touch == MIMO_TOUCH_FORCE);
   /* The place that the next infant would get, as models/playdate.xml has it. */
-  CHECK(config.place_given == 0 && config.position[0] == -0.28 && config.position[2] == 0.0431);
+  CHECK(config.place == MIMO_PLACE_SCENE && config.position[0] == -0.28 && config.position[2] == 0.0431);
   CHECK(config.orientation[0] == 1);
   config.vision = 0;
 
   config.name = "carl";
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "names its infants", mimo_scene_add_agents(scene, &config, &count));
   config.name = "";
-  config.place_given = 1;
+  config.place = MIMO_PLACE_ROOT;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "each of 2 infants", mimo_scene_add_agents(scene, &config, &count));
-  config.place_given = 0;
+  config.place = MIMO_PLACE_SCENE;
   CHECK(count == 0);
   CHECK_OK(mimo_scene_add_agents(scene, &config, &count));
   CHECK(count == 2);
@@ -419,6 +485,7 @@ static void check_ten_see(mimo_env* env) {
 }
 
 int main(void) {
+  check_places();
   mimo_env* ten;
   check_apart();
   check_own();

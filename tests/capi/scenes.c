@@ -113,9 +113,9 @@ static void check_agents(void) {
   size_t count = 0;
   const uint32_t defaults = MIMO_PROPRIOCEPTION_DEFAULT;
   CHECK_OK(mimo_agent_config_init(&config, sizeof config));
-  CHECK(config.proprioception == defaults && config.vestibular == 1 && config.vision == MIMO_VISION_RGB);
+  CHECK(config.proprioception == defaults && config.vestibular == 3 && config.vision == MIMO_VISION_RGB);
   CHECK(config.vision_width == 256 && config.vision_height == 256 && config.limit_threshold == 0.035);
-  CHECK(config.place_given == 0 && config.orientation[0] == 1);
+  CHECK(config.place == MIMO_PLACE_SCENE && config.orientation[0] == 1);
   config.vision = 0;
 
 #define REFUSED(status, part, field, value, good)                            \
@@ -127,14 +127,15 @@ static void check_agents(void) {
   REFUSED(MIMO_E_NOT_FOUND, "no body named \"octopus\"; there are: mitten, fingers", body, "octopus", "mitten");
   REFUSED(MIMO_E_INVALID_ARGUMENT, "name is \"a/b\"", name, "a/b", "anna");
   REFUSED(MIMO_E_UNSUPPORTED, "proprioception is 0x80", proprioception, 0x80, defaults);
-  REFUSED(MIMO_E_UNSUPPORTED, "vestibular is 2", vestibular, 2, 1);
+  REFUSED(MIMO_E_UNSUPPORTED, "vestibular is 0x4", vestibular, 4, 3);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is 0", limit_threshold, 0, 0.035);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is nan", limit_threshold, (double)NAN, 0.035);
   REFUSED(MIMO_E_UNSUPPORTED, "vision is 0x8", vision, 8, MIMO_VISION_RGB);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_width is 0", vision_width, 0, 256);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_height is 4097", vision_height, 4097, 256);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_fovy is 0.5", vision_fovy, 0.5, 0);
-  REFUSED(MIMO_E_UNSUPPORTED, "place_given is 7", place_given, 7, 1);
+  REFUSED(MIMO_E_UNSUPPORTED, "place is 7", place, 7, MIMO_PLACE_ROOT);
+  REFUSED(MIMO_E_UNSUPPORTED, "place is -1", place, -1, MIMO_PLACE_ROOT);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "position[1] is inf", position[1], (double)INFINITY, 1);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "orientation is zero", orientation[0], 0, 2);
   config.vision = 0;

@@ -182,6 +182,11 @@ static void check_timing(void) {
   CHECK_OK(mimo_env_timing(timed, &timing));
   CHECK(timing.steps == 0 && timing.total == 0 && timing.physics == 0);
   mimo_env_destroy(timed);
+  timed = blind_env("free", NULL); /* without timing = 1 */
+  CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_timing(timed, &timing));
+  CHECK(timing.steps == 0 && timing.total == 0);
+  mimo_env_destroy(timed);
 }
 
 int main(void) {

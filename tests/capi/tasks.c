@@ -103,7 +103,7 @@ static void check_agents(void) {
   size_t count = 0;
   float low[8], high[8];
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
-  CHECK(agent.vision == 0 && agent.vestibular == 1 && agent.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
+  CHECK(agent.vision == 0 && agent.vestibular == 3 && agent.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
   CHECK(agent.acts == 0 && agent.actuation == MIMO_ACTUATION_TORQUE && agent.normalize_actions == 0);
   agent.acts = 0x800;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));

@@ -87,7 +87,7 @@ static void check_humanoid(void) {
   int contact;
   const float* force;
   const char* label = NULL;
-  config.vestibular = 1;
+  config.vestibular = MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY;
   config.vestibular_at = "inner_ear";
   config.touch = MIMO_TOUCH_FORCE;
   config.touch_frame = MIMO_FRAME_WORLD;
@@ -164,7 +164,7 @@ static void check_lacks(void) {
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no body named \"tail\"; there are: world, torso, skull", attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   config.root = "torso";
-  config.vestibular = 1;
+  config.vestibular = MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY;
   scene = scene_of(&config);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT,
               "vestibular_at has to name a site or body that carries the organ, or vestibular = 0",

@@ -290,7 +290,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
   good.scene_config->name = "free";
-  good.agent_config->place_given = 1;
+  good.agent_config->place = MIMO_PLACE_ROOT;
   good.agent_config->vision_width = good.agent_config->vision_height = PICTURE_SIZE;
   good.object_config->name = "ball";
   good.env_config->max_steps = 1;

@@ -107,6 +107,19 @@ def test_playdate_has_two():
         mimo.make("playdate")
 
 
+def test_an_infant_stands_where_its_soles_are_put():
+    blind = {"place": "soles", "vision": False, "touch": False}
+    world = mimo.World("free", position=[0.5, 0, 0.2], vestibular="acceleration", **blind)
+    feet = world.bodies("left_foot", "right_foot").position
+    np.testing.assert_allclose(np.mean(feet, axis=0)[:2], [0.5, 0], atol=1e-12)
+    higher = mimo.World("free", position=[0.5, 0, 0.7], vestibular=False, **blind)
+    np.testing.assert_allclose(higher.bodies("left_foot", "right_foot").position - feet, [[0, 0, 0.5]] * 2, atol=1e-9)
+    assert [name for name in world.reset(seed=1) if "vestibular" in name] == ["vestibular/acceleration"]
+    assert not any("vestibular" in name for name in higher.reset(seed=1))
+    with pytest.raises(ValueError, match="place"):
+        mimo.World("free", place="toes", position=[0, 0, 0])
+
+
 def test_a_model_can_be_an_agent():
     scene = mimo.Scene("free")
     scene.add_agent(name="anna", vision=False)

@@ -97,6 +97,8 @@ def test_every_struct_has_the_header_s_members(header, name):
 PREFIXES = {
     "MIMO_PROPRIOCEPTION_": constants.Proprioception,
     "MIMO_VISION_": constants.Vision,
+    "MIMO_VESTIBULAR_": constants.Vestibular,
+    "MIMO_PLACE_": constants.Place,
     "MIMO_ACTUATION_": constants.Actuation,
     "MIMO_ACT_": constants.Act,
     "MIMO_FRAME_": constants.Frame,

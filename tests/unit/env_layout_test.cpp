@@ -116,7 +116,9 @@ TEST(EnvLayout, SwitchesRemoveTheirFields) {
       {"actuation", [](env::AgentOptions& o) { o.actuation.felt = false; }, {p + "control", p + "motor_torque"}},
       {"joint torque", [](env::AgentOptions& o) { o.proprioception.joint_torque = false; }, {p + "joint_torque"}},
       {"vestibular",
-       [](env::AgentOptions& o) { o.vestibular = false; },
+       [](env::AgentOptions& o) {
+         o.vestibular = {false, false, ""};
+       },
        {"vestibular/acceleration", "vestibular/angular_velocity"}},
   };
   for (const Switch& sense : switches) {
@@ -131,7 +133,7 @@ TEST(EnvLayout, SwitchesRemoveTheirFields) {
 
 TEST(EnvLayout, NoSensesAtAll) {
   env::AgentOptions options = blind();
-  options.vestibular = false;
+  options.vestibular = {false, false, ""};
   options.touch.force = false;
   options.proprioception = {false, false, false, false, false, 0.035};
   options.actuation.felt = false;

@@ -247,7 +247,7 @@ void visit_with_infant(const char* file, const Extent& extent, int steps) {
   auto infant = mimo::agent_config();
   infant.name = "infant";
   infant.vision_width = infant.vision_height = kPixels / 2;
-  infant.place_given = 1;
+  infant.place = MIMO_PLACE_LOWEST;
   for (int axis = 0; axis < 2; ++axis) infant.position[axis] = extent.middle(axis);
   infant.position[2] = extent.high[2] + 0.5;
   scene.add_agent(infant);

@@ -7,18 +7,32 @@ namespace Mimo
     [StructLayout(LayoutKind.Sequential)]
     public struct AgentConfig
     {
+        /// <summary>The library's defaults: the mitten body at the scene's place, all senses on. MimoScene.DefaultAgent gives
+        /// what a scene wants instead.</summary>
+        public static AgentConfig Default
+        {
+            get
+            {
+                Library.Require();
+                AgentConfig config;
+                MimoException.Check(Native.mimo_agent_config_init(out config, Structs.Size<AgentConfig>()));
+                return config;
+            }
+        }
+
         internal uint struct_size;
-        /// <summary>1: position and orientation count; 0: the scene's own place.</summary>
-        public uint place_given;
+        /// <summary>Which point of it lies at position: 1 its root body, 2 its soles, 3 its lowest point; 0: the scene's own
+        /// place counts instead.</summary>
+        public int place;
         internal IntPtr name;
         internal IntPtr body;
-        /// <summary>Of the root body, metres, world frame.</summary>
+        /// <summary>Of the point that place says, metres, world frame.</summary>
         public Vector3d position;
         /// <summary>Of the root body.</summary>
         public Quaterniond orientation;
         /// <summary>MIMO_PROPRIOCEPTION_ bits; 0: none.</summary>
         public uint proprioception;
-        /// <summary>1: accelerometer and gyroscope in the head; 0: none.</summary>
+        /// <summary>1 acceleration, 2 angular velocity, of the head; 0: no sense of balance.</summary>
         public uint vestibular;
         /// <summary>Limit sensors work this near to a limit, radians.</summary>
         public double limit_threshold;

@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using System.Runtime.InteropServices;
 
 namespace Mimo
 {
@@ -19,15 +18,20 @@ namespace Mimo
     /// <summary>Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
     /// reset with the i-th seed and given the i-th actions. Its arrays are made once: a step allocates nothing. Masks have an
     /// entry for each world; null means all.</summary>
-    public sealed class Batch : IDisposable
+    public sealed partial class Batch : IDisposable
     {
         private readonly BatchHandle handle;
         private readonly Env first;
         private readonly byte[] terminated, truncated, wasReset;
         private readonly int agents;
+        private readonly IntPtr blocks;     // where the arrays lie
+        private BatchResultsStruct results;
 
         /// <summary>How many worlds.</summary>
         public int Worlds { get; }
+
+        /// <summary>How many threads step them.</summary>
+        public int Threads { get; }
 
         /// <summary>Number of actions of one world.</summary>
         public int ActionSize => first.ActionSize;
@@ -52,7 +56,10 @@ namespace Mimo
             config.autoreset = (int)autoreset;
             config.restart_failed = restartFailed ? 1u : 0u;
             handle = Create(scene, options ?? new EnvOptions(), config);
-            Worlds = worlds;
+            UIntPtr worldCount, threadCount;
+            MimoException.Check(Native.mimo_batch_size(handle, out worldCount, out threadCount));
+            Worlds = (int)worldCount;
+            Threads = (int)threadCount;
             first = World(0);
             agents = first.AgentCount;
             Blocks = new byte[worlds * first.Block.Length];
@@ -60,6 +67,13 @@ namespace Mimo
             terminated = new byte[Rewards.Length];
             truncated = new byte[Rewards.Length];
             wasReset = new byte[worlds];
+            results = new BatchResultsStruct
+            {
+                struct_size = (uint)Structs.Size<BatchResultsStruct>(), agents = (UIntPtr)Rewards.Length, worlds = (UIntPtr)Worlds,
+                reward = handle.Keep(Rewards), terminated = handle.Keep(terminated), truncated = handle.Keep(truncated),
+                was_reset = handle.Keep(wasReset)
+            };
+            blocks = handle.Keep(Blocks);
         }
 
         private static BatchHandle Create(MimoScene scene, EnvOptions options, BatchConfigStruct config)
@@ -102,43 +116,6 @@ namespace Mimo
             var chosen = BytesOf(mask);
             MimoException.Check(Native.mimo_batch_reset(handle, seeds, chosen, CountOf(chosen, seeds), Blocks, (UIntPtr)Blocks.Length));
         }
-
-        /// <summary>Goes one step on in all worlds; worlds x actions, null leaves the controls as they are. The exception is
-        /// that of the first world that did not do what was asked; all others have made their step.</summary>
-        public void Step(float[] actions)
-        {
-            GCHandle r = Pin(Rewards), e = Pin(terminated), u = Pin(truncated), w = Pin(wasReset);
-            try
-            {
-                var results = new BatchResultsStruct
-                {
-                    struct_size = (uint)Structs.Size<BatchResultsStruct>(), agents = (UIntPtr)Rewards.Length, worlds = (UIntPtr)Worlds,
-                    reward = r.AddrOfPinnedObject(), terminated = e.AddrOfPinnedObject(), truncated = u.AddrOfPinnedObject(),
-                    was_reset = w.AddrOfPinnedObject()
-                };
-                MimoException.Check(Native.mimo_batch_step(handle, actions, (UIntPtr)(actions == null ? 0 : actions.Length), Blocks,
-                    (UIntPtr)Blocks.Length, ref results));
-            }
-            finally
-            {
-                r.Free();
-                e.Free();
-                u.Free();
-                w.Free();
-            }
-        }
-
-        private static GCHandle Pin(Array array) { return GCHandle.Alloc(array, GCHandleType.Pinned); }
-
-        /// <summary>What an agent of a world got in the last step.</summary>
-        public Step StepOf(int world, int agent = 0)
-        {
-            var i = world * agents + agent;
-            return new Step { Reward = Rewards[i], Terminated = terminated[i] != 0, Truncated = truncated[i] != 0 };
-        }
-
-        /// <summary>Whether the last step started a new episode in a world: its block is then the first of that.</summary>
-        public bool WasReset(int world) { return wasReset[world] != 0; }
 
         /// <summary>What became of one world in the last call; "" for nothing bad.</summary>
         public string ErrorOf(int world)

@@ -112,6 +112,14 @@ namespace Mimo
             return id;
         }
 
+        /// <summary>The body that a joint, geom, site or camera belongs to, or the parent of a body.</summary>
+        public int BodyOf(Kind kind, int id)
+        {
+            int body;
+            MimoException.Check(Native.mimo_env_body_of(handle, (int)kind, id, out body));
+            return body;
+        }
+
         /// <summary>Name of something; "" where the model gives none.</summary>
         public string Name(Kind kind, int id)
         {

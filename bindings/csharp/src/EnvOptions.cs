@@ -23,7 +23,7 @@ namespace Mimo
     /// <summary>How a world is simulated; what is not set is the library's default.</summary>
     public sealed class EnvOptions
     {
-        /// <summary>"none", "reach", ...; null: the scene's own.</summary>
+        /// <summary>One of Tasks.Names, "none", "reach", ...; null: the scene's own.</summary>
         public string Task;
         /// <summary>"ray", "osmesa", "none"; null: what works.</summary>
         public string Renderer;
@@ -31,6 +31,8 @@ namespace Mimo
         public uint FrameSkip;
         /// <summary>Steps after which an episode is truncated; 0: the task's own.</summary>
         public uint MaxSteps;
+        /// <summary>Whether Env.Timing counts, which costs a few clock reads a step.</summary>
+        public bool Timing;
         /// <summary>What pictures show; null: everything but fog.</summary>
         public Render? Render;
         /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.</summary>
@@ -51,6 +53,7 @@ namespace Mimo
                 if (Renderer != null) config.renderer = renderer.Pointer;
                 config.frame_skip = FrameSkip;
                 config.max_steps = MaxSteps;
+                config.timing = Timing ? 1u : 0u;
                 if (Render.HasValue) config.render = (uint)Render.Value;
                 config.samples = Samples;
                 config.render_threads = RenderThreads;

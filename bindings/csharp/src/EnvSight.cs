@@ -42,30 +42,6 @@ namespace Mimo
         public double[] Errors;
     }
 
-    /// <summary>What to draw for people: a camera of the model, or a free one that by default sees the infant from the
-    /// front.</summary>
-    public sealed class PictureOptions
-    {
-        /// <summary>Pixels, 1 to 4096.</summary>
-        public uint Width = 640;
-        /// <summary>Pixels, 1 to 4096.</summary>
-        public uint Height = 480;
-        /// <summary>Row 0 is the lowest, as in textures of Unity and OpenGL; otherwise it is the top.</summary>
-        public bool BottomUp;
-        /// <summary>A camera of the model; null: the free camera.</summary>
-        public string Camera;
-        /// <summary>Free camera: the point in the middle, world, m. Null: the default view, also of distance and angles.</summary>
-        public Vector3d? LookAt;
-        /// <summary>Free camera: from that point, m.</summary>
-        public double Distance = 2;
-        /// <summary>Free camera: degrees; 0 looks along x, 90 along y.</summary>
-        public double Azimuth;
-        /// <summary>Free camera: degrees; negative looks down.</summary>
-        public double Elevation;
-        /// <summary>Vertical field of view, degrees; 0: the camera's own.</summary>
-        public double FieldOfView;
-    }
-
     /// <summary>Looking, and being looked at.</summary>
     public sealed partial class Env
     {
@@ -108,26 +84,18 @@ namespace Mimo
         /// <summary>Draws the current state into rgba: height x width x 4 bytes, opaque.</summary>
         public void Draw(PictureOptions options, byte[] rgba)
         {
-            const uint fourBytes = 1, bottomUp = 2; // MIMO_PICTURE_RGBA, MIMO_PICTURE_BOTTOM_UP
-            using (var camera = new PinnedText(options.Camera))
-            {
-                PictureConfigStruct config;
-                MimoException.Check(Native.mimo_picture_config_init(out config, Structs.Size<PictureConfigStruct>()));
-                config.width = options.Width;
-                config.height = options.Height;
-                config.format = fourBytes | (options.BottomUp ? bottomUp : 0);
-                config.camera = camera.Pointer;
-                config.fovy = options.FieldOfView;
-                if (options.LookAt.HasValue)
-                {
-                    config.look_at = options.LookAt.Value;
-                    config.distance = options.Distance;
-                    config.azimuth = options.Azimuth;
-                    config.elevation = options.Elevation;
-                }
-                MimoException.Check(Native.mimo_env_render(handle, ref config, rgba, (UIntPtr)rgba.Length, null, UIntPtr.Zero,
-                    null, UIntPtr.Zero));
-            }
+            options.Use(config => Native.mimo_env_render(handle, ref config, rgba, (UIntPtr)rgba.Length, null, UIntPtr.Zero, null,
+                UIntPtr.Zero));
+        }
+
+        /// <summary>Where points of the world (m) lie in the picture that Draw draws of this state: pixels to the right of its
+        /// left edge, pixels below its upper edge, and depth along the camera's axis, m. What has no depth above 0 is behind
+        /// the camera, and its pixels mean nothing.</summary>
+        public Vector3d[] Project(PictureOptions options, params Vector3d[] points)
+        {
+            var pixels = new Vector3d[points.Length];
+            options.Use(config => Native.mimo_env_project(handle, ref config, points, (UIntPtr)points.Length, pixels));
+            return pixels;
         }
     }
 }

@@ -1,25 +1,7 @@
 using System;
-using System.Collections.Generic;
 
 namespace Mimo
 {
-    /// <summary>The faces of the built-in bodies.</summary>
-    public static class Faces
-    {
-        /// <summary>Their names: "neutral", "enjoyment", ...</summary>
-        public static IReadOnlyList<string> Names
-        {
-            get
-            {
-                Library.Require();
-                var names = new List<string>();
-                for (var name = Native.mimo_face_name(UIntPtr.Zero); name != IntPtr.Zero; name = Native.mimo_face_name((UIntPtr)names.Count))
-                    names.Add(Utf8.Of(name));
-                return names;
-            }
-        }
-    }
-
     /// <summary>State, and what differs from world to world: faces, locks, gravity. They outlive resets.</summary>
     public sealed partial class Env
     {

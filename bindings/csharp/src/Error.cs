@@ -47,22 +47,4 @@ namespace Mimo
             return text == null ? null : Encoding.UTF8.GetBytes(text + "\0");
         }
     }
-
-    /// <summary>A string that stays in place, for a struct; null is a null pointer.</summary>
-    internal sealed class PinnedText : IDisposable
-    {
-        private GCHandle handle;
-
-        internal PinnedText(string text)
-        {
-            if (text != null) handle = GCHandle.Alloc(Utf8.Bytes(text), GCHandleType.Pinned);
-        }
-
-        internal IntPtr Pointer => handle.IsAllocated ? handle.AddrOfPinnedObject() : IntPtr.Zero;
-
-        public void Dispose()
-        {
-            if (handle.IsAllocated) handle.Free();
-        }
-    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 
 namespace Mimo
@@ -44,18 +45,39 @@ namespace Mimo
         }
     }
 
-    /// <summary>Owns a mimo_batch and a share of what its log callback needs.</summary>
+    /// <summary>Owns a mimo_batch and a share of what its log callback needs, and holds the arrays in place that its threads
+    /// use between two calls.</summary>
     internal sealed class BatchHandle : SafeHandle
     {
         internal Logging Log;
 
+        private readonly List<Pinned> kept = new List<Pinned>();
+        private Pinned sent;
+
         internal BatchHandle() : base(IntPtr.Zero, true) { }
+
+        /// <summary>Has an array stay in place as long as there is the batch, and gives that place.</summary>
+        internal IntPtr Keep(Array array)
+        {
+            var pinned = new Pinned(array);
+            kept.Add(pinned);
+            return pinned.Pointer;
+        }
+
+        /// <summary>The actions of a step that was sent stay until the next is: the one before was received by then.</summary>
+        internal void KeepSent(Pinned actions)
+        {
+            sent?.Dispose();
+            sent = actions;
+        }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
-            Native.mimo_batch_destroy(handle);
+            Native.mimo_batch_destroy(handle); // waits for what was sent
+            foreach (var pinned in kept) pinned.Dispose();
+            sent?.Dispose();
             Log?.Release();
             return true;
         }

@@ -3,11 +3,23 @@ using System;
 namespace Mimo
 {
     /// <summary>The native library that the system found.</summary>
-    internal static class Library
+    public static class Library
     {
         internal const uint Abi = 0; // MIMO_ABI_VERSION of the mimo.h that these sources are for
 
         private static bool isGood;
+
+        /// <summary>Its version, "major.minor.patch".</summary>
+        public static string Version => Text(Native.mimo_version);
+
+        /// <summary>Version of the MuJoCo that it runs on, "2.2.2".</summary>
+        public static string MuJoCoVersion => Text(Native.mimo_mujoco_version);
+
+        private static string Text(Func<IntPtr> text)
+        {
+            Require();
+            return Utf8.Of(text());
+        }
 
         /// <summary>What makes the first handles asks this before: without it a missing library is a word of the runtime's, and
         /// one that is too new or too old does anything.</summary>

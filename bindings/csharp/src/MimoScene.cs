@@ -1,5 +1,5 @@
 using System;
-using System.Runtime.InteropServices;
+using System.Text;
 
 namespace Mimo
 {
@@ -33,7 +33,7 @@ namespace Mimo
         /// <summary>An empty world.</summary>
         public static MimoScene Empty() { return new MimoScene(null, null, null); }
 
-        /// <summary>A built-in scene: "reach", "benchmark", ...</summary>
+        /// <summary>A built-in scene, one of Scenes.Names: "reach", "benchmark", ...</summary>
         public static MimoScene Builtin(string name) { return new MimoScene(name, null, null); }
 
         /// <summary>An MJCF file.</summary>
@@ -86,7 +86,7 @@ namespace Mimo
             return (int)count;
         }
 
-        /// <summary>Gives a scene that has none a room: "playroom".</summary>
+        /// <summary>Gives a scene that has none a room, one of Rooms.Names: "playroom".</summary>
         public void SetRoom(string name) { MimoException.Check(Native.mimo_scene_set_room(Handle, Utf8.Bytes(name))); }
 
         /// <summary>Adds an MJCF document with one body as an object: a file, or a text. All its names get its name and '/'
@@ -123,6 +123,16 @@ namespace Mimo
         public void SetPose(string joint, double value)
         {
             MimoException.Check(Native.mimo_scene_set_pose(Handle, Utf8.Bytes(joint), value));
+        }
+
+        /// <summary>The scene as one MJCF document, as MuJoCo will compile it.</summary>
+        public string ToXml()
+        {
+            UIntPtr length;
+            MimoException.Check(Native.mimo_scene_xml(Handle, null, UIntPtr.Zero, out length));
+            var text = new byte[(int)length + 1]; // and a zero
+            MimoException.Check(Native.mimo_scene_xml(Handle, text, (UIntPtr)text.Length, out length));
+            return Encoding.UTF8.GetString(text, 0, (int)length);
         }
 
         /// <summary>Writes the scene as scene.xml, with its textures and meshes in assets, for any program with MuJoCo.
@@ -185,10 +195,12 @@ namespace Mimo
         /// lines of blur cycles per degree.</summary>
         public void LimitSense(string path, double gain = 1, double noise = 0, uint delay = 0, double blur = 0, int agent = 0)
         {
-            var limits = new LimitsStruct
-            {
-                struct_size = (uint)Structs.Size<LimitsStruct>(), gain = gain, noise = noise, delay = delay, blur = blur
-            };
+            LimitsStruct limits;
+            MimoException.Check(Native.mimo_limits_init(out limits, Structs.Size<LimitsStruct>()));
+            limits.gain = gain;
+            limits.noise = noise;
+            limits.delay = delay;
+            limits.blur = blur;
             MimoException.Check(Native.mimo_scene_limit_sense(Handle, agent, Utf8.Bytes(path), ref limits));
         }
 
@@ -199,10 +211,18 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Utf8.Bytes(body), spacing));
         }
 
-        /// <summary>Sets a parameter of a task, "reach/success_reward", for worlds made from now on.</summary>
+        /// <summary>Sets a parameter, one of Tasks.Parameters, "reach/success_reward", for worlds made from now on.</summary>
         public void SetParameter(string name, double value)
         {
             MimoException.Check(Native.mimo_scene_set_parameter(Handle, Utf8.Bytes(name), value));
+        }
+
+        /// <summary>The value that a parameter has in this scene.</summary>
+        public double GetParameter(string name)
+        {
+            double value;
+            MimoException.Check(Native.mimo_scene_get_parameter(Handle, Utf8.Bytes(name), out value));
+            return value;
         }
 
         /// <summary>Frees the scene.</summary>

@@ -15,6 +15,7 @@ namespace Mimo
 
         [DllImport(File)] internal static extern uint mimo_abi_version();
         [DllImport(File)] internal static extern IntPtr mimo_version();
+        [DllImport(File)] internal static extern IntPtr mimo_mujoco_version();
         [DllImport(File)] internal static extern IntPtr mimo_status_name(int status);
         [DllImport(File)] internal static extern IntPtr mimo_last_error();
 
@@ -25,6 +26,13 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_camera_config_init(out CameraConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_picture_config_init(out PictureConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_batch_config_init(out BatchConfigStruct config, Size size);
+        [DllImport(File)] internal static extern int mimo_limits_init(out LimitsStruct limits, Size size);
+
+        [DllImport(File)] internal static extern IntPtr mimo_scene_builtin(Size index);
+        [DllImport(File)] internal static extern IntPtr mimo_scene_room(Size index);
+        [DllImport(File)] internal static extern IntPtr mimo_task_name(Size index);
+        [DllImport(File)] internal static extern int mimo_parameter_count(out Size count);
+        [DllImport(File)] internal static extern int mimo_parameter_describe(Size index, ref ParameterStruct parameter);
 
         [DllImport(File)] internal static extern int mimo_scene_create(ref SceneConfigStruct config, out SceneHandle scene);
         [DllImport(File)] internal static extern void mimo_scene_destroy(IntPtr scene);
@@ -39,11 +47,13 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_add_model(SceneHandle scene, ref ModelConfigStruct config);
         [DllImport(File)] internal static extern int mimo_scene_weld(SceneHandle scene, byte[] body, byte[] other, double[] pose);
         [DllImport(File)] internal static extern int mimo_scene_save(SceneHandle scene, byte[] folder);
+        [DllImport(File)] internal static extern int mimo_scene_xml(SceneHandle scene, byte[] text, Size capacity, out Size length);
         [DllImport(File)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
+        [DllImport(File)] internal static extern int mimo_scene_get_parameter(SceneHandle scene, byte[] name, out double value);
 
         [DllImport(File)] internal static extern int mimo_env_create(SceneHandle scene, ref EnvConfigStruct config, out EnvHandle env);
         [DllImport(File)] internal static extern int mimo_env_make(byte[] scene, out EnvHandle env);
@@ -58,9 +68,19 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_step(EnvHandle env, float[] action, Size actions, byte[] block, Size bytes, double[] reward, byte[] terminated, byte[] truncated, Size agents);
         [DllImport(File)] internal static extern int mimo_env_observe(EnvHandle env, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_env_time(EnvHandle env, out double seconds);
+        [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
+        [DllImport(File)] internal static extern int mimo_env_frame_skip(EnvHandle env, out uint steps);
+        [DllImport(File)] internal static extern int mimo_env_timestep(EnvHandle env, out double seconds);
+        [DllImport(File)] internal static extern int mimo_env_physics_step(EnvHandle env, Size count);
+        [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
+        [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);
+        [DllImport(File)] internal static extern int mimo_env_reward_term_count(EnvHandle env, Size agent, out Size count);
+        [DllImport(File)] internal static extern int mimo_env_reward_term_name(EnvHandle env, Size agent, Size index, out IntPtr name);
+        [DllImport(File)] internal static extern int mimo_env_reward_terms(EnvHandle env, Size agent, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_count(EnvHandle env, int kind, out Size count);
         [DllImport(File)] internal static extern int mimo_env_find(EnvHandle env, int kind, byte[] name, out int id);
         [DllImport(File)] internal static extern int mimo_env_name(EnvHandle env, int kind, int id, out IntPtr name);
+        [DllImport(File)] internal static extern int mimo_env_body_of(EnvHandle env, int kind, int id, out int body);
         [DllImport(File)] internal static extern int mimo_env_width(EnvHandle env, int quantity, int[] ids, Size idCount, out Size count);
         [DllImport(File)] internal static extern int mimo_env_get(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_set(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
@@ -70,6 +90,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_gaze(EnvHandle env, Size agent, ref GazeStruct gaze);
         [DllImport(File)] internal static extern int mimo_env_look_angles(EnvHandle env, Size agent, ref Vector3d point, int how, int[] joints, double[] angles, Size capacity, out Size count, double[] errors);
         [DllImport(File)] internal static extern int mimo_env_look_at(EnvHandle env, Size agent, ref Vector3d point, int how, double[] errors);
+        [DllImport(File)] internal static extern int mimo_env_project(EnvHandle env, ref PictureConfigStruct config, Vector3d[] points, Size count, [Out] Vector3d[] pixels);
         [DllImport(File)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, byte[] rgb, Size rgbBytes, float[] depth, Size depthCount, int[] segmentation, Size segmentationCount);
 
         [DllImport(File)] internal static extern IntPtr mimo_face_name(Size index);
@@ -87,10 +108,13 @@ namespace Mimo
 
         [DllImport(File)] internal static extern int mimo_batch_create(SceneHandle scene, ref EnvConfigStruct env, ref BatchConfigStruct config, out BatchHandle batch);
         [DllImport(File)] internal static extern void mimo_batch_destroy(IntPtr batch);
+        [DllImport(File)] internal static extern int mimo_batch_size(BatchHandle batch, out Size worlds, out Size threads);
         [DllImport(File)] internal static extern int mimo_batch_world(BatchHandle batch, Size world, out IntPtr env);
         [DllImport(File)] internal static extern int mimo_batch_world_error(BatchHandle batch, Size world, out int status, out IntPtr message);
         [DllImport(File)] internal static extern int mimo_batch_reset(BatchHandle batch, ulong[] seeds, byte[] mask, Size worlds, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_step(BatchHandle batch, float[] actions, Size count, byte[] blocks, Size bytes, ref BatchResultsStruct results);
+        [DllImport(File)] internal static extern int mimo_batch_send(BatchHandle batch, IntPtr actions, Size count, IntPtr blocks, Size bytes, ref BatchResultsStruct results);
+        [DllImport(File)] internal static extern int mimo_batch_receive(BatchHandle batch);
         [DllImport(File)] internal static extern int mimo_batch_observe(BatchHandle batch, byte[] mask, Size worlds, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_get(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_batch_set(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);

@@ -106,6 +106,22 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct TimingStruct
+    {
+        internal uint struct_size, reserved;
+        internal ulong steps;
+        internal double total, physics, touch, vision, proprioception, vestibular;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ParameterStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr name, description;
+        internal double standard, low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct BatchConfigStruct
     {
         internal uint struct_size, worlds, threads;

@@ -95,6 +95,32 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>Its feet are half a metre higher when its soles are.</summary>
+    private static void InfantsArePlacedByTheirSoles()
+    {
+        Func<double, double[]> feet = height =>
+        {
+            using (var scene = MimoScene.Builtin("free"))
+            {
+                var agent = scene.DefaultAgent();
+                agent.vision = agent.touch = 0;
+                agent.vestibular = 1;
+                agent.place = 2;
+                agent.position = new Vector3d(0.5, 0, height);
+                scene.AddAgent(agent);
+                using (var env = new Env(scene))
+                {
+                    var values = new double[6];
+                    env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "left_foot"), env.Find(Kind.Body, "right_foot") }, values);
+                    return values;
+                }
+            }
+        };
+        double[] low = feet(0.2), high = feet(0.7);
+        Check(Math.Abs((low[0] + low[3]) / 2 - 0.5) < 1e-12, "between the feet");
+        Check(Math.Abs(high[2] - low[2] - 0.5) < 1e-9, "half a metre higher");
+    }
+
     /// <summary>An arm on a hinge, sensed at twice its speed and a step late.</summary>
     private static void SensesAreLimited()
     {

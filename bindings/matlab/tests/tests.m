@@ -133,6 +133,8 @@ function senses_are_limited()
   assert(max(abs(late.proprioception_velocity - 2 * before.proprioception_velocity)) < 1e-6);
   assert(~isequal(before.proprioception_velocity, first.proprioception_velocity));
   refused(@() mimo_create('reach', 'limits', struct('gain', 2)), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'limits', struct('path', {'proprioception', []})), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'objects', 'ball'), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'limits', struct('path', 'smell')), 'mimo:NOT_FOUND');
   mimo_close(plain);
   mimo_close(limited);
@@ -162,6 +164,14 @@ function rooms_of_ones_own()
   assert(max(abs(places(3, :) - ([2 3] - 9.81 * 0.005 ^ 2 * 10 * 11 / 2))) < 1e-12, mat2str(places));
   assert(abs(mimo_get(world, 'body_mass', 'ball') - 0.1) < 1e-12);
   mimo_close(world);
+  for height = [0.2 0.7]
+    world = mimo_create('free', 'place', 2, 'position', [0.5 0 height], 'vision', 0, 'touch', 0, 'vestibular', 1);
+    feet = reshape(mimo_get(world, 'body_position', {'left_foot', 'right_foot'}), 3, 2);
+    assert(max(abs(mean(feet(1:2, :), 2) - [0.5; 0])) < 1e-12 && max(feet(3, :)) < height + 0.1 && min(feet(3, :)) > height);
+    seen = mimo_reset(world, 1);
+    assert(isfield(seen, 'vestibular_acceleration') && ~isfield(seen, 'vestibular_angular_velocity'));
+    mimo_close(world);
+  end
 end
 
 % World i is a single world with the i-th seed and the i-th actions.

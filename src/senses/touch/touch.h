@@ -16,7 +16,7 @@ std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body&
 class Touch : public observation::Sense {
  public:
   Touch(std::shared_ptr<const touch::Skin> skin, const TouchOptions& options);
-  observation::Part part() const override { return observation::Part::kTouch; }
+  observation::Share share() const override { return observation::Share::kTouch; }
   void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
 
   const touch::Skin& skin() const { return *skin_; }

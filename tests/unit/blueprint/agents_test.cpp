@@ -20,7 +20,7 @@ AgentPlan part(const std::string& name, const std::string& root) {
   AgentPlan plan = infant(name);
   plan.options.root = root;
   plan.options.proprioception.torque = false;
-  plan.options.vestibular = false;
+  plan.options.vestibular = {false, false, ""};
   plan.options.touch.force = false;
   plan.body = "scene";
   return plan;
@@ -74,7 +74,7 @@ TEST(BlueprintAgents, AllThatTheSceneNames) {
   const auto all = [](const AgentPlan& plan) { return [&](Draft& draft) { return draft.add_agents(plan); }; };
   Blueprint date(named("playdate"));
   EXPECT_EQ(refusal(date, all(infant("carl"))), "name is \"carl\", but the scene names its infants itself");
-  EXPECT_EQ(refusal(date, all(infant_at("", 0))), "place_given is 1, but each of 2 infants has its own place");
+  EXPECT_EQ(refusal(date, all(infant_at("", 0))), "place is 1, but each of 2 infants has its own place");
   EXPECT_EQ(date.edit(all(infant(""))), 2u);
   EXPECT_EQ(date.draft().agents.all()[0].name, "anna");
   EXPECT_EQ(date.draft().agents.all()[1].name, "ben");
@@ -108,7 +108,7 @@ TEST(BlueprintAgents, WhatTheyReadAndFeel) {
 TEST(BlueprintAgents, AreUsuallyWhatTheirSceneWants) {
   const AgentPlan standing = blueprint::usual_agent(scene::Scene(named("standup")));
   EXPECT_EQ(standing.body, "mitten");
-  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt && standing.options.vestibular);
+  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt && standing.options.vestibular.any());
   EXPECT_FALSE(standing.options.vision.any() || standing.options.touch.any());
   const AgentPlan catching = blueprint::usual_agent(scene::Scene(named("catch")));
   EXPECT_EQ(catching.body, "fingers");

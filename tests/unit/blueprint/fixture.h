@@ -27,7 +27,7 @@ inline AgentPlan infant(const std::string& name) {
 inline AgentPlan infant_at(const std::string& name, double x) {
   AgentPlan plan = infant(name);
   plan.place.emplace();
-  plan.place->position = {x, 0, 1};
+  plan.place->pose.position = {x, 0, 1};
   return plan;
 }
 

@@ -14,8 +14,8 @@ namespace {
 class LimitedSensesTest : public ::testing::Test {
  protected:
   LimitedSensesTest()
-      : sense_(Part::kTask, {signal("anna/touch", 1), signal("anna/touch/slip", 1), signal("anna/touching", 1),
-                             signal("ben/touch", 1)}) {
+      : sense_(Share::kTask, {signal("anna/touch", 1), signal("anna/touch/slip", 1), signal("anna/touching", 1),
+                              signal("ben/touch", 1)}) {
     observer_.add(sense_);
     block_.resize(observer_.layout().bytes());
   }

@@ -21,7 +21,7 @@ float number(const Block& block, std::size_t at) {
 
 // 17 floats take 68 bytes, so two lines of 64.
 TEST(Layout, PutsEachFieldAtAMultipleOf64Bytes) {
-  Signals sense(Part::kTouch, {signal("one", 1), signal("seventeen", 17), signal("last", 2)});
+  Signals sense(Share::kTouch, {signal("one", 1), signal("seventeen", 17), signal("last", 2)});
   Observer observer;
   observer.add(sense);
   const Layout& layout = observer.layout();
@@ -33,10 +33,10 @@ TEST(Layout, PutsEachFieldAtAMultipleOf64Bytes) {
 }
 
 TEST(Observer, WritesEveryByte) {
-  Signals first(Part::kTouch, {signal("a", 2), signal("b", 1, 0.5f)});
+  Signals first(Share::kTouch, {signal("a", 2), signal("b", 1, 0.5f)});
   Observer observer;
   observer.add(first);
-  observer.add(std::make_unique<Signals>(Part::kTask, std::vector<Signal>{signal("c", 16, 1)}));
+  observer.add(std::make_unique<Signals>(Share::kTask, std::vector<Signal>{signal("c", 16, 1)}));
   Block block(observer.layout().bytes(), 0xcd);
   observer.observe(mjModel_{}, mjData_{2}, block.data(), nullptr);
   EXPECT_EQ(number(block, 0), 2);
@@ -48,7 +48,7 @@ TEST(Observer, WritesEveryByte) {
 }
 
 TEST(Observer, RefusesASecondFieldOfAName) {
-  Signals one(Part::kTouch, {signal("touch/force", 1)}), other(Part::kTask, {signal("touch/force", 2)});
+  Signals one(Share::kTouch, {signal("touch/force", 1)}), other(Share::kTask, {signal("touch/force", 2)});
   Observer observer;
   observer.add(one);
   try {
@@ -61,20 +61,20 @@ TEST(Observer, RefusesASecondFieldOfAName) {
 }
 
 TEST(Observer, AddsUpWhatEachPartTakes) {
-  Signals sense(Part::kVestibular, {signal("a", 1)});
+  Signals sense(Share::kVestibular, {signal("a", 1)});
   Observer observer;
   observer.add(sense);
   Block block(observer.layout().bytes());
-  PartTimes times{};
+  ShareTimes times{};
   times.fill(1);
   for (int i = 0; i < 100; ++i) observer.observe(mjModel_{}, mjData_{0}, block.data(), &times);
-  EXPECT_GT(times[static_cast<std::size_t>(Part::kVestibular)], 1);
-  EXPECT_EQ(times[static_cast<std::size_t>(Part::kTouch)], 1);
-  EXPECT_EQ(times[static_cast<std::size_t>(Part::kTask)], 1);
+  EXPECT_GT(times[static_cast<std::size_t>(Share::kVestibular)], 1);
+  EXPECT_EQ(times[static_cast<std::size_t>(Share::kTouch)], 1);
+  EXPECT_EQ(times[static_cast<std::size_t>(Share::kTask)], 1);
 }
 
 TEST(Signals, WithoutNumbersAreLeftOut) {
-  Signals sense(Part::kTask, {signal("none", 0), signal("one", 1, 3)});
+  Signals sense(Share::kTask, {signal("none", 0), signal("one", 1, 3)});
   ASSERT_EQ(sense.fields().size(), 1u);
   EXPECT_EQ(sense.fields()[0].name, "one");
   Block block(64);

@@ -23,6 +23,7 @@ from .constants import (
     Jacobian,
     Kind,
     Look,
+    Place,
     Proprioception,
     Quantity,
     Render,
@@ -30,6 +31,7 @@ from .constants import (
     Time,
     Touch,
     TouchResponse,
+    Vestibular,
     Vision,
 )
 from .env import Env, register
@@ -96,6 +98,7 @@ __all__ = [
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
+    "Place",
     "Proprioception",
     "Quantity",
     "Render",
@@ -111,6 +114,7 @@ __all__ = [
     "TouchResponse",
     "UnsupportedError",
     "VectorEnv",
+    "Vestibular",
     "Vision",
     "World",
     "faces",

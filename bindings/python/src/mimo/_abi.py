@@ -59,7 +59,7 @@ class SceneConfig(Struct):
 class AgentConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("place_given", c_uint32),
+        ("place", c_int32),
         ("name", c_char_p),
         ("body", c_char_p),
         ("position", c_double * 3),

@@ -27,6 +27,22 @@ class Vision(IntFlag):
     SEGMENTATION = 0x04
 
 
+class Vestibular(IntFlag):
+    """What the sense of balance tells."""
+
+    ACCELERATION = 0x1
+    ANGULAR_VELOCITY = 0x2
+
+
+class Place(IntEnum):
+    """Which point of an infant lies at its position."""
+
+    SCENE = 0
+    ROOT = 1
+    SOLES = 2
+    LOWEST = 3
+
+
 class Actuation(IntEnum):
     """What an action is: a motor's share of its largest torque, a joint's angle, or a muscle's activation."""
 

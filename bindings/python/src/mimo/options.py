@@ -23,11 +23,13 @@ from .constants import (
     Disable,
     Frame,
     Jacobian,
+    Place,
     Proprioception,
     Render,
     Shape,
     Touch,
     TouchResponse,
+    Vestibular,
     Vision,
 )
 
@@ -53,10 +55,11 @@ class AgentOptions(TypedDict, total=False):
 
     name: str
     body: str
+    place: Place
     position: Numbers
     orientation: Numbers
     proprioception: Union[Proprioception, bool]
-    vestibular: bool
+    vestibular: Union[Vestibular, bool]
     limit_threshold: float
     vision: Union[Vision, bool]
     vision_width: int

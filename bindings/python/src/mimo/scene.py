@@ -13,6 +13,7 @@ from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
 from .arguments import number_of, real_number, vector
+from .constants import Place
 from .options import (
     AgentOptions,
     CameraOptions,
@@ -114,11 +115,12 @@ class Scene(Handle):
     def _agent_config(self, options: AgentOptions) -> _abi.AgentConfig:
         config = _abi.AgentConfig()
         check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
-        standard = {key: getattr(config, key) for key in ("proprioception", "vision", "touch")}
+        standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
         fill(config, options, AgentOptions, standard)
         given = options.keys() & {"position", "orientation"}
-        config.place_given = bool(given)
+        if given and "place" not in options:
+            config.place = Place.ROOT
         if given == {"orientation"} and self._agents > 0 and not any(config.position):  # its places are all taken
             raise ValueError(f"orientation: the scene has no place for infant number {self._agents + 1}; give position")
         return config

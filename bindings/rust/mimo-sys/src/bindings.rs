@@ -78,6 +78,18 @@ pub const MIMO_VISION_RGB: u32 = 1;
 pub const MIMO_VISION_DEPTH: u32 = 2;
 #[doc = "Geom id of each pixel, int32 H x W, -1 is background."]
 pub const MIMO_VISION_SEGMENTATION: u32 = 4;
+#[doc = "vestibular/acceleration, 3, m/s^2, gravity included."]
+pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
+#[doc = "vestibular/angular_velocity, 3, rad/s."]
+pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
+#[doc = "The scene's own place for an infant."]
+pub const MIMO_PLACE_SCENE: u32 = 0;
+#[doc = "The origin of its root body mimo_location; standing soles are 0.33 m below."]
+pub const MIMO_PLACE_ROOT: u32 = 1;
+#[doc = "The middle between its feet from above, at the height of the lowest point of them."]
+pub const MIMO_PLACE_SOLES: u32 = 2;
+#[doc = "Its root body from above, at the height of its lowest point: it lies on that height."]
+pub const MIMO_PLACE_LOWEST: u32 = 3;
 #[doc = "An action is a motor's share of its largest torque."]
 pub const MIMO_ACTUATION_TORQUE: u32 = 0;
 #[doc = "An action is the angle to which a soft lock takes a joint, rad."]
@@ -644,20 +656,20 @@ extern "C" {
 pub struct mimo_agent_config {
     #[doc = "sizeof(mimo_agent_config), set by mimo_agent_config_init."]
     pub struct_size: u32,
-    #[doc = "1: position and orientation below count; 0: the scene's own place for an infant."]
-    pub place_given: u32,
+    #[doc = "A MIMO_PLACE_ constant: which point of it lies at position. Default: the scene's."]
+    pub place: i32,
     #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
     #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the"]
     #[doc = "body is part of the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
-    #[doc = "Of the root body mimo_location, m, world frame; standing soles are 0.33 below."]
+    #[doc = "Of the point that place says, m, world frame; without meaning with PLACE_SCENE."]
     pub position: [f64; 3usize],
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
     #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception."]
     pub proprioception: u32,
-    #[doc = "1: accelerometer and gyroscope in the head; 0: none."]
+    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both."]
     pub vestibular: u32,
     #[doc = "Limit sensors work this near to a limit; radians, > 0. Default 0.035."]
     pub limit_threshold: f64,
@@ -702,7 +714,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
-    #[doc = "orientation, which count where place_given is set to 1; 0 0 0 where all places are taken), and in reach, standup,"]
+    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach, standup,"]
     #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as"]
     #[doc = "mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]

@@ -93,6 +93,7 @@ impl BatchResults {
 pub struct Batch {
     handle: NonNull<sys::mimo_batch>,
     worlds: usize,
+    threads: usize,
     // Both outlive the handle, which points to them.
     _log: Option<Log>,
     _task: Option<Shared>,
@@ -110,8 +111,10 @@ impl Batch {
             check(unsafe { sys::mimo_batch_create(scene.handle(), env, &batch.raw, &mut handle) })
         })?;
         let handle = NonNull::new(handle).expect("a handle");
-        let worlds = batch.raw.worlds as usize;
-        Ok(Batch { handle, worlds, _log: env.log.clone(), _task: scene.task.clone() })
+        let mut made =
+            Batch { handle, worlds: 0, threads: 0, _log: env.log.clone(), _task: scene.task.clone() };
+        check(unsafe { sys::mimo_batch_size(made.handle(), &mut made.worlds, &mut made.threads) })?;
+        Ok(made)
     }
 
     /// The library's handle, for functions of [`sys`] that have no method here.
@@ -122,6 +125,11 @@ impl Batch {
     /// Number of worlds.
     pub fn worlds(&self) -> usize {
         self.worlds
+    }
+
+    /// Number of threads that step them.
+    pub fn threads(&self) -> usize {
+        self.threads
     }
 
     /// One world. It takes everything a world of its own does.

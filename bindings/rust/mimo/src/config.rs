@@ -97,7 +97,12 @@ impl AgentConfig {
 
     /// Where the root body is: metres, and w x y z; world frame. Otherwise at the scene's own place for an infant.
     pub fn place(&mut self, position: [f64; 3], orientation: [f64; 4]) -> &mut Self {
-        self.raw.place_given = 1;
+        self.place_by(sys::MIMO_PLACE_ROOT as i32, position, orientation)
+    }
+
+    /// The same for another point of it, a `MIMO_PLACE_` constant: its soles, or its lowest point.
+    pub fn place_by(&mut self, place: i32, position: [f64; 3], orientation: [f64; 4]) -> &mut Self {
+        self.raw.place = place;
         self.raw.position = position;
         self.raw.orientation = orientation;
         self
@@ -109,9 +114,9 @@ impl AgentConfig {
         self
     }
 
-    /// Accelerometer and gyroscope in the head.
-    pub fn vestibular(&mut self, on: bool) -> &mut Self {
-        self.raw.vestibular = on.into();
+    /// `MIMO_VESTIBULAR_` bits: accelerometer and gyroscope in the head; 0: none.
+    pub fn vestibular(&mut self, bits: u32) -> &mut Self {
+        self.raw.vestibular = bits;
         self
     }
 
@@ -299,7 +304,7 @@ impl EnvConfig {
         use_it(&raw)
     }
 
-    /// A task by name, "none", "reach", ..., in place of the scene's.
+    /// A task by name, "none", "reach", ..., in place of the scene's; see [`tasks`](crate::tasks).
     pub fn task(&mut self, name: &str) -> Result<&mut Self> {
         self.task = Some(c_string(name)?);
         Ok(self)
@@ -320,6 +325,12 @@ impl EnvConfig {
     /// Steps after which an episode is truncated; 0: the task's own.
     pub fn max_steps(&mut self, steps: u32) -> &mut Self {
         self.raw.max_steps = steps;
+        self
+    }
+
+    /// Whether [`World::timing`](crate::World::timing) counts, which costs a few clock reads a step.
+    pub fn timing(&mut self, on: bool) -> &mut Self {
+        self.raw.timing = on.into();
         self
     }
 

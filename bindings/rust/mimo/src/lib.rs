@@ -33,11 +33,13 @@ mod error;
 mod field;
 mod gaze;
 mod limits;
+mod lists;
 mod log;
 mod overrides;
 mod picture;
 mod scene;
 mod senses;
+mod steps;
 mod task;
 mod world;
 
@@ -50,10 +52,12 @@ pub use error::{Error, Kind, Result};
 pub use field::{Field, Type};
 pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use limits::Limits;
+pub use lists::{builtin_scenes, faces, parameters, rooms, tasks, Parameter};
 pub use log::Level;
 pub use picture::Picture;
-pub use scene::{builtin_scenes, faces, rooms, DocumentLimits, Scene};
+pub use scene::{DocumentLimits, Scene};
 pub use senses::Senses;
+pub use steps::{RewardTerm, Timing};
 pub use task::{Judgement, Task, Whom};
 pub use world::{Contact, Step, StepContact, TouchSensor, World};
 

@@ -59,18 +59,32 @@ impl Picture {
         let channels = if self.raw.format & sys::MIMO_PICTURE_RGBA != 0 { 4 } else { 3 };
         self.raw.width as usize * self.raw.height as usize * channels
     }
+
+    fn raw(&self) -> sys::mimo_picture_config {
+        sys::mimo_picture_config { camera: pointer(&self.camera), ..self.raw }
+    }
 }
 
 impl World {
     /// Draws the current state: height x width x 3 bytes, or 4.
     pub fn render(&mut self, picture: &Picture) -> Result<Vec<u8>> {
         let mut colors = vec![0; picture.colors()];
-        let camera = pointer(&picture.camera);
         check(unsafe {
-            let raw = sys::mimo_picture_config { camera, ..picture.raw };
             let (to, bytes) = (colors.as_mut_ptr(), colors.len());
-            sys::mimo_env_render(self.handle(), &raw, to, bytes, null_mut(), 0, null_mut(), 0)
+            sys::mimo_env_render(self.handle(), &picture.raw(), to, bytes, null_mut(), 0, null_mut(), 0)
         })?;
         Ok(colors)
+    }
+
+    /// Where points of the world (m) lie in the picture that [`render`](Self::render) draws of this state: pixels to the
+    /// right of its left edge, pixels below its upper edge, and depth along the camera's axis, m. What has no depth above
+    /// 0 is behind the camera, and its pixels mean nothing.
+    pub fn project(&self, picture: &Picture, points: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
+        let mut pixels = vec![[0.0; 3]; points.len()];
+        check(unsafe {
+            let (from, to) = (points.as_ptr() as *const f64, pixels.as_mut_ptr() as *mut f64);
+            sys::mimo_env_project(self.handle(), &picture.raw(), from, points.len(), to)
+        })?;
+        Ok(pixels)
     }
 }

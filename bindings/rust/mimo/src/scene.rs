@@ -56,7 +56,7 @@ impl Scene {
         Scene::create(Source::default())
     }
 
-    /// A built-in scene: "reach", "benchmark", ...; see [`builtin_scenes`].
+    /// A built-in scene: "reach", "benchmark", ...; see [`builtin_scenes`](crate::builtin_scenes).
     pub fn builtin(name: &str) -> Result<Scene> {
         Scene::create(Source { name: Some(name), ..Source::default() })
     }
@@ -133,7 +133,7 @@ impl Scene {
         Ok(count)
     }
 
-    /// Gives a scene that has none a room, see [`rooms`].
+    /// Gives a scene that has none a room, see [`rooms`](crate::rooms).
     pub fn set_room(&mut self, name: &str) -> Result<()> {
         let name = c_string(name)?;
         check(unsafe { sys::mimo_scene_set_room(self.handle(), name.as_ptr()) })
@@ -250,23 +250,4 @@ impl Drop for Scene {
     fn drop(&mut self) {
         unsafe { sys::mimo_scene_destroy(self.handle()) }
     }
-}
-
-/// Names of the built-in scenes.
-pub fn builtin_scenes() -> Vec<String> {
-    names(sys::mimo_scene_builtin)
-}
-
-/// Names of the rooms for [`Scene::set_room`].
-pub fn rooms() -> Vec<String> {
-    names(sys::mimo_scene_room)
-}
-
-/// Names of the faces of the built-in bodies.
-pub fn faces() -> Vec<String> {
-    names(sys::mimo_face_name)
-}
-
-fn names(by_index: unsafe extern "C" fn(usize) -> *const std::os::raw::c_char) -> Vec<String> {
-    (0..).map(|index| text(unsafe { by_index(index) })).take_while(|name| !name.is_empty()).collect()
 }

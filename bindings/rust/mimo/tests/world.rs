@@ -64,6 +64,23 @@ fn fields_are_views_of_the_block() {
 }
 
 #[test]
+fn an_infant_stands_where_its_soles_are_put() {
+    let feet = |height| {
+        let mut scene = Scene::builtin("free").unwrap();
+        let mut agent = scene.default_agent().unwrap();
+        agent.vision(0, 8, 8).vestibular(MIMO_VESTIBULAR_ACCELERATION);
+        agent.place_by(MIMO_PLACE_SOLES as i32, [0.5, 0.0, height], [1.0, 0.0, 0.0, 0.0]);
+        scene.add_agent(&agent).unwrap();
+        let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+        let ids = [env.find(MIMO_BODY, "left_foot").unwrap(), env.find(MIMO_BODY, "right_foot").unwrap()];
+        env.get(MIMO_BODY_POSITION, &ids).unwrap()
+    };
+    let (low, high) = (feet(0.2), feet(0.7));
+    assert!(((low[0] + low[3]) / 2.0 - 0.5).abs() < 1e-12 && ((low[1] + low[4]) / 2.0).abs() < 1e-12);
+    assert!((high[2] - low[2] - 0.5).abs() < 1e-9 && (high[5] - low[5] - 0.5).abs() < 1e-9);
+}
+
+#[test]
 fn errors_carry_kind_and_message() {
     let error = Env::make("benchmarc").err().unwrap();
     assert_eq!(error.kind(), Kind::NotFound);

@@ -1,0 +1,41 @@
+using System;
+
+namespace Mimo
+{
+    /// <summary>Steps of all worlds: at once, or while the caller does something else.</summary>
+    public sealed partial class Batch
+    {
+        /// <summary>Goes one step on in all worlds; worlds x actions, null leaves the controls as they are. The exception is
+        /// that of the first world that did not do what was asked; all others have made their step.</summary>
+        public void Step(float[] actions)
+        {
+            MimoException.Check(Native.mimo_batch_step(handle, actions, LengthOf(actions), Blocks, (UIntPtr)Blocks.Length, ref results));
+        }
+
+        /// <summary>Starts a step and returns at once. Until Receive the actions are not to be changed, blocks and rewards are
+        /// not to be read, and everything else is refused.</summary>
+        public void Send(float[] actions)
+        {
+            var sent = new Pinned(actions);
+            var status = Native.mimo_batch_send(handle, sent.Pointer, LengthOf(actions), blocks, (UIntPtr)Blocks.Length, ref results);
+            if (status == 0) handle.KeepSent(sent);
+            else sent.Dispose();
+            MimoException.Check(status);
+        }
+
+        /// <summary>Waits for the step that was sent. Exceptions are as those of Step.</summary>
+        public void Receive() { MimoException.Check(Native.mimo_batch_receive(handle)); }
+
+        private static UIntPtr LengthOf(float[] actions) { return (UIntPtr)(actions == null ? 0 : actions.Length); }
+
+        /// <summary>What an agent of a world got in the last step.</summary>
+        public Step StepOf(int world, int agent = 0)
+        {
+            var i = world * agents + agent;
+            return new Step { Reward = Rewards[i], Terminated = terminated[i] != 0, Truncated = truncated[i] != 0 };
+        }
+
+        /// <summary>Whether the last step started a new episode in a world: its block is then the first of that.</summary>
+        public bool WasReset(int world) { return wasReset[world] != 0; }
+    }
+}

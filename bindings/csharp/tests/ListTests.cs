@@ -1,0 +1,81 @@
+// What there is by name, and scenes as documents.
+using System;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Mimo;
+
+internal static partial class Tests
+{
+    private static void VersionsAreThoseOfTheHeader()
+    {
+        var header = File.ReadAllText(headerFile);
+        var numbers = new[] { "MAJOR", "MINOR", "PATCH" }.Select(part => Regex.Match(header, "MIMO_VERSION_" + part + @" (\d+)").Groups[1].Value);
+        Check(Library.Version == string.Join(".", numbers), Library.Version);
+        Check(Regex.IsMatch(Library.MuJoCoVersion, @"^2\.2\.\d+$"), Library.MuJoCoVersion); // the one that is built against
+    }
+
+    /// <summary>What is listed can be made.</summary>
+    private static void ScenesRoomsAndTasksAreListed()
+    {
+        Check(Scenes.Names.Contains("reach") && Scenes.Names.Contains("playdate"), string.Join(" ", Scenes.Names));
+        foreach (var name in Scenes.Names)
+            using (MimoScene.Builtin(name)) { }
+        Check(Rooms.Names.Contains("playroom"), string.Join(" ", Rooms.Names));
+        foreach (var name in Rooms.Names)
+            using (var scene = MimoScene.Empty()) scene.SetRoom(name);
+        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch" };
+        Check(tasks.All(Tasks.Names.Contains), string.Join(" ", Tasks.Names));
+        Check(Refused(() => MimoScene.Builtin("bench")).Message.Contains("benchmark"), "another message");
+    }
+
+    /// <summary>Reach's success is worth 100, as in the paper.</summary>
+    private static void ParametersAreListed()
+    {
+        using (var scene = MimoScene.Builtin("reach"))
+        {
+            foreach (var one in Tasks.Parameters)
+            {
+                Check(Tasks.Names.Contains(one.Name.Split('/')[0]) && one.Description != "", one.Name);
+                Check(one.Low <= one.Standard && one.Standard <= one.High, one.Name + " is out of its range");
+                Check(scene.GetParameter(one.Name) == one.Standard, one.Name + " is not its standard");
+                scene.SetParameter(one.Name, one.Low);
+                Check(scene.GetParameter(one.Name) == one.Low, one.Name + " was not set");
+                Refused(() => scene.SetParameter(one.Name, one.Low - 1));
+                scene.SetParameter(one.Name, one.High);
+                Refused(() => scene.SetParameter(one.Name, one.High + 1));
+            }
+            Check(Tasks.Parameters.Single(one => one.Name == "reach/success_reward").Standard == 100, "another reward");
+            Check(Refused(() => scene.GetParameter("reach/luck")).StatusName == "MIMO_E_NOT_FOUND", "another status");
+        }
+    }
+
+    /// <summary>A scene that was written and read again weighs what it did; names are UTF-8.</summary>
+    private static void ScenesAreWritten()
+    {
+        using (var scene = MimoScene.Empty())
+        {
+            scene.AddObject(new ObjectOptions { Name = "Bällchen", Mass = 0.25, Position = new Vector3d(0, 0, 1) });
+            using (var read = MimoScene.FromXml(scene.ToXml()))
+            using (var env = new Env(read))
+            {
+                var mass = new double[1];
+                env.Get(Quantity.BodyMass, new[] { env.Find(Kind.Body, "Bällchen") }, mass);
+                Near(0.25, mass[0], 1e-12, "mass");
+            }
+        }
+    }
+
+    /// <summary>The config of mimo.h: eyes of 256 pixels, torques, a limit threshold of 0.035 rad.</summary>
+    private static void DefaultAgentsAreMade()
+    {
+        var agent = AgentConfig.Default;
+        Check(agent.vision == 1 && agent.vision_width == 256 && agent.actuation == 0 && agent.limit_threshold == 0.035, "defaults");
+        agent.vision = agent.touch = 0;
+        using (var scene = MimoScene.Builtin("free"))
+        {
+            scene.AddAgent(agent);
+            using (var env = new Env(scene)) Check(env.AgentCount == 1 && env.Find(Kind.Body, "head") > 0, "no infant");
+        }
+    }
+}

@@ -1,0 +1,213 @@
+// How worlds go on, what rewards consist of, where time goes and points lie.
+using System;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using Mimo;
+
+internal static partial class Tests
+{
+    /// <summary>A ball at a height of 2 m in an empty world.</summary>
+    private static Env Ball(EnvOptions options = null)
+    {
+        using (var scene = MimoScene.Empty())
+        {
+            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(0, 0, 2) });
+            return new Env(scene, options);
+        }
+    }
+
+    /// <summary>The paper's tasks take steps of 10 ms, two of 5 ms each (docs/tasks.md).</summary>
+    private static void WorldsKnowTheirTaskAndTimeSteps()
+    {
+        using (var env = new Env("reach"))
+            Check(env.Task == "reach" && env.FrameSkip == 2 && env.Timestep == 0.005, env.Task + " of other steps");
+        using (var env = Ball(new EnvOptions { FrameSkip = 3 }))
+        {
+            Check(env.Task == "none" && env.FrameSkip == 3, "three");
+            env.Step(null);
+            Near(0.015, env.Time, 1e-15, "three steps of 5 ms");
+        }
+    }
+
+    /// <summary>Semi-implicit Euler with h = 5 ms: after n steps a ball has fallen by g h^2 n (n + 1) / 2.</summary>
+    private static void BarePhysicsStepsAreCounted()
+    {
+        using (var env = Ball())
+        {
+            env.StepPhysics(6);
+            env.StepPhysics();
+            env.StepPhysics(0);
+            var joint = new double[7];
+            env.Get(Quantity.JointPosition, new[] { 0 }, joint);
+            Near(2 - 9.81 * 0.005 * 0.005 * 28, joint[2], 1e-12, "height");
+            Check(Refused(() => env.StepPhysics(1000001)).Message.Contains("count is 1000001"), "another message");
+        }
+    }
+
+    /// <summary>Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms
+    /// (docs/tasks.md).</summary>
+    private static void RewardsConsistOfTerms()
+    {
+        using (var env = new Env("reach"))
+        {
+            env.Reset(3);
+            Check(env.RewardTerms().Values.All(value => value == 0), "rewarded by a reset");
+            var reward = env.Step(null).Reward;
+            var terms = env.RewardTerms();
+            Check(terms.Count == 2 && terms.ContainsKey("success") && terms.Values.Sum() == reward, "other terms");
+            var at = new double[6];
+            env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "right_fingers"), env.Find(Kind.Body, "target") }, at);
+            var distance = Math.Sqrt(Enumerable.Range(0, 3).Sum(i => Math.Pow(at[i] - at[3 + i], 2)));
+            Check(distance > 0.1, "there already");
+            Near(-distance, terms["distance"], 1e-12, "distance");
+            Check(Refused(() => env.RewardTerms(1)).Message.Contains("agent is 1"), "another message");
+        }
+    }
+
+    private static void TimingTellsWhereTimeGoes()
+    {
+        using (var scene = MimoScene.Builtin("reach"))
+        {
+            scene.AddAgent(scene.DefaultAgent());
+            using (Env silent = new Env(scene), env = new Env(scene, new EnvOptions { Timing = true }))
+            {
+                for (var i = 0; i < 3; ++i)
+                {
+                    env.Step(null);
+                    silent.Step(null);
+                }
+                var spent = env.Timing;
+                Check(spent.Steps == 3 && spent.Physics > 0 && spent.Proprioception > 0, "not counted");
+                Check(spent.Physics + spent.Proprioception < spent.Total && spent.Touch == 0 && spent.Vision == 0, "reach has neither");
+                env.ResetTiming();
+                Check(env.Timing.Equals(new Timing()) && silent.Timing.Equals(new Timing()), "counted");
+            }
+        }
+    }
+
+    /// <summary>A pinhole with a field of view of 90 degrees and 480 rows: what is as far to the side as it is away lies at
+    /// the edge, 240 pixels from the middle.</summary>
+    private static void PointsLieWhereAPinholeDrawsThem()
+    {
+        using (var env = Ball())
+        {
+            // Looks along +y: right is +x.
+            var ahead = new PictureOptions { LookAt = new Vector3d(0, 0, 1), Distance = 2, Azimuth = 90, FieldOfView = 90 };
+            var seen = env.Project(ahead, new Vector3d(0, 0, 1), new Vector3d(0.5, 0, 1.25), new Vector3d(0, -3, 1));
+            Action<double, double, double, Vector3d> at = (x, y, depth, pixel) =>
+            {
+                Near(x, pixel.X, 1e-9, "to the right");
+                Near(y, pixel.Y, 1e-9, "down");
+                Near(depth, pixel.Z, 1e-9, "away");
+            };
+            at(320, 240, 2, seen[0]);
+            at(320 + 240 * 0.25, 240 - 240 * 0.125, 2, seen[1]);
+            Check(seen[2].Z < 0, "before the camera");
+            Check(env.Project(ahead).Length == 0, "no points");
+            ahead.Camera = "eye_third";
+            Check(Refused(() => env.Project(ahead, new Vector3d())).Message.Contains("eye_third"), "another message");
+        }
+    }
+
+    private static void ThingsBelongToBodies()
+    {
+        using (var env = Ball())
+        {
+            var ball = env.Find(Kind.Body, "ball");
+            Check(env.BodyOf(Kind.Geom, env.Find(Kind.Geom, "ball")) == ball && env.BodyOf(Kind.Joint, 0) == ball, "of the ball");
+            Check(env.BodyOf(Kind.Body, ball) == 0, "it hangs on the world");
+            Check(Refused(() => env.BodyOf(Kind.Geom, 99)).Message.Contains("99"), "another message");
+        }
+    }
+
+    /// <summary>While a step is under way the collector moves what it may move.</summary>
+    private static void SentStepsAreSteps()
+    {
+        using (Batch plain = ReachBatch(3), sent = ReachBatch(3))
+        {
+            var seeds = new ulong[] { 5, 6, 7 };
+            plain.Reset(seeds);
+            sent.Reset(seeds);
+            Check(Refused(sent.Receive).StatusName == "MIMO_E_INVALID_ARGUMENT", "nothing was sent");
+            for (var step = 0; step < 5; ++step)
+            {
+                var actions = Enumerable.Range(0, 3 * plain.ActionSize).Select(i => (i + step) % 7 / 7f - 0.4f).ToArray();
+                plain.Step(actions);
+                sent.Send((float[])actions.Clone());
+                GC.Collect();
+                Check(Refused(() => sent.Step(actions)).StatusName == "MIMO_E_INVALID_ARGUMENT", "a step within a step");
+                Check(Refused(() => sent.Send(null)).StatusName == "MIMO_E_INVALID_ARGUMENT", "sent twice");
+                sent.Receive();
+                Check(plain.Blocks.SequenceEqual(sent.Blocks) && plain.Rewards.SequenceEqual(sent.Rewards), "differ in step " + step);
+            }
+        }
+    }
+
+    /// <summary>Nobody but the library uses them.</summary>
+    private static void SentActionsStay()
+    {
+        using (var batch = ReachBatch(2))
+        {
+            var actions = SendNew(batch);
+            for (var i = 0; i < 3; ++i)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+            }
+            Check(actions.IsAlive, "the actions were collected");
+            batch.Receive();
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static WeakReference SendNew(Batch batch)
+    {
+        var actions = new float[2 * batch.ActionSize];
+        batch.Send(actions);
+        return new WeakReference(actions);
+    }
+
+    private static void SentStepsFailAsOthers()
+    {
+        using (var batch = ReachBatch(2))
+        {
+            batch.Reset(new ulong[] { 1, 2 });
+            var actions = new float[2 * batch.ActionSize];
+            actions[batch.ActionSize] = float.NaN;
+            batch.Send(actions);
+            Check(Refused(batch.Receive).Message.Contains("world 1"), "which world");
+            Check(batch.World(0).Time > 0 && batch.World(1).Time == 0, "one has gone on");
+            Check(Refused(() => batch.Send(new float[3])).Message.Contains("3"), "three actions");
+            batch.Send(null);
+            batch.Receive();
+            Check(batch.World(1).Time > 0, "time stands still");
+        }
+    }
+
+    /// <summary>Nothing is written into arrays that are gone, whoever forgets the batch.</summary>
+    private static void WhatWasSentEndsWithTheBatch()
+    {
+        var blocks = SendAndForget();
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        var disposed = ReachBatch(2);
+        disposed.Send(null);
+        disposed.Dispose();
+        Check(disposed.Blocks.Any(value => value != 0), "it was waited for");
+        Check(blocks.Length > 0, "no blocks");
+    }
+
+    private static byte[] SendAndForget()
+    {
+        var batch = ReachBatch(2);
+        batch.Send(new float[2 * batch.ActionSize]);
+        return batch.Blocks;
+    }
+
+    /// <summary>Never more threads than worlds.</summary>
+    private static void BatchesKnowTheirSize()
+    {
+        using (Batch many = ReachBatch(5), one = ReachBatch(1))
+            Check(many.Worlds == 5 && many.Threads == 2 && one.Worlds == 1 && one.Threads == 1, "sizes");
+    }
+}

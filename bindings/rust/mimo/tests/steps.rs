@@ -1,0 +1,131 @@
+//! How worlds go on, what rewards consist of, where time goes, and what there is by name.
+use mimo::sys::{MIMO_BODY, MIMO_BODY_POSITION, MIMO_JOINT, MIMO_JOINT_POSITION};
+use mimo::{Batch, BatchConfig, Env, EnvConfig, Kind, Object, Picture, Scene, Timing};
+use std::time::Duration;
+
+/// A ball at a height of 2 m in an empty world.
+fn ball(config: &EnvConfig) -> Env {
+    let mut scene = Scene::empty().unwrap();
+    scene.add_object(Object::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
+    Env::new(&scene, config).unwrap()
+}
+
+/// The paper's tasks take steps of 10 ms, two of 5 ms each (docs/tasks.md).
+#[test]
+fn worlds_know_their_task_and_time_steps() {
+    let env = Env::make("reach").unwrap();
+    let known = (env.task().unwrap(), env.frame_skip().unwrap(), env.timestep().unwrap());
+    assert_eq!(known, ("reach".to_string(), 2, 0.005));
+    let mut config = EnvConfig::new().unwrap();
+    config.frame_skip(3);
+    let mut env = ball(&config);
+    assert_eq!((env.task().unwrap().as_str(), env.frame_skip()), ("none", Ok(3)));
+    env.step_agents(&[], None, &mut []).unwrap();
+    assert!((env.time().unwrap() - 0.015).abs() < 1e-15);
+}
+
+/// Semi-implicit Euler with h = 5 ms: after n steps a ball has fallen by g h^2 n (n + 1) / 2.
+#[test]
+fn bare_physics_steps_are_counted() {
+    let mut env = ball(&EnvConfig::new().unwrap());
+    let joint = env.find(MIMO_JOINT, "ball").unwrap();
+    env.physics_step(7).unwrap();
+    env.physics_step(0).unwrap();
+    let height = env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[2];
+    assert!((height - (2.0 - 9.81 * 0.005 * 0.005 * 28.0)).abs() < 1e-12, "{}", height);
+    assert_eq!(env.physics_step(1_000_001).unwrap_err().kind(), Kind::InvalidArgument);
+}
+
+/// Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms (docs/tasks.md).
+#[test]
+fn rewards_consist_of_terms() {
+    let mut env = Env::make("reach").unwrap();
+    env.reset(Some(3), None).unwrap();
+    assert!(env.reward_terms(0).unwrap().iter().all(|term| term.value == 0.0));
+    let reward = env.step(&[], None).unwrap().reward;
+    let terms = env.reward_terms(0).unwrap();
+    assert_eq!(terms.iter().map(|term| term.name.as_str()).collect::<Vec<_>>(), ["distance", "success"]);
+    assert_eq!(terms.iter().map(|term| term.value).sum::<f64>(), reward);
+    let ids = ["right_fingers", "target"].map(|name| env.find(MIMO_BODY, name).unwrap());
+    let at = env.get(MIMO_BODY_POSITION, &ids).unwrap();
+    let distance = (0..3).map(|i| (at[i] - at[3 + i]).powi(2)).sum::<f64>().sqrt();
+    assert!((terms[0].value + distance).abs() < 1e-12 && distance > 0.1, "{:?} {}", terms, distance);
+    assert!(env.reward_terms(1).unwrap_err().message().contains("agent is 1"));
+}
+
+#[test]
+fn timing_tells_where_time_goes() {
+    let mut scene = Scene::builtin("reach").unwrap();
+    scene.add_agents(None).unwrap();
+    let mut config = EnvConfig::new().unwrap();
+    let mut silent = Env::new(&scene, &config).unwrap();
+    let mut env = Env::new(&scene, config.timing(true)).unwrap();
+    let mut block = env.new_block().unwrap();
+    for _ in 0..3 {
+        env.step(&[], Some(&mut block)).unwrap();
+        silent.step(&[], Some(&mut block)).unwrap();
+    }
+    let spent = env.timing().unwrap();
+    let parts = spent.physics + spent.proprioception;
+    assert!(spent.steps == 3 && Duration::ZERO < spent.physics && parts < spent.total, "{:?}", spent);
+    assert!(spent.proprioception > Duration::ZERO, "{:?}", spent);
+    assert_eq!((spent.touch, spent.vision), (Duration::ZERO, Duration::ZERO)); // reach has neither
+    env.reset_timing().unwrap();
+    assert_eq!((env.timing(), silent.timing()), (Ok(Timing::default()), Ok(Timing::default())));
+}
+
+/// A pinhole with a field of view of 90 degrees and 480 rows: what is as far to the side as it is away lies at the edge,
+/// 240 pixels from the middle.
+#[test]
+fn points_lie_where_a_pinhole_draws_them() {
+    let env = ball(&EnvConfig::new().unwrap());
+    let mut ahead = Picture::new(640, 480).unwrap();
+    ahead.free([0.0, 0.0, 1.0], 2.0, 90.0, 0.0).fovy(90.0); // looks along +y: right is +x
+    let seen = env.project(&ahead, &[[0.0, 0.0, 1.0], [0.5, 0.0, 1.25], [0.0, -3.0, 1.0]]).unwrap();
+    let near = |one: [f64; 3], other: [f64; 3]| (0..3).all(|i| (one[i] - other[i]).abs() < 1e-9);
+    assert!(near(seen[0], [320.0, 240.0, 2.0]), "{:?}", seen);
+    assert!(near(seen[1], [320.0 + 240.0 * 0.25, 240.0 - 240.0 * 0.125, 2.0]), "{:?}", seen);
+    assert!(seen[2][2] < 0.0, "{:?}", seen); // behind the camera
+    assert_eq!(env.project(&ahead, &[]), Ok(vec![]));
+    let third = ahead.camera("eye_third").unwrap();
+    assert_eq!(env.project(third, &[[0.0; 3]]).unwrap_err().kind(), Kind::NotFound);
+}
+
+/// Never more threads than worlds; none asked for is as many as the machine has, at most.
+#[test]
+fn batches_know_their_size() {
+    let mut scene = Scene::empty().unwrap();
+    scene.add_object(&Object::new("ball").unwrap()).unwrap();
+    let size = |worlds, threads| {
+        let mut config = BatchConfig::new(worlds).unwrap();
+        let batch = Batch::new(&scene, &EnvConfig::new().unwrap(), config.threads(threads)).unwrap();
+        (batch.worlds(), batch.threads())
+    };
+    assert_eq!((size(5, 2), size(2, 8)), ((5, 2), (2, 2)));
+    let cores = std::thread::available_parallelism().unwrap().get();
+    assert!((1..=cores.max(1)).contains(&size(3, 0).1));
+}
+
+/// The names are those that worlds take; reach's success is worth 100, as in the paper.
+#[test]
+fn tasks_and_parameters_are_listed() {
+    let tasks = mimo::tasks();
+    for task in ["none", "reach", "standup", "selfbody", "catch"] {
+        assert!(tasks.contains(&task.to_string()), "{:?}", tasks);
+    }
+    let mut scene = Scene::builtin("reach").unwrap();
+    let all = mimo::parameters().unwrap();
+    for one in &all {
+        let (task, _) = one.name.split_once('/').unwrap();
+        assert!(tasks.contains(&task.to_string()), "{}", one.name);
+        assert!(one.low <= one.standard && one.standard <= one.high && !one.description.is_empty());
+        assert_eq!(scene.parameter(&one.name), Ok(one.standard));
+        scene.set_parameter(&one.name, one.low).unwrap();
+        assert_eq!(scene.parameter(&one.name), Ok(one.low));
+        assert!(scene.set_parameter(&one.name, one.low - 1.0).is_err());
+        scene.set_parameter(&one.name, one.high).unwrap();
+        assert!(scene.set_parameter(&one.name, one.high + 1.0).is_err());
+    }
+    let success = all.iter().find(|one| one.name == "reach/success_reward").unwrap();
+    assert_eq!(success.standard, 100.0);
+}

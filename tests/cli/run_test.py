@@ -1,0 +1,100 @@
+"""`mimo run`: an infant's random movements, and pictures of them."""
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, Case, needs_renderer, read_png
+
+
+class Run(Case):
+    PICTURES = ["pictures/%s%s.png" % (when, what) for when in ("", "start_")
+                for what in ("anaglyph", "left", "outside", "right", "touch")]
+
+    @needs_renderer
+    def test_writes_pictures_and_a_report(self):
+        text = self.mimo("run", "--seconds", "0.1", "--vision", "32", "--out", "pictures")
+        self.assertEqual(self.files(), sorted(self.PICTURES))
+        for path in self.PICTURES:
+            self.assertIn(path, text)
+            self.assertEqual(read_png(self.folder / path)[:2], (32, 32) if re.search("left|right|anaglyph", path) else (640, 480))
+        for word in ("vision/eye_left", "proprioception/position", "real time", "physics"):
+            self.assertIn(word, text)
+
+    @needs_renderer
+    def test_each_infant_sees(self):
+        text = self.mimo("run", "--scene", "playdate", "--seconds", "0.1", "--vision", "32", "--touch", "0.3", "--out", "p")
+        eyes = ["p/%s%s_%s.png" % (when, infant, what) for when in ("", "start_") for infant in ("anna", "ben")
+                for what in ("anaglyph", "left", "right")]
+        others = ["p/%s%s.png" % (when, what) for when in ("", "start_") for what in ("outside", "touch")]
+        self.assertEqual(self.files(), sorted(eyes + others))
+        self.assertIn("ben/touch/force", text)
+        anna, ben = ((self.folder / "p" / ("start_%s_left.png" % infant)).read_bytes() for infant in ("anna", "ben"))
+        self.assertNotEqual(anna, ben)
+
+    @needs_renderer
+    def test_anaglyph_is_made_of_both_eyes(self):
+        self.mimo("run", "--seconds", "0.05", "--vision", "16", "--out", "p")
+        left, right, both = (b"".join(read_png(self.folder / "p" / name)[4])
+                             for name in ("left.png", "right.png", "anaglyph.png"))
+        self.assertEqual(both[0::3], left[0::3])
+        self.assertEqual(both[1::3], right[1::3])
+        self.assertEqual(both[2::3], right[2::3])
+
+    @needs_renderer
+    def test_same_seed_same_pictures(self):
+        for out, seed in (("a", 1), ("b", 1), ("c", 2)):
+            self.mimo("run", "--seconds", "0.3", "--vision", "16", "--seed", seed, "--out", out)
+        a, b, c = ((self.folder / out / "left.png").read_bytes() for out in "abc")
+        self.assertEqual(a, b)
+        self.assertNotEqual(a, c)
+
+    def interrupted(self, *arguments, times):
+        """Runs until pictures of the start are there, then sends interrupts."""
+        done = subprocess.Popen([PROGRAM, "run", "--seconds", "1e6", "--vision", "off", "--out", "p", *arguments],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, cwd=self.folder,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        self.addCleanup(done.kill)
+        deadline = time.monotonic() + 60
+        while not (self.folder / "p/start_touch.png").exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        for _ in range(times):
+            time.sleep(0.3)
+            done.send_signal(signal.SIGINT)
+        return done, *done.communicate(timeout=60)
+
+    @needs_renderer
+    def test_an_interrupt_keeps_the_report(self):
+        done, text, errors = self.interrupted(times=1)
+        self.assertEqual((done.returncode, errors), (-signal.SIGINT, ""))
+        self.assertRegex(text, r"\Ainterrupted after [0-9.]+ of 1e\+06 s\n")
+        for word in ("real time", "proprioception/position", "p/touch.png"):
+            self.assertIn(word, text)
+        self.assertIn("p/outside.png", self.files())
+
+    def test_who_ignores_interrupts_goes_on(self):
+        done = subprocess.Popen([PROGRAM, "run", "--seconds", "2", "--vision", "off", "--touch", "off", "--out", "p"],
+                                stdout=subprocess.PIPE, universal_newlines=True, cwd=self.folder,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        done.send_signal(signal.SIGINT)
+        text = done.communicate(timeout=60)[0]
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("2.00 s of scene", text)
+
+    def test_without_eyes(self):
+        text = self.mimo("run", "--seconds", "0.1", "--vision", "off", "--out", "p")
+        self.assertNotIn("vision/", text)
+        self.assertNotIn("p/left.png", self.files())
+
+    def test_room_without_infant(self):
+        self.write("room.xml", '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>')
+        self.assertIn("real time", self.mimo("run", "--scene", "room.xml", "--seconds", "0.1", "--out", "p"))
+
+    def test_folder_that_cannot_be_made(self):
+        self.write("file", "")
+        self.mimo("run", "--seconds", "0.1", "--vision", "off", "--out", "file/p", code=1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

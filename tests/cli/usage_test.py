@@ -1,0 +1,91 @@
+"""`mimo` without a command, with a wrong one, and its manual page."""
+import os
+import re
+import subprocess
+import unittest
+
+from program import PROGRAM, SOURCES, Case
+
+
+class Usage(Case):
+    def test_help(self):
+        self.assertIn("rollout", self.mimo("--help"))
+        for command in ("run", "bench", "info", "render", "rollout"):
+            text = self.mimo(command, "--help")
+            self.assertIn("Example", text)
+            self.assertIn("mimo " + command, text)
+        self.assertEqual(self.files(), [])
+
+    def test_version(self):
+        self.assertRegex(self.mimo("--version"), r"^mimo \d+\.\d+\.\d+ \(MuJoCo \d+\.\d+\.\d+\)\n$")
+
+    def test_wrong_usage(self):
+        for arguments in ([], ["walk"], ["run", "--fast"], ["run", "--seconds", "-1"], ["run", "--seconds", "soon"],
+                          ["run", "--seconds", "nan"], ["run", "--seconds", "inf"], ["run", "--seconds", "-inf"],
+                          ["render", "--out", "a.png", "--distance", "nan"], ["render", "--out", "a.png", "--azimuth", "nan"],
+                          ["render", "--out", "a.png", "--elevation", "inf"],
+                          ["render", "--out", "a.png", "--look-at", "0", "nan", "0"],
+                          ["render", "--out", "a.jpg"], ["render", "--out", ".png"], ["render", "--out", "a"],
+                          ["render", "--out", "a.png", "--depth", "a.jpg"], ["render", "--out", "a.png", "--segmentation", "a"],
+                          ["run", "--vision", "0"], ["run", "--vision", "5000"], ["run", "--vision", "on"],
+                          ["run", "--touch", "0"], ["run", "--touch", "-1"], ["run", "--touch", "many"],
+                          ["run", "--touch", "nan"], ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
+                          ["bench", "--steps", "0"], ["bench", "--worlds", "0"], ["bench", "--threads", "0"],
+                          ["render"], ["render", "--out", "a.png", "--width", "0"],
+                          ["render", "--out", "a.png", "--camera", "eye_left", "--distance", "1"],
+                          ["rollout", "--out", "a.json"], ["rollout", "--controls", "a.csv"],
+                          ["rollout", "--controls", "a.csv", "--out", "a.json", "--jacobian", "thin"],
+                          ["rollout", "--controls", "a.csv", "--out", "a.json", "--every", "0"]):
+            with self.subTest(arguments=arguments):
+                self.assertIn("--help", self.mimo(*arguments, code=2))
+        self.assertEqual(self.files(), [])
+
+    def test_unknown_things_are_named(self):
+        commands = (["info"], ["run"], ["bench", "--vision", "off"], ["render", "--out", "a.png"])
+        for command in commands:
+            self.assertIn("moon", self.mimo(*command, "--scene", "moon", code=1))
+            self.assertIn("moon.xml", self.mimo(*command, "--scene", "moon.xml", code=1))
+            self.assertIn("octopus", self.mimo(*command, "--body", "octopus", code=1))
+        self.assertEqual(self.files(), [])
+
+    def test_places_that_cannot_be_written_are_found_before_any_work(self):
+        # What would take work is missing or too long: the complaint is still about the place.
+        for command in (["render", "--scene", "moon", "--out"], ["render", "--scene", "moon", "--out", "a.png", "--depth"],
+                        ["bench", "--paper", "--csv"]):
+            self.assertIn("no folder", self.mimo(*command, "no/a.png", code=1))
+        controls = self.write("controls.csv", "act:hip_bend\n" + "0\n" * 1000000)
+        self.assertIn("no folder", self.mimo("rollout", "--controls", controls, "--out", "no/a.json", code=1))
+        (self.folder / "folder.png").mkdir()
+        self.assertIn("is a folder", self.mimo("render", "--out", "folder.png", code=1))
+
+    def test_the_manual_page_is_whole(self):
+        page = (SOURCES / "src/cli/mimo.1").read_text()
+        synopsis, explained = page[page.index(".Sh SYNOPSIS"):page.index(".Sh DESCRIPTION")], page[page.index(".Ss Options"):]
+        explained = set(re.findall(r"\.It .*", explained))
+        explained = {option for line in explained for option in re.findall(r"Fl -([a-z-]+)", line)}
+        used = set()
+        for command in ("run", "bench", "info", "render", "rollout"):
+            part = re.search(r"\n\.Cm %s\n(.*?)(\n\.Nm|\Z)" % command, synopsis, re.S).group(1)
+            help_text = self.mimo(command, "--help")
+            options = set(re.findall(r"^ +(?:-h,)?--([a-z-]+)", help_text, re.M)) - {"help"}
+            self.assertGreater(len(options), 5)
+            self.assertEqual(set(re.findall(r"Fl -([a-z-]+)", part)), options, "synopsis of " + command)
+            required = set(re.findall(r"^ +--([a-z-]+) .*\(required\)", help_text, re.M))
+            self.assertEqual(set(re.findall(r"^\.Fl -([a-z-]+)", part, re.M)), required, "required by " + command)
+            self.assertIn("\n.It Cm %s\n" % command, page)
+            used |= options
+        self.assertEqual(explained, used)
+        for scene in re.search(r"Built-in scene \(([^)]*)", re.sub(r"\s+", " ", self.mimo("run", "--help"))).group(1).split(", "):
+            self.assertIn(scene, page)
+
+    def test_full_disk(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([PROGRAM, "info", "--vision", "off"], stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"cannot write", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
