@@ -13,7 +13,8 @@ function world = mimo_create(scene, varargin)
 %                  3: of the lowest point); limits (struct array with path, gain, noise, delay, blur: mimo_limits)
 %     no infant    root (with body "scene": a body of the MJCF file, with all below it; "world": everything), vestibular_at (the
 %                  site or body whose motion the vestibular sense feels)
-%     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable
+%     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable,
+%                  step_contacts (1: mimo_get has what touched what in a step)
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
 %     the room     objects and cameras: struct arrays with the members of mimo_object_config and mimo_camera_config;
 %                  a camera with look_at is a new one
