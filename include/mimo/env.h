@@ -127,7 +127,8 @@ MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t ac
 
 /**
  * The observation of the current state, without changing the trajectory. All its fields belong to the current
- * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START.
+ * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next
+ * step mimo_env_get gives values of the current state, too.
  */
 MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
 

@@ -173,6 +173,7 @@ void Overrides::set_masses(mjModel& model, Span<const std::int32_t> bodies, Span
 
 void Overrides::resize(mjModel& model, int geom, const double* size) {
   const int type = model.geom_type[geom];
+  if (size_count(type) == 0) return;
   double* own_size = own(model, &mjModel::geom_size, 3 * model.ngeom) + 3 * geom;
   std::copy_n(size, size_count(type), own_size);
   own(model, &mjModel::geom_rbound, model.ngeom)[geom] = bound(type, own_size);

@@ -31,7 +31,7 @@ class Overrides {
   // derives from both follows, but for the statistic of mean inertia. Throws Status::kInvalidArgument, with nothing
   // changed, for masses with which it cannot calculate.
   void set_masses(mjModel& model, Span<const std::int32_t> bodies, Span<const double> masses);
-  // Size of a geom that has_size, and the sphere around it. Its body's mass stays.
+  // Size of a geom that has a size_count, and the sphere around it; others stay. So does its body's mass.
   void resize(mjModel& model, int geom, const double* size);
   void damp(mjModel& model, int joint, double damping);
   // Takes a hinge's spring away and sets its damper. Frees a motor from its limits. Neither is part of a state: a world

@@ -149,6 +149,13 @@ void check_batch() {
   batch.load(states);
   batch.step(actions, again);
   CHECK(std::memcmp(blocks.data(), again.data(), blocks.bytes()) == 0);
+  const std::int32_t head = single.find(MIMO_BODY, "head");
+  batch.set_values(MIMO_BODY_MASS, {head}, {1, 2, 3});
+  CHECK(batch.get_values(MIMO_BODY_MASS, {head}) == (std::vector<double>{1, 2, 3}));
+  CHECK(batch.get_floats(MIMO_BODY_MASS, {head}) == (std::vector<float>{1, 2, 3}));
+  CHECK(batch.get_values(MIMO_WORLD_GRAVITY).size() == 9);
+  CHECK(single.get_floats(MIMO_BODY_MASS).size() == single.count(MIMO_BODY));
+  CHECK(single.warning_count(1) == 0);
   batch.set_face("fear");
   CHECK(batch.env(2).face() == "fear");
 }

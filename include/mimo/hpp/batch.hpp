@@ -75,6 +75,13 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     return values_of(quantity, detail::some(ids), ids.size());
   }
   std::vector<double> get_values(std::int32_t quantity) { return values_of(quantity, nullptr, 0); }
+  /// The same in single precision.
+  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
+    std::vector<float> values(width(quantity, detail::some(ids), ids.size()) * size());
+    check(mimo_batch_get_float(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(),
+                               values.size()));
+    return values;
+  }
   void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
     check(mimo_batch_set(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(), values.size()));
   }
@@ -89,10 +96,13 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
 
  private:
-  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
+  std::size_t width(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
     std::size_t width = 0;
     check(mimo_env_width(world(0), quantity, ids, count, &width));
-    std::vector<double> values(width * size());
+    return width;
+  }
+  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
+    std::vector<double> values(width(quantity, ids, count) * size());
     check(mimo_batch_get(get(), quantity, ids, count, nullptr, 0, values.data(), values.size()));
     return values;
   }
