@@ -134,6 +134,8 @@ TEST(Size, Refusals) {
   expect_error(Status::kInvalidArgument, "(\"floor\") is a plane", [&] {
     set(world, Quantity::kGeomSize, {floor}, {1, 1, 1});
   });
+  set(world, Quantity::kGeomSize, {floor}, get(world, Quantity::kGeomSize, {floor}));  // what is there already
+  EXPECT_EQ(world.model().geom_rbound[floor], 0) << "still endless for collisions";
 }
 
 // ---- Friction and damping -------------------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 // What differs from world to world is seen in the pictures of that world only, with both renderers.
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <algorithm>
+#include <cmath>
 
 #include "base/status.h"
 #include "render/renderer.h"
