@@ -123,7 +123,8 @@ test_octave() {
   build_mex
   echo "Tests of the MEX gateway"
   octave_with_mimo --eval tests
-  octave_with_mimo examples/matlab/episode.m
+  local example
+  for example in examples/matlab/*.m; do octave_with_mimo "$example"; done
   follow matlab
 }
 

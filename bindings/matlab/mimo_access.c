@@ -171,27 +171,62 @@ static void set_one(worlds* all, int32_t quantity, int32_t id, double* values, s
   set_selected(&chosen, values, width);
 }
 
+static int32_t read_kind(const mxArray* kind) {
+  static const char* kinds[] = {"body",     "joint",  "geom",  "site",    "camera",
+                                "actuator", "sensor", "light", "contact", "step_contact",
+                                "agent",    "face",   "world", "warning"}; /* MIMO_BODY is 1 */
+  const int32_t most = sizeof kinds / sizeof *kinds;
+  const char* asked = mimo_text(kind, "kind");
+  int32_t i = 0;
+  while (i < most && strcmp(kinds[i], asked) != 0) ++i;
+  if (i == most) mimo_refuse("kind is \"%s\", expected body, joint, geom, ...; see help mimo_names", asked);
+  return i + 1;
+}
+
+static mxArray* name_of(worlds* all, int32_t kind, int32_t id) {
+  const char* name = NULL;
+  mimo_check(mimo_env_name(all->first, kind, id, &name));
+  return mxCreateString(name);
+}
+
 /* names = names(number, kind): a cell array; "" where the model gives none */
 static void names(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  static const char* kinds[] = {"body",    "joint",        "geom",  "site", "camera", "actuator", "sensor", "light",
-                                "contact", "step_contact", "agent", "face", "world",  "warning"}; /* MIMO_BODY is 1 */
-  const int32_t most = sizeof kinds / sizeof *kinds;
   worlds* all;
-  const char* asked;
   size_t count = 0, i;
-  int32_t kind = 0;
+  int32_t kind;
   (void)nout;
   mimo_need(nin == 2, "expected a world and a kind");
   all = mimo_worlds_of(in[0]);
-  asked = mimo_text(in[1], "kind");
-  while (kind < most && strcmp(kinds[kind], asked) != 0) ++kind;
-  if (kind == most) mimo_refuse("kind is \"%s\", expected body, joint, geom, ...; see help mimo_names", asked);
-  mimo_check(mimo_env_count(all->first, ++kind, &count));
+  kind = read_kind(in[1]);
+  mimo_check(mimo_env_count(all->first, kind, &count));
   out[0] = mxCreateCellMatrix(count, 1);
-  for (i = 0; i < count; ++i) {
-    const char* name = NULL;
-    mimo_check(mimo_env_name(all->first, kind, (int32_t)i, &name));
-    mxSetCell(out[0], i, mxCreateString(name));
+  for (i = 0; i < count; ++i) mxSetCell(out[0], i, name_of(all, kind, (int32_t)i));
+}
+
+/* body = body_of(number, kind, name) */
+static void body_of(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  int32_t kind, body = 0;
+  (void)nout;
+  mimo_need(nin == 3, "expected a world, a kind and a name");
+  all = mimo_worlds_of(in[0]);
+  kind = read_kind(in[1]);
+  mimo_check(mimo_env_body_of(all->first, kind, find(all, kind, in[2]), &body));
+  out[0] = name_of(all, MIMO_BODY, body);
+}
+
+/* update(number): poses follow the joints, in all worlds */
+static void update(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  size_t i;
+  (void)nout;
+  (void)out;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_worlds_of(in[0]);
+  for (i = 0; i < all->count; ++i) {
+    mimo_env* env = NULL;
+    mimo_check(mimo_batch_world(all->batch, i, &env));
+    mimo_check(mimo_env_update(env));
   }
 }
 
@@ -249,43 +284,74 @@ static void face(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = mxCreateString(name);
 }
 
-static void add_numbers(mxArray* to, const char* name, const double* values, size_t count) {
-  mxArray* column = mxCreateDoubleMatrix(count, 1, mxREAL);
-  memcpy(mxGetPr(column), values, count * sizeof *values);
-  mxSetFieldByNumber(to, 0, mxAddField(to, name), column);
-}
-
-/* struct = gaze(number, index) */
+/* struct = gaze(number, index, agent) */
 static void gaze(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
   mimo_gaze now;
   (void)nout;
-  mimo_need(nin == 1 || nin == 2, "expected a world, and its index");
+  mimo_need(nin >= 1 && nin <= 3, "expected a world, its index, and an agent");
+  all = mimo_worlds_of(in[0]);
   memset(&now, 0, sizeof now);
   now.struct_size = sizeof now;
-  mimo_check(mimo_env_gaze(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 1), 0, &now));
+  mimo_check(mimo_env_gaze(mimo_world_at(all, nin, in, 1), mimo_agent_at(all, nin, in, 2), &now));
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  add_numbers(out[0], "left_position", now.left_position, 3);
-  add_numbers(out[0], "left_direction", now.left_direction, 3);
-  add_numbers(out[0], "right_position", now.right_position, 3);
-  add_numbers(out[0], "right_direction", now.right_direction, 3);
-  add_numbers(out[0], "vergence", &now.vergence, 1);
-  add_numbers(out[0], "point", now.point, now.meets ? 3 : 0);
-  add_numbers(out[0], "miss", &now.miss, 1);
+  mimo_add_numbers(out[0], "left_position", now.left_position, 3, 1);
+  mimo_add_numbers(out[0], "left_direction", now.left_direction, 3, 1);
+  mimo_add_numbers(out[0], "right_position", now.right_position, 3, 1);
+  mimo_add_numbers(out[0], "right_direction", now.right_direction, 3, 1);
+  mimo_add_numbers(out[0], "vergence", &now.vergence, 1, 1);
+  mimo_add_numbers(out[0], "point", now.point, now.meets ? 3 : 0, 1);
+  mimo_add_numbers(out[0], "miss", &now.miss, 1, 1);
 }
 
-/* errors = look_at(number, point, 'eyes' or 'head', index) */
-static void look_at(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+/* Whose eyes are to look, at what, and how: (number, point, 'eyes' or 'head', index, agent). */
+typedef struct look {
+  mimo_env* env;
+  size_t agent;
+  const double* point;
+  int32_t how;
+} look;
+
+static look read_look(int nin, const mxArray* in[]) {
+  worlds* all;
   const char* how;
-  int head;
-  (void)nout;
+  look wanted;
   mimo_need(nin >= 3 && mxIsDouble(in[1]) && mxGetNumberOfElements(in[1]) == 3,
             "expected a world, a point of three numbers, and 'eyes' or 'head'");
+  all = mimo_worlds_of(in[0]);
   how = mimo_text(in[2], "how");
-  head = strcmp(how, "head") == 0;
-  mimo_need(head || strcmp(how, "eyes") == 0, "what turns is 'eyes' or 'head'");
+  wanted.how = strcmp(how, "head") == 0 ? MIMO_LOOK_HEAD : MIMO_LOOK_EYES;
+  mimo_need(wanted.how == MIMO_LOOK_HEAD || strcmp(how, "eyes") == 0, "what turns is 'eyes' or 'head'");
+  wanted.env = mimo_world_at(all, nin, in, 3);
+  wanted.agent = mimo_agent_at(all, nin, in, 4);
+  wanted.point = mxGetPr(in[1]);
+  return wanted;
+}
+
+/* errors = look_at(number, point, how, index, agent) */
+static void look_at(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const look wanted = read_look(nin, in);
+  (void)nout;
   out[0] = mxCreateDoubleMatrix(2, 1, mxREAL);
-  mimo_check(mimo_env_look_at(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 3), 0, mxGetPr(in[1]),
-                              head ? MIMO_LOOK_HEAD : MIMO_LOOK_EYES, mxGetPr(out[0])));
+  mimo_check(mimo_env_look_at(wanted.env, wanted.agent, wanted.point, wanted.how, mxGetPr(out[0])));
+}
+
+/* [joints, angles, errors] = look_angles(number, point, how, index, agent) */
+static void look_angles(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const look wanted = read_look(nin, in);
+  worlds* all = mimo_worlds_of(in[0]);
+  mxArray *angles, *errors = mxCreateDoubleMatrix(2, 1, mxREAL);
+  size_t count = 0, i;
+  int32_t* joints;
+  mimo_check(mimo_env_look_angles(wanted.env, wanted.agent, wanted.point, wanted.how, NULL, NULL, 0, &count, NULL));
+  joints = mxCalloc(count + 1, sizeof *joints);
+  angles = mxCreateDoubleMatrix(count, 1, mxREAL);
+  mimo_check(mimo_env_look_angles(wanted.env, wanted.agent, wanted.point, wanted.how, joints, mxGetPr(angles), count,
+                                  &count, mxGetPr(errors)));
+  out[0] = mxCreateCellMatrix(count, 1);
+  for (i = 0; i < count; ++i) mxSetCell(out[0], i, name_of(all, MIMO_JOINT, joints[i]));
+  if (nout > 1) out[1] = angles;
+  if (nout > 2) out[2] = errors;
 }
 
 /* lock(number, joint, angle or []): in all worlds; [] lets it go */
@@ -368,7 +434,26 @@ static void picture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
             rgb[(row * shape[1] + column) * 3 + color];
 }
 
-const mimo_command mimo_access_commands[] = {
-    {"get", get},       {"set", set},         {"names", names},     {"time", seconds},    {"save", save},
-    {"load", load},     {"face", face},       {"gaze", gaze},       {"look_at", look_at}, {"lock", lock},
-    {"locked", locked}, {"gravity", gravity}, {"picture", picture}, {NULL, NULL}};
+/* pixels = project(number, points, height, width, camera or '', index): of 3 x n points, 3 x n */
+static void project(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_picture_config config;
+  const char* camera;
+  (void)nout;
+  mimo_need(nin >= 5 && mxIsDouble(in[1]) && !mxIsComplex(in[1]) && mxGetM(in[1]) == 3,
+            "expected a world, points (three rows), height, width, and a camera or ''");
+  mimo_check(mimo_picture_config_init(&config, sizeof config));
+  config.height = read_size(in[2], "height");
+  config.width = read_size(in[3], "width");
+  camera = mimo_text(in[4], "camera");
+  if (camera[0] != '\0') config.camera = camera;
+  out[0] = mxCreateDoubleMatrix(3, mxGetN(in[1]), mxREAL);
+  mimo_check(mimo_env_project(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 5), &config, mxGetPr(in[1]), mxGetN(in[1]),
+                              mxGetPr(out[0])));
+}
+
+const mimo_command mimo_access_commands[] = {{"get", get},         {"set", set},         {"names", names},
+                                             {"body_of", body_of}, {"update", update},   {"time", seconds},
+                                             {"save", save},       {"load", load},       {"face", face},
+                                             {"gaze", gaze},       {"look_at", look_at}, {"look_angles", look_angles},
+                                             {"lock", lock},       {"locked", locked},   {"gravity", gravity},
+                                             {"picture", picture}, {"project", project}, {NULL, NULL}};

@@ -1,8 +1,8 @@
 /*
- * Errors, arguments, and the table of worlds.
+ * Errors, arguments, and the tables of scenes and worlds.
  *
- * Worlds are numbered; a number is what MATLAB holds. They live in a table of this file, which is locked in memory
- * while there are any, so that "clear all" does not lose them.
+ * Both are numbered; a number is what MATLAB holds. They live in tables of this file, which is locked in memory while
+ * there are any, so that "clear all" does not lose them. Scenes have the numbers after those of worlds.
  */
 #include "mimo_base.h"
 
@@ -15,7 +15,8 @@
 
 enum { kTable = 256, kMessage = 1024 };
 static worlds table[kTable];
-static size_t living;
+static mimo_scene* scenes[kTable];
+static size_t living; /* in both */
 static mimo_scene* making;
 
 void mimo_making(mimo_scene* scene) {
@@ -62,13 +63,22 @@ static void count_from_one(const char* from, char* to, size_t capacity) {
   to[used] = '\0';
 }
 
+const char* mimo_counted(const char* message) {
+  static char counted[kMessage];
+  count_from_one(message, counted, sizeof counted);
+  return counted;
+}
+
+const char* mimo_status_word(mimo_status status) {
+  return mimo_status_name(status) + strlen(status == MIMO_OK ? "MIMO_" : "MIMO_E_");
+}
+
 void mimo_check(mimo_status status) {
-  char id[64] = "mimo:", message[kMessage];
+  char id[64] = "mimo:";
   if (status == MIMO_OK) return;
   mimo_making(NULL);
-  strncat(id, mimo_status_name(status) + strlen("MIMO_E_"), sizeof id - strlen(id) - 1);
-  count_from_one(mimo_last_error(), message, sizeof message);
-  mexErrMsgIdAndTxt(id, "%s", message);
+  strncat(id, mimo_status_word(status), sizeof id - strlen(id) - 1);
+  mexErrMsgIdAndTxt(id, "%s", mimo_counted(mimo_last_error()));
 }
 
 void mimo_refuse(const char* format, ...) {
@@ -96,27 +106,82 @@ double mimo_number(const mxArray* number, const char* what) {
   return mxGetScalar(number);
 }
 
-worlds* mimo_worlds_of(const mxArray* number) {
+/* Where it stands in its table, or -1: a table's numbers follow the first. */
+static int place_of(double number, int first) {
+  return number >= first && number < first + kTable && number == floor(number) ? (int)number - first : -1;
+}
+
+static worlds* find_worlds(double number) {
+  const int place = place_of(number, 1);
+  return place >= 0 && table[place].batch != NULL ? &table[place] : NULL;
+}
+
+static mimo_scene** find_scene(double number) {
+  const int place = place_of(number, kTable + 1);
+  return place >= 0 && scenes[place] != NULL ? &scenes[place] : NULL;
+}
+
+static void refuse_handle(const char* expected, double number) {
+  const char* what = find_worlds(number) != NULL ? "a world" : find_scene(number) != NULL ? "a scene" : NULL;
+  if (what != NULL) mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "%g is %s, expected a %s", number, what, expected);
+  mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "there is no %s %g; it was closed, or never made", expected, number);
+}
+
+worlds* mimo_any_worlds_of(const mxArray* number) {
   const double value = mimo_number(number, "world");
-  if (!(value >= 1 && value <= kTable) || value != floor(value) || table[(int)value - 1].batch == NULL)
-    mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "there is no world %g; it was closed, or never made", value);
-  return &table[(int)value - 1];
+  worlds* all = find_worlds(value);
+  if (all == NULL) refuse_handle("world", value);
+  return all;
+}
+
+worlds* mimo_worlds_of(const mxArray* number) {
+  worlds* all = mimo_any_worlds_of(number);
+  mimo_need(!all->sent, "a step was sent; mimo_receive waits for it");
+  return all;
+}
+
+mimo_scene* mimo_scene_of(const mxArray* number) {
+  const double value = mimo_number(number, "scene");
+  mimo_scene** scene = find_scene(value);
+  if (scene == NULL) refuse_handle("scene", value);
+  return *scene;
+}
+
+static size_t index_at(size_t count, const char* what, int nin, const mxArray* in[], int at) {
+  double index = 1;
+  if (nin > at) index = mimo_number(in[at], what);
+  if (!(index >= 1 && index <= (double)count) || index != floor(index))
+    mimo_refuse("%s is %g, expected a whole number from 1 to %d", what, index, (int)count);
+  return (size_t)index - 1;
 }
 
 mimo_env* mimo_world_at(worlds* all, int nin, const mxArray* in[], int at) {
   mimo_env* env = NULL;
-  double index = 1;
-  if (nin > at) index = mimo_number(in[at], "index of a world");
-  if (!(index >= 1 && index <= (double)all->count) || index != floor(index))
-    mimo_refuse("index is %g, expected a whole number from 1 to %d", index, (int)all->count);
-  mimo_check(mimo_batch_world(all->batch, (size_t)index - 1, &env));
+  mimo_check(mimo_batch_world(all->batch, index_at(all->count, "index", nin, in, at), &env));
   return env;
+}
+
+size_t mimo_agent_at(const worlds* all, int nin, const mxArray* in[], int at) {
+  return index_at(all->agents, "agent", nin, in, at);
+}
+
+void mimo_add_text(mxArray* to, const char* name, const char* text) {
+  mxSetFieldByNumber(to, 0, mxAddField(to, name), mxCreateString(text));
+}
+
+void mimo_add_numbers(mxArray* to, const char* name, const double* values, size_t rows, size_t columns) {
+  mxArray* array = mxCreateDoubleMatrix(rows, columns, mxREAL);
+  memcpy(mxGetPr(array), values, rows * columns * sizeof *values);
+  mxSetFieldByNumber(to, 0, mxAddField(to, name), array);
 }
 
 static void free_worlds(worlds* all) {
   mimo_batch_destroy(all->batch);
   free(all->blocks);
   free(all->actions);
+  free(all->reward);
+  free(all->terminated);
+  free(all->truncated);
   memset(all, 0, sizeof *all);
 }
 
@@ -137,7 +202,13 @@ static mimo_status prepare(worlds* all) {
   if (status != MIMO_OK) return status;
   all->blocks = calloc(all->count, all->bytes + 1);
   all->actions = calloc(all->count, (all->action_count + 1) * sizeof *all->actions);
-  return all->blocks != NULL && all->actions != NULL ? MIMO_OK : MIMO_E_OUT_OF_MEMORY;
+  all->reward = calloc(all->count, (all->agents + 1) * sizeof *all->reward);
+  all->terminated = calloc(all->count, all->agents + 1);
+  all->truncated = calloc(all->count, all->agents + 1);
+  return all->blocks != NULL && all->actions != NULL && all->reward != NULL && all->terminated != NULL &&
+                 all->truncated != NULL
+             ? MIMO_OK
+             : MIMO_E_OUT_OF_MEMORY;
 }
 
 double mimo_keep_worlds(worlds* all) {
@@ -148,13 +219,33 @@ double mimo_keep_worlds(worlds* all) {
   return (double)(all - table + 1);
 }
 
-void mimo_close_worlds(worlds* all) {
-  free_worlds(all);
+double mimo_keep_scene(mimo_scene* scene) {
+  size_t i;
+  for (i = 0; i < kTable && scenes[i] != NULL; ++i) continue;
+  mimo_need(i < kTable, "there are 256 scenes already; close some");
+  scenes[i] = scene;
+  making = NULL;
+  if (living++ == 0) mexLock();
+  return (double)(kTable + 1 + i);
+}
+
+void mimo_close_number(const mxArray* number) {
+  mimo_scene** scene = find_scene(mimo_number(number, "world"));
+  if (scene != NULL) {
+    mimo_scene_destroy(*scene);
+    *scene = NULL;
+  } else {
+    free_worlds(mimo_any_worlds_of(number));
+  }
   if (--living == 0) mexUnlock();
 }
 
 void mimo_close_all(void) {
   size_t i;
-  for (i = 0; i < kTable; ++i) free_worlds(&table[i]);
+  for (i = 0; i < kTable; ++i) {
+    free_worlds(&table[i]);
+    mimo_scene_destroy(scenes[i]);
+    scenes[i] = NULL;
+  }
   mimo_making(NULL);
 }

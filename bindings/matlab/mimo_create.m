@@ -1,8 +1,10 @@
 function world = mimo_create(scene, varargin)
 % MIMO_CREATE  A simulated world, or many of them that are stepped together.
 %   world = mimo_create('reach') gives a number for the other functions. It stays good after "clear"; close it by
-%   mimo_close. Scenes: "benchmark", "reach", "standup", "selfbody", "free", or the path of an MJCF file, "room.xml".
+%   mimo_close. Scenes: those of mimo_names('scene'), or the path of an MJCF file, "room.xml".
 %   Errors have identifiers: mimo:NOT_FOUND, mimo:INVALID_ARGUMENT, mimo:BAD_HANDLE, ...
+%   world = mimo_create(scene, ...) takes a scene that mimo_scene made as well: then only the options of physics, pictures and
+%   many worlds, for all else is in it.
 %
 %   world = mimo_create('reach', name, value, ...) changes what the scene gives by itself. Options have the names and values
 %   of mimo.h's structs, where all are explained:
@@ -14,12 +16,15 @@ function world = mimo_create(scene, varargin)
 %     no infant    root (with body "scene": a body of the MJCF file, with all below it; "world": everything), vestibular_at (the
 %                  site or body whose motion the vestibular sense feels)
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable,
-%                  step_contacts (1: mimo_get has what touched what in a step)
+%                  step_contacts (1: mimo_get has what touched what in a step),
+%                  timing (1: mimo_timing counts)
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
-%     the room     objects and cameras: struct arrays with the members of mimo_object_config and mimo_camera_config;
-%                  a camera with look_at is a new one
-%     the file     confined (1: what it names must lie in its folder), max_pixels, max_vertices, max_elements, max_keyframes,
-%                  max_iterations, max_file_bytes, max_world_bytes: how much it may ask for
+%     the room     objects, models and cameras: struct arrays with the members of mimo_object_config, mimo_model_config and
+%                  mimo_camera_config; a camera with look_at is a new one
+%     the file     confined (1: what it names must lie in its folder), model_dir (a folder to take built-in models from),
+%                  max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_file_bytes, max_world_bytes:
+%                  how much it may ask for
 %     many worlds  worlds, threads, autoreset (0, 1 or 2), restart_failed. They are the last dimension of all arrays.
-world = mimo_mex('create', char(scene), varargin{:});
+if ~isnumeric(scene), scene = char(scene); end
+world = mimo_mex('create', scene, varargin{:});
 end

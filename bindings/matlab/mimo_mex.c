@@ -6,11 +6,17 @@
 
 #include "mimo_access.h"
 #include "mimo_base.h"
+#include "mimo_report.h"
+#include "mimo_scenes.h"
 #include "mimo_worlds.h"
 
-static const mimo_command* find(const mimo_command* commands, const char* name) {
-  for (; commands->name != NULL; ++commands)
-    if (strcmp(name, commands->name) == 0) return commands;
+static const mimo_command* find(const char* name) {
+  const mimo_command* parts[] = {mimo_world_commands, mimo_access_commands, mimo_scene_commands, mimo_report_commands};
+  const mimo_command* command;
+  size_t i;
+  for (i = 0; i < sizeof parts / sizeof *parts; ++i)
+    for (command = parts[i]; command->name != NULL; ++command)
+      if (strcmp(name, command->name) == 0) return command;
   return NULL;
 }
 
@@ -20,8 +26,7 @@ void mexFunction(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mexAtExit(mimo_close_all);
   mimo_need(nin > 0 && mxIsChar(in[0]), "expected a command");
   mxGetString(in[0], name, sizeof name);
-  command = find(mimo_world_commands, name);
-  if (command == NULL) command = find(mimo_access_commands, name);
+  command = find(name);
   if (command == NULL) mimo_refuse("no command %s", name);
   command->run(nout, out, nin - 1, in + 1);
 }

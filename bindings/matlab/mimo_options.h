@@ -1,10 +1,42 @@
-/* mimo_create's options. */
+/* Names with values, and the members of mimo.h's structs that they set. */
 #ifndef MIMO_MATLAB_OPTIONS_H
 #define MIMO_MATLAB_OPTIONS_H
 
 #include "mimo_base.h"
 
-/* create(scene, name, value, ...): the batch that the options ask for. */
-mimo_batch* mimo_create_batch(int nin, const mxArray* in[]);
+/* What was given by name: the end of a call, create('free', 'touch', 0), or an element of a struct array. */
+typedef struct properties {
+  size_t count;
+  const char** names;
+  const mxArray** values;
+} properties;
+
+properties mimo_pairs(int count, const mxArray* in[]);
+/* Empty members count as left out. */
+properties mimo_members(const mxArray* things, size_t index);
+
+/* Takes one out of them: its value, or NULL; or raises an error if it is not there or something else. */
+int mimo_has(const properties* given, const char* name);
+const mxArray* mimo_take(properties* given, const char* name);
+const char* mimo_take_text(properties* given, const char* name);
+double mimo_take_number(properties* given, const char* name);
+
+/* An array of just so many numbers. */
+void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value);
+
+/* The members of a struct. A list of them ends with a name that is NULL. */
+typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText } kind;
+typedef struct option {
+  const char* name;
+  kind kind;
+  size_t offset;
+} option;
+
+extern const option mimo_scene_options[], mimo_agent_options[], mimo_env_options[], mimo_batch_options[],
+    mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_limit_options[], mimo_no_options[];
+
+/* Takes out what the list has and sets it; the second raises an error if anything is left: "no option X of a lock". */
+void mimo_set_known(void* config, const option* options, properties* given);
+void mimo_set_all(void* config, const option* options, properties* given, const char* of);
 
 #endif

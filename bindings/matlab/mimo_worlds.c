@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mimo_options.h"
+#include "mimo_scenes.h"
 
 /* number = create(scene, name, value, ...) */
 static void create(int nout, mxArray* out[], int nin, const mxArray* in[]) {
@@ -14,12 +14,12 @@ static void create(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = mxCreateDoubleScalar(mimo_keep_worlds(all));
 }
 
-/* close(number) */
-static void close_worlds(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+/* close(number): of worlds, or of a scene */
+static void close_number(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   (void)out;
-  mimo_need(nin == 1, "expected a world");
-  mimo_close_worlds(mimo_worlds_of(in[0]));
+  mimo_need(nin == 1, "expected a world or a scene");
+  mimo_close_number(in[0]);
 }
 
 /* One seed for each world; a single one means it and those that follow it. */
@@ -102,6 +102,47 @@ static void step(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = reward;
   if (nout > 1) out[1] = terminated;
   if (nout > 2) out[2] = truncated;
+}
+
+/* send(number, actions): a step that goes on while MATLAB does something else */
+static void send(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  size_t count;
+  mimo_batch_results results;
+  (void)nout;
+  (void)out;
+  mimo_need(nin == 2, "expected a world and its actions");
+  all = mimo_worlds_of(in[0]);
+  count = read_actions(all, in[1]);
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.reward = all->reward;
+  results.terminated = all->terminated;
+  results.truncated = all->truncated;
+  results.agents = all->count * all->agents;
+  mimo_check(mimo_batch_send(all->batch, count > 0 ? all->actions : NULL, count, all->blocks, all->count * all->bytes,
+                             all->agents > 0 ? &results : NULL));
+  all->sent = 1;
+}
+
+static mxArray* flags(const worlds* all, const uint8_t* from) {
+  mxArray* array = mxCreateLogicalMatrix(all->agents, all->count);
+  memcpy(mxGetLogicals(array), from, all->count * all->agents);
+  return array;
+}
+
+/* [reward, terminated, truncated] = receive(number): as step gives them */
+static void receive(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_any_worlds_of(in[0]);
+  mimo_need(all->sent, "no step was sent; mimo_send does");
+  all->sent = 0;
+  mimo_check(mimo_batch_receive(all->batch));
+  out[0] = mxCreateDoubleMatrix(all->agents, all->count, mxREAL);
+  memcpy(mxGetPr(out[0]), all->reward, all->count * all->agents * sizeof *all->reward);
+  if (nout > 1) out[1] = flags(all, all->terminated);
+  if (nout > 2) out[2] = flags(all, all->truncated);
 }
 
 /* observe(number): the senses of the current state go to its block */
@@ -238,6 +279,46 @@ static void bounds(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   if (nout > 1) out[1] = high;
 }
 
-const mimo_command mimo_world_commands[] = {{"create", create}, {"close", close_worlds}, {"reset", reset},
-                                            {"step", step},     {"observe", observe},    {"observation", observation},
-                                            {"block", block},   {"bounds", bounds},      {NULL, NULL}};
+/* physics(number, steps): bare physics, in all worlds */
+static void physics(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  double count;
+  size_t i;
+  (void)nout;
+  (void)out;
+  mimo_need(nin == 2, "expected a world and a number of physics steps");
+  all = mimo_worlds_of(in[0]);
+  count = mimo_number(in[1], "steps");
+  if (!(count >= 0 && count <= 1e6) || count != floor(count))
+    mimo_refuse("steps is %g, expected a whole number from 0 to 1000000", count);
+  for (i = 0; i < all->count; ++i) {
+    mimo_env* env = NULL;
+    mimo_check(mimo_batch_world(all->batch, i, &env));
+    mimo_check(mimo_env_physics_step(env, (size_t)count));
+  }
+}
+
+/* values = random(number, count): out of each world's own stream, count x worlds */
+static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  double count;
+  size_t i;
+  (void)nout;
+  mimo_need(nin == 2, "expected a world and how many numbers");
+  all = mimo_worlds_of(in[0]);
+  count = mimo_number(in[1], "count");
+  if (!(count >= 0 && count <= 1e8) || count != floor(count))
+    mimo_refuse("count is %g, expected a whole number from 0 to 100000000", count);
+  out[0] = mxCreateDoubleMatrix((size_t)count, all->count, mxREAL);
+  for (i = 0; i < all->count; ++i) {
+    mimo_env* env = NULL;
+    mimo_check(mimo_batch_world(all->batch, i, &env));
+    mimo_check(mimo_env_random(env, mxGetPr(out[0]) + i * (size_t)count, (size_t)count));
+  }
+}
+
+const mimo_command mimo_world_commands[] = {
+    {"create", create}, {"close", close_number}, {"reset", reset},     {"step", step},
+    {"send", send},     {"receive", receive},    {"observe", observe}, {"observation", observation},
+    {"block", block},   {"bounds", bounds},      {"physics", physics}, {"random", random_numbers},
+    {NULL, NULL}};

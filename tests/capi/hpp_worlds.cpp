@@ -49,6 +49,60 @@ void check_names() {
   CHECK(agent.actuation == MIMO_ACTUATION_MUSCLE);
 }
 
+// "0.1.0" is 0, 1 and 0; the versions of headers and library are those of one build.
+void check_versions() {
+  CHECK(mimo::version() == std::to_string(MIMO_VERSION_MAJOR) + "." + std::to_string(MIMO_VERSION_MINOR) + "." +
+                               std::to_string(MIMO_VERSION_PATCH));
+  CHECK(mimo::abi_version() == MIMO_ABI_VERSION);
+  CHECK(mimo::mujoco_version() == "2.2.2");
+  CHECK_TEXT("MIMO_E_NOT_FOUND", mimo::status_name(MIMO_E_NOT_FOUND));
+}
+
+// One step an episode: the first one truncates it.
+void check_parameters() {
+  const char* const name = "reach/episode_steps";
+  double standard = 0;
+  for (const mimo_parameter& parameter : mimo::parameters()) {
+    if (std::strcmp(parameter.name, name) == 0) standard = parameter.standard;
+  }
+  CHECK(standard > 1);
+  auto config = mimo::scene_config();
+  config.name = "reach";
+  mimo::Scene scene(config);
+  CHECK(scene.parameter(name) == standard);
+  scene.set_parameter(name, 1);
+  CHECK(scene.parameter(name) == 1);
+  scene.add_agents();
+  mimo::Env env(scene);
+  mimo::Block block = env.make_block();
+  env.reset(1, block);
+  CHECK(env.step({}, block)[0].truncated);
+  try {
+    scene.set_parameter("reach/luck", 1);
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(error.status() == MIMO_E_NOT_FOUND);
+  }
+}
+
+// Setting the angles that looking takes makes the eyes meet there, and nothing has moved before.
+void check_looks() {
+  mimo::Env env = mimo::make("free");
+  const mimo_gaze before = env.gaze();
+  const double x = before.left_position[0] + 0.4, y = 0.05, z = before.left_position[2];
+  const mimo::Look look = env.look_angles(x, y, z, MIMO_LOOK_HEAD);
+  CHECK(look.joints.size() == 8 && look.angles.size() == 8);  // three an eye, two of the head
+  CHECK_NEAR(0, look.misses[0], 1e-6);
+  CHECK_NEAR(0, look.misses[1], 1e-6);
+  CHECK(std::memcmp(before.left_direction, env.gaze().left_direction, sizeof before.left_direction) == 0);
+  env.set_values(MIMO_JOINT_POSITION, look.joints, look.angles);
+  CHECK_NEAR(x, env.gaze().point[0], 1e-6);
+  CHECK_NEAR(y, env.gaze().point[1], 1e-6);
+  CHECK_NEAR(z, env.gaze().point[2], 1e-6);
+  CHECK(env.look_angles(x, y, z).joints.size() == 6);
+  CHECK(env.look_at(-1, 0, z)[0] > 1);  // behind it: more than a right angle less 45 degrees
+}
+
 void check_reach() {
   const mimo::Env env = mimo::make("reach");
   CHECK(env.task() == "reach" && env.frame_skip() == 2 && env.timestep() == 0.005);
@@ -232,16 +286,68 @@ void check_batch() {
   }
 }
 
+// A step in two halves, values of all worlds, and what became of each.
+void check_batch_at_once() {
+  auto config = mimo::scene_config();
+  config.name = "reach";
+  mimo::Scene scene(config);
+  scene.add_agents();
+  mimo::Batch batch(scene, 2), twin(scene, 2);
+  mimo::Block blocks = batch.make_blocks(), others = twin.make_blocks();
+  std::vector<float> actions(2 * batch.env(0).action_size(), 0.2F);
+  batch.reset({1, 2}, blocks);
+  twin.reset({1, 2}, others);
+  batch.send(actions, blocks);
+  try {
+    batch.world(0);
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(error.status() == MIMO_E_INVALID_ARGUMENT);
+  }
+  batch.receive();
+  twin.step(actions, others);
+  CHECK(std::memcmp(blocks.data(), others.data(), blocks.bytes()) == 0);
+
+  const std::vector<std::int32_t> elbow = {batch.env(0).find(MIMO_JOINT, "robot:right_elbow")};
+  batch.set_values(MIMO_JOINT_POSITION, elbow, {-0.1, -0.2});
+  CHECK(batch.get_values(MIMO_JOINT_POSITION, elbow) == (std::vector<double>{-0.1, -0.2}));
+  batch.set_values(MIMO_JOINT_POSITION, elbow, {-0.3, -0.4}, {0, 1});
+  CHECK(batch.get_values(MIMO_JOINT_POSITION, elbow) == (std::vector<double>{-0.1, -0.4}));
+  CHECK(batch.get_values(MIMO_JOINT_POSITION, elbow, {0, 1}) == (std::vector<double>{0, -0.4}));
+
+  const std::size_t half = blocks.bytes() / 2;
+  batch.observe(others, {1, 0});
+  CHECK(std::memcmp(blocks.data(), others.data(), half) != 0);  // the elbow is felt elsewhere
+  CHECK(std::memcmp(blocks.data() + half, others.data() + half, half) == 0);
+  batch.observe(others);
+  CHECK(std::memcmp(blocks.data() + half, others.data() + half, half) != 0);
+
+  actions.back() = std::nanf("");
+  try {
+    batch.step(actions, blocks);
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(error.status() == MIMO_E_INVALID_ARGUMENT);
+  }
+  CHECK(batch.world_error(0).status == MIMO_OK && batch.world_error(0).message.empty());
+  CHECK(batch.world_error(1).status == MIMO_E_INVALID_ARGUMENT);
+  CHECK(batch.world_error(1).message.find("not a number") != std::string::npos);
+}
+
 }  // namespace
 
 int main() {
   check_names();
+  check_versions();
+  check_parameters();
+  check_looks();
   check_reach();
   check_contacts();
   check_touch_sensors();
   check_steps_without_observation();
   check_timing();
   check_batch();
+  check_batch_at_once();
   check_pictures();
   return failures();
 }

@@ -3,7 +3,9 @@ function tests()
   all_of_them = {@shapes_and_precision, @order_is_column_major, @errors_have_identifiers, @worlds_survive_clear, ...
                  @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
-                 @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own};
+                 @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
+                 @scenes_step_by_step, @two_infants, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
+                 @worlds_move_on_their_own, @points_and_looks, @steps_in_two_halves};
   failed = 0;
   for i = 1:numel(all_of_them)
     try
@@ -308,6 +310,7 @@ function help_says_how_to_call()
     assert(~isempty(regexp(text, wanted, 'once')), [name ': no call ' wanted]);
     inputs = regexp(signature, '\((.*)\)', 'tokens', 'once');
     inputs = strsplit(inputs{1}, ', ');
+    inputs = inputs(~cellfun(@isempty, inputs));
     for k = 1:numel(inputs)
       word = strrep(inputs{k}, 'varargin', 'value');
       assert(~isempty(regexp(text, ['\<' word 's?\>'], 'once')), [name ': nothing about ' word]);
@@ -370,4 +373,222 @@ function robots_of_ones_own()
   said = message_of(@() mimo_create(file, 'body', 'scene', 'root', 'leg', 'vision', 0, 'touch', 0));
   assert(~isempty(strfind(said, '"leg"')), said);
   delete(file);
+end
+
+% 0.5 s of free fall from 2 m end 1.23 m lower: what is welded to the world stays.
+function scenes_step_by_step()
+  scene = mimo_scene();
+  mimo_scene_add(scene, 'room', 'name', 'playroom');
+  assert(mimo_scene_add(scene, 'agent', 'position', [0 0 5], 'orientation', [1 0 0 0], 'vision', 0) == 1);
+  mimo_scene_add(scene, 'object', 'name', 'ball', 'position', [3 0 2]);
+  ball = '<mujoco><worldbody><body name="ball"><geom size=".1"/></body></worldbody></mujoco>';
+  mimo_scene_add(scene, 'model', 'name', 'held', 'xml', ball, 'position', [3 1 2]);
+  mimo_scene_add(scene, 'weld', 'body', 'held/ball');
+  mimo_scene_add(scene, 'weld', 'body', 'ball', 'other', 'held/ball', 'pose', [0 -1 0.1 1 0 0 0]);
+  mimo_scene_add(scene, 'model', 'name', 'free', 'xml', ball, 'position', [3 2 2]);
+  mimo_scene_add(scene, 'camera', 'name', 'wall', 'height', 8, 'width', 16, 'position', [4 0 2], 'look_at', [0 0 0]);
+  mimo_scene_add(scene, 'pose', 'joint', 'robot:left_elbow', 'value', -0.7);
+  mimo_scene_add(scene, 'lock', 'joint', 'robot:right_elbow', 'value', -0.5);
+  mimo_scene_add(scene, 'joint', 'joint', 'robot:right_elbow');
+  mimo_scene_add(scene, 'joint', 'joint', 'robot:left_elbow');
+  mimo_scene_add(scene, 'skin', 'spacing', 0);
+  mimo_scene_add(scene, 'skin', 'body', 'left_hand', 'spacing', 0.02);
+  world = mimo_create(scene, 'frame_skip', 1);
+  seen = mimo_reset(world, 1);
+  assert(max(abs(seen.proprioception_position - [-0.5; -0.7])) < 1e-6, mat2str(seen.proprioception_position));
+  assert(isequal(size(seen.vision_wall), [8 16 3]));
+  assert(mimo_locked(world, 'robot:right_elbow') == -0.5);
+  mimo_physics(world, 100);
+  mimo_update(world);
+  heights = reshape(mimo_get(world, 'body_position', {'held/ball', 'ball', 'free/ball'}), 3, 3);
+  assert(max(abs(heights(3, 1:2) - [2 2.1])) < 0.02 && abs(heights(3, 3) - (2 - 9.81 * 0.5 ^ 2 / 2)) < 0.02, mat2str(heights));
+
+  % The scene goes on growing; worlds are of what it was.
+  mimo_scene_add(scene, 'skin', 'body', 'left_hand', 'spacing', 0.005);
+  finer = mimo_create(scene);
+  dense = mimo_reset(finer, 1);
+  assert(size(dense.touch_force, 1) > 8 * size(seen.touch_force, 1) && ~isempty(seen.touch_force));
+  mimo_close(finer);
+
+  assert(~isempty(strfind(mimo_scene_xml(scene), '<body name="held/ball"')));
+  folder = tempname();
+  mimo_scene_save(scene, folder);
+  again = mimo_scene(fullfile(folder, 'scene.xml'));
+  assert(~isempty(strfind(mimo_scene_xml(again), 'robot:left_elbow')));
+  mimo_close(again);
+  rmdir(fullfile(folder, 'assets'), 's');
+  rmdir(folder, 's');
+
+  clear('mimo_mex');
+  assert(~isempty(strfind(mimo_scene_xml(scene), 'held/ball')));
+  mimo_close(scene);
+  mimo_step(world, []);  % it lives on
+  mimo_close(world);
+end
+
+% Each infant has options, skin and limits of its own.
+function two_infants()
+  scene = mimo_scene('free');
+  mimo_scene_add(scene, 'agent', 'name', 'anna', 'vision', 0, 'touch', 0, 'position', [0 0 0.33]);
+  ben = mimo_scene_add(scene, 'agent', 'name', 'ben', 'body', 'fingers', 'vision', 0, 'touch', 1, 'place', 2, ...
+                       'position', [1 0 0]);
+  assert(ben == 2);
+  mimo_scene_add(scene, 'limits', 'agent', ben, 'path', 'vestibular/acceleration', 'gain', 2);
+  plain = mimo_create(scene);
+  mimo_scene_add(scene, 'limits', 'agent', ben, 'path', 'vestibular/acceleration', 'gain', 4);
+  worlds = mimo_create(scene, 'worlds', 2, 'threads', 1);
+  first = mimo_reset(plain, 1);
+  second = mimo_reset(worlds, 1);
+  assert(~isfield(first, 'anna_touch_force') && isfield(first, 'ben_touch_force'));
+  assert(isequal(size(second.ben_vestibular_acceleration), [3 2]));
+  assert(max(abs(second.ben_vestibular_acceleration(:, 1) - 2 * first.ben_vestibular_acceleration)) < 1e-4);
+  assert(isequal(second.anna_vestibular_acceleration(:, 1), first.anna_vestibular_acceleration));
+  apart = mimo_gaze(worlds, 2, 2).left_position - mimo_gaze(worlds, 2, 1).left_position;
+  assert(abs(apart(1) - 1) < 0.01, mat2str(apart));
+  refused(@() mimo_gaze(worlds, 2, 3), 'mimo:INVALID_ARGUMENT');
+  mimo_close(scene);
+  mimo_close(plain);
+  mimo_close(worlds);
+  scene = mimo_scene('playdate');
+  assert(mimo_scene_add(scene, 'agents', 'vision', 0) == 2);
+  mimo_close(scene);
+end
+
+function scenes_refuse()
+  scene = mimo_scene('reach');
+  world = mimo_create('free', 'vision', 0, 'touch', 0);
+  refused(@() mimo_scene('nowhere'), 'mimo:NOT_FOUND');
+  refused(@() mimo_scene('nowhere.xml'), 'mimo:NOT_FOUND');
+  refused(@() mimo_scene(' <mujoco'), 'mimo:MODEL');
+  refused(@() mimo_scene('reach', 'touch', 1), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'agent', 'touch'), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'agent', 'body', 'hands'), 'mimo:NOT_FOUND');
+  refused(@() mimo_scene_add(scene, 'weld', 'body', 'target', 'pose', [1 2 3]), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'lock', 'joint', 'robot:left_elbow'), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'skin', 'agent', 0, 'spacing', 1), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'skin', 'agent', 1, 'spacing', 1), 'mimo:INVALID_ARGUMENT');  % nobody is in it
+  refused(@() mimo_scene_add(world, 'agent'), 'mimo:BAD_HANDLE');
+  refused(@() mimo_step(scene, []), 'mimo:BAD_HANDLE');
+  refused(@() mimo_create(world), 'mimo:BAD_HANDLE');
+  said = message_of(@() mimo_scene_add(scene, 'toy'));
+  assert(strncmp(said, 'cannot add "toy"', 16), said);
+  said = message_of(@() mimo_scene_add(scene, 'lock', 'joint', 'robot:left_elbow', 'value', 0, 'vlaue', 1));
+  assert(strcmp(said, 'no option vlaue of a lock'), said);
+  said = message_of(@() mimo_scene_add(scene, 'weld', 'other', 'target'));
+  assert(strcmp(said, 'body: expected a text'), said);
+  said = message_of(@() mimo_create(scene, 'touch', 0));
+  assert(strncmp(said, 'no option touch of mimo_create for a scene''s number', 51), said);
+  said = message_of(@() mimo_step(scene, []));
+  assert(~isempty(strfind(said, 'is a scene, expected a world')), said);
+  mimo_close(scene);
+  refused(@() mimo_scene_xml(scene), 'mimo:BAD_HANDLE');
+  refused(@() mimo_close(scene), 'mimo:BAD_HANDLE');
+  mimo_close(world);
+end
+
+function library_and_worlds_tell()
+  known = mimo_version();
+  assert(~isempty(regexp(known.library, '^\d+\.\d+\.\d+$', 'once')) && known.abi >= 0);
+  assert(strcmp(known.mujoco, '2.2.2'));
+  assert(ismember('standup', mimo_names('scene')) && ismember('playroom', mimo_names('room')));
+  assert(isequal(size(mimo_names('face')), [7 1]) && ismember('reach', mimo_names('task')));
+  refused(@() mimo_names('body'), 'mimo:INVALID_ARGUMENT');
+
+  scene = mimo_scene('reach');
+  mimo_scene_add(scene, 'parameter', 'name', 'reach/episode_steps', 'value', 1);
+  mimo_scene_add(scene, 'agents');
+  all_of_them = mimo_parameters(scene);
+  steps = all_of_them(strcmp({all_of_them.name}, 'reach/episode_steps'));
+  assert(steps.value == 1 && steps.standard > 1 && steps.low <= 1 && steps.high > 1 && ~isempty(steps.description));
+  assert(numel(mimo_parameters()) == numel(all_of_them) && ~isfield(mimo_parameters(), 'value'));
+  refused(@() mimo_scene_add(scene, 'parameter', 'name', 'reach/luck', 'value', 1), 'mimo:NOT_FOUND');
+  worlds = mimo_create(scene, 'worlds', 2, 'threads', 1, 'timing', 1);
+  mimo_close(scene);
+
+  info = mimo_info(worlds);
+  assert(strcmp(info.task, 'reach') && info.frame_skip == 2 && info.timestep == 0.005);
+  assert(info.worlds == 2 && info.threads == 1);
+  mimo_reset(worlds, 3);
+  [~, reward, ~, truncated] = mimo_step(worlds, []);
+  assert(all(truncated));
+  [names, terms] = mimo_rewards(worlds);
+  assert(iscellstr(names) && isequal(size(terms), [numel(names) 2]));
+  assert(max(abs(sum(terms, 1) - reward)) < 1e-12 && all(reward ~= 0));
+  refused(@() mimo_rewards(worlds, 2), 'mimo:INVALID_ARGUMENT');
+  timing = mimo_timing(worlds, 'reset');
+  assert(isequal(timing.steps, [1 1]) && all(timing.physics > 0) && all(timing.total >= timing.physics));
+  assert(isequal(mimo_timing(worlds).total, [0 0]));
+  mimo_close(worlds);
+end
+
+function failures_of_each_world()
+  worlds = mimo_create('reach', 'worlds', 3);
+  actions = zeros(numel(mimo_bounds(worlds)), 3);
+  actions(2, 3) = NaN;
+  refused(@() mimo_step(worlds, actions), 'mimo:INVALID_ARGUMENT');
+  [messages, statuses] = mimo_failures(worlds);
+  assert(isequal(statuses, {'OK', 'OK', 'INVALID_ARGUMENT'}));
+  assert(isequal(messages(1:2), {'', ''}) && ~isempty(strfind(messages{3}, 'action(2) is not a number')), messages{3});
+  mimo_close(worlds);
+end
+
+function worlds_move_on_their_own()
+  worlds = mimo_create('reach', 'worlds', 2);
+  mimo_reset(worlds, 3);
+  numbers = mimo_random(worlds, 1000);
+  assert(isequal(size(numbers), [1000 2]) && all(numbers(:) >= 0) && all(numbers(:) < 1));
+  assert(max(abs(mean(numbers) - 0.5)) < 0.05);  % five standard deviations of such a mean are 0.046
+  assert(~isequal(numbers(:, 1), numbers(:, 2)));
+  mimo_reset(worlds, 3);
+  assert(isequal(mimo_random(worlds, 1000), numbers));
+  mimo_physics(worlds, 10);
+  assert(max(abs(mimo_time(worlds) - 0.05)) < 1e-12);
+  refused(@() mimo_physics(worlds, 0.5), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_random(worlds, -1), 'mimo:INVALID_ARGUMENT');
+  assert(strcmp(mimo_body_of(worlds, 'joint', 'robot:left_elbow'), 'left_lower_arm'));
+  assert(strcmp(mimo_body_of(worlds, 'body', 'left_lower_arm'), 'left_upper_arm'));
+  mimo_close(worlds);
+end
+
+function points_and_looks()
+  world = mimo_create('free', 'vision', 0, 'touch', 0, ...
+                      'cameras', struct('name', 'wall', 'height', 48, 'width', 64, 'position', [4 0 2], 'look_at', [0 0 0]));
+  mimo_reset(world, 1);
+  % What the camera looks at is in the middle of its picture; what is to its right (+y, as it looks along -x) right of it.
+  pixels = mimo_project(world, [0 0; 0 0.5; 0 0], 48, 64, 'wall');
+  assert(max(abs(pixels(:, 1) - [32; 24; sqrt(20)])) < 1e-6, mat2str(pixels));
+  assert(abs(pixels(1, 2) - (32 + 0.5 / sqrt(20) * 24 / tan(22.5 * pi / 180))) < 1e-6 && abs(pixels(2, 2) - 24) < 1e-6);
+  refused(@() mimo_project(world, [0 0], 48, 64), 'mimo:INVALID_ARGUMENT');
+
+  gaze = mimo_gaze(world);
+  point = (gaze.left_position + gaze.right_position) / 2 + [0.4; 0.05; 0];
+  [joints, angles, errors] = mimo_look_angles(world, point, 'head');
+  assert(numel(joints) == numel(angles) && max(abs(errors)) < 1e-6);
+  assert(isequal(mimo_gaze(world).left_direction, gaze.left_direction));  % nothing has moved
+  mimo_set(world, 'joint_position', joints, angles);
+  assert(max(abs(mimo_gaze(world).point - point)) < 1e-6);
+  mimo_close(world);
+end
+
+function steps_in_two_halves()
+  one = mimo_create('reach', 'worlds', 2);
+  other = mimo_create('reach', 'worlds', 2);
+  mimo_reset(one, 3);
+  mimo_reset(other, 3);
+  actions = 0.1 * ones(numel(mimo_bounds(one)), 2);
+  refused(@() mimo_receive(one), 'mimo:INVALID_ARGUMENT');
+  mimo_send(one, actions);
+  refused(@() mimo_observation(one), 'mimo:INVALID_ARGUMENT');  % it is being written
+  refused(@() mimo_send(one, actions), 'mimo:INVALID_ARGUMENT');
+  [seen, reward, terminated, truncated] = mimo_receive(one);
+  [other_seen, other_reward, other_terminated, other_truncated] = mimo_step(other, actions);
+  assert(isequal(reward, other_reward) && all(reward ~= 0) && isequal(seen, other_seen));
+  assert(isequal({terminated, truncated}, {other_terminated, other_truncated}) && islogical(truncated));
+  actions(1, 2) = NaN;
+  mimo_send(one, actions);
+  said = message_of(@() mimo_receive(one));
+  assert(strcmp(said, 'world 2: action(1) is not a number'), said);
+  mimo_send(one, []);
+  mimo_close(one);  % waits for it
+  mimo_close(other);
 end

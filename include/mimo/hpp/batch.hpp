@@ -58,6 +58,51 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
                           blocks.bytes(), results));
   }
 
+  /// Starts a step and returns at once. Actions, blocks and what the results point to stay as they are, and where they
+  /// are, until receive(); nothing else can be asked of the batch meanwhile.
+  void send(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {
+    check(mimo_batch_send(get(), actions.empty() ? nullptr : actions.data(), actions.size(), blocks.data(),
+                          blocks.bytes(), results));
+  }
+  /// Waits for the step that was sent.
+  void receive() { check(mimo_batch_receive(get())); }
+
+  /// What became of a world in the last call that concerned it.
+  WorldError world_error(std::size_t index) const {
+    mimo_status status = MIMO_OK;
+    const char *message = nullptr;
+    check(mimo_batch_world_error(get(), index, &status, &message));
+    return WorldError{status, message};
+  }
+
+  /// The senses of the current states. Here and below a mask has one byte a world: 0 leaves that world alone; an empty
+  /// one means all.
+  void observe(Block &blocks, const std::vector<std::uint8_t> &mask = {}) {
+    check(mimo_batch_observe(get(), masked(mask), mask.size(), blocks.data(), blocks.bytes()));
+  }
+  /// A quantity of some elements in all worlds, world after world; 0 in those that the mask leaves alone. Without ids of
+  /// all of its kind.
+  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids,
+                                 const std::vector<std::uint8_t> &mask = {}) {
+    return values_of(quantity, detail::some(ids), ids.size(), mask);
+  }
+  std::vector<double> get_values(std::int32_t quantity) { return values_of(quantity, nullptr, 0, {}); }
+  /// The same in single precision.
+  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
+    std::vector<float> values(width(quantity, detail::some(ids), ids.size()) * size());
+    check(mimo_batch_get_float(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(),
+                               values.size()));
+    return values;
+  }
+  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values,
+                  const std::vector<std::uint8_t> &mask = {}) {
+    check(mimo_batch_set(get(), quantity, detail::some(ids), ids.size(), masked(mask), mask.size(), values.data(),
+                         values.size()));
+  }
+  void set_values(std::int32_t quantity, const std::vector<double> &values) {
+    check(mimo_batch_set(get(), quantity, nullptr, 0, nullptr, 0, values.data(), values.size()));
+  }
+
   /// The states of all worlds, one after the other. Loading takes as many, or one for all.
   std::vector<std::uint8_t> save() {
     std::size_t bytes = 0;
@@ -68,26 +113,6 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
   void load(const std::vector<std::uint8_t> &states) {
     check(mimo_batch_state_load(get(), nullptr, 0, states.data(), states.size()));
-  }
-
-  /// A quantity of some elements, or of all of its kind, in all worlds: one row for each.
-  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
-    return values_of(quantity, detail::some(ids), ids.size());
-  }
-  std::vector<double> get_values(std::int32_t quantity) { return values_of(quantity, nullptr, 0); }
-  /// The same in single precision.
-  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
-    std::vector<float> values(width(quantity, detail::some(ids), ids.size()) * size());
-    check(mimo_batch_get_float(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(),
-                               values.size()));
-    return values;
-  }
-  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
-    check(mimo_batch_set(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(), values.size()));
-  }
-  /// Of all of its kind.
-  void set_values(std::int32_t quantity, const std::vector<double> &values) {
-    check(mimo_batch_set(get(), quantity, nullptr, 0, nullptr, 0, values.data(), values.size()));
   }
 
   void set_face(const std::string &name, std::size_t agent = 0) {
@@ -101,10 +126,14 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     check(mimo_env_width(world(0), quantity, ids, count, &width));
     return width;
   }
-  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
+  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count,
+                                const std::vector<std::uint8_t> &mask) {
     std::vector<double> values(width(quantity, ids, count) * size());
-    check(mimo_batch_get(get(), quantity, ids, count, nullptr, 0, values.data(), values.size()));
+    check(mimo_batch_get(get(), quantity, ids, count, masked(mask), mask.size(), values.data(), values.size()));
     return values;
+  }
+  static const std::uint8_t *masked(const std::vector<std::uint8_t> &mask) {
+    return mask.empty() ? nullptr : mask.data();
   }
   static mimo_batch_config sized(std::size_t worlds) {
     mimo_batch_config config = batch_config();

@@ -1,11 +1,12 @@
 /**
  * @file mimo/hpp/configs.hpp
- * Configs with their defaults, and the names that the library knows. Part of mimo.hpp, which programs include.
+ * Configs with their defaults, and what the library knows: names, parameters of tasks, its versions. Part of mimo.hpp, which programs include.
  * MIT licence, see LICENSE.
  */
 #ifndef MIMO_HPP_CONFIGS
 #define MIMO_HPP_CONFIGS
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,24 @@ inline std::vector<std::string> scene_names() { return detail::names(mimo_scene_
 inline std::vector<std::string> room_names() { return detail::names(mimo_scene_room); }
 inline std::vector<std::string> task_names() { return detail::names(mimo_task_name); }
 inline std::vector<std::string> face_names() { return detail::names(mimo_face_name); }
+
+/// All by which tasks can be changed: Scene::set_parameter.
+inline std::vector<mimo_parameter> parameters() {
+  std::size_t count = 0;
+  check(mimo_parameter_count(&count));
+  std::vector<mimo_parameter> all(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    all[i].struct_size = sizeof(mimo_parameter);
+    check(mimo_parameter_describe(i, &all[i]));
+  }
+  return all;
+}
+
+/// Versions of the library that is loaded, and of the MuJoCo that it runs on.
+inline std::string version() { return mimo_version(); }
+inline std::string mujoco_version() { return mimo_mujoco_version(); }
+/// Other than MIMO_ABI_VERSION if the program was built with headers that do not belong to the library.
+inline std::uint32_t abi_version() { return mimo_abi_version(); }
 
 }  // namespace mimo
 

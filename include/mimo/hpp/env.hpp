@@ -331,9 +331,23 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return gaze;
   }
   /// Turns the eyes, and the head with MIMO_LOOK_HEAD, to a point at once.
-  void look_at(double x, double y, double z, std::int32_t how = MIMO_LOOK_EYES, std::size_t agent = 0) {
+  Misses look_at(double x, double y, double z, std::int32_t how = MIMO_LOOK_EYES, std::size_t agent = 0) {
     const double point[3] = {x, y, z};
-    check(mimo_env_look_at(get(), agent, point, how, nullptr));
+    Misses misses;
+    check(mimo_env_look_at(get(), agent, point, how, misses.data()));
+    return misses;
+  }
+  /// The angles that would do so; nothing moves.
+  Look look_angles(double x, double y, double z, std::int32_t how = MIMO_LOOK_EYES, std::size_t agent = 0) {
+    const double point[3] = {x, y, z};
+    std::size_t count = 0;
+    Look look;
+    check(mimo_env_look_angles(get(), agent, point, how, nullptr, nullptr, 0, &count, nullptr));
+    look.joints.resize(count);
+    look.angles.resize(count);
+    check(mimo_env_look_angles(get(), agent, point, how, look.joints.data(), look.angles.data(), count, nullptr,
+                               look.misses.data()));
+    return look;
   }
 
   /// Holds a joint at an angle, softly, from the next step on.

@@ -24,6 +24,9 @@ class Exception : public std::runtime_error {
   mimo_status status_;
 };
 
+/// "MIMO_E_NOT_FOUND".
+inline const char *status_name(mimo_status status) { return mimo_status_name(status); }
+
 inline void check(mimo_status status) {
   if (status != MIMO_OK) throw Exception(status);
 }

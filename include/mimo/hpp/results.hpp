@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "../mimo.h"
@@ -67,6 +68,22 @@ struct TouchSensor {
   Vector position;
   Vector normal;  ///< Away from the body.
   Vector tangents[2];
+};
+
+/// Angles by which the left and the right eye miss a point because of their range, rad.
+using Misses = std::array<double, 2>;
+
+/// The joints that make an agent look at a point, and their angles, rad.
+struct Look {
+  std::vector<std::int32_t> joints;
+  std::vector<double> angles;
+  Misses misses;
+};
+
+/// What became of one world of a batch.
+struct WorldError {
+  mimo_status status;   ///< MIMO_OK, or why it did not do what was asked.
+  std::string message;  ///< "" for none.
 };
 
 /// A pixel of a picture in colour.

@@ -62,6 +62,15 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
   void lock(const std::string &joint, double value) { check(mimo_scene_lock(get(), joint.c_str(), value)); }
   void set_pose(const std::string &joint, double value) { check(mimo_scene_set_pose(get(), joint.c_str(), value)); }
+  /// A number by which a task can be changed: see parameters().
+  void set_parameter(const std::string &name, double value) {
+    check(mimo_scene_set_parameter(get(), name.c_str(), value));
+  }
+  double parameter(const std::string &name) const {
+    double value = 0;
+    check(mimo_scene_get_parameter(get(), name.c_str(), &value));
+    return value;
+  }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
 

@@ -1,0 +1,22 @@
+function number = mimo_scene_add(scene, what, varargin)
+% MIMO_SCENE_ADD  Adds something to a scene.
+%   number = mimo_scene_add(scene, what, name, value, ...) takes one thing with its properties, which have the names and
+%   values of mimo.h's structs. A call that fails leaves the scene as it was. What can be added:
+%     'agent'      an infant, or what root says; its number, counted from 1. Properties: name, body, face, vision, touch, ...,
+%                  those of the infant in help mimo_create. What is left out is what the scene gives by itself
+%     'agents'     all infants that the scene names, with properties in common; how many they are
+%     'room'       name (mimo_names('room')): floor, sky and light for a scene that has none
+%     'object'     name, shape (1 sphere, 2 capsule, 3 ellipsoid, 4 cylinder, 5 box), size, position, orientation, mass, rgba,
+%                  fixed
+%     'model'      an MJCF document as an object: name, file or xml, position, orientation, fixed
+%     'camera'     a picture more in the observation: name, outputs, height, width, fovy, body, position, look_at
+%     'weld'       body, fastened to the body other or else to the world; pose (7 numbers) or else as they start
+%     'lock'       joint, held at value (rad or m)
+%     'pose'       joint, which starts at value
+%     'skin'       spacing of the touch sensors, m (0: none), of body or else of all; agent
+%     'joint'      joint that proprioception reads, in place of all; once more for each further one; agent
+%     'limits'     path, gain, noise, delay, blur of a sense; agent
+%     'parameter'  name, value (mimo_parameters)
+%   agent is the number of one, 1 unless given. number is 0 for what has none.
+number = mimo_mex('scene_add', scene, char(what), varargin{:});
+end

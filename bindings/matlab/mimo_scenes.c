@@ -1,0 +1,286 @@
+/* Scenes: opened, added to, written down, made worlds of. */
+#include "mimo_scenes.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "mimo_options.h"
+
+/* What adds a thing to a scene, of what is given. It gives the thing's number where it has one, else 0. */
+typedef double (*adder)(mimo_scene* scene, properties* given);
+
+/* Agents are counted from 1; without a number it is the first. */
+static int32_t take_agent(properties* given) {
+  const mxArray* value = mimo_take(given, "agent");
+  const double number = value == NULL ? 1 : mimo_number(value, "agent");
+  if (!(number >= 1 && number <= 2147483647.0) || number != floor(number))
+    mimo_refuse("agent is %g, expected a whole number from 1", number);
+  return (int32_t)number - 1;
+}
+
+/* A position counts where a place is said, so whoever gives one means it. */
+static mimo_agent_config take_agent_config(mimo_scene* scene, properties* given) {
+  const int is_placed = mimo_has(given, "position") || mimo_has(given, "orientation");
+  mimo_agent_config config;
+  mimo_check(mimo_scene_default_agent(scene, &config, sizeof config));
+  mimo_set_known(&config, mimo_agent_options, given);
+  if (is_placed && config.place == MIMO_PLACE_SCENE) config.place = MIMO_PLACE_ROOT;
+  return config;
+}
+
+static double add_agent(mimo_scene* scene, properties* given) {
+  const mimo_agent_config config = take_agent_config(scene, given);
+  int32_t agent = 0;
+  mimo_set_all(NULL, mimo_no_options, given, "an agent");
+  mimo_check(mimo_scene_add_agent(scene, &config, &agent));
+  return (double)agent + 1;
+}
+
+static double add_agents(mimo_scene* scene, properties* given) {
+  const mimo_agent_config config = take_agent_config(scene, given);
+  size_t count = 0;
+  mimo_set_all(NULL, mimo_no_options, given, "agents");
+  mimo_check(mimo_scene_add_agents(scene, &config, &count));
+  return (double)count;
+}
+
+static double add_object(mimo_scene* scene, properties* given) {
+  mimo_object_config config;
+  mimo_check(mimo_object_config_init(&config, sizeof config));
+  mimo_set_all(&config, mimo_object_options, given, "an object");
+  mimo_check(mimo_scene_add_object(scene, &config));
+  return 0;
+}
+
+static double add_model(mimo_scene* scene, properties* given) {
+  mimo_model_config config;
+  mimo_check(mimo_model_config_init(&config, sizeof config));
+  mimo_set_all(&config, mimo_model_options, given, "a model");
+  mimo_check(mimo_scene_add_model(scene, &config));
+  return 0;
+}
+
+/* A camera with a look_at is a new one. */
+static double add_camera(mimo_scene* scene, properties* given) {
+  mimo_camera_config config;
+  mimo_check(mimo_camera_config_init(&config, sizeof config));
+  config.placed = mimo_has(given, "look_at");
+  mimo_set_all(&config, mimo_camera_options, given, "a camera");
+  mimo_check(mimo_scene_add_camera(scene, &config));
+  return 0;
+}
+
+static double add_room(mimo_scene* scene, properties* given) {
+  const char* name = mimo_take_text(given, "name");
+  mimo_set_all(NULL, mimo_no_options, given, "a room");
+  mimo_check(mimo_scene_set_room(scene, name));
+  return 0;
+}
+
+static double add_weld(mimo_scene* scene, properties* given) {
+  const char* body = mimo_take_text(given, "body");
+  const mxArray* other = mimo_take(given, "other");
+  const mxArray* place = mimo_take(given, "pose");
+  double pose[7];
+  if (place != NULL) mimo_read_numbers(pose, 7, "pose", place);
+  mimo_set_all(NULL, mimo_no_options, given, "a weld");
+  mimo_check(
+      mimo_scene_weld(scene, body, other == NULL ? NULL : mimo_text(other, "other"), place == NULL ? NULL : pose));
+  return 0;
+}
+
+static double add_lock(mimo_scene* scene, properties* given) {
+  const char* joint = mimo_take_text(given, "joint");
+  const double value = mimo_take_number(given, "value");
+  mimo_set_all(NULL, mimo_no_options, given, "a lock");
+  mimo_check(mimo_scene_lock(scene, joint, value));
+  return 0;
+}
+
+static double add_pose(mimo_scene* scene, properties* given) {
+  const char* joint = mimo_take_text(given, "joint");
+  const double value = mimo_take_number(given, "value");
+  mimo_set_all(NULL, mimo_no_options, given, "a pose");
+  mimo_check(mimo_scene_set_pose(scene, joint, value));
+  return 0;
+}
+
+static double add_skin(mimo_scene* scene, properties* given) {
+  const int32_t agent = take_agent(given);
+  const mxArray* body = mimo_take(given, "body");
+  const double spacing = mimo_take_number(given, "spacing");
+  mimo_set_all(NULL, mimo_no_options, given, "a skin");
+  mimo_check(mimo_scene_set_touch(scene, agent, body == NULL ? NULL : mimo_text(body, "body"), spacing));
+  return 0;
+}
+
+static double add_joint(mimo_scene* scene, properties* given) {
+  const int32_t agent = take_agent(given);
+  const char* joint = mimo_take_text(given, "joint");
+  mimo_set_all(NULL, mimo_no_options, given, "a joint that is read");
+  mimo_check(mimo_scene_read_joint(scene, agent, joint));
+  return 0;
+}
+
+static double add_limits(mimo_scene* scene, properties* given) {
+  const int32_t agent = take_agent(given);
+  const char* path = mimo_take_text(given, "path");
+  mimo_limits limits;
+  mimo_check(mimo_limits_init(&limits, sizeof limits));
+  mimo_set_all(&limits, mimo_limit_options, given, "limits");
+  mimo_check(mimo_scene_limit_sense(scene, agent, path, &limits));
+  return 0;
+}
+
+static double add_parameter(mimo_scene* scene, properties* given) {
+  const char* name = mimo_take_text(given, "name");
+  const double value = mimo_take_number(given, "value");
+  mimo_set_all(NULL, mimo_no_options, given, "a parameter");
+  mimo_check(mimo_scene_set_parameter(scene, name, value));
+  return 0;
+}
+
+static const struct thing {
+  const char* name;
+  adder add;
+} things[] = {
+    {"agent", add_agent},         {"agents", add_agents}, {"object", add_object}, {"model", add_model},
+    {"camera", add_camera},       {"room", add_room},     {"weld", add_weld},     {"lock", add_lock},
+    {"pose", add_pose},           {"skin", add_skin},     {"joint", add_joint},   {"limits", add_limits},
+    {"parameter", add_parameter},
+};
+
+/* number = scene_add(scene, what, name, value, ...) */
+static void scene_add(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const char* what;
+  properties given;
+  mimo_scene* scene;
+  size_t i;
+  (void)nout;
+  mimo_need(nin >= 2, "expected a scene, what is added, and names and values");
+  scene = mimo_scene_of(in[0]);
+  what = mimo_text(in[1], "what is added");
+  given = mimo_pairs(nin - 2, in + 2);
+  for (i = 0; i < sizeof things / sizeof *things && strcmp(things[i].name, what) != 0; ++i) continue;
+  if (i == sizeof things / sizeof *things) mimo_refuse("cannot add \"%s\"; see help mimo_scene_add", what);
+  out[0] = mxCreateDoubleScalar(things[i].add(scene, &given));
+}
+
+/* A built-in scene by name, a file by a name that ends with .xml, or a document by itself. */
+static void set_start(mimo_scene_config* config, const char* start) {
+  const size_t length = strlen(start);
+  const char* first = start;
+  while (isspace((unsigned char)*first)) ++first;
+  if (*first == '<')
+    config->xml = start;
+  else if (length > 4 && strcmp(start + length - 4, ".xml") == 0)
+    config->file = start;
+  else
+    config->name = start;
+}
+
+/* What a scene starts from, NULL for an empty world; takes its options out of those given. */
+static mimo_scene* open_scene(const mxArray* start, properties* given) {
+  mimo_scene_config config;
+  mimo_scene* scene = NULL;
+  mimo_check(mimo_scene_config_init(&config, sizeof config));
+  mimo_set_known(&config, mimo_scene_options, given);
+  if (start != NULL) set_start(&config, mimo_text(start, "scene"));
+  mimo_check(mimo_scene_create(&config, &scene));
+  mimo_making(scene);
+  return scene;
+}
+
+/* number = scene(), or scene(name, file or document, option, value, ...) */
+static void new_scene(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  properties given = mimo_pairs(nin > 0 ? nin - 1 : 0, in + (nin > 0));
+  mimo_scene* scene;
+  (void)nout;
+  scene = open_scene(nin > 0 ? in[0] : NULL, &given);
+  mimo_set_all(NULL, mimo_no_options, &given, "a scene");
+  out[0] = mxCreateDoubleScalar(mimo_keep_scene(scene));
+}
+
+/* text = scene_xml(scene) */
+static void scene_xml(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  size_t length = 0;
+  mimo_scene* scene;
+  char* text;
+  (void)nout;
+  mimo_need(nin == 1, "expected a scene");
+  scene = mimo_scene_of(in[0]);
+  mimo_check(mimo_scene_xml(scene, NULL, 0, &length));
+  text = mxCalloc(length + 1, 1);
+  mimo_check(mimo_scene_xml(scene, text, length + 1, NULL));
+  out[0] = mxCreateString(text);
+}
+
+/* scene_save(scene, folder) */
+static void scene_save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  (void)nout;
+  (void)out;
+  mimo_need(nin == 2, "expected a scene and a folder");
+  mimo_check(mimo_scene_save(mimo_scene_of(in[0]), mimo_text(in[1], "folder")));
+}
+
+/* An element of a struct array after the other. */
+static void add_each(mimo_scene* scene, properties* given, const char* name, adder add) {
+  const mxArray* all = mimo_take(given, name);
+  size_t i;
+  if (all == NULL) return;
+  if (!mxIsStruct(all)) mimo_refuse("%s: expected a struct array", name);
+  for (i = 0; i < mxGetNumberOfElements(all); ++i) {
+    properties one = mimo_members(all, i);
+    add(scene, &one);
+  }
+}
+
+/* {'reach/success_reward', 5; ...} */
+static void add_parameters(mimo_scene* scene, properties* given) {
+  const mxArray* pairs = mimo_take(given, "parameters");
+  size_t count, i;
+  if (pairs == NULL) return;
+  if (!mxIsCell(pairs) || mxGetN(pairs) != 2)
+    mimo_refuse("parameters: expected a cell array of names and values, two columns");
+  count = mxGetM(pairs);
+  for (i = 0; i < count; ++i)
+    mimo_check(mimo_scene_set_parameter(scene, mimo_text(mxGetCell(pairs, i), "parameters"),
+                                        mimo_number(mxGetCell(pairs, count + i), "parameters")));
+}
+
+/* The usual case in one call: a scene with its own infants, which have the options in common. */
+static mimo_scene* furnished_scene(const mxArray* name, properties* given) {
+  mimo_scene* scene = open_scene(name, given);
+  const mimo_agent_config agent = take_agent_config(scene, given);
+  add_parameters(scene, given);
+  mimo_check(mimo_scene_add_agents(scene, &agent, NULL));
+  add_each(scene, given, "limits", add_limits);
+  add_each(scene, given, "objects", add_object);
+  add_each(scene, given, "models", add_model);
+  add_each(scene, given, "cameras", add_camera);
+  return scene;
+}
+
+mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
+  mimo_env_config env;
+  mimo_batch_config many;
+  mimo_batch* batch = NULL;
+  mimo_scene* scene;
+  properties given;
+  mimo_need(nin % 2 == 1, "expected a scene, then names and values of options");
+  given = mimo_pairs(nin - 1, in + 1);
+  mimo_check(mimo_env_config_init(&env, sizeof env));
+  mimo_check(mimo_batch_config_init(&many, sizeof many));
+  mimo_set_known(&env, mimo_env_options, &given);
+  mimo_set_known(&many, mimo_batch_options, &given);
+  scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given) : mimo_scene_of(in[0]);
+  mimo_set_all(NULL, mimo_no_options, &given,
+               mxIsChar(in[0]) ? "mimo_create; see its help" : "mimo_create for a scene's number; see mimo_scene_add");
+  mimo_check(mimo_batch_create(scene, &env, &many, &batch));
+  mimo_making(NULL);
+  return batch;
+}
+
+const mimo_command mimo_scene_commands[] = {
+    {"scene", new_scene}, {"scene_add", scene_add}, {"scene_xml", scene_xml}, {"scene_save", scene_save}, {NULL, NULL}};

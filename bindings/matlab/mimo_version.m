@@ -1,0 +1,5 @@
+function version = mimo_version()
+% MIMO_VERSION  Versions of what is loaded.
+%   version = mimo_version() is a struct of library ("1.0.0"), mujoco ("2.2.2") and abi (a number).
+version = mimo_mex('version');
+end
