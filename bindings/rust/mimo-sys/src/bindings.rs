@@ -969,7 +969,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
-    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START."]
+    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next"]
+    #[doc = "step mimo_env_get gives values of the current state, too."]
     pub fn mimo_env_observe(
         env: *mut mimo_env,
         block: *mut std::os::raw::c_void,

@@ -297,7 +297,13 @@ impl Batch {
     }
 
     /// The same, but only in the worlds whose entry of the mask is true; None: in all.
-    pub fn set_in(&mut self, quantity: u32, ids: &[i32], values: &[f64], mask: Option<&[bool]>) -> Result<()> {
+    pub fn set_in(
+        &mut self,
+        quantity: u32,
+        ids: &[i32],
+        values: &[f64],
+        mask: Option<&[bool]>,
+    ) -> Result<()> {
         let (mask, worlds) = chosen(mask);
         let (ids, id_count) = (ids.as_ptr(), ids.len());
         let (from, count) = (values.as_ptr(), values.len());
