@@ -33,7 +33,9 @@ extern "C" {
  */
 #define MIMO_JOINT_POSITION 1 /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
 #define MIMO_JOINT_VELOCITY 2 /**< Joint: 1, 3 or 6. Writable. */
-/** Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable. */
+/**
+ * Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
+ */
 #define MIMO_JOINT_FORCE 3
 #define MIMO_JOINT_ACCELERATION 4 /**< Joint: 1, 3 or 6. */
 #define MIMO_JOINT_RANGE 5        /**< Joint: 2, low and high; -inf and inf when not limited. */
@@ -97,10 +99,14 @@ extern "C" {
 #define MIMO_STEP_CONTACT_START 43   /**< Step contact: 1, when they first touched, s since the step's start. */
 #define MIMO_STEP_CONTACT_END 44     /**< Step contact: 1, when they last touched, s since the step's start. */
 #define MIMO_STEP_CONTACT_IMPULSE 45 /**< Step contact: 3, on the second body over the step, world, N s. */
-/** Step contact: 3, the largest of the physics steps' forces, on the second body, world, N. */
+/**
+ * Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.
+ */
 #define MIMO_STEP_CONTACT_PEAK_FORCE 46
 #define MIMO_STEP_CONTACT_PEAK_POSITION 47 /**< Step contact: 3, of the strongest contact at that time, world, m. */
-/** Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face. */
+/**
+ * Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face.
+ */
 #define MIMO_AGENT_FACE 48
 #define MIMO_WORLD_GRAVITY 49 /**< World: 3, m/s^2, world frame. Writable, W. */
 /**
