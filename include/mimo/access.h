@@ -174,7 +174,7 @@ MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, int32_t quantity, c
  * Writes a quantity of many at once. Quaternions and directions are normalised. When joints, bodies or lights were
  * moved, the poses of everything are recomputed (as by mimo_env_update); a moved body keeps its velocity.
  * A lock holds its joint softly, from the next step on; the angle lies within the joint's range.
- * Masses cost about as much as a few physics steps, however many are given at once.
+ * Masses cost about as much as several physics steps, however many are given at once.
  * @param ids NULL with id_count 0: all of the quantity's kind.
  * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its range;
  *         MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;

@@ -365,7 +365,6 @@ args good_args(int uses) {
   good.kind = MIMO_BODY;
   good.quantity = MIMO_JOINT_POSITION;
   good.steps = 1;
-  good.z = -9.81;
   good.name = "toy";
   good.scene_name = "free";
   good.part = "head";

@@ -280,6 +280,7 @@ function masses_and_contacts()
   ball = find(strcmp(mimo_names(worlds, 'body'), 'test_object2')) - 1;
   mimo_set(worlds, 'body_force', 'test_object2', zeros(6, 1));
   mimo_set(worlds, 'body_position', 'test_object2', [3; 3; 0.11]);
+  touched = false;
   for n = 1:20
     before = mimo_get(worlds, 'body_velocity_now', 'test_object2');
     mimo_step(worlds, []);
@@ -288,8 +289,9 @@ function masses_and_contacts()
     impulses = reshape(mimo_get(worlds, 'step_contact_impulse', [], 2), 3, []);
     impulse = sum(impulses(3, bodies(2, :) == ball));
     assert(abs(impulse - 4 * 9.81 * 0.01 - 4 * change(3, 2)) < 1e-9);
+    touched = touched || impulse > 0;
   end
-  assert(impulse > 0);
+  assert(touched);
   refused(@() mimo_get(worlds, 'contact_force'), 'mimo:INVALID_ARGUMENT');
   mimo_close(worlds);
 end

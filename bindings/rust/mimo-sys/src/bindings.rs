@@ -1212,7 +1212,7 @@ extern "C" {
     #[doc = "Writes a quantity of many at once. Quaternions and directions are normalised. When joints, bodies or lights were"]
     #[doc = "moved, the poses of everything are recomputed (as by mimo_env_update); a moved body keeps its velocity."]
     #[doc = "A lock holds its joint softly, from the next step on; the angle lies within the joint's range."]
-    #[doc = "Masses cost about as much as a few physics steps, however many are given at once."]
+    #[doc = "Masses cost about as much as several physics steps, however many are given at once."]
     #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its range;"]
     #[doc = "        MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;"]
