@@ -154,7 +154,7 @@ ROW(mimo_env_create, ON_SCENE, mimo_env_create(a->scene, a->env_config, a->made_
     NO_NULL(made_env, "env"), CONFIG(env_config, mimo_env_config, "config"), ENV(frame_skip, 1001), ENV(frame_skip, -1),
     ENV_UNKNOWN(jacobian, 3), ENV_UNKNOWN(jacobian, -1), ENV_UNKNOWN(disable, 8), ENV_UNKNOWN(disable, -1),
     ENV_UNKNOWN(timing, 2), ENV_UNKNOWN(render, 32), ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65),
-    ENV(render_threads, -1), ENV_UNKNOWN(step_contacts, 1), DO(unknown_renderer, E_ARG, "crayons"),
+    ENV(render_threads, -1), ENV_UNKNOWN(step_contacts, 2), DO(unknown_renderer, E_ARG, "crayons"),
     DO(unknown_task, MIMO_E_NOT_FOUND, "homework"), DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"),
     DO(no_renderer, E_ARG, "renderer"))
 ROW(mimo_env_make, 0, mimo_env_make(a->scene_name, a->made_env), NO_NULL(scene_name, "scene_name"),
