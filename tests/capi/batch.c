@@ -122,7 +122,7 @@ static void check_arguments(mimo_batch* batch) {
               mimo_batch_get(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, NULL, WORLDS));
   CHECK_OK(mimo_batch_get(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, value, WORLDS));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "can only be read",
-              mimo_batch_set(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, value, WORLDS));
+              mimo_batch_set(batch, MIMO_BODY_VELOCITY, &id, 1, NULL, 0, value, WORLDS));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "receive without", mimo_batch_receive(batch));
   free(action);
   free(blocks);
