@@ -111,8 +111,8 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     check_length<double[3]>(count, "count");
     check_finite(array(points, 3 * count, "points").data(), 3 * count, "points");
     array(pixels, 3 * count, "pixels");
-    const engine::Present now(world.physics());
-    const render::View from = render::view_from(world.model(), now.data(), viewpoint(world, ours));
+    engine::Present present;
+    const render::View from = render::view_from(world.model(), present.of(world.physics()), viewpoint(world, ours));
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
       Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);

@@ -44,8 +44,8 @@ Constants::Constants(const mjModel& model) : model_(model) {
     array = reinterpret_cast<std::remove_reference_t<decltype(array)>>(arrays_.back().get());
   };
   MJMODEL_POINTERS_PREAMBLE((&model))
-#define X(type, name, rows, columns)  \
-  if constexpr (!is_shared(#name)) \
+#define X(type, name, rows, columns) \
+  if constexpr (!is_shared(#name))   \
     copy(model_.name, static_cast<std::size_t>(model.rows) * static_cast<std::size_t>(columns));
   MJMODEL_POINTERS
 #undef X

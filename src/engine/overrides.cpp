@@ -21,19 +21,19 @@ double reference(const mjModel& model, int lock) { return model.qpos0[model.jnt_
 template <typename T>
 struct Column {
   const char* what;
-  T* mjModel::* array;
+  T* mjModel::*array;
   int count;
   int stride = 1;
   double least = -std::numeric_limits<double>::infinity();
 };
 
 template <typename T>
-Column<T> column(const char* what, T* mjModel::* array, int count, int stride = 1) {
+Column<T> column(const char* what, T* mjModel::*array, int count, int stride = 1) {
   return {what, array, count, stride};
 }
 
 template <typename T>
-Column<T> not_negative(const char* what, T* mjModel::* array, int count) {
+Column<T> not_negative(const char* what, T* mjModel::*array, int count) {
   return {what, array, count, 1, 0};
 }
 
@@ -95,7 +95,7 @@ int size_count(int geom_type) {
 }
 
 template <typename T>
-T* Overrides::own(mjModel& model, T* mjModel::* array, int length) {
+T* Overrides::own(mjModel& model, T* mjModel::*array, int length) {
   if (model.*array != shared_.*array || length == 0) return model.*array;
   const std::size_t bytes = sizeof(T) * static_cast<std::size_t>(length);
   arrays_.push_back(std::make_unique<std::uint8_t[]>(bytes));

@@ -1,6 +1,6 @@
 // How one world's model differs from the model that it shares with others: locked joints, gears, faces, masses, sizes,
-// colours, ... The first change of an array copies it; everything else stays shared. (Gravity lies in the struct itself,
-// which every world has for its own.)
+// colours, ... The first change of an array copies it; everything else stays shared. (Gravity lies in the struct
+// itself, which every world has for its own.)
 #pragma once
 
 #include <mujoco/mjmodel.h>
@@ -58,7 +58,7 @@ class Overrides {
  private:
   // Gives the model an array of its own in place of the shared one, unless it has one, and returns it.
   template <typename T>
-  T* own(mjModel& model, T* mjModel::* array, int length);
+  T* own(mjModel& model, T* mjModel::*array, int length);
   void own_locks(mjModel& model);
   void own_masses(mjModel& model);
 

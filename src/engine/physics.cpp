@@ -47,7 +47,10 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 }  // namespace
 
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
-    : shared_(std::move(model)), model_(*shared_), overrides_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
+    : shared_(std::move(model)),
+      model_(*shared_),
+      overrides_(*shared_),
+      data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
   apply(options, model_.opt);
   step_ = options.own_solver && newton_step_serves(model_) ? newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));

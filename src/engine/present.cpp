@@ -40,12 +40,19 @@ int stack_size(const mjModel& model) { return 32 * (model.nbody + model.nv) + 10
 
 }  // namespace
 
-Present::Present(const Physics& physics) : data_(std::make_unique<mjData>(physics.data())) {
-  physics.require_usable();
-  const mjModel& model = physics.model();
+void Present::make_room(const mjModel& model) {
+  if (data_ != nullptr) return;
   std::size_t size = static_cast<std::size_t>(stack_size(model));
   visit_poses(model, [&](auto, int count) { size += static_cast<std::size_t>(count); });
   numbers_.resize(size);
+  data_ = std::make_unique<mjData>();
+}
+
+const mjData& Present::of(const Physics& physics) {
+  physics.require_usable();
+  const mjModel& model = physics.model();
+  make_room(model);
+  *data_ = physics.data();
   double* next = numbers_.data();
   visit_poses(model, [&](auto array, int count) {
     std::copy_n(physics.data().*array, count, next);
@@ -62,6 +69,7 @@ Present::Present(const Physics& physics) : data_(std::make_unique<mjData>(physic
     mj_comVel(&model, data_.get());
   });
   if (complaint.failed) fail(Status::kSimulation, "poses cannot be computed: {}", complaint.error.data());
+  return *data_;
 }
 
 }  // namespace mimo::engine

@@ -8,15 +8,16 @@
 
 namespace mimo::engine {
 
-// The world's data, but with poses, and velocities of bodies, of the current positions. The world itself is only read,
-// so that several threads can look at one. Throws Status::kSimulation for a world that has failed.
+// Looks at worlds of one model. They are only read, so that several threads can look at one.
 class Present {
  public:
-  explicit Present(const Physics& physics);
-
-  const mjData& data() const { return *data_; }
+  // The world's data, but with poses, and velocities of bodies, of the current positions; until the next look. Throws
+  // Status::kSimulation for a world that has failed. Allocates the first time.
+  const mjData& of(const Physics& physics);
 
  private:
+  void make_room(const mjModel& model);
+
   std::vector<double> numbers_;
   std::unique_ptr<mjData> data_;  // MuJoCo's struct, whose poses and stack are our own
 };

@@ -146,7 +146,8 @@ template <typename T>
 void read_at(const World& world, Quantity quantity, const Ids& ids, bool now, Span<T> values) {
   if (now) require_known_now(quantity);
   if (!now || traits(quantity).moment == Moment::kAlways) return read(world, world.data(), quantity, ids, values);
-  read(world, engine::Present(world.physics()).data(), quantity, ids, values);
+  engine::Present present;
+  read(world, present.of(world.physics()), quantity, ids, values);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace mimo::env {
 struct StepContact {
   std::array<int, 2> geoms;
   std::array<int, 2> bodies;
-  double start, end;  // s, since the step began
-  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();      // N s
-  Eigen::Vector3d peak_force = Eigen::Vector3d::Zero();   // N, of the physics step in which it was largest
+  double start, end;                                        // s, since the step began
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();        // N s
+  Eigen::Vector3d peak_force = Eigen::Vector3d::Zero();     // N, of the physics step in which it was largest
   Eigen::Vector3d peak_position = Eigen::Vector3d::Zero();  // m, of the strongest contact then
 };
 

@@ -7,7 +7,6 @@
 #include "base/stopwatch.h"
 #include "body/stored_pose.h"
 #include "engine/custom.h"
-#include "engine/present.h"
 #include "format/names.h"
 
 namespace mimo::env {
@@ -271,8 +270,8 @@ int World::face(std::size_t agent) const {
 
 void World::draw(const render::Viewpoint& from, const render::Picture& picture) {
   render::Renderer& drawing = renderer();
-  const engine::Present now(physics_);
-  drawing.draw(model(), now.data(), render::view_from(model(), now.data(), from), picture);
+  const mjData& now = present_.of(physics_);
+  drawing.draw(model(), now, render::view_from(model(), now, from), picture);
 }
 
 void World::report_warnings() {

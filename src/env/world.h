@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "base/random.h"
 #include "engine/physics.h"
+#include "engine/present.h"
 #include "env/agent.h"
 #include "env/kit.h"
 #include "env/state.h"
@@ -106,6 +107,7 @@ class World {
   Services services_;
   engine::ModelPtr shared_model_;
   engine::Physics physics_;
+  engine::Present present_;  // of which pictures are drawn
   std::vector<body::Face> faces_;
   StepContacts step_contacts_;
   std::unique_ptr<render::Renderer> own_renderer_;
