@@ -54,7 +54,7 @@ test_rust() {
     cargo test -q
     MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON -DMIMO_ROOMS=$rooms" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
     package_crates
-    for example in hello batch own_reward; do cargo run -q --example "$example"; done
+    for example in hello batch own_reward own_goal; do cargo run -q --example "$example"; done
   )
   follow rust
 }
@@ -100,6 +100,7 @@ test_csharp() {
   mono build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
   test_loading_in_csharp
   mono build/csharp/Game.exe 1
+  mono build/csharp/OwnGoal.exe
   follow csharp
 }
 
@@ -171,6 +172,7 @@ test_same() {
   mono build/csharp/Same.exe >build/same/csharp.txt
   hashed octave same_in_octave >build/same/octave.txt
   for language in cpp python rust csharp octave; do
-    diff build/same/c.txt "build/same/$language.txt" || fail "$language gives other bytes than C"
+    # MATLAB and Octave have no tasks of one's own.
+    diff <(if [[ $language == octave ]]; then grep -v '^own ' build/same/c.txt; else cat build/same/c.txt; fi) "build/same/$language.txt" || fail "$language gives other bytes than C"
   done
 }

@@ -1,5 +1,6 @@
-/* A task of one's own for many worlds at once: the infant is to lift its left hand above a height that each episode
- * draws anew. The two functions below are the task; the library calls them while it steps, on all of its threads.
+/* A task of one's own for many worlds at once: the infant is to bring its left hand down to a height that each episode
+ * draws anew. The two functions below are the task; the library calls them while it steps, on all of its threads. The
+ * height is a field of the observation, so that a learner sees what is wanted; the reward has two terms with names.
  *
  *   cc task_callback.c $(pkg-config --cflags --libs mimo) && ./a.out
  */
@@ -11,14 +12,12 @@
 enum { WORLDS = 16, STEPS = 200 };
 
 /* Shared by all worlds; only read while they run. */
-typedef struct lift {
+typedef struct lower {
   int32_t hand;
-} lift;
+} lower;
 
-/* Each world's own. The library keeps it, and saves it with the world's state. */
-typedef struct episode {
-  double height;
-} episode;
+enum { DESIRED, ACHIEVED, FIELDS }; /* one number each, m */
+enum { HEIGHT, EFFORT, TERMS };
 
 static void check(mimo_status status) {
   if (status == MIMO_OK) return;
@@ -26,35 +25,56 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-static mimo_status lift_reset(void* user, mimo_env* env, size_t world, size_t agent, void* memory) {
-  episode* own = memory;
+static mimo_status lower_reset(void* user, mimo_env* env, const mimo_task_moment* moment) {
   double share;
   mimo_status status =
       mimo_env_random(env, &share, 1); /* from the world's own stream: seeds it, and it is repeatable */
-  (void)user, (void)world, (void)agent;
-  own->height = 0.2 + 0.2 * share;
+  (void)user;
+  moment->fields[DESIRED] = (float)(0.02 + 0.2 * share);
   return status;
 }
 
-static mimo_status lift_evaluate(void* user, const mimo_env* env, size_t world, size_t agent, void* memory,
-                                 double* reward, int32_t* outcome) {
-  const lift* task = user;
-  const episode* own = memory;
+static mimo_status lower_evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
+                                  mimo_task_verdict* verdict) {
+  const lower* task = user;
   double hand[3];
+  size_t i;
   mimo_status status = mimo_env_get(env, MIMO_BODY_POSITION, &task->hand, 1, hand, 3);
-  (void)world, (void)agent;
   if (status != MIMO_OK) return status;
-  *reward = hand[2] - own->height;
-  if (*reward > 0) *outcome = MIMO_OUTCOME_SUCCESS;
+  moment->fields[ACHIEVED] = (float)hand[2];
+  verdict->terms[HEIGHT] = moment->fields[DESIRED] - hand[2];
+  for (i = 0; i < moment->action_count; ++i) verdict->terms[EFFORT] -= 0.001 * moment->action[i] * moment->action[i];
+  if (verdict->terms[HEIGHT] > 0) verdict->outcome = MIMO_OUTCOME_SUCCESS;
+  verdict->truncated = moment->step == 100;
   return MIMO_OK;
 }
 
-static mimo_batch* make_batch(lift* user) {
+static void give_task(mimo_scene* scene, lower* user) {
+  const char* const terms[TERMS] = {"height", "effort"};
+  mimo_task_field fields[FIELDS];
+  mimo_task task;
+  int i;
+  for (i = 0; i < FIELDS; ++i) {
+    check(mimo_task_field_init(&fields[i], sizeof fields[i]));
+    fields[i].name = i == DESIRED ? "desired_goal" : "achieved_goal";
+    fields[i].unit = "m";
+    fields[i].frame = "world";
+  }
+  check(mimo_task_init(&task, sizeof task));
+  task.user = user;
+  task.reset = lower_reset;
+  task.evaluate = lower_evaluate;
+  task.terms = terms;
+  task.term_count = TERMS;
+  task.fields = fields;
+  task.field_count = FIELDS;
+  check(mimo_scene_set_task(scene, &task)); /* it copies terms and fields */
+}
+
+static mimo_batch* make_batch(lower* user) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
-  mimo_env_config env_config;
   mimo_batch_config batch_config;
-  mimo_task task;
   mimo_scene* scene;
   mimo_batch* batch;
 
@@ -66,25 +86,18 @@ static mimo_batch* make_batch(lift* user) {
   agent.touch = 0;
   check(mimo_scene_add_agent(scene, &agent, NULL));
 
-  check(mimo_task_init(&task, sizeof task));
-  task.user = user;
-  task.memory_bytes = sizeof(episode);
-  task.reset = lift_reset;
-  task.evaluate = lift_evaluate;
-  check(mimo_scene_set_task(scene, &task));
+  give_task(scene, user);
 
-  check(mimo_env_config_init(&env_config, sizeof env_config));
-  env_config.max_steps = 100;
   check(mimo_batch_config_init(&batch_config, sizeof batch_config));
   batch_config.worlds = WORLDS;
   batch_config.autoreset = MIMO_AUTORESET_SAME_STEP;
-  check(mimo_batch_create(scene, &env_config, &batch_config, &batch));
+  check(mimo_batch_create(scene, NULL, &batch_config, &batch));
   mimo_scene_destroy(scene);
   return batch;
 }
 
 int main(void) {
-  lift user;
+  lower user;
   mimo_batch* batch = make_batch(&user);
   mimo_batch_results results;
   mimo_env* first;
@@ -115,7 +128,7 @@ int main(void) {
       time_outs += truncated[i] && !terminated[i];
     }
   }
-  printf("%d times high enough, %d times not in time\n", successes, time_outs);
+  printf("%d times low enough, %d times not in time\n", successes, time_outs);
 
   free(actions);
   mimo_batch_destroy(batch);

@@ -1,59 +1,63 @@
-// A task of one's own: MIMo is rewarded for holding its head high, and the episode ends when the head is down.
-// Reward and end are computed here, by named access; the library simulates.
+// A task of one's own: MIMo is rewarded for holding its head high and for sparing its motors, and the episode ends when
+// the head is down. The library asks the task within each step; how high the head is, is a field of the observation.
 #include <cstdio>
 #include <mimo/mimo.hpp>
 #include <random>
 
 namespace {
 
-class HoldYourHeadHigh {
+class HoldYourHeadHigh : public mimo::Task {
  public:
-  HoldYourHeadHigh() : env_(world()), block_(env_.make_block()), head_{env_.find(MIMO_BODY, "head")} {}
+  std::vector<std::string> terms() const override { return {"height", "effort"}; }
+  std::vector<mimo::TaskField> fields() const override { return {mimo::TaskField("head_height", {}, "m", "world")}; }
 
-  void reset(std::uint64_t seed) { env_.reset(seed, block_); }
-
-  // Reward, and whether the episode has ended.
-  std::pair<double, bool> step(const std::vector<float>& action) {
-    env_.step(action, block_);
-    const double height = env_.get_values(MIMO_BODY_POSITION, head_)[2];
-    return {height - 0.2, height < 0.2};
+  void evaluate(const mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
+    const double height = env.get_values(MIMO_BODY_POSITION, {env.find(MIMO_BODY, "head")})[2];
+    moment.fields[0] = static_cast<float>(height);
+    verdict.terms[0] = height - kDown;
+    for (std::size_t i = 0; i < moment.action_count; ++i) {
+      verdict.terms[1] -= 0.001 * moment.action[i] * moment.action[i];
+    }
+    if (height < kDown) verdict.outcome = MIMO_OUTCOME_FAILURE;
   }
-
-  std::size_t action_size() const { return env_.action_size(); }
 
  private:
-  static mimo::Env world() {
-    mimo_scene_config scene_config = mimo::scene_config();
-    scene_config.name = "free";
-    mimo_agent_config agent = mimo::agent_config();
-    agent.vision = 0;
-    mimo::Scene scene(scene_config);
-    scene.add_agent(agent);
-    return mimo::Env(scene);
-  }
-
-  mimo::Env env_;
-  mimo::Block block_;
-  std::vector<std::int32_t> head_;
+  static constexpr double kDown = 0.2;  // m
 };
+
+mimo::Env make_world(mimo::Task& task) {
+  mimo_scene_config config = mimo::scene_config();
+  config.name = "free";
+  mimo::Scene scene(config);
+  mimo_agent_config agent = mimo::agent_config();
+  agent.vision = 0;
+  scene.add_agent(agent);
+  scene.set_task(task);
+  return mimo::Env(scene);
+}
 
 }  // namespace
 
 int main() try {
-  HoldYourHeadHigh task;
+  HoldYourHeadHigh task;  // outlives its worlds
+  mimo::Env env = make_world(task);
+  mimo::Block block = env.make_block();
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  task.reset(1);
+  std::vector<float> action(env.action_size());
   double sum = 0;
   int steps = 0;
+  env.reset(1, block);
   for (bool ended = false; !ended && steps < 500; ++steps) {
-    std::vector<float> action(task.action_size());
     for (float& value : action) value = uniform(random);
-    const auto result = task.step(action);
-    sum += result.first;
-    ended = result.second;
+    const auto result = env.step(action, block).front();
+    sum += result.reward;
+    ended = result.terminated;
   }
-  std::printf("the head was down after %d steps; return %.2f\n", steps, sum);
+  const float height = block.view<float>(env.field("head_height"))[0];
+  std::printf("after %d steps the head is at %.2f m; return %.2f\n", steps, height, sum);
+  for (const auto& term : env.reward_terms())
+    std::printf("  %s: %.3f in the last step\n", term.first.c_str(), term.second);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -23,6 +23,7 @@
 #include "hpp/results.hpp"
 #include "hpp/scene.hpp"
 #include "hpp/senses.hpp"
+#include "hpp/task.hpp"
 #include "mimo.h"
 
 /// libmimo for C++, see mimo.hpp.

@@ -40,33 +40,81 @@ MIMO_API mimo_status mimo_scene_set_parameter(mimo_scene *scene, const char *nam
 /** The value that a parameter has in this scene. */
 MIMO_API mimo_status mimo_scene_get_parameter(const mimo_scene *scene, const char *name, double *value) MIMO_NOEXCEPT;
 
-#define MIMO_OUTCOME_NONE 0     /**< The episode goes on. */
-#define MIMO_OUTCOME_SUCCESS 1  /**< The agent's episode has ended well. */
-#define MIMO_OUTCOME_FAILURE -1 /**< The agent's episode has ended badly. */
+#define MIMO_OUTCOME_NONE 0     /**< Neither. */
+#define MIMO_OUTCOME_SUCCESS 1  /**< The agent has done it: its episode ends well, unless the verdict says it goes on. */
+#define MIMO_OUTCOME_FAILURE -1 /**< It has failed: its episode ends badly, unless the verdict says it goes on. */
 
-#define MIMO_TASK_MEMORY_LIMIT 1048576 /**< Largest memory_bytes of a task. */
+#define MIMO_TASK_MEMORY_LIMIT 1048576 /**< Largest memory_bytes of a task, and most bytes of its fields together. */
+
+/** What a function of a task is told: of whom it is asked, and what happened. It lasts until the function returns. */
+typedef struct mimo_task_moment {
+  uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
+  uint32_t reserved;    /**< 0. */
+  size_t world;         /**< Number of the world in its batch; 0 for a single environment. */
+  size_t agent;         /**< Number of the agent. */
+  uint64_t step;        /**< Steps since the reset, with this one: 1 after the first. 0 in reset. */
+  void *memory;         /**< memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at the start
+                             of an episode; part of the world's state. NULL where memory_bytes is 0. */
+  float *fields;        /**< Values of the declared fields, one field after the other, in the order of declaration; part
+                             of the world's state. Zero at the start of an episode, then as last left; what they are
+                             when the function returns is observed. NULL where none are declared. */
+  const float *action;  /**< The agent's own actions of this step, within their bounds. NULL where the step was given
+                             none, and in reset. */
+  size_t action_count;  /**< Length of action, 0 where it is NULL. */
+  const void *block;    /**< The observation of this step, as the caller of the step gets it, of all agents; the fields
+                             of tasks of one's own in it are still those of the step before. NULL where the caller asks
+                             for none, and in reset. */
+  size_t block_bytes;   /**< Length of block, 0 where it is NULL. */
+} mimo_task_moment;
+
+/** What a task says of a step of one agent. All is zero unless set. */
+typedef struct mimo_task_verdict {
+  uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
+  int32_t outcome;      /**< MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE. */
+  double reward;        /**< Of a task without terms. Of one with terms it stays 0: the reward is their sum. */
+  double *terms;        /**< One for each of the task's terms. NULL where it declares none. */
+  uint32_t goes_on;     /**< 1: success or failure does not end the episode. */
+  uint32_t truncated;   /**< 1: the episode is cut off here. */
+} mimo_task_verdict;
 
 /**
  * Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random
  * gives the random numbers.
- * @param user   as in mimo_task.
- * @param env    the world; it takes everything but resets, steps, loading a state and destruction.
- * @param world  its number in the batch; 0 for a single environment.
- * @param agent  number of the agent.
- * @param memory memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at first; part of the
- *               world's state.
+ * @param user as in mimo_task.
+ * @param env  the world; it takes everything but resets, steps, loading a state and destruction.
  * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns; mimo_fail says why. An exception of a C++ program
  *         fails it too, and in a batch only that world. The function must not end its thread nor jump out.
  */
-typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, size_t world, size_t agent, void *memory);
+typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, const mimo_task_moment *moment);
 
 /**
- * Judges a step of one agent. Positions of bodies are those of the start of the last physics step.
- * @param reward  0 unless set; finite, else the step fails with MIMO_E_INVALID_ARGUMENT.
- * @param outcome MIMO_OUTCOME_NONE unless set.
+ * Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step.
+ * Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with
+ * MIMO_E_INVALID_ARGUMENT and names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED.
  */
-typedef mimo_status (*mimo_task_evaluate_fn)(void *user, const mimo_env *env, size_t world, size_t agent, void *memory,
-                                             double *reward, int32_t *outcome);
+typedef mimo_status (*mimo_task_evaluate_fn)(void *user, const mimo_env *env, const mimo_task_moment *moment,
+                                             mimo_task_verdict *verdict);
+
+/**
+ * A field of the observation that a task of your own fills, of MIMO_F32: a goal, and what has been reached of it.
+ * Each agent has one of its own, with its prefix ("anna/goal"). Limits of senses do not concern it.
+ */
+typedef struct mimo_task_field {
+  uint32_t struct_size; /**< sizeof(mimo_task_field), set by mimo_task_field_init. */
+  uint32_t ndim;        /**< Length of shape, up to 4. 0: the field is one number. */
+  const char *name;     /**< "goal", "task/goal"; no other field of the agent has it. */
+  const char *unit;     /**< "m"; NULL: none. */
+  const char *frame;    /**< Frame of reference: "world"; NULL: none. */
+  const size_t *shape;  /**< ndim sizes, each at least 1, the last one changes fastest. */
+  double low;           /**< Smallest allowed value; -infinity unless set. */
+  double high;          /**< Largest allowed value; infinity unless set. */
+} mimo_task_field;
+
+/**
+ * Fills a field with defaults: one number without bounds and name.
+ * @param size sizeof(mimo_task_field) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_task_field_init(mimo_task_field *field, size_t size) MIMO_NOEXCEPT;
 
 /** A task. Worlds of a batch call its functions at the same time, on several threads: `user` is shared. */
 typedef struct mimo_task {
@@ -76,17 +124,24 @@ typedef struct mimo_task {
   size_t memory_bytes;            /**< Memory for each world and agent, up to MIMO_TASK_MEMORY_LIMIT. */
   mimo_task_reset_fn reset;       /**< May be NULL. */
   mimo_task_evaluate_fn evaluate; /**< Needed. */
+  const char *const *terms;       /**< Names of the terms that the reward is the sum of (mimo_env_reward_term_name).
+                                       NULL: it is one number, the term "reward". */
+  size_t term_count;              /**< Length of terms, up to 1000. */
+  const mimo_task_field *fields;  /**< Further fields of the observation. NULL: none. */
+  size_t field_count;             /**< Length of fields, up to 1000. */
 } mimo_task;
 
 /**
- * Fills a task with defaults: no functions, no memory.
+ * Fills a task with defaults: no functions, no memory, no terms, no fields.
  * @param size sizeof(mimo_task) as the caller knows it.
  */
 MIMO_API mimo_status mimo_task_init(mimo_task *task, size_t size) MIMO_NOEXCEPT;
 
 /**
  * Gives all worlds made from now on a task of your own, named "custom", in place of the scene's. NULL takes it away.
- * A task that mimo_env_config names comes first.
+ * A task that mimo_env_config names comes first. Terms and fields are copied.
+ * Errors: MIMO_E_INVALID_ARGUMENT names what is wrong with a term or field; that a field has the name of another one of
+ * the agent is found when worlds are made.
  */
 MIMO_API mimo_status mimo_scene_set_task(mimo_scene *scene, const mimo_task *task) MIMO_NOEXCEPT;
 

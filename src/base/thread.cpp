@@ -14,12 +14,15 @@ namespace {
 constexpr std::size_t kLeastStack = 512 * 1024;
 
 // A new thread inherits the mask of the one that starts it. Faults are not blocked: they are errors of this thread's
-// own.
+// own. Nor are signals by which managed runtimes stop each thread that has run their code, as tasks of the user's own
+// may be: Mono and .NET take real-time ones, older collectors SIGPWR and SIGXCPU.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
     sigset_t signals;
     sigfillset(&signals);
+    for (int runtimes = SIGRTMIN; runtimes <= SIGRTMAX; ++runtimes) sigdelset(&signals, runtimes);
+    for (const int runtimes : {SIGPWR, SIGXCPU}) sigdelset(&signals, runtimes);
     for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&signals, fault);
     pthread_sigmask(SIG_BLOCK, &signals, &before_);
   }

@@ -143,7 +143,10 @@ mimo_agent_config config_from(const blueprint::AgentPlan& plan) {
   return config;
 }
 
-mimo_agent_config default_agent_config() { return config_from({}); }
+mimo_agent_config default_agent_config() {
+  const blueprint::AgentPlan usual;  // a temporary is warned of by GCC with its thread sanitizer
+  return config_from(usual);
+}
 
 // What the scene gives its infant by itself.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {

@@ -1,8 +1,10 @@
 #include "capi/custom_task.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/floats.h"
+#include "base/format.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -22,7 +24,7 @@ void check(mimo_status status, const char* function) {
 
 // A C++ program may let exceptions out of its functions.
 template <typename Call>
-void ask(const char* function, Call&& call) {
+void call_out(const char* function, Call&& call) {
   const FreshError of_its_own;
   const PlainFloats plain;  // what it changes of how this thread calculates ends with it
   try {
@@ -36,57 +38,150 @@ void ask(const char* function, Call&& call) {
   }
 }
 
-mimo_task empty_task() {
-  mimo_task task{};
-  task.struct_size = sizeof task;
-  return task;
+env::CustomTask maker(std::shared_ptr<const TaskPlan> plan) {
+  return [plan = std::move(plan)](const env::Identity& world, std::size_t agent) {
+    return std::make_unique<CustomTask>(plan, world, agent);
+  };
 }
 
-env::CustomTask custom_task(const mimo_task& functions) {
-  check_reserved(functions.reserved, "task: reserved");
-  require(functions.evaluate != nullptr, "task: evaluate is NULL");
-  require(functions.memory_bytes <= MIMO_TASK_MEMORY_LIMIT, "task: memory_bytes is {}, expected up to {}",
-          functions.memory_bytes, MIMO_TASK_MEMORY_LIMIT);
-  return [functions](const env::Identity& world, std::size_t agent) {
-    return std::make_unique<CustomTask>(functions, world, agent);
-  };
+std::vector<tasks::Term> terms_of(const TaskPlan& plan) {
+  if (plan.terms.empty()) return {{"reward", 0.0}};
+  std::vector<tasks::Term> all;
+  for (const std::string& name : plan.terms) all.push_back({name.c_str(), 0.0});
+  return all;
+}
+
+template <typename T>
+T* data_of(std::vector<T>& values) {
+  return values.empty() ? nullptr : values.data();
 }
 
 }  // namespace
 
-CustomTask::CustomTask(const mimo_task& functions, const env::Identity& world, std::size_t agent)
-    : Task({{"reward", 0.0}}),
-      functions_(functions),
+CustomTask::CustomTask(std::shared_ptr<const TaskPlan> plan, const env::Identity& world, std::size_t agent)
+    : Task(terms_of(*plan)),
+      plan_(std::move(plan)),
       env_(static_cast<mimo_env* const*>(world.host)),
       world_(world.number),
       agent_(agent),
-      memory_(functions.memory_bytes) {
+      memory_(plan_->memory_bytes),
+      fields_(plan_->values()),
+      new_fields_(fields_),
+      new_terms_(plan_->terms.size()) {
   ends_ = true;
+}
+
+mimo_task_moment CustomTask::moment() {
+  mimo_task_moment moment{};
+  moment.struct_size = sizeof moment;
+  moment.world = world_;
+  moment.agent = agent_;
+  moment.step = step_.number;
+  moment.memory = data_of(memory_);
+  moment.fields = data_of(new_fields_);
+  moment.action = step_.actions.data();
+  moment.action_count = step_.actions.size();
+  moment.block = step_.block.data();
+  moment.block_bytes = step_.block.size();
+  return moment;
+}
+
+// What was observed last stays so where the function fails.
+template <typename Call>
+void CustomTask::ask(const char* function, Call&& call) {
+  new_fields_ = fields_;
+  call_out(function, call);
+  check_fields(function);
 }
 
 void CustomTask::reset(engine::Physics&, Random&) {
   std::fill(memory_.begin(), memory_.end(), std::uint8_t{0});
-  if (functions_.reset == nullptr) return;
-  ask("reset", [this] { return functions_.reset(functions_.user, *env_, world_, agent_, memory_.data()); });
+  std::fill(fields_.begin(), fields_.end(), 0.0f);
+  if (plan_->reset == nullptr) return;
+  const mimo_task_moment now = moment();
+  ask("reset", [&] { return plan_->reset(plan_->user, *env_, &now); });
+  fields_ = new_fields_;
 }
 
 void CustomTask::evaluate(const engine::Physics&) {
-  double reward = 0;
-  int32_t outcome = MIMO_OUTCOME_NONE;
-  ask("evaluate",
-      [&] { return functions_.evaluate(functions_.user, *env_, world_, agent_, memory_.data(), &reward, &outcome); });
-  terms_[0].value = reward;
-  success_ = outcome > 0;
-  failure_ = outcome < 0;
+  withdraw();
+  std::fill(new_terms_.begin(), new_terms_.end(), 0.0);
+  const mimo_task_moment now = moment();
+  mimo_task_verdict verdict{};
+  verdict.struct_size = sizeof verdict;
+  verdict.terms = data_of(new_terms_);
+  ask("evaluate", [&] { return plan_->evaluate(plan_->user, *env_, &now, &verdict); });
+  check_terms(verdict);
+  fields_ = new_fields_;
+  if (new_terms_.empty()) terms_[0].value = verdict.reward;
+  for (std::size_t i = 0; i < new_terms_.size(); ++i) terms_[i].value = new_terms_[i];
+  success_ = verdict.outcome == MIMO_OUTCOME_SUCCESS;
+  failure_ = verdict.outcome == MIMO_OUTCOME_FAILURE;
+  ends_ = verdict.goes_on == 0;
+  cut_off_ = verdict.truncated != 0;
+}
+
+void CustomTask::check_terms(const mimo_task_verdict& verdict) const {
+  if (verdict.outcome < MIMO_OUTCOME_FAILURE || verdict.outcome > MIMO_OUTCOME_SUCCESS) {
+    fail(Status::kUnsupported,
+         "the task's function evaluate gave agent {} the outcome {}, which this library does not know", agent_,
+         verdict.outcome);
+  }
+  const auto check_switch = [this](std::uint32_t value, const char* name) {
+    require(value <= 1, "the task's function evaluate gave agent {} {} as {}, expected 0 or 1", agent_, name, value);
+  };
+  check_switch(verdict.goes_on, "goes_on");
+  check_switch(verdict.truncated, "truncated");
+  require(new_terms_.empty() || verdict.reward == 0,
+          "the task's function evaluate gave agent {} the reward {} beside terms, expected 0: it is their sum", agent_,
+          verdict.reward);
+  for (std::size_t i = 0; i < new_terms_.size(); ++i) {
+    require(std::isfinite(new_terms_[i]),
+            "the task's function evaluate gave agent {} the term \"{}\" as {}, expected a finite number", agent_,
+            terms_[i].name, new_terms_[i]);
+  }
+}
+
+void CustomTask::check_fields(const char* function) const {
+  const float* value = new_fields_.data();
+  for (const observation::Field& field : plan_->fields) {
+    const auto low = static_cast<float>(field.low), high = static_cast<float>(field.high);
+    for (std::size_t i = 0; i < field.count(); ++i, ++value) {
+      if (std::isfinite(*value) && *value >= low && *value <= high) continue;
+      const std::string bounds = std::isfinite(low) || std::isfinite(high) ? format(" from {} to {}", low, high) : "";
+      fail(Status::kInvalidArgument, "the task's function {} gave agent {} {}[{}] as {}, expected a finite number{}",
+           function, agent_, field.name, i, *value, bounds);
+    }
+  }
+}
+
+std::vector<observation::Signal> CustomTask::signals(const mjModel&) const {
+  std::vector<observation::Signal> all;
+  std::size_t start = 0;
+  for (const observation::Field& field : plan_->fields) {
+    const std::size_t count = field.count();
+    all.push_back({field, [this, start, count](const mjModel&, const mjData&, float* out) {
+                     std::copy_n(fields_.begin() + start, count, out);
+                   }});
+    start += count;
+  }
+  return all;
 }
 
 void CustomTask::save(ByteWriter& to) const {
   Task::save(to);
+  to.put(ends_);
+  to.put(cut_off_);
+  to.put(Span<const float>(fields_));
   to.put(Span<const std::uint8_t>(memory_));
 }
 
 void CustomTask::load(ByteReader& from) {
   Task::load(from);
+  ends_ = from.take_flag();
+  cut_off_ = from.take_flag();
+  from.take(Span<float>(fields_));
+  for (const float value : fields_) require(std::isfinite(value), "the state holds {} for a task's field", value);
   from.take(Span<std::uint8_t>(memory_));
 }
 
@@ -101,11 +196,15 @@ mimo_status mimo_task_init(mimo_task* task, size_t size) noexcept {
   return guard([&] { write_struct(task, size, empty_task(), "task"); });
 }
 
+mimo_status mimo_task_field_init(mimo_task_field* field, size_t size) noexcept {
+  return guard([&] { write_struct(field, size, empty_field(), "field"); });
+}
+
 mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     env::CustomTask own;
-    if (task != nullptr) own = custom_task(read_struct(task, empty_task(), "task"));
+    if (task != nullptr) own = maker(task_plan(read_struct(task, empty_task(), "task")));
     blueprint.edit([&](blueprint::Draft& draft) { draft.task = std::move(own); });
   });
 }

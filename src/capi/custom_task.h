@@ -1,8 +1,10 @@
 // A task that is written by the user, as C functions.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "capi/task_plan.h"
 #include "env/options.h"
 #include "mimo/mimo.h"
 #include "tasks/task.h"
@@ -12,18 +14,30 @@ namespace mimo::capi {
 class CustomTask : public tasks::Task {
  public:
   // The world's host is where its handle is by the time that the task is asked to do something.
-  CustomTask(const mimo_task& functions, const env::Identity& world, std::size_t agent);
+  CustomTask(std::shared_ptr<const TaskPlan> plan, const env::Identity& world, std::size_t agent);
 
   void reset(engine::Physics& physics, Random& random) override;
+  bool judges_senses() const override { return true; }
   void evaluate(const engine::Physics& physics) override;
+  std::vector<observation::Signal> signals(const mjModel& model) const override;
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
 
  private:
-  mimo_task functions_;
+  mimo_task_moment moment();
+  template <typename Call>
+  void ask(const char* function, Call&& call);
+  void check_terms(const mimo_task_verdict& verdict) const;
+  void check_fields(const char* function) const;
+
+  std::shared_ptr<const TaskPlan> plan_;
   mimo_env* const* env_;
   std::size_t world_, agent_;
   std::vector<std::uint8_t> memory_;
+  std::vector<float> fields_;
+  // What the functions write; it counts when it is found to be good.
+  std::vector<float> new_fields_;
+  std::vector<double> new_terms_;
 };
 
 }  // namespace mimo::capi

@@ -14,4 +14,5 @@ MIMO_FIRST_SIZE(mimo_picture_config, 80);
 MIMO_FIRST_SIZE(mimo_timing, 64);
 MIMO_FIRST_SIZE(mimo_batch_config, 24);
 MIMO_FIRST_SIZE(mimo_batch_results, 88);
-MIMO_FIRST_SIZE(mimo_task, 40);
+MIMO_FIRST_SIZE(mimo_task_field, 56);
+MIMO_FIRST_SIZE(mimo_task, 72);

@@ -46,6 +46,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
   for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits);
   limits_.make_room(layout());
+  bounded_.resize(action_size_);
   start();
   limits_.start(random_);
   sense(nullptr, Moment::kStart);
@@ -178,8 +179,11 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   }
   ++elapsed_;
   if (options_.timing) ++timing_.steps;
-  evaluate();
-  sense(block, Moment::kStep);
+  const bool senses_first = judges_senses();
+  if (senses_first) sense(block, Moment::kStep);
+  evaluate(actions, block);
+  if (!senses_first) sense(block, Moment::kStep);
+  if (senses_first && block != nullptr) observer_.observe_share(observation::Share::kTask, model(), data(), block);
   report(results);
   report_warnings();
 }
@@ -216,16 +220,33 @@ void World::sense(std::uint8_t* block, Moment moment) {
   }
 }
 
-// Before sensing: rewards belong to what the last physics step started from, and then a task may turn the head.
-void World::evaluate() {
+// Built-in tasks turn the head after they have judged; those of the user's own only look, also at what was sensed.
+bool World::judges_senses() const {
+  return std::any_of(agents_.begin(), agents_.end(), [](const Agent& agent) { return agent.task->judges_senses(); });
+}
+
+// Rewards belong to what the last physics step started from; then a task may turn the head.
+void World::evaluate(Span<const float> actions, const std::uint8_t* block) {
   const Flag at_work(in_task_);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Agent& agent = agents_[i];
-    agent.task->spend(agent.actuation->effort(model(), data()));
+    const double effort = agent.actuation->effort(model(), data());
+    const Span<const std::uint8_t> sensed(block, block == nullptr ? 0 : layout().bytes());
+    agent.task->consider({elapsed_, effort, bounded(agent, actions), sensed});
     agent.task->evaluate(physics_);
     check_reward(i);
   }
   for (const Agent& agent : agents_) agent.task->follow(physics_);
+}
+
+Span<const float> World::bounded(const Agent& agent, Span<const float> actions) {
+  if (actions.empty()) return {};
+  const actuation::Actuation& actuation = *agent.actuation;
+  float* own = bounded_.data() + agent.action_offset;
+  for (std::size_t i = 0; i < actuation.size(); ++i) {
+    own[i] = std::clamp(actions[agent.action_offset + i], actuation.low()[i], actuation.high()[i]);
+  }
+  return {own, actuation.size()};
 }
 
 // A task that gave no number gave nothing: a world's state holds numbers only.
@@ -243,18 +264,19 @@ void World::report(const Results& results) const {
     const tasks::Task& task = *agents_[i].task;
     if (!results.reward.empty()) results.reward[i] = task.reward();
     if (!results.terminated.empty()) results.terminated[i] = task.over() ? 1 : 0;
-    if (!results.truncated.empty()) results.truncated[i] = out_of_time(agents_[i]) ? 1 : 0;
+    if (!results.truncated.empty()) results.truncated[i] = cut_off(agents_[i]) ? 1 : 0;
   }
 }
 
-bool World::out_of_time(const Agent& agent) const {
+bool World::cut_off(const Agent& agent) const {
+  if (agent.task->cut_off()) return true;
   const std::uint64_t limit = options_.max_steps > 0 ? options_.max_steps : agent.task->episode_steps();
   return limit > 0 && elapsed_ >= limit;
 }
 
 bool World::over() const {
   return std::any_of(agents_.begin(), agents_.end(),
-                     [this](const Agent& agent) { return agent.task->over() || out_of_time(agent); });
+                     [this](const Agent& agent) { return agent.task->over() || cut_off(agent); });
 }
 
 void World::show_face(std::size_t agent, int face) {

@@ -93,11 +93,13 @@ class World {
   enum class Moment { kStart, kStep, kBetween };
   // Without a block only where senses are late, and what they give now is for later.
   void sense(std::uint8_t* block, Moment moment);
-  void evaluate();
+  bool judges_senses() const;
+  void evaluate(Span<const float> actions, const std::uint8_t* block);
+  Span<const float> bounded(const Agent& agent, Span<const float> actions);
   void check_reward(std::size_t agent);
   void report(const Results& results) const;
   void require_outside_task() const;
-  bool out_of_time(const Agent& agent) const;
+  bool cut_off(const Agent& agent) const;
   void report_warnings();
   void measure_state();
   void save_parts(ByteWriter& to, Hash* layout) const;
@@ -116,6 +118,7 @@ class World {
   observation::LimitedSenses limits_;
   Random random_;
   std::size_t action_size_ = 0;
+  std::vector<float> bounded_;  // actions of a step, for tasks
   std::uint64_t elapsed_ = 0;
   bool in_task_ = false;  // a task is at work, and must not start or step the world that it is part of
   Timing timing_;

@@ -23,6 +23,7 @@ struct Field {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> labels;  // one per element of the flattened field; empty for pictures
+  bool told = false;                // by a task of the user's own: limits of senses do not concern it
   double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else
   std::size_t offset = 0;           // in the block; set by the layout
 

@@ -32,4 +32,10 @@ void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* b
   layout_.clear_gaps(block);
 }
 
+void Observer::observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const {
+  for (Sense* sense : senses_) {
+    if (sense->share() == share) sense->write(model, data, block);
+  }
+}
+
 }  // namespace mimo::observation

@@ -23,6 +23,8 @@ class Observer {
 
   // Fills every byte of the block, and adds what each share took to `times`; null: nobody wants to know.
   void observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
+  // Fills the fields of one share only.
+  void observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const;
 
  private:
   std::vector<Sense*> senses_;

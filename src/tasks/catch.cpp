@@ -154,7 +154,7 @@ void Catch::evaluate(const engine::Physics& physics) {
   success_ = held_ >= hold_steps_;
   failure_ = !success_ && lost(physics);
   terms_[kContact].value = touched_ ? contact_reward_ : 0;
-  terms_[kEffort].value = 0 - effort_weight_ * effort_;  // not -0 where nothing is done
+  terms_[kEffort].value = 0 - effort_weight_ * step_.effort;  // not -0 where nothing is done
   terms_[kFailure].value = failure_ ? failure_reward_ : 0;
   terms_[kSuccess].value = success_ ? success_reward_ : 0;
   touched_ = false;

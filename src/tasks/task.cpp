@@ -31,8 +31,13 @@ double Task::reward() const {
 }
 
 void Task::clear() {
+  withdraw();
+  step_ = {};
+}
+
+void Task::withdraw() {
   for (Term& term : terms_) term.value = 0;
-  success_ = failure_ = false;
+  success_ = failure_ = cut_off_ = false;
 }
 
 void Task::save(ByteWriter& to) const {

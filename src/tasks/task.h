@@ -20,6 +20,14 @@ struct Term {
   double value;
 };
 
+// What happened in a step beside the physics, for its evaluation. It lasts until that is over.
+struct Step {
+  std::uint64_t number = 0;        // since the reset, with this one
+  double effort = 0;               // what its commands cost (actuation::Actuation::effort)
+  Span<const float> actions;       // the infant's, within their bounds; empty: the step had none
+  Span<const std::uint8_t> block;  // all that was sensed, of tasks that judge it; empty: nobody asked for it
+};
+
 class Task {
  public:
   virtual ~Task() = default;
@@ -30,8 +38,10 @@ class Task {
   virtual Span<const float> disturb(Span<const float> actions, Random&) { return actions; }
   // After each physics step of an environment step, for what may be over when the last one is done.
   virtual void watch(const engine::Physics&) {}
-  // Before the evaluation: what the step's commands cost (actuation::Actuation::effort).
-  void spend(double effort) { effort_ = effort; }
+  // Whether the senses come before the evaluation. What such a task tells the infant is added after it.
+  virtual bool judges_senses() const { return false; }
+  // Before the evaluation.
+  void consider(const Step& step) { step_ = step; }
   // After the last physics step: terms and outcome. Positions of bodies are those of that step's start, as in the
   // original.
   virtual void evaluate(const engine::Physics&) {}
@@ -46,6 +56,8 @@ class Task {
   bool failure() const { return failure_; }
   // Whether success or failure ends the episode.
   bool over() const { return ends_ && (success_ || failure_); }
+  // Whether the task cuts the episode off here.
+  bool cut_off() const { return cut_off_; }
   // Steps after which an episode is cut off; 0: never.
   std::uint64_t episode_steps() const { return episode_steps_; }
   // For the start of an episode, before reset.
@@ -59,10 +71,14 @@ class Task {
  protected:
   explicit Task(std::vector<Term> terms) : terms_(std::move(terms)) {}
 
+  // No reward, no outcome.
+  void withdraw();
+
   std::vector<Term> terms_;
   std::uint64_t episode_steps_ = 0;
   bool ends_ = false;
-  double effort_ = 0;
+  bool cut_off_ = false;
+  Step step_;
   bool success_ = false;
   bool failure_ = false;
 };

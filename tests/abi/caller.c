@@ -231,13 +231,18 @@ static void see(mimo_env *env) {
   CHECK(timing.steps == 20);
 }
 
-static mimo_status evaluate(void *user, const mimo_env *env, size_t world, size_t agent, void *memory, double *reward,
-                            int32_t *outcome) {
-  double *steps = memory;
+static mimo_status evaluate(void *user, const mimo_env *env, const mimo_task_moment *moment,
+                            mimo_task_verdict *verdict) {
+  double *steps = moment->memory;
   (void)env;
   *steps += 1;
-  *reward = *steps + 10 * (double)world + 100 * (double)agent + *(const double *)user;
-  *outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
+  CHECK(moment->struct_size >= sizeof *moment && verdict->struct_size >= sizeof *verdict);
+  CHECK(moment->step == (uint64_t)*steps && moment->action == NULL && moment->action_count == 0);
+  CHECK(moment->block == NULL && moment->block_bytes == 0 && verdict->goes_on == 0 && verdict->truncated == 0);
+  moment->fields[1] = (float)*steps;
+  verdict->terms[0] = *steps + 10 * (double)moment->world + 100 * (double)moment->agent;
+  verdict->terms[1] = *(const double *)user;
+  verdict->outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
   return MIMO_OK;
 }
 
@@ -257,7 +262,22 @@ static void live_together(mimo_scene *scene) {
   mimo_batch_config config;
   mimo_batch_results results;
   mimo_batch *batch = NULL;
+  mimo_task_field goal;
+  const size_t two = 2;
+  const char *const terms[2] = {"steps", "thousand"}, *term = NULL;
+  mimo_env *world = NULL;
+  OK(mimo_task_field_init(&goal, sizeof goal));
+  CHECK(goal.ndim == 0 && goal.low < -1e308 && goal.high > 1e308);
+  goal.name = "goal";
+  goal.unit = "m";
+  goal.frame = "world";
+  goal.shape = &two;
+  goal.ndim = 1;
   OK(mimo_task_init(&task, sizeof task));
+  task.terms = terms;
+  task.term_count = 2;
+  task.fields = &goal;
+  task.field_count = 1;
   task.user = &thousand;
   task.memory_bytes = sizeof(double);
   task.evaluate = evaluate;
@@ -269,6 +289,9 @@ static void live_together(mimo_scene *scene) {
   OK(mimo_batch_create(scene, NULL, &config, &batch));
   OK(mimo_batch_size(batch, &worlds, NULL));
   CHECK(worlds == 2);
+  OK(mimo_batch_world(batch, 0, &world));
+  OK(mimo_env_reward_term_name(world, 0, 1, &term));
+  CHECK(strcmp(term, "thousand") == 0 && field_named(world, "goal").bytes == 8);
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = reward;

@@ -220,6 +220,41 @@ int main(void) {
   FIELD(mimo_task, memory_bytes);
   FIELD(mimo_task, reset);
   FIELD(mimo_task, evaluate);
+  FIELD(mimo_task, terms);
+  FIELD(mimo_task, term_count);
+  FIELD(mimo_task, fields);
+  FIELD(mimo_task, field_count);
+
+  BEGIN(mimo_task_moment);
+  FIELD(mimo_task_moment, struct_size);
+  FIELD(mimo_task_moment, reserved);
+  FIELD(mimo_task_moment, world);
+  FIELD(mimo_task_moment, agent);
+  FIELD(mimo_task_moment, step);
+  FIELD(mimo_task_moment, memory);
+  FIELD(mimo_task_moment, fields);
+  FIELD(mimo_task_moment, action);
+  FIELD(mimo_task_moment, action_count);
+  FIELD(mimo_task_moment, block);
+  FIELD(mimo_task_moment, block_bytes);
+
+  BEGIN(mimo_task_verdict);
+  FIELD(mimo_task_verdict, struct_size);
+  FIELD(mimo_task_verdict, outcome);
+  FIELD(mimo_task_verdict, reward);
+  FIELD(mimo_task_verdict, terms);
+  FIELD(mimo_task_verdict, goes_on);
+  FIELD(mimo_task_verdict, truncated);
+
+  BEGIN(mimo_task_field);
+  FIELD(mimo_task_field, struct_size);
+  FIELD(mimo_task_field, ndim);
+  FIELD(mimo_task_field, name);
+  FIELD(mimo_task_field, unit);
+  FIELD(mimo_task_field, frame);
+  FIELD(mimo_task_field, shape);
+  FIELD(mimo_task_field, low);
+  FIELD(mimo_task_field, high);
 
   printf("\n  }\n}\n");
   return 0;

@@ -15,16 +15,9 @@ static void sleep_ms(long ms) {
   nanosleep(&time, NULL); /* a cancellation point */
 }
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   int i;
-  (void)user;
-  (void)env;
-  (void)world;
-  (void)agent;
-  (void)memory;
-  (void)reward;
-  (void)outcome;
+  (void)user, (void)env, (void)moment, (void)verdict;
   pthread_mutex_lock(&mutex);
   started = 1;
   pthread_cond_signal(&changed);

@@ -88,15 +88,12 @@ static void check_threads(const mimo_scene* scene) {
 }
 
 /* Each world's task draws the other batch's world of the same number, which no other thread touches. */
-static mimo_status draw_another(void* user, const mimo_env* env, size_t world, size_t agent, void* memory,
-                                double* reward, int32_t* outcome) {
+static mimo_status draw_another(void* user, const mimo_env* env, const mimo_task_moment* moment,
+                                mimo_task_verdict* verdict) {
   painter* painters = user;
   (void)env;
-  (void)agent;
-  (void)memory;
-  (void)outcome;
-  draw(&painters[world], 0);
-  *reward = 1;
+  draw(&painters[moment->world], 0);
+  verdict->reward = 1;
   return MIMO_OK;
 }
 

@@ -9,17 +9,17 @@ namespace {
 enum class Throws { kNothing, kStandard, kForeign };
 
 // World 1 throws. Only the kind that this build of the test asks for: they come through a C interface.
-mimo_status judge(void* user, const mimo_env*, size_t world, size_t, void*, double* reward, int32_t*) {
-  *reward = 1;
-  if (world != 1) return MIMO_OK;
+mimo_status judge(void* user, const mimo_env*, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  verdict->reward = 1;
+  if (moment->world != 1) return MIMO_OK;
   const Throws what = *static_cast<Throws*>(user);
   if (what == Throws::kStandard) throw std::runtime_error("the ball left the table");
   if (what == Throws::kForeign) throw 42;
   return MIMO_OK;
 }
 
-mimo_status begin(void* user, mimo_env*, size_t world, size_t, void*) {
-  if (world == 1 && *static_cast<Throws*>(user) == Throws::kForeign) throw 42;
+mimo_status begin(void* user, mimo_env*, const mimo_task_moment* moment) {
+  if (moment->world == 1 && *static_cast<Throws*>(user) == Throws::kForeign) throw 42;
   return MIMO_OK;
 }
 

@@ -96,27 +96,18 @@ static mimo_status destroy_batch(mimo_batch* batch) {
 }
 
 /* Its reward is different for every rounding, and a trap. */
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   volatile double ten = 10, tiny = 1e-310, one = 1;
   double time = 0;
-  (void)user;
-  (void)world;
-  (void)agent;
-  (void)memory;
-  (void)outcome;
+  (void)user, (void)moment;
   if (mimo_env_time(env, &time) != MIMO_OK) return MIMO_E_INTERNAL;
-  *reward = time + one / ten + tiny / ten * 1e300 + -(one / ten) * 1e-17;
+  verdict->reward = time + one / ten + tiny / ten * 1e300 + -(one / ten) * 1e-17;
   of_the_task();
   return MIMO_OK;
 }
 
-static mimo_status start(void* user, mimo_env* env, size_t world, size_t agent, void* memory) {
-  (void)user;
-  (void)env;
-  (void)world;
-  (void)agent;
-  (void)memory;
+static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* moment) {
+  (void)user, (void)env, (void)moment;
   of_the_task();
   return MIMO_OK;
 }

@@ -176,11 +176,10 @@ static void check_apart(void) {
 
 /* ---- Each has its own ---- */
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
-  (void)user, (void)env, (void)world, (void)memory;
-  *reward = 1 + (double)agent;
-  if (agent == 1) *outcome = MIMO_OUTCOME_SUCCESS;
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  (void)user, (void)env;
+  verdict->reward = 1 + (double)moment->agent;
+  if (moment->agent == 1) verdict->outcome = MIMO_OUTCOME_SUCCESS;
   return MIMO_OK;
 }
 

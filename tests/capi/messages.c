@@ -12,16 +12,12 @@ typedef struct plan {
   char at_start[64]; /* mimo_last_error() when the task was asked */
 } plan;
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   plan* it = user;
   int32_t id;
-  (void)world;
-  (void)agent;
-  (void)memory;
-  (void)outcome;
+  (void)moment;
   snprintf(it->at_start, sizeof it->at_start, "%s", mimo_last_error());
-  *reward = it->reward;
+  verdict->reward = it->reward;
   if (it->mistakes && mimo_env_find(env, MIMO_BODY, "unicorn", &id) != MIMO_E_NOT_FOUND) return MIMO_E_INTERNAL;
   return it->says ? mimo_fail(it->status, "the ball left the table") : it->status;
 }

@@ -14,13 +14,12 @@ typedef struct rules {
   mimo_status reset_status, evaluate_status;
 } rules;
 
-static mimo_status start(void* user, mimo_env* env, size_t world, size_t agent, void* own) {
+static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* moment) {
   const rules* rule = user;
-  memory* it = own;
+  memory* it = moment->memory;
   double share;
   size_t count = 0;
-  (void)world;
-  if (it->target != 0 || it->steps != 0 || agent != 0) return MIMO_E_INTERNAL;
+  if (it->target != 0 || it->steps != 0 || moment->agent != 0) return MIMO_E_INTERNAL;
   if (mimo_env_reset(env, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
   if (mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
   mimo_env_destroy(env); /* does nothing now */
@@ -31,17 +30,14 @@ static mimo_status start(void* user, mimo_env* env, size_t world, size_t agent, 
   return rule->reset_status;
 }
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* own, double* reward,
-                         int32_t* outcome) {
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   const rules* rule = user;
-  memory* it = own;
+  memory* it = moment->memory;
   double angle;
-  (void)world;
-  (void)agent;
-  if (*reward != 0 || *outcome != MIMO_OUTCOME_NONE) return MIMO_E_INTERNAL;
+  if (verdict->reward != 0 || verdict->outcome != MIMO_OUTCOME_NONE) return MIMO_E_INTERNAL;
   if (mimo_env_get(env, MIMO_JOINT_POSITION, &rule->joint, 1, &angle, 1) != MIMO_OK) return MIMO_E_INTERNAL;
-  *reward = -fabs(angle - it->target);
-  if (++it->steps == 10) *outcome = it->target < -0.5 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_FAILURE;
+  verdict->reward = -fabs(angle - it->target);
+  if (++it->steps == 10) verdict->outcome = it->target < -0.5 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_FAILURE;
   return rule->evaluate_status;
 }
 

@@ -21,27 +21,23 @@ static void sleep_ms(long ms) {
   nanosleep(&time, NULL);
 }
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   shared* it = user;
   double time = 0;
   int i;
-  (void)agent;
-  (void)memory;
-  (void)reward;
-  (void)outcome;
+  (void)verdict;
   for (i = 0; i < it->slow; ++i) {
     sleep_ms(5);
-    it->wrong[world] += mimo_env_time(env, &time) != MIMO_OK;
+    it->wrong[moment->world] += mimo_env_time(env, &time) != MIMO_OK;
   }
   if (it->own != NULL) {
-    it->received[world] = mimo_batch_receive(it->own);
-    snprintf(it->message[world], sizeof it->message[world], "%s", mimo_last_error());
+    it->received[moment->world] = mimo_batch_receive(it->own);
+    snprintf(it->message[moment->world], sizeof it->message[moment->world], "%s", mimo_last_error());
     mimo_batch_destroy(it->own); /* does nothing now */
   }
-  if (it->other != NULL && world == 0)
-    it->wrong[world] += mimo_batch_step(it->other, NULL, 0, NULL, 0, NULL) != MIMO_OK;
-  ++it->done[world];
+  if (it->other != NULL && moment->world == 0)
+    it->wrong[moment->world] += mimo_batch_step(it->other, NULL, 0, NULL, 0, NULL) != MIMO_OK;
+  ++it->done[moment->world];
   return MIMO_OK;
 }
 

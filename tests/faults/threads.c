@@ -1,5 +1,5 @@
-/* How the library starts threads: with the host's signals blocked, which are as before afterwards, and with stacks that
- * suffice; and what it says when there are none to be had. */
+/* How the library starts threads: with the host's signals blocked, which are as before afterwards, but for those of
+ * runtimes; with stacks that suffice; and what it says when there are none to be had. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -24,6 +24,7 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
   pthread_sigmask(SIG_SETMASK, NULL, &blocked);
   CHECK(sigismember(&blocked, SIGTERM) && sigismember(&blocked, SIGUSR1) && sigismember(&blocked, SIGCHLD));
   CHECK(!sigismember(&blocked, SIGSEGV) && !sigismember(&blocked, SIGFPE));
+  CHECK(!sigismember(&blocked, SIGRTMIN + 2) && !sigismember(&blocked, SIGPWR)); /* collectors stop threads by these */
   if (attributes != NULL && pthread_attr_getstacksize(attributes, &stack) == 0 && stack < least_stack) {
     least_stack = stack;
   }

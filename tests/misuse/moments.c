@@ -86,12 +86,11 @@ static void after_fork(void) {
 }
 
 /* A task must not pull away or move on the world that it judges. */
-static mimo_status meddle(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                          int32_t* outcome) {
+static mimo_status meddle(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   mimo_env* mine = (mimo_env*)env;
   const args* a = user;
   double time = -1, later = -2;
-  (void)world, (void)agent, (void)memory, (void)reward, (void)outcome;
+  (void)moment, (void)verdict;
   CHECK_OK(mimo_env_time(env, &time));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_reset(mine, NULL, NULL, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(mine, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));

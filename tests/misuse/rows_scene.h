@@ -28,6 +28,8 @@ ROW(mimo_camera_config_init, 0, mimo_camera_config_init(a->camera_config, sizeof
     INIT(camera_config, mimo_camera_config, "config"))
 ROW(mimo_model_config_init, 0, mimo_model_config_init(a->model_config, sizeof *a->model_config + a->more_bytes),
     INIT(model_config, mimo_model_config, "config"))
+ROW(mimo_task_field_init, 0, mimo_task_field_init(a->task_field, sizeof *a->task_field + a->more_bytes),
+    INIT(task_field, mimo_task_field, "field"))
 ROW(mimo_task_init, 0, mimo_task_init(a->task, sizeof *a->task + a->more_bytes), INIT(task, mimo_task, "task"))
 
 ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more_bytes),
@@ -146,7 +148,17 @@ ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_
     CONFIG(task, mimo_task, "task"), UNKNOWN_FIELD(task, mimo_task, reserved, 1, "reserved"),
     {FAULT_FIELD_SIZE, "memory", MEMBER(task), FIELD(mimo_task, memory_bytes), 1048577, 0, NULL, E_ARG, "memory_bytes"},
     {FAULT_FIELD_SIZE, "huge memory", MEMBER(task), FIELD(mimo_task, memory_bytes), -1, 0, NULL, E_ARG, "memory_bytes"},
-    DO(no_evaluate, E_ARG, "evaluate"))
+    {FAULT_FIELD_SIZE, "many terms", MEMBER(task), FIELD(mimo_task, term_count), 1001, 0, NULL, E_ARG, "terms"},
+    {FAULT_FIELD_SIZE, "huge terms", MEMBER(task), FIELD(mimo_task, term_count), -1, 0, NULL, E_ARG, "terms"},
+    {FAULT_FIELD_SIZE, "many fields", MEMBER(task), FIELD(mimo_task, field_count), 1001, 0, NULL, E_ARG, "fields"},
+    {FAULT_FIELD_SIZE, "huge fields", MEMBER(task), FIELD(mimo_task, field_count), -1, 0, NULL, E_ARG, "fields"},
+    {FAULT_FIELD_NULL, "terms is NULL", MEMBER(task), FIELD(mimo_task, terms), 0, 0, NULL, E_ARG, "terms"},
+    {FAULT_FIELD_NULL, "fields is NULL", MEMBER(task), FIELD(mimo_task, fields), 0, 0, NULL, E_ARG, "fields"},
+    CONFIG(task_field, mimo_task_field, "fields[0]"), BAD_FIELD(task_field, mimo_task_field, ndim, 5, "ndim"),
+    {FAULT_FIELD_NULL, "no name", MEMBER(task_field), FIELD(mimo_task_field, name), 0, 0, NULL, E_ARG, "name"},
+    {FAULT_FIELD_NULL, "no shape", MEMBER(task_field), FIELD(mimo_task_field, shape), 0, 0, NULL, E_ARG, "shape"},
+    BAD_REAL(task_field, mimo_task_field, low, NAN, "low"), BAD_REAL(task_field, mimo_task_field, high, NAN, "high"),
+    BAD_REAL(task_field, mimo_task_field, low, 9, "low"), DO(no_evaluate, E_ARG, "evaluate"))
 
 #define ENV(f, n) BAD_FIELD(env_config, mimo_env_config, f, n, #f)
 #define ENV_UNKNOWN(f, n) UNKNOWN_FIELD(env_config, mimo_env_config, f, n, #f)

@@ -21,6 +21,7 @@ typedef struct args {
   mimo_batch_config* batch_config;
   mimo_picture_config* picture_config;
   mimo_task* task;
+  mimo_task_field* task_field;
   mimo_batch_results* results;
   mimo_parameter* parameter;
   mimo_agent_info* info;

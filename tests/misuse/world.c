@@ -131,10 +131,12 @@ static void make_foreign_state(void) {
   mimo_scene_destroy(scene);
 }
 
-static mimo_status judge(void* user, const mimo_env* env, size_t world, size_t agent, void* memory, double* reward,
-                         int32_t* outcome) {
-  (void)user, (void)env, (void)world, (void)agent, (void)memory, (void)outcome;
-  *reward = 1;
+static const char* const task_terms[1] = {"one"};
+static const size_t task_shape[1] = {3};
+
+static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  (void)user, (void)env, (void)moment;
+  verdict->terms[0] = 1;
   return MIMO_OK;
 }
 
@@ -233,6 +235,7 @@ static void make_structs(void) {
   good.batch_config = region(sizeof *good.batch_config + TAIL);
   good.picture_config = region(sizeof *good.picture_config + TAIL);
   good.task = region(sizeof *good.task + TAIL);
+  good.task_field = region(sizeof *good.task_field + TAIL);
   good.results = region(sizeof *good.results + TAIL);
   good.parameter = region(sizeof *good.parameter + TAIL);
   good.info = region(sizeof *good.info + TAIL);
@@ -286,6 +289,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_batch_config_init(good.batch_config, sizeof *good.batch_config));
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
+  CHECK_OK(mimo_task_field_init(good.task_field, sizeof *good.task_field));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
@@ -298,6 +302,14 @@ static void fill_configs(void) {
   good.picture_config->width = good.picture_config->height = PICTURE_SIZE;
   good.task->evaluate = judge;
   good.task->memory_bytes = 8;
+  good.task->terms = task_terms;
+  good.task->term_count = 1;
+  good.task->fields = good.task_field;
+  good.task->field_count = 1;
+  good.task_field->name = "goal";
+  good.task_field->shape = task_shape;
+  good.task_field->ndim = 1;
+  good.task_field->high = 8;
   good.parameter->struct_size = sizeof *good.parameter;
   good.info->struct_size = sizeof *good.info;
   good.field->struct_size = sizeof *good.field;

@@ -35,6 +35,9 @@ STRUCTS = {
     "mimo_timing": _abi.Timing,
     "mimo_batch_config": _abi.BatchConfig,
     "mimo_batch_results": _abi.BatchResults,
+    "mimo_task_moment": _abi.TaskMoment,
+    "mimo_task_verdict": _abi.TaskVerdict,
+    "mimo_task_field": _abi.TaskField,
     "mimo_task": _abi.Task,
 }
 

@@ -36,6 +36,26 @@ class Lift(mimo.Task):
         return {"lift/height": self.hands.position[..., 0, 2:], "lift/hands": self.hands.position}
 
 
+class Lazy(mimo.Task):
+    """Punishes what is done, as far as it can be done."""
+
+    def evaluate(self, world):
+        return mimo.Judgement(reward=np.zeros(world._lead) if world.action is None else -(world.action[..., 0] ** 2))
+
+
+def test_the_action_is_seen():
+    one, many = mimo.make("benchmark", task=Lazy(), **SMALL), mimo.make_vec("benchmark", 2, task=Lazy(), **SMALL)
+    one.reset(seed=1), many.reset(seed=1)
+    action = np.full(one.action_space.shape, 7, np.float32)
+    most = one.action_space.high[0]
+    assert one.step(action)[1] == -(most**2)
+    assert one.world.action[0] == most
+    assert np.array_equal(many.step(np.stack([action, 0 * action]))[1], [-(most**2), 0])
+    one.reset()
+    assert one.world.action is None
+    many.close()
+
+
 class ReachUp(mimo.GoalTask):
     """The right hand is to be where the ball is."""
 

@@ -1,5 +1,6 @@
 // The scenario of tests/capi/same.c, which gives the same hashes in every language.
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using Mimo;
 
@@ -14,9 +15,53 @@ internal static class Same
         return hash;
     }
 
+    /// <summary>The task "own" of tests/capi/same.c.</summary>
+    private sealed class Height : MimoTask
+    {
+        public override int Memory => 1;
+        public override IReadOnlyList<string> Terms => new[] { "height", "effort" };
+        public override IReadOnlyList<TaskField> Fields => new[]
+        {
+            new TaskField("desired_goal") { Unit = "m", Frame = "world" }, new TaskField("achieved_goal") { Unit = "m", Frame = "world" }
+        };
+
+        public override void Reset(Env world, TaskMoment moment)
+        {
+            world.Random(moment.Memory);
+            moment.Memory[0] = 0.2 + 0.2 * moment.Memory[0];
+            moment.Fields[0] = (float)moment.Memory[0];
+        }
+
+        public override void Evaluate(Env world, TaskMoment moment, TaskVerdict verdict)
+        {
+            var place = new double[3];
+            world.Get(Quantity.BodyPosition, new[] { world.Find(Kind.Body, "left_hand") }, place);
+            double effort = 0;
+            foreach (var action in moment.Action) effort += (double)action * action;
+            verdict.Terms[0] = place[2] - moment.Memory[0];
+            verdict.Terms[1] = -0.01 * effort;
+            moment.Fields[1] = (float)place[2];
+            verdict.Outcome = place[2] > moment.Memory[0] ? Outcome.Success : Outcome.None;
+            verdict.GoesOn = true;
+        }
+    }
+
+    private static Env Make(string name)
+    {
+        if (name != "own") return new Env(name);
+        using (var scene = MimoScene.Builtin("benchmark"))
+        {
+            var infant = scene.DefaultAgent();
+            infant.vision = 0;
+            scene.AddAgent(infant);
+            scene.SetTask(new Height());
+            return new Env(scene);
+        }
+    }
+
     private static void Run(string scene)
     {
-        using (var env = new Env(scene))
+        using (var env = Make(scene))
         {
             var action = new float[env.ActionSize];
             env.Reset(7);
@@ -34,6 +79,6 @@ internal static class Same
 
     private static void Main()
     {
-        foreach (var scene in new[] { "reach", "standup", "selfbody", "benchmark" }) Run(scene);
+        foreach (var scene in new[] { "reach", "standup", "selfbody", "benchmark", "own" }) Run(scene);
     }
 }

@@ -6,14 +6,47 @@ tests/same/fnv1a to hash; names of scenes and sums of rewards are printed.
 
 import sys
 from pathlib import Path
+from typing import Union
 
 import numpy as np
+from gymnasium.spaces import Box
 
 import mimo
 
 
+class Height(mimo.WorldTask):
+    """The task "own" of tests/capi/same.c."""
+
+    terms = ("height", "effort")
+    fields = dict.fromkeys(("desired_goal", "achieved_goal"), Box(-np.inf, np.inf, (), np.float32))
+    units = dict.fromkeys(fields, "m")
+    frames = dict.fromkeys(fields, "world")
+    memory = 1
+
+    def reset(self, world: mimo.World, moment: mimo.Moment) -> None:
+        moment.memory[0] = 0.2 + 0.2 * world.random(1)[0]
+        moment.fields["desired_goal"][...] = moment.memory[0]
+
+    def evaluate(self, world: mimo.World, moment: mimo.Moment) -> mimo.Judgement:
+        hand, height = world.bodies("left_hand").position[0, 2], moment.memory[0]
+        effort = 0.0
+        for action in moment.action.astype(float):
+            effort += action * action
+        moment.fields["achieved_goal"][...] = hand
+        return mimo.Judgement(terms={"height": hand - height, "effort": -0.01 * effort}, success=hand > height)
+
+
+def scene_of(name: str) -> Union[str, mimo.Scene]:
+    if name != "own":
+        return name
+    scene = mimo.Scene("benchmark")
+    scene.add_agent(vision=False)
+    scene.set_task(Height())
+    return scene
+
+
 def run(scene: str, folder: Path) -> None:
-    with mimo.World(scene) as world, (folder / scene).open("wb") as file:
+    with mimo.World(scene_of(scene)) as world, (folder / scene).open("wb") as file:
         motors = np.arange(len(world.action_names))
         world.reset(seed=7)
         file.write(world.block.tobytes())
@@ -24,5 +57,5 @@ def run(scene: str, folder: Path) -> None:
     print(f"{scene} {total:.6f}")
 
 
-for name in ("reach", "standup", "selfbody", "benchmark"):
+for name in ("reach", "standup", "selfbody", "benchmark", "own"):
     run(name, Path(sys.argv[1]))

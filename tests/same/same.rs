@@ -5,8 +5,69 @@ fn hash_of(hash: u64, bytes: &[u8]) -> u64 {
     }) // FNV-1a
 }
 
+/// The task "own" of tests/capi/same.c.
+struct Height;
+
+impl mimo::Task for Height {
+    fn memory(&self) -> usize {
+        1
+    }
+
+    fn terms(&self) -> Vec<String> {
+        vec!["height".into(), "effort".into()]
+    }
+
+    fn fields(&self) -> Vec<mimo::TaskField> {
+        let field = |name| mimo::TaskField {
+            unit: "m".into(),
+            frame: "world".into(),
+            ..mimo::TaskField::new(name, &[])
+        };
+        vec![field("desired_goal"), field("achieved_goal")]
+    }
+
+    fn reset(&self, world: &mut mimo::World, moment: &mut mimo::Moment) -> mimo::Result<()> {
+        world.random(moment.memory)?;
+        moment.memory[0] = 0.2 + 0.2 * moment.memory[0];
+        moment.fields[0] = moment.memory[0] as f32;
+        Ok(())
+    }
+
+    fn evaluate(
+        &self,
+        world: &mimo::World,
+        moment: &mut mimo::Moment,
+        verdict: &mut mimo::Verdict,
+    ) -> mimo::Result<()> {
+        let hand = world.find(mimo::sys::MIMO_BODY, "left_hand")?;
+        let hand = world.get(mimo::sys::MIMO_BODY_POSITION, &[hand])?[2];
+        let square = |&action: &f32| f64::from(action) * f64::from(action);
+        let effort: f64 = moment.action.unwrap_or(&[]).iter().map(square).sum();
+        verdict.terms[0] = hand - moment.memory[0];
+        verdict.terms[1] = -0.01 * effort;
+        moment.fields[1] = hand as f32;
+        if hand > moment.memory[0] {
+            verdict.outcome = mimo::Outcome::Success;
+        }
+        verdict.goes_on = true;
+        Ok(())
+    }
+}
+
+fn make(scene: &str) -> mimo::Result<mimo::Env> {
+    if scene != "own" {
+        return mimo::Env::make(scene);
+    }
+    let mut scene = mimo::Scene::builtin("benchmark")?;
+    let mut infant = scene.default_agent()?;
+    infant.vision(0, 8, 8);
+    scene.add_agent(&infant)?;
+    scene.set_task(Height)?;
+    mimo::Env::new(&scene, &mimo::EnvConfig::new()?)
+}
+
 fn run(scene: &str) -> mimo::Result<()> {
-    let mut env = mimo::Env::make(scene)?;
+    let mut env = make(scene)?;
     let mut block = env.new_block()?;
     let mut actions = vec![0.0; env.action_size()?];
     env.reset(Some(7), Some(&mut block))?;
@@ -24,7 +85,7 @@ fn run(scene: &str) -> mimo::Result<()> {
 }
 
 fn main() -> mimo::Result<()> {
-    ["reach", "standup", "selfbody", "benchmark"]
+    ["reach", "standup", "selfbody", "benchmark", "own"]
         .into_iter()
         .try_for_each(run)
 }

@@ -73,6 +73,7 @@ namespace Mimo
                 made.Log = log;
                 if (status != 0) log?.Release();
                 MimoException.Check(status);
+                made.Task = scene.Handle.Task?.Share();
                 return made;
             });
         }

@@ -311,6 +311,12 @@ namespace Mimo
             return new Vector3d(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
         }
 
+        /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
+        public void Random(double[] values)
+        {
+            MimoException.Check(Native.mimo_env_random(handle, values, (UIntPtr)values.Length));
+        }
+
         /// <summary>Whether an agent's last step was a success or a failure, also where that does not end the episode.</summary>
         public void Outcome(int agent, out bool success, out bool failure)
         {

@@ -27,6 +27,7 @@ namespace Mimo
             EnvHandle clone;
             MimoException.Check(Native.mimo_env_clone(handle, out clone));
             clone.Log = handle.Log?.Share();
+            clone.Task = handle.Task?.Share();
             return new Env(clone);
         }
 

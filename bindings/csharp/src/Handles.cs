@@ -4,9 +4,11 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Owns a mimo_scene.</summary>
+    /// <summary>Owns a mimo_scene, and a share of its task.</summary>
     internal sealed class SceneHandle : SafeHandle
     {
+        internal Tasking Task;
+
         internal SceneHandle() : base(IntPtr.Zero, true) { }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
@@ -14,14 +16,16 @@ namespace Mimo
         protected override bool ReleaseHandle()
         {
             Native.mimo_scene_destroy(handle);
+            Task?.Release();
             return true;
         }
     }
 
-    /// <summary>A mimo_env, and a share of what its log callback needs.</summary>
+    /// <summary>A mimo_env, and a share of what its log callback and its task need.</summary>
     internal sealed class EnvHandle : SafeHandle
     {
         internal Logging Log;
+        internal Tasking Task;
 
         // Of a world that belongs to a batch: alive as long as the handle is in use.
         internal BatchHandle Owner { get; }
@@ -32,8 +36,12 @@ namespace Mimo
         {
             Owner = owner;
             Log = owner.Log;
+            Task = owner.Task;
             SetHandle(borrowed);
         }
+
+        /// <summary>Of a world that a task is asked about: whoever asks keeps it alive.</summary>
+        internal EnvHandle(IntPtr borrowed) : base(IntPtr.Zero, false) { SetHandle(borrowed); }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
@@ -41,15 +49,17 @@ namespace Mimo
         {
             Native.mimo_env_destroy(handle);
             Log?.Release();
+            Task?.Release(handle);
             return true;
         }
     }
 
-    /// <summary>Owns a mimo_batch and a share of what its log callback needs, and holds the arrays in place that its threads
+    /// <summary>Owns a mimo_batch and a share of what its log callback and its task need, and holds the arrays in place that its threads
     /// use between two calls.</summary>
     internal sealed class BatchHandle : SafeHandle
     {
         internal Logging Log;
+        internal Tasking Task;
 
         private readonly List<Pinned> kept = new List<Pinned>();
         private Pinned sent;
@@ -79,6 +89,7 @@ namespace Mimo
             foreach (var pinned in kept) pinned.Dispose();
             sent?.Dispose();
             Log?.Release();
+            Task?.Release();
             return true;
         }
     }

@@ -211,6 +211,14 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_touch(Handle, agent, Utf8.Bytes(body), spacing));
         }
 
+        /// <summary>Gives worlds made from now on a task of your own in place of the scene's; null takes it away.</summary>
+        public void SetTask(MimoTask task)
+        {
+            var before = Handle.Task;
+            Handle.Task = Tasking.Tell(Handle, task);
+            before?.Release();
+        }
+
         /// <summary>Sets a parameter, one of Tasks.Parameters, "reach/success_reward", for worlds made from now on.</summary>
         public void SetParameter(string name, double value)
         {

@@ -13,11 +13,18 @@ namespace Mimo
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void LogFunction(IntPtr user, int level, IntPtr message);
 
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int TaskResetFunction(IntPtr user, IntPtr env, ref TaskMomentStruct moment);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int TaskEvaluateFunction(IntPtr user, IntPtr env, ref TaskMomentStruct moment, ref TaskVerdictStruct verdict);
+
         [DllImport(File)] internal static extern uint mimo_abi_version();
         [DllImport(File)] internal static extern IntPtr mimo_version();
         [DllImport(File)] internal static extern IntPtr mimo_mujoco_version();
         [DllImport(File)] internal static extern IntPtr mimo_status_name(int status);
         [DllImport(File)] internal static extern IntPtr mimo_last_error();
+        [DllImport(File)] internal static extern int mimo_fail(int status, byte[] message);
 
         [DllImport(File)] internal static extern int mimo_scene_config_init(out SceneConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_agent_config_init(out AgentConfig config, Size size);
@@ -52,8 +59,13 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, int agent, byte[] joint);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, int agent, byte[] path, ref LimitsStruct limits);
-        [DllImport(File)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
         [DllImport(File)] internal static extern int mimo_scene_get_parameter(SceneHandle scene, byte[] name, out double value);
+        [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
+        [DllImport(File)] internal static extern int mimo_task_init(out TaskStruct task, Size size);
+        [DllImport(File)] internal static extern int mimo_task_field_init(out TaskFieldStruct field, Size size);
+        [DllImport(File)] internal static extern int mimo_scene_set_task(SceneHandle scene, ref TaskStruct task);
+        [DllImport(File)] internal static extern int mimo_scene_set_task(SceneHandle scene, IntPtr none);
+        [DllImport(File)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
 
         [DllImport(File)] internal static extern int mimo_env_create(SceneHandle scene, ref EnvConfigStruct config, out EnvHandle env);
         [DllImport(File)] internal static extern int mimo_env_make(byte[] scene, out EnvHandle env);
@@ -68,7 +80,6 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_step(EnvHandle env, float[] action, Size actions, byte[] block, Size bytes, double[] reward, byte[] terminated, byte[] truncated, Size agents);
         [DllImport(File)] internal static extern int mimo_env_observe(EnvHandle env, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_env_time(EnvHandle env, out double seconds);
-        [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
         [DllImport(File)] internal static extern int mimo_env_frame_skip(EnvHandle env, out uint steps);
         [DllImport(File)] internal static extern int mimo_env_timestep(EnvHandle env, out double seconds);
         [DllImport(File)] internal static extern int mimo_env_physics_step(EnvHandle env, Size count);
@@ -86,6 +97,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_get_float(EnvHandle env, int quantity, int[] ids, Size idCount, float[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_set(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_update(EnvHandle env);
+        [DllImport(File)] internal static extern int mimo_env_random(EnvHandle env, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_outcome(EnvHandle env, Size agent, out byte success, out byte failure);
         [DllImport(File)] internal static extern int mimo_env_gaze(EnvHandle env, Size agent, ref GazeStruct gaze);
         [DllImport(File)] internal static extern int mimo_env_look_angles(EnvHandle env, Size agent, ref Vector3d point, int how, int[] joints, double[] angles, Size capacity, out Size count, double[] errors);

@@ -114,14 +114,6 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal struct ParameterStruct
-    {
-        internal uint struct_size, reserved;
-        internal IntPtr name, description;
-        internal double standard, low, high;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal struct BatchConfigStruct
     {
         internal uint struct_size, worlds, threads;
@@ -139,6 +131,56 @@ namespace Mimo
         internal UIntPtr worlds;
         internal IntPtr final_blocks;
         internal UIntPtr final_bytes;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ParameterStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr name, description;
+        internal double standard, low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct TaskMomentStruct
+    {
+        internal uint struct_size, reserved;
+        internal UIntPtr world, agent;
+        internal ulong step;
+        internal IntPtr memory, fields, action;
+        internal UIntPtr action_count;
+        internal IntPtr block;
+        internal UIntPtr block_bytes;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct TaskVerdictStruct
+    {
+        internal uint struct_size;
+        internal int outcome;
+        internal double reward;
+        internal IntPtr terms;
+        internal uint goes_on, truncated;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct TaskFieldStruct
+    {
+        internal uint struct_size, ndim;
+        internal IntPtr name, unit, frame, shape;
+        internal double low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct TaskStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr user;
+        internal UIntPtr memory_bytes;
+        internal IntPtr reset, evaluate, terms;
+        internal UIntPtr term_count;
+        internal IntPtr fields;
+        internal UIntPtr field_count;
     }
 
     internal static class Structs

@@ -39,7 +39,9 @@ internal static partial class Tests
             { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
             { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
             { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) },
-            { "mimo_timing", typeof(TimingStruct) }, { "mimo_parameter", typeof(ParameterStruct) }
+            { "mimo_timing", typeof(TimingStruct) }, { "mimo_parameter", typeof(ParameterStruct) },
+            { "mimo_task", typeof(TaskStruct) }, { "mimo_task_field", typeof(TaskFieldStruct) },
+            { "mimo_task_moment", typeof(TaskMomentStruct) }, { "mimo_task_verdict", typeof(TaskVerdictStruct) }
         };
         var text = File.ReadAllText(layoutFile);
         foreach (var type in types)
@@ -240,6 +242,7 @@ internal static partial class Tests
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
+            OwnTasksRewardAndTell, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads,
             SentStepsAreSteps, SentActionsStay, SentStepsFailAsOthers, WhatWasSentEndsWithTheBatch, BatchesKnowTheirSize,
             VersionsAreThoseOfTheHeader, ScenesRoomsAndTasksAreListed, ParametersAreListed, ScenesAreWritten, DefaultAgentsAreMade,
             WorldsKnowTheirTaskAndTimeSteps, BarePhysicsStepsAreCounted, RewardsConsistOfTerms, TimingTellsWhereTimeGoes,

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "observation.hpp"
@@ -132,6 +133,34 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     double seconds = 0;
     check(mimo_env_time(get(), &seconds));
     return seconds;
+  }
+
+  /// Numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.
+  std::vector<double> random(std::size_t count) {
+    std::vector<double> values(count);
+    check(mimo_env_random(get(), values.data(), values.size()));
+    return values;
+  }
+  /// MIMO_OUTCOME_ of an agent's last step, also where it does not end the episode.
+  std::int32_t outcome(std::size_t agent = 0) const {
+    std::uint8_t success = 0, failure = 0;
+    check(mimo_env_outcome(get(), agent, &success, &failure));
+    return success != 0 ? MIMO_OUTCOME_SUCCESS : failure != 0 ? MIMO_OUTCOME_FAILURE
+                                                              : MIMO_OUTCOME_NONE;
+  }
+  /// The terms of the last step's reward by name, in their order.
+  std::vector<std::pair<std::string, double>> reward_terms(std::size_t agent = 0) const {
+    std::size_t count = 0;
+    check(mimo_env_reward_term_count(get(), agent, &count));
+    std::vector<double> values(count);
+    check(mimo_env_reward_terms(get(), agent, values.data(), values.size()));
+    std::vector<std::pair<std::string, double>> terms;
+    for (std::size_t i = 0; i < count; ++i) {
+      const char *name = nullptr;
+      check(mimo_env_reward_term_name(get(), agent, i, &name));
+      terms.emplace_back(name, values[i]);
+    }
+    return terms;
   }
 
   /// How many of a kind (MIMO_BODY ...) there are.

@@ -16,6 +16,8 @@ namespace detail {
 inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
 }  // namespace detail
 
+class Task;
+
 /// What worlds are made of; not needed any more once they are.
 class Scene : public Handle<mimo_scene, detail::destroy_scene> {
  public:
@@ -73,6 +75,10 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
+  /// Gives worlds made from now on a task of your own, which outlives them.
+  inline void set_task(Task &task);
+  /// Takes it away.
+  void clear_task() { check(mimo_scene_set_task(get(), nullptr)); }
 
   std::string xml() const {
     std::size_t length = 0;

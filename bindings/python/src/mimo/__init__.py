@@ -49,6 +49,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Field, Layout, Observation
+from .own_task import Moment, WorldTask
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
 from .tasks import GoalTask, Judgement, Task
@@ -95,6 +96,7 @@ __all__ = [
     "Layout",
     "Look",
     "ModelError",
+    "Moment",
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
@@ -117,6 +119,7 @@ __all__ = [
     "Vestibular",
     "Vision",
     "World",
+    "WorldTask",
     "faces",
     "library_path",
     "make",

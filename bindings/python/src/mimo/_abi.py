@@ -270,8 +270,48 @@ class BatchResults(Struct):
     ]
 
 
-TaskReset = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, c_size_t, c_size_t, c_void_p)
-TaskEvaluate = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, c_size_t, c_size_t, c_void_p, _Out_f64, _Out_i32)
+class TaskMoment(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("world", c_size_t),
+        ("agent", c_size_t),
+        ("step", c_uint64),
+        ("memory", c_void_p),
+        ("fields", _Array),
+        ("action", _Array),
+        ("action_count", c_size_t),
+        ("block", c_void_p),
+        ("block_bytes", c_size_t),
+    ]
+
+
+class TaskVerdict(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("outcome", c_int32),
+        ("reward", c_double),
+        ("terms", _Array),
+        ("goes_on", c_uint32),
+        ("truncated", c_uint32),
+    ]
+
+
+TaskReset = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, ctypes.POINTER(TaskMoment))
+TaskEvaluate = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, ctypes.POINTER(TaskMoment), ctypes.POINTER(TaskVerdict))
+
+
+class TaskField(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("ndim", c_uint32),
+        ("name", c_char_p),
+        ("unit", c_char_p),
+        ("frame", c_char_p),
+        ("shape", _Array),
+        ("low", c_double),
+        ("high", c_double),
+    ]
 
 
 class Task(Struct):
@@ -282,6 +322,10 @@ class Task(Struct):
         ("memory_bytes", c_size_t),
         ("reset", TaskReset),
         ("evaluate", TaskEvaluate),
+        ("terms", _Out_text),
+        ("term_count", c_size_t),
+        ("fields", ctypes.POINTER(TaskField)),
+        ("field_count", c_size_t),
     ]
 
 
@@ -421,6 +465,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     ),
     "mimo_batch_state_save": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
     "mimo_batch_state_load": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_task_field_init": (_status, [_config(TaskField), c_size_t]),
     "mimo_task_init": (_status, [_config(Task), c_size_t]),
     "mimo_scene_set_task": (_status, [_Handle, _config(Task)]),
     "mimo_env_random": (_status, [_Handle, _Array, c_size_t]),

@@ -36,11 +36,22 @@ class Access(Handle):
     world_count: int = 1
     agents: List[Any]  # what is to be known of each infant of a world: name, actions, mass, height
     action_names: List[str]
+    action_low: NDArray[np.float32]
+    action_high: NDArray[np.float32]
     layout: Layout
     observation: Observation  # what the last step, reset or observe sensed
     _scene: Any
+    _given: Optional[NDArray[np.float32]] = None  # the actions of the last step, as they were given
     _names_handle: Native  # of an environment that knows the names
     _lead: Tuple[int, ...] = ()  # (worlds,) for a batch
+
+    @property
+    def action(self) -> Optional[NDArray[np.float32]]:
+        """The actions of the last step, within their bounds: (actions,), of a batch (worlds, actions).
+
+        None where the step was given none, and after a reset of all.
+        """
+        return None if self._given is None else np.clip(self._given, self.action_low, self.action_high)
 
     def bodies(self, *names: str) -> "Bodies":
         """Rigid bodies by name; without names, all of them."""

@@ -103,6 +103,11 @@ class Batch(Access):
         self._handle.keeps += [self.truncated, self.was_reset, self.status]
         self._sent: List[Any] = []  # what belongs to the step in flight; the handle has it, too
         self._handle.keeps.append(self._sent)
+        if self._scene._task is not None:  # which is asked about worlds while they are at work
+            handles = [self._world_handle(index) for index in range(worlds)]
+            judged = [World._of_batch(handle, self._scene, self._options, None) for handle in handles]
+            self._handle.keeps += [self._scene._task, judged]
+            self._scene._task.worlds.update((world._handle.value, world) for world in judged)
 
     @property
     def threads(self) -> int:
@@ -123,6 +128,7 @@ class Batch(Access):
         """As reset, with blocks of your own (layout.new_block(worlds)); None skips the senses."""
         numbers, chosen = self._seeds(seeds), self._mask(mask)
         count = 0 if numbers is None and chosen is None else self.world_count
+        self._given = self._given if chosen is not None else None
         check(LIB.mimo_batch_reset(self._handle, _data(numbers), _data(chosen), count, *_place(blocks)))
 
     def step(self, actions: Optional[ArrayLike] = None) -> BatchResult:
@@ -262,12 +268,14 @@ class Batch(Access):
     # ---- Arguments -----------------------------------------------------------------------------------------------
 
     def _actions(self, actions: Optional[ArrayLike]) -> Optional[NDArray[np.float32]]:
+        self._given = None
         if actions is None:
             return None
         given = np.ascontiguousarray(actions, np.float32)
         shape = (self.world_count, len(self.action_names))
         if given.shape != shape:
             raise ValueError(f"actions have the shape {given.shape}, expected {shape}")
+        self._given = given
         return given
 
     def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:

@@ -27,6 +27,7 @@ from .options import (
     fill,
     refuse_unknown,
 )
+from .own_task import Bound, WorldTask
 from .tasks import Task
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
@@ -85,6 +86,7 @@ class Scene(Handle):
         }
         self._steps: List[_Step] = []
         self._agents = 0
+        self._task: Optional[Bound] = None
         config = _abi.SceneConfig()
         check(LIB.mimo_scene_config_init(config, ctypes.sizeof(config)))
         for key, value in self._start.items():
@@ -202,6 +204,16 @@ class Scene(Handle):
         """Sets where a hinge or slide starts (rad or m)."""
         check(LIB.mimo_scene_set_pose(self._handle, utf8(joint), real_number("value", value)))
         self._remember("set_pose", joint, value)
+
+    def set_task(self, task: Optional[WorldTask]) -> None:
+        """Gives worlds made from now on a task of your own, which runs inside their steps; None takes it away."""
+        bound = None if task is None else Bound(task)
+        if bound is None:
+            check(LIB.mimo_scene_set_task(self._handle, None))
+        else:
+            bound.tell(self._handle)
+        self._task = bound
+        self._remember("set_task", task)
 
     @property
     def parameters(self) -> "Parameters":

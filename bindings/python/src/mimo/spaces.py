@@ -25,11 +25,11 @@ class View:
     ) -> None:
         boxes: Dict[str, spaces.Space[Any]] = {**{name: field_box(field) for name, field in fields.items()}, **own}
         self._flatten = flatten
-        self._goals = [name for name in GOALS if name in own]
+        self._goals = [name for name in GOALS if name in boxes]
         self.space: spaces.Space[Any] = spaces.Dict(boxes)
         if flatten:
             row = flat_box([box for name, box in boxes.items() if name not in self._goals])
-            goals = {name: own[name] for name in self._goals}
+            goals = {name: boxes[name] for name in self._goals}
             self.space = spaces.Dict({"observation": row, **goals}) if goals else row
 
     def show(self, views: Observation, own: Mapping[str, NDArray[Any]] = NONE, worlds: int = 0) -> Any:

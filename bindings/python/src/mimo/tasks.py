@@ -63,7 +63,8 @@ class Task:
     def evaluate(self, world: Access) -> Union[Judgement, Mapping[str, Judgement]]:
         """Judges a step.
 
-        `world.observation` has what was sensed. Positions of bodies are those of the start of its last physics step.
+        `world.observation` has what was sensed, `world.action` what was done. Positions of bodies are those of the
+        start of its last physics step.
         """
         raise NotImplementedError
 

@@ -159,6 +159,8 @@ class World(Access):
     def _describe(self, scene: Scene, options: Dict[str, Any], owner: Any) -> None:
         self._scene, self._options, self._owner = scene, options, owner
         handle = self._names_handle = self._handle
+        if scene._task is not None and handle.value is not None:  # which is to know the world that it is asked about
+            scene._task.worlds.setdefault(handle.value, self)
         self.layout = Layout(handle)
         self.agents = _agents(handle)
         self.action_names = _action_names(handle)
@@ -192,6 +194,7 @@ class World(Access):
     def reset_into(self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None) -> None:
         """As reset, with a block of your own (layout.new_block()); None skips the senses."""
         number = None if seed is None else ctypes.byref(seed_number(seed))
+        self._given = None
         check(LIB.mimo_env_reset(self._handle, number, *self._place(block)))
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
@@ -228,12 +231,14 @@ class World(Access):
         check(LIB.mimo_env_update(self._handle))
 
     def _prepared(self, action: Optional[ArrayLike]) -> Tuple[Optional[int], int]:
+        self._given = None
         if action is None:
             return None, 0
         try:
             self._action[...] = action
         except ValueError as error:
             raise ValueError(f"action: {error}; expected {len(self._action)} numbers") from None
+        self._given = self._action
         return self._action_place
 
     def _place(self, block: Optional[NDArray[np.uint8]]) -> Tuple[Optional[int], int]:

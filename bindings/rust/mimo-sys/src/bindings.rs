@@ -328,13 +328,13 @@ pub const MIMO_AUTORESET_NONE: u32 = 0;
 pub const MIMO_AUTORESET_NEXT_STEP: u32 = 1;
 #[doc = "The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is\nthe first of the new one; the last block of the old one goes to final_blocks."]
 pub const MIMO_AUTORESET_SAME_STEP: u32 = 2;
-#[doc = "The episode goes on."]
+#[doc = "Neither."]
 pub const MIMO_OUTCOME_NONE: u32 = 0;
-#[doc = "The agent's episode has ended well."]
+#[doc = "The agent has done it: its episode ends well, unless the verdict says it goes on."]
 pub const MIMO_OUTCOME_SUCCESS: u32 = 1;
-#[doc = "The agent's episode has ended badly."]
+#[doc = "It has failed: its episode ends badly, unless the verdict says it goes on."]
 pub const MIMO_OUTCOME_FAILURE: i32 = -1;
-#[doc = "Largest memory_bytes of a task."]
+#[doc = "Largest memory_bytes of a task, and most bytes of its fields together."]
 pub const MIMO_TASK_MEMORY_LIMIT: u32 = 1048576;
 #[doc = "Result of a call: MIMO_OK or one of the negative MIMO_E_ constants."]
 pub type mimo_status = i32;
@@ -1682,39 +1682,107 @@ extern "C" {
         value: *mut f64,
     ) -> mimo_status;
 }
+#[doc = "What a function of a task is told: of whom it is asked, and what happened. It lasts until the function returns."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_task_moment {
+    #[doc = "Of the library's struct: what lies beyond it is not there."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Number of the world in its batch; 0 for a single environment."]
+    pub world: usize,
+    #[doc = "Number of the agent."]
+    pub agent: usize,
+    #[doc = "Steps since the reset, with this one: 1 after the first. 0 in reset."]
+    pub step: u64,
+    #[doc = "memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at the start"]
+    #[doc = "of an episode; part of the world's state. NULL where memory_bytes is 0."]
+    pub memory: *mut std::os::raw::c_void,
+    #[doc = "Values of the declared fields, one field after the other, in the order of declaration; part"]
+    #[doc = "of the world's state. Zero at the start of an episode, then as last left; what they are"]
+    #[doc = "when the function returns is observed. NULL where none are declared."]
+    pub fields: *mut f32,
+    #[doc = "The agent's own actions of this step, within their bounds. NULL where the step was given"]
+    #[doc = "none, and in reset."]
+    pub action: *const f32,
+    #[doc = "Length of action, 0 where it is NULL."]
+    pub action_count: usize,
+    #[doc = "The observation of this step, as the caller of the step gets it, of all agents; the fields"]
+    #[doc = "of tasks of one's own in it are still those of the step before. NULL where the caller asks"]
+    #[doc = "for none, and in reset."]
+    pub block: *const std::os::raw::c_void,
+    #[doc = "Length of block, 0 where it is NULL."]
+    pub block_bytes: usize,
+}
+#[doc = "What a task says of a step of one agent. All is zero unless set."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_task_verdict {
+    #[doc = "Of the library's struct: what lies beyond it is not there."]
+    pub struct_size: u32,
+    #[doc = "MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE."]
+    pub outcome: i32,
+    #[doc = "Of a task without terms. Of one with terms it stays 0: the reward is their sum."]
+    pub reward: f64,
+    #[doc = "One for each of the task's terms. NULL where it declares none."]
+    pub terms: *mut f64,
+    #[doc = "1: success or failure does not end the episode."]
+    pub goes_on: u32,
+    #[doc = "1: the episode is cut off here."]
+    pub truncated: u32,
+}
 #[doc = "Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random"]
 #[doc = "gives the random numbers."]
-#[doc = "@param user   as in mimo_task."]
-#[doc = "@param env    the world; it takes everything but resets, steps, loading a state and destruction."]
-#[doc = "@param world  its number in the batch; 0 for a single environment."]
-#[doc = "@param agent  number of the agent."]
-#[doc = "@param memory memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at first; part of the"]
-#[doc = "              world's state."]
+#[doc = "@param user as in mimo_task."]
+#[doc = "@param env  the world; it takes everything but resets, steps, loading a state and destruction."]
 #[doc = "@return MIMO_OK, or a MIMO_E_ constant that the reset then returns; mimo_fail says why. An exception of a C++ program"]
 #[doc = "        fails it too, and in a batch only that world. The function must not end its thread nor jump out."]
 pub type mimo_task_reset_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
         env: *mut mimo_env,
-        world: usize,
-        agent: usize,
-        memory: *mut std::os::raw::c_void,
+        moment: *const mimo_task_moment,
     ) -> mimo_status,
 >;
-#[doc = "Judges a step of one agent. Positions of bodies are those of the start of the last physics step."]
-#[doc = "@param reward  0 unless set; finite, else the step fails with MIMO_E_INVALID_ARGUMENT."]
-#[doc = "@param outcome MIMO_OUTCOME_NONE unless set."]
+#[doc = "Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step."]
+#[doc = "Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with"]
+#[doc = "MIMO_E_INVALID_ARGUMENT and names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED."]
 pub type mimo_task_evaluate_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
         env: *const mimo_env,
-        world: usize,
-        agent: usize,
-        memory: *mut std::os::raw::c_void,
-        reward: *mut f64,
-        outcome: *mut i32,
+        moment: *const mimo_task_moment,
+        verdict: *mut mimo_task_verdict,
     ) -> mimo_status,
 >;
+#[doc = "A field of the observation that a task of your own fills, of MIMO_F32: a goal, and what has been reached of it."]
+#[doc = "Each agent has one of its own, with its prefix (\"anna/goal\"). Limits of senses do not concern it."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_task_field {
+    #[doc = "sizeof(mimo_task_field), set by mimo_task_field_init."]
+    pub struct_size: u32,
+    #[doc = "Length of shape, up to 4. 0: the field is one number."]
+    pub ndim: u32,
+    #[doc = "\"goal\", \"task/goal\"; no other field of the agent has it."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "\"m\"; NULL: none."]
+    pub unit: *const std::os::raw::c_char,
+    #[doc = "Frame of reference: \"world\"; NULL: none."]
+    pub frame: *const std::os::raw::c_char,
+    #[doc = "ndim sizes, each at least 1, the last one changes fastest."]
+    pub shape: *const usize,
+    #[doc = "Smallest allowed value; -infinity unless set."]
+    pub low: f64,
+    #[doc = "Largest allowed value; infinity unless set."]
+    pub high: f64,
+}
+extern "C" {
+    #[doc = "Fills a field with defaults: one number without bounds and name."]
+    #[doc = "@param size sizeof(mimo_task_field) as the caller knows it."]
+    pub fn mimo_task_field_init(field: *mut mimo_task_field, size: usize) -> mimo_status;
+}
 #[doc = "A task. Worlds of a batch call its functions at the same time, on several threads: `user` is shared."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -1731,15 +1799,26 @@ pub struct mimo_task {
     pub reset: mimo_task_reset_fn,
     #[doc = "Needed."]
     pub evaluate: mimo_task_evaluate_fn,
+    #[doc = "Names of the terms that the reward is the sum of (mimo_env_reward_term_name)."]
+    #[doc = "NULL: it is one number, the term \"reward\"."]
+    pub terms: *const *const std::os::raw::c_char,
+    #[doc = "Length of terms, up to 1000."]
+    pub term_count: usize,
+    #[doc = "Further fields of the observation. NULL: none."]
+    pub fields: *const mimo_task_field,
+    #[doc = "Length of fields, up to 1000."]
+    pub field_count: usize,
 }
 extern "C" {
-    #[doc = "Fills a task with defaults: no functions, no memory."]
+    #[doc = "Fills a task with defaults: no functions, no memory, no terms, no fields."]
     #[doc = "@param size sizeof(mimo_task) as the caller knows it."]
     pub fn mimo_task_init(task: *mut mimo_task, size: usize) -> mimo_status;
 }
 extern "C" {
     #[doc = "Gives all worlds made from now on a task of your own, named \"custom\", in place of the scene's. NULL takes it away."]
-    #[doc = "A task that mimo_env_config names comes first."]
+    #[doc = "A task that mimo_env_config names comes first. Terms and fields are copied."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT names what is wrong with a term or field; that a field has the name of another one of"]
+    #[doc = "the agent is found when worlds are made."]
     pub fn mimo_scene_set_task(scene: *mut mimo_scene, task: *const mimo_task) -> mimo_status;
 }
 extern "C" {

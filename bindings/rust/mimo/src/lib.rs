@@ -58,8 +58,8 @@ pub use picture::Picture;
 pub use scene::{DocumentLimits, Scene};
 pub use senses::Senses;
 pub use steps::{RewardTerm, Timing};
-pub use task::{Judgement, Task, Whom};
-pub use world::{Contact, Step, StepContact, TouchSensor, World};
+pub use task::{Moment, Task, TaskField, Verdict};
+pub use world::{Contact, Outcome, Step, StepContact, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {

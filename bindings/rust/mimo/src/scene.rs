@@ -188,10 +188,9 @@ impl Scene {
 
     /// Gives all worlds made from now on a task of one's own, in place of the scene's.
     pub fn set_task(&mut self, task: impl Task + 'static) -> Result<()> {
-        let task = task::shared(task);
-        let raw = task::raw(&task)?;
-        check(unsafe { sys::mimo_scene_set_task(self.handle(), &raw) })?;
-        self.task = Some(task);
+        let handle = self.handle();
+        let tell = |raw: &sys::mimo_task| check(unsafe { sys::mimo_scene_set_task(handle, raw) });
+        self.task = Some(task::share(task, tell)?);
         Ok(())
     }
 

@@ -1,55 +1,132 @@
 //! Tasks of one's own, which run inside reset and step, in a batch on all of its threads.
 use crate::error::{c_string, Kind, Result};
+use crate::field::{Field, Type};
 use crate::sys;
-use crate::world::World;
+use crate::world::{Outcome, World};
 use std::any::Any;
+use std::ffi::CString;
 use std::fmt;
-use std::os::raw::c_void;
+use std::os::raw::{c_char, c_void};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::Arc;
 
-/// What a task says of a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Judgement {
-    /// The step's reward.
-    pub reward: f64,
-    /// `Some(true)`: the episode has ended well; `Some(false)`: badly; `None`: it goes on.
-    pub success: Option<bool>,
-}
-
-/// Of whom a task is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Whom {
+/// What a task is told: of whom it is asked, and what happened.
+#[derive(Debug)]
+pub struct Moment<'a> {
     /// Number of the world in its batch; 0 for a single one.
     pub world: usize,
     /// Number of the infant.
     pub agent: usize,
+    /// Steps since the reset, with this one; 0 in a reset.
+    pub step: u64,
+    /// The numbers of [`Task::memory`], of this world and infant. They are 0 at the start of an episode, and part of
+    /// the world's state.
+    pub memory: &'a mut [f64],
+    /// Values of [`Task::fields`], one field after the other. They are 0 at the start of an episode, then as last left,
+    /// and part of the world's state.
+    pub fields: &'a mut [f32],
+    /// The infant's own actions of this step, within their bounds; None where the step was given none, and in a reset.
+    pub action: Option<&'a [f32]>,
+    /// The observation of this step, of all infants; None where nobody asks for it, and in a reset. The fields of tasks
+    /// in it are still those of the step before.
+    pub block: Option<&'a [u8]>,
+}
+
+impl Moment<'_> {
+    /// A field of single precision numbers (see [`World::fields`]) in the observation of this step.
+    pub fn f32(&self, field: &Field) -> Option<&[f32]> {
+        let bytes = self.block?.get(field.bytes.clone())?;
+        let aligned = bytes.as_ptr().align_offset(std::mem::align_of::<f32>()) == 0;
+        if field.dtype != Type::F32 || !aligned {
+            return None;
+        }
+        Some(unsafe { std::slice::from_raw_parts(bytes.as_ptr() as *const f32, bytes.len() / 4) })
+    }
+}
+
+/// What a task says of a step. Nothing is said at first: no reward, and the episode goes on.
+#[derive(Debug)]
+pub struct Verdict<'a> {
+    /// The reward of a task without terms; of one with terms it stays 0, for the reward is their sum.
+    pub reward: f64,
+    /// One for each of [`Task::terms`].
+    pub terms: &'a mut [f64],
+    /// Success, failure or neither.
+    pub outcome: Outcome,
+    /// Success or failure does not end the episode.
+    pub goes_on: bool,
+    /// The episode is cut off here.
+    pub truncated: bool,
+}
+
+/// A field of the observation that a task fills, of single precision: a goal, and what has been reached of it. Each
+/// infant has one of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TaskField {
+    /// "goal"; no other field of the infant has it.
+    pub name: String,
+    /// Dimensions, C order; none: one number.
+    pub shape: Vec<usize>,
+    /// Unit, "m"; "" for none.
+    pub unit: String,
+    /// Frame of reference, "world"; "" for none.
+    pub frame: String,
+    /// Smallest allowed value.
+    pub low: f64,
+    /// Largest allowed value.
+    pub high: f64,
+}
+
+impl TaskField {
+    /// A field without unit, frame and bounds.
+    pub fn new(name: &str, shape: &[usize]) -> TaskField {
+        let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+        TaskField {
+            name: name.into(),
+            shape: shape.into(),
+            unit: String::new(),
+            frame: String::new(),
+            low,
+            high,
+        }
+    }
 }
 
 /// A task of one's own, for [`Scene::set_task`](crate::Scene::set_task). The worlds of a batch call it at the same time, on
 /// different threads. A panic is caught, and the call that ran the task then fails, as it does for an error, and quotes it.
 pub trait Task: Send + Sync {
-    /// How many numbers each world and agent keeps for the task. They are 0 at the start of an episode, and part of the
-    /// world's state.
+    /// How many numbers each world and agent keeps for the task.
     fn memory(&self) -> usize {
         0
     }
 
+    /// Names of what the reward is the sum of; none: it is one number.
+    fn terms(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Further fields of the observation.
+    fn fields(&self) -> Vec<TaskField> {
+        Vec::new()
+    }
+
     /// Prepares an episode, in a world that is at its start. Resets, steps and loading a state are refused here.
-    fn reset(&self, world: &mut World, whom: Whom, memory: &mut [f64]) -> Result<()> {
-        let _ = (world, whom, memory);
+    fn reset(&self, world: &mut World, moment: &mut Moment) -> Result<()> {
+        let _ = (world, moment);
         Ok(())
     }
 
     /// Judges a step. Positions of bodies are those of the start of the last physics step.
-    fn evaluate(&self, world: &World, whom: Whom, memory: &mut [f64]) -> Result<Judgement>;
+    fn evaluate(&self, world: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()>;
 }
 
 /// What the library keeps a pointer to.
 pub(crate) struct Kept {
     task: Box<dyn Task>,
-    // As it was when the library was told.
+    // As they were when the library was told.
     memory: usize,
+    terms: usize,
+    fields: usize,
 }
 
 impl fmt::Debug for Kept {
@@ -61,62 +138,102 @@ impl fmt::Debug for Kept {
 /// Whoever owns a handle made with a task owns a share of it.
 pub(crate) type Shared = Arc<Kept>;
 
-pub(crate) fn shared(task: impl Task + 'static) -> Shared {
-    let memory = task.memory();
-    Arc::new(Kept { task: Box::new(task), memory })
-}
-
-pub(crate) fn raw(task: &Shared) -> Result<sys::mimo_task> {
+/// Hands a task to a function that tells the library, and keeps it.
+pub(crate) fn share(
+    task: impl Task + 'static,
+    tell: impl FnOnce(&sys::mimo_task) -> Result<()>,
+) -> Result<Shared> {
+    let (memory, terms, fields) = (task.memory(), task.terms(), task.fields());
+    let terms = terms.iter().map(|name| c_string(name)).collect::<Result<Vec<CString>>>()?;
+    let texts = fields.iter().map(texts).collect::<Result<Vec<_>>>()?;
+    let described = fields.iter().zip(&texts).map(raw_field).collect::<Result<Vec<_>>>()?;
+    let names: Vec<*const c_char> = terms.iter().map(|name| name.as_ptr()).collect();
+    let count = fields.iter().map(|field| field.shape.iter().product::<usize>()).sum();
+    let kept = Arc::new(Kept { task: Box::new(task), memory, terms: terms.len(), fields: count });
     let mut raw = crate::config::defaults(sys::mimo_task_init)?;
-    raw.user = Arc::as_ptr(task) as *mut c_void;
-    raw.memory_bytes = task.memory.saturating_mul(std::mem::size_of::<f64>());
+    raw.user = Arc::as_ptr(&kept) as *mut c_void;
+    raw.memory_bytes = memory.saturating_mul(std::mem::size_of::<f64>());
     raw.reset = Some(reset);
     raw.evaluate = Some(evaluate);
+    (raw.terms, raw.term_count) = (names.as_ptr(), names.len());
+    (raw.fields, raw.field_count) = (described.as_ptr(), described.len());
+    tell(&raw)?;
+    Ok(kept)
+}
+
+/// Name, unit and frame.
+fn texts(field: &TaskField) -> Result<[CString; 3]> {
+    Ok([c_string(&field.name)?, c_string(&field.unit)?, c_string(&field.frame)?])
+}
+
+fn raw_field((field, texts): (&TaskField, &[CString; 3])) -> Result<sys::mimo_task_field> {
+    let mut raw = crate::config::defaults(sys::mimo_task_field_init)?;
+    (raw.name, raw.unit, raw.frame) = (texts[0].as_ptr(), texts[1].as_ptr(), texts[2].as_ptr());
+    (raw.shape, raw.ndim) = (field.shape.as_ptr(), field.shape.len() as u32);
+    (raw.low, raw.high) = (field.low, field.high);
     Ok(raw)
 }
 
 /// # Safety
-/// `user` is a task of `raw`, and `memory` what that asked for.
-unsafe fn parts<'a>(user: *mut c_void, memory: *mut c_void) -> (&'a dyn Task, &'a mut [f64]) {
-    let kept = &*(user as *const Kept);
-    let memory = match kept.memory {
-        0 => &mut [],
-        count => std::slice::from_raw_parts_mut(memory as *mut f64, count),
+/// There are as many elements where it points to; NULL is none.
+unsafe fn slice<'a, T>(data: *const T, count: usize) -> Option<&'a [T]> {
+    (!data.is_null()).then(|| std::slice::from_raw_parts(data, count))
+}
+
+/// # Safety
+/// The same, and nobody else uses them.
+unsafe fn slice_mut<'a, T>(data: *mut T, count: usize) -> &'a mut [T] {
+    if data.is_null() {
+        return &mut [];
+    }
+    std::slice::from_raw_parts_mut(data, count)
+}
+
+/// # Safety
+/// `user` is a task of `share`, and the moment the library's, made for it.
+unsafe fn parts<'a>(user: *mut c_void, told: *const sys::mimo_task_moment) -> (&'a Kept, Moment<'a>) {
+    let (kept, told) = (&*(user as *const Kept), &*told);
+    let moment = Moment {
+        world: told.world,
+        agent: told.agent,
+        step: told.step,
+        memory: slice_mut(told.memory as *mut f64, kept.memory),
+        fields: slice_mut(told.fields, kept.fields),
+        action: slice(told.action, told.action_count),
+        block: slice(told.block as *const u8, told.block_bytes),
     };
-    (kept.task.as_ref(), memory)
+    (kept, moment)
 }
 
 unsafe extern "C" fn reset(
     user: *mut c_void,
     env: *mut sys::mimo_env,
-    world: usize,
-    agent: usize,
-    memory: *mut c_void,
+    told: *const sys::mimo_task_moment,
 ) -> sys::mimo_status {
-    let (task, memory) = parts(user, memory);
-    status(|| task.reset(World::of(env), Whom { world, agent }, memory))
+    let (kept, mut moment) = parts(user, told);
+    status(|| kept.task.reset(World::of(env), &mut moment))
 }
 
 unsafe extern "C" fn evaluate(
     user: *mut c_void,
     env: *const sys::mimo_env,
-    world: usize,
-    agent: usize,
-    memory: *mut c_void,
-    reward: *mut f64,
-    outcome: *mut i32,
+    told: *const sys::mimo_task_moment,
+    verdict: *mut sys::mimo_task_verdict,
 ) -> sys::mimo_status {
-    let (task, memory) = parts(user, memory);
-    status(|| {
-        let judged = task.evaluate(World::of(env as *mut sys::mimo_env), Whom { world, agent }, memory)?;
-        *reward = judged.reward;
-        *outcome = match judged.success {
-            None => sys::MIMO_OUTCOME_NONE as i32,
-            Some(true) => sys::MIMO_OUTCOME_SUCCESS as i32,
-            Some(false) => sys::MIMO_OUTCOME_FAILURE,
-        };
-        Ok(())
-    })
+    let (kept, mut moment) = parts(user, told);
+    let raw = &mut *verdict;
+    let terms = slice_mut(raw.terms, kept.terms);
+    let mut ours = Verdict { reward: 0.0, terms, outcome: Outcome::Open, goes_on: false, truncated: false };
+    let status = status(|| kept.task.evaluate(World::of(env as *mut sys::mimo_env), &mut moment, &mut ours));
+    raw.reward = ours.reward;
+    raw.goes_on = ours.goes_on.into();
+    raw.truncated = ours.truncated.into();
+    raw.outcome = match ours.outcome {
+        Outcome::Open => sys::MIMO_OUTCOME_NONE as i32,
+        Outcome::Success => sys::MIMO_OUTCOME_SUCCESS as i32,
+        Outcome::Failure => sys::MIMO_OUTCOME_FAILURE,
+    };
+    status
 }
 
 /// A panic must not cross the C frames above.

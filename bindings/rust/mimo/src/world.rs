@@ -34,6 +34,18 @@ pub struct Step {
     pub truncated: bool,
 }
 
+/// What became of an infant's task in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Outcome {
+    /// Neither success nor failure.
+    #[default]
+    Open,
+    /// The episode ends well, unless it goes on.
+    Success,
+    /// The episode ends badly, unless it goes on.
+    Failure,
+}
+
 /// Two geoms that touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
@@ -388,6 +400,17 @@ impl World {
         let mut body = 0;
         check(unsafe { sys::mimo_env_body_of(self.handle(), kind as i32, id, &mut body) })?;
         Ok(body)
+    }
+
+    /// Whether an agent's last step was a success or a failure, also where that does not end the episode.
+    pub fn outcome(&self, agent: usize) -> Result<Outcome> {
+        let (mut success, mut failure) = (0, 0);
+        check(unsafe { sys::mimo_env_outcome(self.handle(), agent, &mut success, &mut failure) })?;
+        Ok(match (success, failure) {
+            (0, 0) => Outcome::Open,
+            (0, _) => Outcome::Failure,
+            _ => Outcome::Success,
+        })
     }
 
     /// Numbers from 0 to 1 from the world's own random stream, which is part of its state.

@@ -1,6 +1,9 @@
 //! Tasks of one's own, locks, gravity, random numbers.
 use mimo::sys::*;
-use mimo::{Batch, BatchConfig, Env, EnvConfig, Error, Judgement, Kind, Result, Scene, Task, Whom, World};
+use mimo::{
+    Batch, BatchConfig, Env, EnvConfig, Error, Kind, Moment, Outcome, Result, Scene, Task, TaskField,
+    Verdict, World,
+};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::Arc;
 
@@ -20,17 +23,23 @@ impl Task for Counter {
         2
     }
 
-    fn reset(&self, world: &mut World, whom: Whom, memory: &mut [f64]) -> Result<()> {
-        assert_eq!(memory, [0.0, 0.0]);
-        world.random(&mut memory[1..])?;
+    fn reset(&self, world: &mut World, moment: &mut Moment) -> Result<()> {
+        assert_eq!(moment.memory, [0.0, 0.0]);
+        world.random(&mut moment.memory[1..])?;
         let joint = world.find(MIMO_JOINT, "robot:left_elbow")?;
-        world.set(MIMO_JOINT_POSITION, &[joint], &[-0.5 - 0.1 * whom.world as f64])
+        world.set(MIMO_JOINT_POSITION, &[joint], &[-0.5 - 0.1 * moment.world as f64])
     }
 
-    fn evaluate(&self, world: &World, whom: Whom, memory: &mut [f64]) -> Result<Judgement> {
-        assert!(world.time()? > 0.0 && whom.agent == 0 && memory[1] > 0.0);
-        memory[0] += 1.0;
-        Ok(Judgement { reward: memory[0], success: if memory[0] == 3.0 { Some(true) } else { None } })
+    fn evaluate(&self, world: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+        assert!(world.time()? > 0.0 && moment.agent == 0 && moment.memory[1] > 0.0);
+        assert!(moment.fields.is_empty() && moment.action.is_none() && moment.block.is_none());
+        moment.memory[0] += 1.0;
+        assert_eq!(moment.step as f64, moment.memory[0]);
+        verdict.reward = moment.memory[0];
+        if moment.memory[0] == 3.0 {
+            verdict.outcome = Outcome::Success;
+        }
+        Ok(())
     }
 }
 
@@ -150,10 +159,115 @@ fn senses_refuse_what_is_no_model() {
 }
 
 /// Fails or panics, as its number says.
+/// Two terms, a goal that each episode draws, a success that goes on, a cut after five steps.
+struct Goal {
+    position: mimo::Field,
+}
+
+impl Task for Goal {
+    fn terms(&self) -> Vec<String> {
+        vec!["near".into(), "lazy".into()]
+    }
+
+    fn fields(&self) -> Vec<TaskField> {
+        let goal = TaskField { low: -1.0, high: 1.0, unit: "rad".into(), ..TaskField::new("goal", &[]) };
+        vec![goal, TaskField::new("reached", &[2])]
+    }
+
+    fn reset(&self, world: &mut World, moment: &mut Moment) -> Result<()> {
+        let mut share = [0.0];
+        world.random(&mut share)?;
+        assert_eq!((moment.step, &*moment.fields), (0, &[0.0; 3][..]));
+        moment.fields[0] = share[0] as f32;
+        Ok(())
+    }
+
+    fn evaluate(&self, _: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+        assert_eq!(verdict.terms, [0.0, 0.0]);
+        let angle = moment.f32(&self.position).map(|angles| angles[0]);
+        verdict.terms[0] = moment.step as f64;
+        verdict.terms[1] = moment.action.map_or(0.0, |action| -f64::from(action[0]));
+        moment.fields[2] = angle.unwrap_or(9.0);
+        verdict.outcome = if moment.step == 2 { Outcome::Success } else { Outcome::Open };
+        verdict.goes_on = true;
+        verdict.truncated = moment.step == 5;
+        if moment.step == 6 {
+            verdict.terms[1] = f64::NAN;
+        }
+        Ok(())
+    }
+}
+
+/// The only joint that is sensed, and the field that it is sensed in.
+fn one_joint() -> (Scene, mimo::Field) {
+    let mut scene = scene(Broken(0));
+    scene.read_joint(0, "robot:left_elbow").unwrap();
+    let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let fields = env.fields().unwrap();
+    (scene, fields.into_iter().find(|field| field.name == "proprioception/position").unwrap())
+}
+
+#[test]
+fn terms_fields_and_ends_of_an_own_task() {
+    let (mut scene, position) = one_joint();
+    scene.set_task(Goal { position }).unwrap();
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let mut block = env.new_block().unwrap();
+    let goal = block.fields().iter().find(|field| field.name == "goal").unwrap().clone();
+    assert_eq!(
+        (goal.unit.as_str(), goal.shape.as_slice(), goal.low, goal.high),
+        ("rad", &[1][..], -1.0, 1.0)
+    );
+    env.reset(Some(4), Some(&mut block)).unwrap();
+    let drawn = block.f32("goal").unwrap()[0];
+    assert!(drawn > 0.0);
+    let mut action = vec![0.0; env.action_size().unwrap()];
+    action[0] = -7.0; // the least is -1
+    for number in 1..=5 {
+        let step = env.step(&action, Some(&mut block)).unwrap();
+        assert_eq!(step.reward, f64::from(number) + 1.0);
+        assert_eq!((step.terminated, step.truncated), (false, number == 5));
+        assert_eq!(block.f32("goal").unwrap(), [drawn]);
+        let terms = env.reward_terms(0).unwrap();
+        assert_eq!(terms.iter().map(|term| term.name.as_str()).collect::<Vec<_>>(), ["near", "lazy"]);
+        assert_eq!(terms.iter().map(|term| term.value).collect::<Vec<_>>(), [f64::from(number), 1.0]);
+        assert_eq!(env.outcome(0).unwrap(), if number == 2 { Outcome::Success } else { Outcome::Open });
+        let angle = block.f32("proprioception/position").unwrap()[0];
+        assert_eq!(block.f32("reached").unwrap(), [0.0, angle]);
+    }
+    let error = env.step(&[], None).unwrap_err();
+    assert!(error.message().contains("agent 0 the term \"lazy\" as nan"), "{}", error);
+
+    let mut config = BatchConfig::new(4).unwrap();
+    config.threads(2);
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
+    batch.reset(Some(&[4, 5, 6, 7]), None).unwrap();
+    let mut results = batch.new_results().unwrap();
+    for number in 1..=5 {
+        batch.step(&[], None, &mut results).unwrap();
+        assert_eq!(results.reward, [f64::from(number); 4]);
+    }
+}
+
+#[test]
+fn descriptions_of_tasks_are_checked() {
+    struct Twice;
+    impl Task for Twice {
+        fn terms(&self) -> Vec<String> {
+            vec!["near".into(), "near".into()]
+        }
+        fn evaluate(&self, _: &World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
+            Ok(())
+        }
+    }
+    let error = scene(Broken(0)).set_task(Twice).unwrap_err();
+    assert_eq!(error.message(), "task: there are two terms \"near\"");
+}
+
 struct Broken(u32);
 
 impl Task for Broken {
-    fn evaluate(&self, _: &World, _: Whom, _: &mut [f64]) -> Result<Judgement> {
+    fn evaluate(&self, _: &World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
         match self.0 {
             0 => Err(Error::new(Kind::Unsupported, "not today")),
             _ => panic!("dropped at the border"),

@@ -1,0 +1,192 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.InteropServices;
+using System.Threading;
+using Mimo.Callbacks;
+
+namespace Mimo
+{
+    /// <summary>The way from the library to a user's task, which it keeps alive. The scene, worlds and their clones share it;
+    /// the last one that is destroyed lets it go.</summary>
+    internal sealed class Tasking
+    {
+        /// <summary>What is used of one world again and again.</summary>
+        private sealed class Seat
+        {
+            internal Env World;
+            internal TaskMoment[] Moments;
+            internal TaskVerdict[] Verdicts;
+        }
+
+        // In static fields, so that the collector never takes what the library may still call.
+        private static readonly Native.TaskResetFunction reset = Reset;
+        private static readonly Native.TaskEvaluateFunction evaluate = Evaluate;
+
+        private readonly MimoTask task;
+        private readonly int memory, terms, fields;
+        private readonly ConcurrentDictionary<IntPtr, Seat> seats = new ConcurrentDictionary<IntPtr, Seat>();
+        private readonly GCHandle kept;
+        private int shares = 1;
+
+        private Tasking(MimoTask task, int terms, IEnumerable<TaskField> fields)
+        {
+            this.task = task;
+            this.terms = terms;
+            memory = task.Memory;
+            this.fields = fields.Sum(field => field.Shape.Aggregate(1, (count, size) => count * size));
+            kept = GCHandle.Alloc(this);
+        }
+
+        /// <summary>Gives a scene a task; null: takes it away.</summary>
+        internal static Tasking Tell(SceneHandle scene, MimoTask task)
+        {
+            if (task == null)
+            {
+                MimoException.Check(Native.mimo_scene_set_task(scene, IntPtr.Zero));
+                return null;
+            }
+            var terms = task.Terms;
+            var fields = task.Fields;
+            if (task.Memory < 0) throw new ArgumentOutOfRangeException(nameof(task), task.Memory, "Memory is a count");
+            var tasking = new Tasking(task, terms.Count, fields);
+            using (var words = new PinnedParts())
+            {
+                TaskStruct raw;
+                MimoException.Check(Native.mimo_task_init(out raw, Structs.Size<TaskStruct>()));
+                raw.user = GCHandle.ToIntPtr(tasking.kept);
+                raw.memory_bytes = (UIntPtr)((ulong)tasking.memory * sizeof(double));
+                raw.reset = Marshal.GetFunctionPointerForDelegate(reset);
+                raw.evaluate = Marshal.GetFunctionPointerForDelegate(evaluate);
+                raw.terms = words.Keep(terms.Select(words.Text).ToArray());
+                raw.term_count = (UIntPtr)terms.Count;
+                raw.fields = words.Keep(fields.Select(field => Described(field, words)).ToArray());
+                raw.field_count = (UIntPtr)fields.Count;
+                var status = Native.mimo_scene_set_task(scene, ref raw);
+                if (status != 0) tasking.kept.Free();
+                MimoException.Check(status);
+            }
+            return tasking;
+        }
+
+        private static TaskFieldStruct Described(TaskField field, PinnedParts words)
+        {
+            TaskFieldStruct raw;
+            MimoException.Check(Native.mimo_task_field_init(out raw, Structs.Size<TaskFieldStruct>()));
+            raw.name = words.Text(field.Name);
+            raw.unit = words.Text(field.Unit);
+            raw.frame = words.Text(field.Frame);
+            raw.shape = words.Keep(field.Shape.Select(size => (UIntPtr)checked((uint)size)).ToArray());
+            raw.ndim = (uint)field.Shape.Length;
+            raw.low = field.Low;
+            raw.high = field.High;
+            return raw;
+        }
+
+        internal Tasking Share()
+        {
+            Interlocked.Increment(ref shares);
+            return this;
+        }
+
+        /// <summary>A world that had a share is gone.</summary>
+        internal void Release(IntPtr world)
+        {
+            Seat gone;
+            seats.TryRemove(world, out gone);
+            Release();
+        }
+
+        internal void Release()
+        {
+            if (Interlocked.Decrement(ref shares) == 0) kept.Free();
+        }
+
+        private Seat SeatOf(IntPtr world)
+        {
+            Seat seat;
+            if (seats.TryGetValue(world, out seat)) return seat;
+            var env = new Env(new EnvHandle(world));
+            seat = new Seat
+            {
+                World = env,
+                Moments = Enumerable.Range(0, env.AgentCount).Select(_ => new TaskMoment(memory, fields)).ToArray(),
+                Verdicts = Enumerable.Range(0, env.AgentCount).Select(_ => new TaskVerdict(terms)).ToArray()
+            };
+            seats[world] = seat;
+            return seat;
+        }
+
+        [MonoPInvokeCallback(typeof(Native.TaskResetFunction))]
+        private static int Reset(IntPtr user, IntPtr world, ref TaskMomentStruct told)
+        {
+            try
+            {
+                var tasking = (Tasking)GCHandle.FromIntPtr(user).Target;
+                var seat = tasking.SeatOf(world);
+                var moment = seat.Moments[(int)told.agent];
+                moment.Begin(ref told);
+                tasking.task.Reset(seat.World, moment);
+                moment.End(ref told);
+                return 0;
+            }
+            catch (Exception error)
+            {
+                return Fail(error);
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(Native.TaskEvaluateFunction))]
+        private static int Evaluate(IntPtr user, IntPtr world, ref TaskMomentStruct told, ref TaskVerdictStruct said)
+        {
+            try
+            {
+                var tasking = (Tasking)GCHandle.FromIntPtr(user).Target;
+                var seat = tasking.SeatOf(world);
+                TaskMoment moment = seat.Moments[(int)told.agent];
+                TaskVerdict verdict = seat.Verdicts[(int)told.agent];
+                moment.Begin(ref told);
+                verdict.Begin();
+                tasking.task.Evaluate(seat.World, moment, verdict);
+                moment.End(ref told);
+                verdict.End(ref said);
+                return 0;
+            }
+            catch (Exception error)
+            {
+                return Fail(error);
+            }
+        }
+
+        /// <summary>An exception must not unwind through the library's frames.</summary>
+        private static int Fail(Exception error)
+        {
+            const int unexpected = -12; // MIMO_E_INTERNAL
+            var known = error as MimoException;
+            return Native.mimo_fail(known == null ? unexpected : known.Status,
+                Utf8.Bytes(known == null ? error.GetType().Name + ": " + error.Message : error.Message));
+        }
+    }
+
+    /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
+    internal sealed class PinnedParts : IDisposable
+    {
+        private readonly List<Pinned> parts = new List<Pinned>();
+
+        internal IntPtr Text(string text) { return text == null ? IntPtr.Zero : Keep(Utf8.Bytes(text)); }
+
+        /// <summary>Elements without references.</summary>
+        internal IntPtr Keep(Array array)
+        {
+            var part = new Pinned(array);
+            parts.Add(part);
+            return part.Pointer;
+        }
+
+        public void Dispose()
+        {
+            foreach (var part in parts) part.Dispose();
+        }
+    }
+}

@@ -1,0 +1,151 @@
+// Tasks of one's own: what they are told, what comes of what they say, and that they run on the library's threads.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Mimo;
+
+internal static partial class Tests
+{
+    /// <summary>Two terms, a goal that each episode draws, a success that goes on, a cut after five steps.</summary>
+    private sealed class GoalTask : MimoTask
+    {
+        internal Field Angles;
+        internal readonly HashSet<int> Threads = new HashSet<int>();
+        internal Action<TaskMoment, TaskVerdict> Err = (moment, verdict) => { };
+
+        public override int Memory => 1;
+        public override IReadOnlyList<string> Terms => new[] { "near", "lazy" };
+        public override IReadOnlyList<TaskField> Fields => new[]
+        {
+            new TaskField("goal") { Unit = "rad", Low = -1, High = 1 }, new TaskField("reached", 2)
+        };
+
+        public override void Reset(Env world, TaskMoment moment)
+        {
+            Check(moment.Step == 0 && moment.Action == null && !moment.IsObserved, "a reset has no step");
+            Check(moment.Memory[0] == 0 && moment.Fields.All(value => value == 0), "an episode starts from zeros");
+            world.Random(moment.Memory);
+            moment.Fields[0] = (float)moment.Memory[0];
+        }
+
+        public override void Evaluate(Env world, TaskMoment moment, TaskVerdict verdict)
+        {
+            lock (Threads) Threads.Add(Thread.CurrentThread.ManagedThreadId);
+            Check(verdict.Terms.All(value => value == 0) && moment.Fields[0] == (float)moment.Memory[0], "what was left");
+            verdict.Terms[0] = moment.Step;
+            if (moment.Action != null) verdict.Terms[1] = -moment.Action[0];
+            var angle = new float[1];
+            if (moment.IsObserved) moment.Read(Angles, angle);
+            moment.Fields[2] = angle[0];
+            verdict.Outcome = moment.Step == 2 ? Outcome.Success : Outcome.None;
+            verdict.GoesOn = true;
+            verdict.Truncated = moment.Step == 5;
+            Err(moment, verdict);
+        }
+    }
+
+    /// <summary>Only one joint is sensed, and nothing else.</summary>
+    private static MimoScene SceneWith(GoalTask task)
+    {
+        var scene = MimoScene.Builtin("free");
+        var infant = scene.DefaultAgent();
+        infant.vision = infant.touch = 0;
+        scene.AddAgent(infant);
+        scene.ReadJoint("robot:left_elbow");
+        scene.SetTask(task);
+        using (var env = new Env(scene)) task.Angles = env.FindField("proprioception/position");
+        return scene;
+    }
+
+    private static void OwnTasksRewardAndTell()
+    {
+        using (var scene = SceneWith(new GoalTask()))
+        using (var env = new Env(scene))
+        {
+            scene.Dispose();
+            GC.Collect(); // nobody but the world holds the task now
+            var goal = env.FindField("goal");
+            Check(goal.Unit == "rad" && goal.Shape.SequenceEqual(new[] { 1 }), "the field as declared");
+            float[] drawn = new float[1], now = new float[1], reached = new float[2], angle = new float[1];
+            env.Reset(4);
+            env.Read(goal, drawn);
+            Check(drawn[0] > 0 && drawn[0] < 1, "a goal was drawn");
+            var action = new float[env.ActionSize];
+            action[0] = -7; // the least is -1
+            for (var number = 1; number <= 5; ++number)
+            {
+                var step = env.Step(action);
+                Check(step.Reward == number + 1, "the reward is the sum of its terms");
+                Check(!step.Terminated && step.Truncated == (number == 5), "success goes on, the fifth step is cut");
+                bool success, failure;
+                env.Outcome(0, out success, out failure);
+                Check(success == (number == 2) && !failure, "success");
+                var terms = env.RewardTerms();
+                Check(terms.Count == 2 && terms["near"] == number && terms["lazy"] == 1, "terms");
+                env.Read(goal, now);
+                env.Read(env.FindField("reached"), reached);
+                env.Read(env.FindField("proprioception/position"), angle);
+                Check(now[0] == drawn[0] && reached[1] == angle[0], "fields");
+            }
+            using (var twin = env.Clone()) Check(twin.Step(null).Reward == 6, "a clone has the task and its memory");
+        }
+    }
+
+    private static void MistakesOfTasksAreErrors()
+    {
+        var task = new GoalTask();
+        using (var scene = SceneWith(task))
+        using (var env = new Env(scene))
+        {
+            env.Reset(1);
+            task.Err = (moment, verdict) => verdict.Terms[1] = double.NaN;
+            Check(Refused(() => env.Step(null)).Message.Contains("the term \"lazy\" as"), "the term is named");
+            task.Err = (moment, verdict) => moment.Fields[0] = 2;
+            Check(Refused(() => env.Step(null)).Message.Contains("goal[0] as 2, expected a finite number from -1 to 1"), "the field");
+            task.Err = (moment, verdict) => { throw new InvalidOperationException("the ball left the table"); };
+            var error = Refused(() => env.Step(null));
+            Check(error.StatusName == "MIMO_E_INTERNAL" && error.Message.EndsWith("InvalidOperationException: the ball left the table"), error.Message);
+            task.Err = (moment, verdict) => env.Find(Kind.Body, "unicorn");
+            Check(Refused(() => env.Step(null)).StatusName == "MIMO_E_NOT_FOUND", "the status of what failed inside");
+            task.Err = (moment, verdict) => { };
+            env.Step(null);
+            scene.SetTask(null);
+            using (var other = new Env(scene)) Check(other.Step(null).Reward == 0, "the task is taken away");
+        }
+    }
+
+    /// <summary>The collector stops all threads, also those of the library that are at work in a task.</summary>
+    private static void TasksOfBatchesRunOnManyThreads()
+    {
+        const int worlds = 8, steps = 40;
+        var task = new GoalTask();
+        using (var scene = SceneWith(task))
+        using (var batch = new Batch(scene, worlds, threads: 2))
+        {
+            scene.Dispose();
+            task.Err = (moment, verdict) =>
+            {
+                var garbage = new List<byte[]>();
+                for (var i = 0; i < 100; ++i) garbage.Add(new byte[1000]);
+                verdict.Truncated = garbage.Count == 0;
+            };
+            var done = false;
+            var collector = new Thread(() =>
+            {
+                while (!Volatile.Read(ref done)) GC.Collect();
+            });
+            batch.Reset(Enumerable.Range(1, worlds).Select(seed => (ulong)seed).ToArray());
+            collector.Start();
+            for (var number = 1; number <= steps; ++number)
+            {
+                batch.Step(null);
+                Check(batch.Rewards.All(reward => reward == number), "the rewards of step " + number);
+            }
+            Volatile.Write(ref done, true);
+            collector.Join();
+            Check(task.Threads.Count == 2, task.Threads.Count + " threads");
+            Check(batch.World(3).RewardTerms()["near"] == steps, "terms of a batch's world");
+        }
+    }
+}

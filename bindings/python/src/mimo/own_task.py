@@ -1,0 +1,224 @@
+"""Tasks that run inside the library's reset and step, as in C: their fields are part of the layout.
+
+For many worlds a mimo.Task is faster, for it judges all of them at once.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Sequence
+from weakref import WeakValueDictionary
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from . import _abi
+from ._library import LIB, check, utf8
+from .arguments import number_of
+from .errors import Error
+from .layout import Observation
+from .tasks import Judgement
+
+if TYPE_CHECKING:
+    from .world import World
+
+INTERNAL = -12  # MIMO_E_INTERNAL
+SUCCESS, FAILURE = 1, -1  # MIMO_OUTCOME_
+
+
+class Moment:
+    """What a task is told: of whom it is asked, and what happened. All arrays are copies, good for as long as you like.
+
+    What is in `memory` and `fields` when the method returns is kept. Both are 0 at the start of an episode, then as
+    last left, and part of the world's state.
+    """
+
+    world: int  # number of the world in its batch; 0 for a single one
+    agent: int  # number of the infant
+    step: int  # steps since the reset, with this one; 0 in a reset
+    memory: NDArray[np.float64]  # WorldTask.memory numbers
+    fields: Dict[str, NDArray[np.float32]]  # WorldTask.fields by name
+    action: Optional[NDArray[np.float32]]  # the infant's own, within their bounds; None where the step was given none
+
+    def __init__(self, task: "Bound", told: Any, views: Callable[[NDArray[np.uint8]], Observation]) -> None:
+        self.world, self.agent, self.step = told.world, told.agent, told.step
+        self.memory = _copy(told.memory, task.memory, np.float64)
+        self.fields = task.split(_copy(told.fields, task.values, np.float32))
+        self.action = _copy(told.action, told.action_count, np.float32) if told.action else None
+        self._block, self._views = (told.block, told.block_bytes), views
+
+    @property
+    def observation(self) -> Optional[Observation]:
+        """What was sensed in this step, by field name; None where nobody asks for it, in a reset, and afterwards.
+
+        Fields of tasks are still those of the step before.
+        """
+        address, size = self._block
+        return self._views(_copy(address, size, np.uint8)) if address else None
+
+    def _end(self, task: "Bound", told: Any) -> None:
+        self._block = (None, 0)
+        _write(told.memory, np.asarray(self.memory, np.float64), task.memory, "memory")
+        if self.fields.keys() != task.shapes.keys():
+            raise ValueError(f"moment.fields has {sorted(self.fields)}, expected {sorted(task.shapes)}")
+        rows = [np.asarray(self.fields[name], np.float32).reshape(-1) for name in task.shapes]
+        _write(told.fields, np.concatenate(rows) if rows else np.empty(0, np.float32), task.values, "fields")
+
+
+class WorldTask:
+    """Derive from it, and give an instance to Scene.set_task. Copies of the scene share it.
+
+    Its methods are asked about one infant of one world at a time; in a batch on the library's threads, one after the
+    other. What they raise fails the step or reset, whose error quotes it.
+    """
+
+    terms: Sequence[str] = ()  # what the reward is the sum of; none: it is one number
+    fields: Mapping[str, spaces.Box] = {}  # further fields of the observation, of float32, with one bound for all
+    units: Mapping[str, str] = {}  # of fields: {"goal": "m"}
+    frames: Mapping[str, str] = {}  # of fields: {"goal": "world"}
+    memory: int = 0  # how many numbers each world and infant keeps for the task
+
+    def reset(self, world: "World", moment: Moment) -> None:
+        """Prepares an episode, in a world that is at its start: move things, draw numbers from world.random.
+
+        The world takes everything but resets, steps and loading a state.
+        """
+
+    def evaluate(self, world: "World", moment: Moment) -> Judgement:
+        """Judges a step. Positions of bodies are those of the start of its last physics step.
+
+        Of success or failure say whether they end the episode (`terminated`); there is no `info`.
+        """
+        raise NotImplementedError
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "WorldTask":
+        return self
+
+
+class Bound:
+    """A task as the library was told of it."""
+
+    def __init__(self, task: WorldTask) -> None:
+        if not isinstance(task, WorldTask):
+            raise TypeError(f"task is {task!r}, expected a mimo.WorldTask; make and make_vec take a mimo.Task")
+        self.task, self.name = task, type(task).__name__
+        self.memory = number_of("memory", task.memory)
+        self.terms = list(task.terms)
+        self.shapes = {name: box.shape for name, box in task.fields.items() if self._checked(name, box)}
+        self._sizes = {name: (ctypes.c_size_t * len(shape))(*shape) for name, shape in self.shapes.items()}
+        self.values = sum(int(np.prod(shape)) for shape in self.shapes.values())
+        self.worlds: WeakValueDictionary[int, World] = WeakValueDictionary()  # by their handles
+        _bounds[id(self)] = self
+
+    def tell(self, scene: Any) -> None:
+        """Gives the scene the task."""
+        config = _abi.Task()
+        check(LIB.mimo_task_init(config, ctypes.sizeof(config)))
+        config.user = id(self)
+        config.memory_bytes = self.memory * ctypes.sizeof(ctypes.c_double)
+        config.reset, config.evaluate = _reset, _evaluate
+        names = (ctypes.c_char_p * len(self.terms))(*[utf8(name, "terms") for name in self.terms])
+        config.terms, config.term_count = ctypes.cast(names, ctypes.POINTER(ctypes.c_char_p)), len(self.terms)
+        described = [self._described(name) for name in self.shapes]
+        fields = (_abi.TaskField * len(described))(*described)
+        config.fields, config.field_count = ctypes.cast(fields, ctypes.POINTER(_abi.TaskField)), len(described)
+        check(LIB.mimo_scene_set_task(scene, config))
+
+    def split(self, values: NDArray[np.float32]) -> Dict[str, NDArray[np.float32]]:
+        """The fields by name, as views of their values."""
+        parts, start = {}, 0
+        for name, shape in self.shapes.items():
+            count = int(np.prod(shape))
+            parts[name] = values[start : start + count].reshape(shape)
+            start += count
+        return parts
+
+    def reset(self, env: int, told: Any) -> None:
+        """Asks the task to begin an episode."""
+        world = self.worlds[env]
+        moment = Moment(self, told, world.layout.views)
+        self.task.reset(world, moment)
+        moment._end(self, told)
+
+    def evaluate(self, env: int, told: Any, verdict: Any) -> None:
+        """Asks the task to judge a step, and hands on what it says."""
+        world = self.worlds[env]
+        moment = Moment(self, told, world.layout.views)
+        judged = self.task.evaluate(world, moment)
+        moment._end(self, told)
+        self._say(judged, verdict)
+
+    def _say(self, judged: Judgement, verdict: Any) -> None:
+        if not isinstance(judged, Judgement):
+            raise TypeError(f"evaluate returned {judged!r}, expected a mimo.Judgement")
+        if judged.info or (judged.terminated and not (judged.success or judged.failure)):
+            what = "info" if judged.info else "terminated without success or failure"
+            raise ValueError(f"evaluate returned {what}, which a WorldTask cannot")
+        if list(judged.terms) != self.terms and set(judged.terms) != set(self.terms):
+            raise ValueError(f"evaluate returned the terms {sorted(judged.terms)}, expected {sorted(self.terms)}")
+        if self.terms:
+            row = np.array([judged.terms[name] for name in self.terms], np.float64)
+            _write(verdict.terms, row, len(self.terms), "terms")
+        verdict.reward = 0 if judged.reward is None else judged.reward
+        verdict.outcome = SUCCESS if judged.success else FAILURE if judged.failure else 0
+        verdict.goes_on, verdict.truncated = not judged.terminated, bool(judged.truncated)
+
+    def _checked(self, name: str, box: Any) -> bool:
+        if not isinstance(box, spaces.Box) or box.dtype != np.float32:
+            raise TypeError(f"{self.name}: the space of {name!r} is {box!r}, expected a gymnasium Box of float32")
+        if np.unique(box.low).size != 1 or np.unique(box.high).size != 1:
+            raise ValueError(f"{self.name}: the bounds of {name!r} differ, expected one low and one high for all")
+        return True
+
+    def _described(self, name: str) -> _abi.TaskField:
+        field, box = _abi.TaskField(), self.task.fields[name]
+        check(LIB.mimo_task_field_init(field, ctypes.sizeof(field)))
+        field.shape, field.ndim = ctypes.addressof(self._sizes[name]), len(box.shape)
+        field.name, field.unit = utf8(name), utf8(self.task.units.get(name))
+        field.frame = utf8(self.task.frames.get(name))
+        field.low, field.high = float(box.low.flat[0]), float(box.high.flat[0])
+        return field
+
+
+_bounds: WeakValueDictionary[int, Bound] = WeakValueDictionary()
+
+
+def _copy(address: Optional[int], count: int, kind: Any) -> NDArray[Any]:
+    if not count or not address:
+        return np.empty(0, kind)
+    size = count * np.dtype(kind).itemsize
+    return np.frombuffer(ctypes.string_at(address, size), kind).copy()
+
+
+def _write(address: Optional[int], row: NDArray[Any], count: int, name: str) -> None:
+    if row.shape != (count,):
+        raise ValueError(f"moment.{name} has the shape {row.shape}, expected {(count,)}")
+    if count and address:
+        ctypes.memmove(address, np.ascontiguousarray(row).ctypes.data, row.nbytes)
+
+
+def _status(work: Callable[[], None]) -> int:
+    """An exception must not leave through the library's frames; the call that ran the task raises it again."""
+    try:
+        work()
+        return 0
+    except Error as error:
+        return _fail(error.status or INTERNAL, str(error))
+    except BaseException as error:
+        return _fail(INTERNAL, f"{type(error).__name__}: {error}")
+
+
+def _fail(status: int, message: str) -> int:
+    result: int = LIB.mimo_fail(status, message.replace("\0", "?").encode(errors="replace"))
+    return result
+
+
+@_abi.TaskReset  # type: ignore[untyped-decorator]
+def _reset(user: int, env: int, told: Any) -> int:
+    return _status(lambda: _bounds[user].reset(env, told.contents))
+
+
+@_abi.TaskEvaluate  # type: ignore[untyped-decorator]
+def _evaluate(user: int, env: int, told: Any, verdict: Any) -> int:
+    return _status(lambda: _bounds[user].evaluate(env, told.contents, verdict.contents))

@@ -1,0 +1,96 @@
+// A task of one's own with a goal in the observation: the infant is to bring its left hand to a place that each episode
+// draws anew. The library asks the task within each step, and keeps goal and hand with the world's state.
+//
+//   mcs -r:Mimo.dll OwnGoal.cs && mono OwnGoal.exe
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Mimo;
+
+/// <summary>Two fields of three numbers each, the desired goal before the achieved one.</summary>
+internal sealed class TouchTheGoal : MimoTask
+{
+    private const double Near = 0.1; // m
+    private static readonly double[] middle = { 0.15, 0.15, 0.3 };
+
+    private readonly int[] hand;
+
+    internal TouchTheGoal(int hand) { this.hand = new[] { hand }; }
+
+    public override IReadOnlyList<string> Terms => new[] { "nearness", "effort" };
+
+    public override IReadOnlyList<TaskField> Fields => new[]
+    {
+        new TaskField("desired_goal", 3) { Unit = "m", Frame = "world" },
+        new TaskField("achieved_goal", 3) { Unit = "m", Frame = "world" }
+    };
+
+    public override void Reset(Env world, TaskMoment moment)
+    {
+        var shares = new double[3];
+        world.Random(shares); // the world's own stream: seeds it, and it is repeatable
+        for (var i = 0; i < 3; ++i) moment.Fields[i] = (float)(middle[i] + 0.2 * shares[i] - 0.1);
+        Feel(world, moment);
+    }
+
+    public override void Evaluate(Env world, TaskMoment moment, TaskVerdict verdict)
+    {
+        Feel(world, moment);
+        double square = 0, effort = 0;
+        for (var i = 0; i < 3; ++i) square += Math.Pow(moment.Fields[i] - moment.Fields[3 + i], 2);
+        foreach (var action in moment.Action) effort += action * action;
+        verdict.Terms[0] = -Math.Sqrt(square);
+        verdict.Terms[1] = -0.001 * effort;
+        if (Math.Sqrt(square) < Near) verdict.Outcome = Outcome.Success;
+        verdict.GoesOn = true; // it may hold its hand there
+        verdict.Truncated = moment.Step == 100;
+    }
+
+    /// <summary>Where the hand is.</summary>
+    private void Feel(Env world, TaskMoment moment)
+    {
+        var place = new double[3];
+        world.Get(Quantity.BodyPosition, hand, place);
+        for (var i = 0; i < 3; ++i) moment.Fields[3 + i] = (float)place[i];
+    }
+}
+
+internal static class OwnGoal
+{
+    private static Env MakeWorld()
+    {
+        using (var scene = MimoScene.Builtin("benchmark"))
+        {
+            var agent = scene.DefaultAgent();
+            agent.vision = agent.touch = 0;
+            scene.AddAgent(agent);
+            int hand;
+            using (var env = new Env(scene)) hand = env.Find(Kind.Body, "left_hand");
+            scene.SetTask(new TouchTheGoal(hand));
+            return new Env(scene);
+        }
+    }
+
+    private static int Main()
+    {
+        using (var env = MakeWorld())
+        {
+            Field desired = env.FindField("desired_goal"), achieved = env.FindField("achieved_goal");
+            float[] goal = new float[3], place = new float[3], action = new float[env.ActionSize];
+            env.Reset(1);
+            var nearest = double.PositiveInfinity;
+            for (var step = new Step(); !step.Truncated;)
+            {
+                for (var i = 0; i < action.Length; ++i) action[i] = (float)Math.Sin(3 * env.Time + i);
+                step = env.Step(action);
+                env.Read(desired, goal);
+                env.Read(achieved, place);
+                double square = 0;
+                for (var i = 0; i < 3; ++i) square += Math.Pow(goal[i] - place[i], 2);
+                nearest = Math.Min(nearest, Math.Sqrt(square));
+            }
+            Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "the hand came as near as {0:F2} m", nearest));
+            return nearest < 1 ? 0 : 1;
+        }
+    }
+}

@@ -1,0 +1,102 @@
+// Tasks of one's own through mimo.hpp: what is declared is there, what is thrown is told.
+#include <cmath>
+
+#include "mimo/mimo.hpp"
+#include "support/capi.h"
+
+namespace {
+
+enum class Throws { kNothing, kOwn, kLibrary };
+
+class Goal : public mimo::Task {
+ public:
+  std::vector<std::string> terms() const override { return {"near", "lazy"}; }
+  std::vector<mimo::TaskField> fields() const override {
+    mimo::TaskField goal("goal", {}, "rad", "joint");
+    goal.low = 0;
+    goal.high = 1;
+    return {goal, mimo::TaskField("reached", {2, 3})};
+  }
+  std::size_t memory_bytes() const override { return sizeof(double); }
+
+  void reset(mimo::Env& env, const mimo_task_moment& moment) override {
+    double& goal = *static_cast<double*>(moment.memory);
+    CHECK(goal == 0 && moment.fields[0] == 0);
+    goal = env.random(1)[0];
+    moment.fields[0] = static_cast<float>(goal);
+  }
+  void evaluate(const mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
+    CHECK(moment.fields[0] == static_cast<float>(*static_cast<double*>(moment.memory)));
+    verdict.terms[0] = static_cast<double>(moment.step);
+    verdict.terms[1] = moment.action == nullptr ? 0 : -moment.action[0];
+    moment.fields[6] = 5;
+    verdict.truncated = moment.step == 3;
+    if (throws == Throws::kOwn) throw std::runtime_error("the ball left the table");
+    if (throws == Throws::kLibrary) env.find(MIMO_BODY, "unicorn");
+  }
+
+  Throws throws = Throws::kNothing;
+};
+
+mimo::Scene scene_with(mimo::Task& task) {
+  mimo_scene_config config = mimo::scene_config();
+  config.name = "free";
+  mimo::Scene scene(config);
+  mimo_agent_config agent = mimo::agent_config();
+  agent.vision = agent.touch = 0;
+  scene.add_agent(agent);
+  scene.set_task(task);
+  return scene;
+}
+
+void check_told(mimo::Env& env) {
+  mimo::Block block = env.make_block();
+  const mimo_field goal = env.field("goal"), reached = env.field("reached");
+  CHECK(goal.low == 0 && goal.high == 1 && goal.ndim == 1 && reached.ndim == 2 && reached.shape[1] == 3);
+  CHECK_TEXT("rad", goal.unit);
+  CHECK_TEXT("joint", goal.frame);
+  env.reset(4, block);
+  const float drawn = block.view<float>(goal)[0];
+  CHECK(drawn > 0 && drawn < 1);
+  std::vector<float> action(env.action_size());
+  action[0] = -7;  // the least is -1
+  for (int step = 1; step <= 3; ++step) {
+    const mimo::Result result = env.step(action, block).at(0);
+    CHECK(result.reward == step + 1 && !result.terminated && result.truncated == (step == 3));
+    CHECK(block.view<float>(goal)[0] == drawn && block.view<float>(reached)[5] == 5);
+    const auto terms = env.reward_terms();
+    CHECK(terms.size() == 2 && terms[0].first == "near" && terms[0].second == step && terms[1].second == 1);
+    CHECK(env.outcome() == MIMO_OUTCOME_NONE);
+  }
+}
+
+void check_thrown(mimo::Env& env, Goal& task, Throws throws, mimo_status status, const std::string& message) {
+  mimo::Block none;
+  task.throws = throws;
+  try {
+    env.step({}, none);
+    CHECK(!"thrown");
+  } catch (const mimo::Exception& error) {
+    CHECK(error.status() == status);
+    CHECK(std::string(error.what()).find(message) != std::string::npos);
+  }
+  task.throws = Throws::kNothing;
+  env.step({}, none);
+}
+
+}  // namespace
+
+int main() {
+  Goal task;
+  mimo::Scene scene = scene_with(task);
+  mimo::Env env(scene);
+  check_told(env);
+  check_thrown(env, task, Throws::kOwn, MIMO_E_INTERNAL, "threw an exception: the ball left the table");
+  check_thrown(env, task, Throws::kLibrary, MIMO_E_NOT_FOUND, "evaluate returned -5 (MIMO_E_NOT_FOUND): ");
+  scene.clear_task();
+  CHECK(mimo::Env(scene).task() == "none");
+  CHECK(!mimo::parameters().empty());
+  scene.set_parameter("reach/success_reward", 7);
+  CHECK(scene.parameter("reach/success_reward") == 7);
+  return failures();
+}
