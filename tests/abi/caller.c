@@ -257,7 +257,6 @@ static void live_together(mimo_scene *scene) {
   float same_masses[2] = {0, 0};
   int32_t toy = -1;
   size_t worlds = 0;
-  mimo_env *world = NULL;
   mimo_task task;
   mimo_batch_config config;
   mimo_batch_results results;
