@@ -172,9 +172,8 @@ static void set_one(worlds* all, int32_t quantity, int32_t id, double* values, s
 }
 
 static int32_t read_kind(const mxArray* kind) {
-  static const char* kinds[] = {"body",     "joint",  "geom",  "site",    "camera",
-                                "actuator", "sensor", "light", "contact", "step_contact",
-                                "agent",    "face",   "world", "warning"}; /* MIMO_BODY is 1 */
+  static const char* kinds[] = {"body",    "joint",        "geom",  "site", "camera", "actuator", "sensor", "light",
+                                "contact", "step_contact", "agent", "face", "world",  "warning"}; /* MIMO_BODY is 1 */
   const int32_t most = sizeof kinds / sizeof *kinds;
   const char* asked = mimo_text(kind, "kind");
   int32_t i = 0;

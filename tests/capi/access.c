@@ -8,11 +8,15 @@ static void check_names(void) {
     int32_t kind;
     size_t count;
     const char* name;
-  } known[] = {{MIMO_BODY, 26, "left_hand"},       {MIMO_JOINT, 50, "robot:left_knee"},
-               {MIMO_GEOM, 39, "floor"},           {MIMO_SITE, 23, "vestibular"},
-               {MIMO_CAMERA, 2, "eye_left"},       {MIMO_ACTUATOR, 44, "act:left_knee"},
+  } known[] = {{MIMO_BODY, 26, "left_hand"},
+               {MIMO_JOINT, 50, "robot:left_knee"},
+               {MIMO_GEOM, 39, "floor"},
+               {MIMO_SITE, 23, "vestibular"},
+               {MIMO_CAMERA, 2, "eye_left"},
+               {MIMO_ACTUATOR, 44, "act:left_knee"},
                {MIMO_SENSOR, 23, "vestibular_acc"},
-               {MIMO_FACE, 7, "anger"},            {MIMO_WARNING, 9, "not converged"}};
+               {MIMO_FACE, 7, "anger"},
+               {MIMO_WARNING, 9, "not converged"}};
   size_t i, count;
   const char* name;
   int32_t id = -7, body = -7;

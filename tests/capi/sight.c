@@ -53,8 +53,7 @@ static void check_batch_faces(const mimo_scene* scene) {
   for (i = 0; i < 3; ++i) faces[i] = find(env, MIMO_FACE, "fear");
   CHECK_OK(mimo_batch_set(batch, MIMO_AGENT_FACE, NULL, 0, mask, 3, faces, 3));
   faces[1] = 9;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "face is 9",
-              mimo_batch_set(batch, MIMO_AGENT_FACE, NULL, 0, NULL, 0, faces, 3));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "face is 9", mimo_batch_set(batch, MIMO_AGENT_FACE, NULL, 0, NULL, 0, faces, 3));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "worlds is 2, expected 3",
               mimo_batch_set(batch, MIMO_AGENT_FACE, NULL, 0, mask, 2, faces, 3));
   for (i = 0; i < 3; ++i) {
@@ -179,8 +178,7 @@ static void check_cameras(mimo_env* env) {
   CHECK_OK(mimo_env_render(env, &picture, plain, sizeof plain, NULL, 0, NULL, 0));
   CHECK(memcmp(plain, block + color.offset, sizeof plain) == 0);
   picture.format = 4;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "format is 0x4",
-              mimo_env_render(env, &picture, rgb, 4 * PIXELS, NULL, 0, NULL, 0));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "format is 0x4", mimo_env_render(env, &picture, rgb, 4 * PIXELS, NULL, 0, NULL, 0));
   picture.format = MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP;
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "rgb has a length of",
               mimo_env_render(env, &picture, rgb, 4 * PIXELS - 1, NULL, 0, NULL, 0));

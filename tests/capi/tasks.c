@@ -167,7 +167,8 @@ static void check_overrides(void) {
   CHECK(lock[0] == 0 && lock[1] == -1); /* where it would hold */
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "ids[0] is -1", mimo_env_set(env, MIMO_JOINT_LOCK, &none, 1, at, 2));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "angle is 3", mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, too_far, 2));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "is 0.5, expected 0 or 1", mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, half, 2));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "is 0.5, expected 0 or 1",
+              mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, half, 2));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "no equality", mimo_env_set(env, MIMO_JOINT_LOCK, &root, 1, at, 2));
 
   CHECK_OK(mimo_env_get(env, MIMO_WORLD_GRAVITY, NULL, 0, xyz, 3));

@@ -35,7 +35,7 @@ ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "se
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
 
 #define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
-#define QUANTITIES                                                                                   \
+#define QUANTITIES                                                                          \
   UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_WARNING_COUNT + 1, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
@@ -56,9 +56,8 @@ ROW(mimo_env_width, ON_ENV, mimo_env_width(a->env, a->quantity, a->ids, a->id_co
     NO_NULL(count, "value_count"))
 ROW(mimo_env_get, ON_ENV, mimo_env_get(a->env, a->quantity, a->ids, a->id_count, a->values, a->value_count), QUANTITIES,
     IDS, NO_NULL(values, "values"), VALUES(value_count))
-ROW(mimo_env_get_float, ON_ENV,
-    mimo_env_get_float(a->env, a->quantity, a->ids, a->id_count, a->depth, a->value_count), QUANTITIES, IDS,
-    NO_NULL(depth, "values"), VALUES(value_count))
+ROW(mimo_env_get_float, ON_ENV, mimo_env_get_float(a->env, a->quantity, a->ids, a->id_count, a->depth, a->value_count),
+    QUANTITIES, IDS, NO_NULL(depth, "values"), VALUES(value_count))
 ROW(mimo_env_set, ON_ENV | SIMULATES,
     mimo_env_set(a->env, a->quantity, a->ids, a->id_count, a->to_write, a->value_count), QUANTITIES, IDS,
     NO_NULL(to_write, "values"), VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
@@ -86,10 +85,11 @@ ROW(mimo_env_render, ON_ENV | SIMULATES,
     PICTURES, NO_NULL(rgb, "rgb"), SHORT(rgb_bytes, "rgb"), NO_NULL(depth, "depth"), SHORT(depth_count, "depth"),
     NO_NULL(segmentation, "segmentation"), SHORT(segmentation_count, "segmentation"),
     {FAULT_NULL, "the picture is 640 x 480", MEMBER(picture_config), 0, 0, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "rgb"})
-ROW(mimo_env_project, ON_ENV | SIMULATES, mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels),
-    PICTURES, NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"),
-    BAD_SIZE(point_count, -1, "count"), BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"),
-    SIZE_IS(point_count, 0, MIMO_OK, NULL), DO(nan_point, E_ARG, "points[0]"))
+ROW(mimo_env_project, ON_ENV | SIMULATES,
+    mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels), PICTURES,
+    NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"), BAD_SIZE(point_count, -1, "count"),
+    BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"), SIZE_IS(point_count, 0, MIMO_OK, NULL),
+    DO(nan_point, E_ARG, "points[0]"))
 
 #define LOOK                                                                                   \
   BAD_INDEX(agent_index, "agent"), NO_NULL(points, "point"), DO(nan_point, E_ARG, "point[0]"), \

@@ -71,9 +71,9 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
     DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"))
 ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_config, a->count), NULL_OK(agent_config),
-    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4), AGENT_UNKNOWN(vision, 8),
-    UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"), DO(bad_agent_name, E_ARG, "an na"),
-    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
+    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4),
+    AGENT_UNKNOWN(vision, 8), UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
+    DO(bad_agent_name, E_ARG, "an na"), DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent, a->part, a->spacing), NULL_OK(part),
     BAD_I32(agent, 1, "agent"), BAD_IDS(agent, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))

@@ -52,7 +52,7 @@ typedef struct args {
   char* text;
   double *reward, *values, *all_values, *numbers, *pixels, *positions, *frames, *look_angles;
   uint8_t *terminated, *truncated, *rgb;
-  mimo_status *statuses;
+  mimo_status* statuses;
   float *low, *high, *depth;
   int32_t *segmentation, *bodies, *geoms, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
