@@ -12,40 +12,78 @@ typedef struct quantity {
 #define QUANTITY(kind, what, name) \
   { name, MIMO_##kind, MIMO_##kind##_##what }
 static const quantity quantities[] = {
-    QUANTITY(JOINT, POSITION, "joint_position"),
-    QUANTITY(JOINT, VELOCITY, "joint_velocity"),
-    QUANTITY(JOINT, FORCE, "joint_force"),
-    QUANTITY(JOINT, ACCELERATION, "joint_acceleration"),
-    QUANTITY(JOINT, RANGE, "joint_range"),
     QUANTITY(BODY, POSITION, "body_position"),
     QUANTITY(BODY, ORIENTATION, "body_orientation"),
     QUANTITY(BODY, VELOCITY, "body_velocity"),
     QUANTITY(BODY, FORCE, "body_force"),
     QUANTITY(BODY, MASS, "body_mass"),
     QUANTITY(BODY, CENTER_OF_MASS, "body_center_of_mass"),
+    QUANTITY(BODY, POSE, "body_pose"),
+    QUANTITY(JOINT, POSITION, "joint_position"),
+    QUANTITY(JOINT, VELOCITY, "joint_velocity"),
+    QUANTITY(JOINT, FORCE, "joint_force"),
+    QUANTITY(JOINT, ACCELERATION, "joint_acceleration"),
+    QUANTITY(JOINT, RANGE, "joint_range"),
+    QUANTITY(JOINT, DAMPING, "joint_damping"),
+    QUANTITY(JOINT, LOCK, "joint_lock"),
     QUANTITY(GEOM, POSITION, "geom_position"),
     QUANTITY(GEOM, ORIENTATION, "geom_orientation"),
     QUANTITY(GEOM, SIZE, "geom_size"),
+    QUANTITY(GEOM, POSE, "geom_pose"),
+    QUANTITY(GEOM, FRICTION, "geom_friction"),
+    QUANTITY(GEOM, COLOR, "geom_color"),
     QUANTITY(SITE, POSITION, "site_position"),
     QUANTITY(SITE, ORIENTATION, "site_orientation"),
+    QUANTITY(SITE, POSE, "site_pose"),
     QUANTITY(CAMERA, POSITION, "camera_position"),
     QUANTITY(CAMERA, ORIENTATION, "camera_orientation"),
+    QUANTITY(CAMERA, POSE, "camera_pose"),
     QUANTITY(ACTUATOR, CONTROL, "actuator_control"),
     QUANTITY(ACTUATOR, FORCE, "actuator_force"),
     QUANTITY(ACTUATOR, GEAR, "actuator_gear"),
     QUANTITY(SENSOR, VALUE, "sensor_value"),
+    QUANTITY(LIGHT, POSITION, "light_position"),
+    QUANTITY(LIGHT, DIRECTION, "light_direction"),
+    QUANTITY(LIGHT, COLOR, "light_color"),
+    QUANTITY(CONTACT, GEOMS, "contact_geoms"),
+    QUANTITY(CONTACT, BODIES, "contact_bodies"),
+    QUANTITY(CONTACT, POSITION, "contact_position"),
+    QUANTITY(CONTACT, FRAME, "contact_frame"),
+    QUANTITY(CONTACT, DISTANCE, "contact_distance"),
+    QUANTITY(CONTACT, FORCE, "contact_force"),
+    QUANTITY(CONTACT, TORQUE, "contact_torque"),
+    QUANTITY(STEP_CONTACT, GEOMS, "step_contact_geoms"),
+    QUANTITY(STEP_CONTACT, BODIES, "step_contact_bodies"),
+    QUANTITY(STEP_CONTACT, START, "step_contact_start"),
+    QUANTITY(STEP_CONTACT, END, "step_contact_end"),
+    QUANTITY(STEP_CONTACT, IMPULSE, "step_contact_impulse"),
+    QUANTITY(STEP_CONTACT, PEAK_FORCE, "step_contact_peak_force"),
+    QUANTITY(STEP_CONTACT, PEAK_POSITION, "step_contact_peak_position"),
+    QUANTITY(AGENT, FACE, "agent_face"),
+    QUANTITY(WORLD, GRAVITY, "world_gravity"),
+    QUANTITY(WARNING, COUNT, "warning_count"),
 };
 
-static const quantity* read_quantity(const mxArray* name) {
+/* By its name, which may end in "_now": then the quantity has MIMO_NOW. */
+static quantity read_quantity(const mxArray* name) {
   const char* text = mimo_text(name, "quantity");
+  const size_t length = strlen(text);
+  const int now = length > 4 && strcmp(text + length - 4, "_now") == 0;
+  const size_t rest = now ? length - 4 : length;
+  quantity found = {"", 0, 0};
   size_t i;
-  for (i = 0; i < sizeof quantities / sizeof *quantities; ++i)
-    if (strcmp(text, quantities[i].name) == 0) return &quantities[i];
+  for (i = 0; i < sizeof quantities / sizeof *quantities; ++i) {
+    found = quantities[i];
+    if (strlen(found.name) != rest || strncmp(text, found.name, rest) != 0) continue;
+    if (now) found.number |= MIMO_NOW;
+    return found;
+  }
   mexErrMsgIdAndTxt("mimo:NOT_FOUND", "no quantity %s; see help mimo_get", text);
-  return NULL;
+  return found;
 }
 
-/* What is read or written: a quantity of things that are named, one or a cell array of them. */
+/* What is read or written: a quantity of things that are named, one or a cell array of them; or of all, with ids NULL.
+ */
 typedef struct selection {
   worlds* all;
   int32_t quantity, *ids;
@@ -58,61 +96,89 @@ static int32_t find(worlds* all, int32_t kind, const mxArray* name) {
   return id;
 }
 
-static selection select_by_name(const mxArray* in[]) {
-  const quantity* quantity = read_quantity(in[1]);
-  const int many = mxIsCell(in[2]);
-  selection chosen;
+/* Without names: all. `world` tells how wide they are. */
+static selection select_by_name(worlds* all, const mimo_env* world, const mxArray* name, const mxArray* names) {
+  const quantity quantity = read_quantity(name);
+  const int many = names != NULL && mxIsCell(names);
+  selection chosen = {NULL, 0, NULL, 0, 0};
   size_t i;
-  chosen.all = mimo_worlds_of(in[0]);
-  chosen.quantity = quantity->number;
-  chosen.count = many ? mxGetNumberOfElements(in[2]) : 1;
-  chosen.ids = mxCalloc(chosen.count + 1, sizeof *chosen.ids);
-  for (i = 0; i < chosen.count; ++i)
-    chosen.ids[i] = find(chosen.all, quantity->kind, many ? mxGetCell(in[2], i) : in[2]);
-  mimo_check(mimo_env_width(chosen.all->first, chosen.quantity, chosen.ids, chosen.count, &chosen.width));
+  chosen.all = all;
+  chosen.quantity = quantity.number;
+  if (names != NULL && (many || !mxIsEmpty(names) || mxIsChar(names))) {
+    chosen.count = many ? mxGetNumberOfElements(names) : 1;
+    chosen.ids = mxCalloc(chosen.count + 1, sizeof *chosen.ids);
+    for (i = 0; i < chosen.count; ++i)
+      chosen.ids[i] = find(chosen.all, quantity.kind, many ? mxGetCell(names, i) : names);
+  }
+  mimo_check(mimo_env_width(world, chosen.quantity, chosen.ids, chosen.count, &chosen.width));
   return chosen;
 }
 
-/* values = get(number, quantity, names): values x worlds */
+/* values = get(number, quantity, names or [], index): values x worlds, or those of one world */
 static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  const mimo_env* world;
   selection chosen;
   mxArray* values;
   (void)nout;
-  mimo_need(nin == 3, "expected a world, a quantity and names");
-  chosen = select_by_name(in);
-  values = mxCreateDoubleMatrix(chosen.width, chosen.all->count, mxREAL);
-  mimo_check(mimo_batch_get(chosen.all->batch, chosen.quantity, chosen.ids, chosen.count, NULL, 0, mxGetPr(values),
-                            mxGetNumberOfElements(values)));
+  mimo_need(nin >= 2 && nin <= 4, "expected a world, a quantity, names or [], and the index of a world");
+  all = mimo_worlds_of(in[0]);
+  world = nin == 4 ? mimo_world_at(all, nin, in, 3) : all->first;
+  chosen = select_by_name(all, world, in[1], nin > 2 ? in[2] : NULL);
+  values = mxCreateDoubleMatrix(chosen.width, nin == 4 ? 1 : all->count, mxREAL);
+  if (nin == 4 || all->count == 1) {
+    mimo_check(mimo_env_get(world, chosen.quantity, chosen.ids, chosen.count, mxGetPr(values), chosen.width));
+  } else {
+    mimo_check(mimo_batch_get(all->batch, chosen.quantity, chosen.ids, chosen.count, NULL, 0, mxGetPr(values),
+                              mxGetNumberOfElements(values)));
+  }
   out[0] = values;
 }
 
-/* set(number, quantity, names, values): values x worlds, or the same for all worlds */
+/* Values of all worlds, or of one for all. */
+static void set_selected(const selection* chosen, double* values, size_t given) {
+  const size_t worlds = chosen->all->count;
+  size_t world;
+  if (worlds > 1 && given == chosen->width) {
+    double* same = mxCalloc(worlds * given + 1, sizeof *same);
+    for (world = 0; world < worlds; ++world) memcpy(same + world * given, values, given * sizeof *values);
+    values = same;
+    given *= worlds;
+  }
+  mimo_check(mimo_batch_set(chosen->all->batch, chosen->quantity, chosen->ids, chosen->count, NULL, 0, values, given));
+}
+
+/* set(number, quantity, names or [], values): values x worlds, or the same for all worlds */
 static void set(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
   selection chosen;
-  double* values;
-  size_t world, given;
   (void)nout;
   (void)out;
   mimo_need(nin == 4 && mxIsDouble(in[3]) && !mxIsComplex(in[3]),
-            "expected a world, a quantity, names and real values");
-  chosen = select_by_name(in);
-  given = mxGetNumberOfElements(in[3]);
-  values = mxGetPr(in[3]);
-  if (chosen.all->count > 1 && given == chosen.width) {
-    values = mxCalloc(chosen.all->count * given + 1, sizeof *values);
-    for (world = 0; world < chosen.all->count; ++world)
-      memcpy(values + world * given, mxGetPr(in[3]), given * sizeof *values);
-    given *= chosen.all->count;
-  }
-  mimo_check(mimo_batch_set(chosen.all->batch, chosen.quantity, chosen.ids, chosen.count, NULL, 0, values, given));
+            "expected a world, a quantity, names or [], and real values");
+  all = mimo_worlds_of(in[0]);
+  chosen = select_by_name(all, all->first, in[1], in[2]);
+  set_selected(&chosen, mxGetPr(in[3]), mxGetNumberOfElements(in[3]));
+}
+
+/* The same value for one element in all worlds. */
+static void set_one(worlds* all, int32_t quantity, int32_t id, double* values, size_t width) {
+  selection chosen = {NULL, 0, NULL, 1, 0};
+  chosen.all = all;
+  chosen.quantity = quantity;
+  chosen.ids = &id;
+  chosen.width = width;
+  set_selected(&chosen, values, width);
 }
 
 static int32_t read_kind(const mxArray* kind) {
-  static const char* kinds[] = {"body", "joint", "geom", "site", "camera", "actuator", "sensor"}; /* MIMO_BODY is 1 */
+  static const char* kinds[] = {"body",    "joint",        "geom",  "site", "camera", "actuator", "sensor", "light",
+                                "contact", "step_contact", "agent", "face", "world",  "warning"}; /* MIMO_BODY is 1 */
+  const int32_t most = sizeof kinds / sizeof *kinds;
   const char* asked = mimo_text(kind, "kind");
   int32_t i = 0;
-  while (i < 7 && strcmp(kinds[i], asked) != 0) ++i;
-  if (i == 7) mimo_refuse("kind is \"%s\", expected body, joint, geom, site, camera, actuator or sensor", asked);
+  while (i < most && strcmp(kinds[i], asked) != 0) ++i;
+  if (i == most) mimo_refuse("kind is \"%s\", expected body, joint, geom, ...; see help mimo_names", asked);
   return i + 1;
 }
 
@@ -203,13 +269,19 @@ static void load(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 
 /* name = face(number), or face(number, name): of the first agent, in all worlds */
 static void face(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  const char* name = NULL;
+  const int32_t agent = 0;
+  const char* name = "";
+  double shown = -1;
   worlds* all;
   (void)nout;
   mimo_need(nin == 1 || nin == 2, "expected a world, and the name of a face");
   all = mimo_worlds_of(in[0]);
-  if (nin == 2) mimo_check(mimo_batch_set_face(all->batch, 0, mimo_text(in[1], "face"), NULL, 0));
-  mimo_check(mimo_env_face(all->first, 0, &name));
+  if (nin == 2) {
+    shown = find(all, MIMO_FACE, in[1]);
+    set_one(all, MIMO_AGENT_FACE, 0, &shown, 1);
+  }
+  mimo_check(mimo_env_get(all->first, MIMO_AGENT_FACE, &agent, 1, &shown, 1));
+  if (shown >= 0) mimo_check(mimo_env_name(all->first, MIMO_FACE, (int32_t)shown, &name));
   out[0] = mxCreateString(name);
 }
 
@@ -287,47 +359,45 @@ static void look_angles(int nout, mxArray* out[], int nin, const mxArray* in[]) 
 static void lock(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   int32_t joint;
-  size_t i;
+  double values[2] = {0, 0};
   (void)nout;
   (void)out;
   mimo_need(nin == 3, "expected a world, a joint, and an angle or []");
   all = mimo_worlds_of(in[0]);
   joint = find(all, MIMO_JOINT, in[1]);
-  for (i = 0; i < all->count; ++i) {
-    mimo_env* env = NULL;
-    mimo_check(mimo_batch_world(all->batch, i, &env));
-    mimo_check(mxIsEmpty(in[2]) ? mimo_env_unlock(env, joint) : mimo_env_lock(env, joint, mimo_number(in[2], "angle")));
+  if (mxIsEmpty(in[2])) {
+    mimo_check(mimo_env_get(all->first, MIMO_JOINT_LOCK, &joint, 1, values, 2));
+    values[0] = 0;
+  } else {
+    values[0] = 1;
+    values[1] = mimo_number(in[2], "angle");
   }
+  set_one(all, MIMO_JOINT_LOCK, joint, values, 2);
 }
 
 /* angle = locked(number, joint): of the first world; [] if it is not held */
 static void locked(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
-  uint8_t held = 0;
-  double angle = 0;
+  int32_t joint;
+  double lock[2];
   (void)nout;
   mimo_need(nin == 2, "expected a world and a joint");
   all = mimo_worlds_of(in[0]);
-  mimo_check(mimo_env_lock_state(all->first, find(all, MIMO_JOINT, in[1]), &held, &angle));
-  out[0] = held ? mxCreateDoubleScalar(angle) : mxCreateDoubleMatrix(0, 0, mxREAL);
+  joint = find(all, MIMO_JOINT, in[1]);
+  mimo_check(mimo_env_get(all->first, MIMO_JOINT_LOCK, &joint, 1, lock, 2));
+  out[0] = lock[0] != 0 ? mxCreateDoubleScalar(lock[1]) : mxCreateDoubleMatrix(0, 0, mxREAL);
 }
 
 /* gravity = gravity(number), or gravity(number, xyz): in all worlds */
 static void gravity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
-  size_t i;
   (void)nout;
   mimo_need(nin == 1 || (nin == 2 && mxIsDouble(in[1]) && mxGetNumberOfElements(in[1]) == 3),
             "expected a world, and three numbers");
   all = mimo_worlds_of(in[0]);
-  for (i = 0; nin == 2 && i < all->count; ++i) {
-    const double* xyz = mxGetPr(in[1]);
-    mimo_env* env = NULL;
-    mimo_check(mimo_batch_world(all->batch, i, &env));
-    mimo_check(mimo_env_set_gravity(env, xyz[0], xyz[1], xyz[2]));
-  }
+  if (nin == 2) set_one(all, MIMO_WORLD_GRAVITY, 0, mxGetPr(in[1]), 3);
   out[0] = mxCreateDoubleMatrix(3, 1, mxREAL);
-  mimo_check(mimo_env_gravity(all->first, mxGetPr(out[0]), 3));
+  mimo_check(mimo_env_get(all->first, MIMO_WORLD_GRAVITY, NULL, 0, mxGetPr(out[0]), 3));
 }
 
 /* Checked before there is memory for so many pixels. */

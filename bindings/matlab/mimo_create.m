@@ -18,6 +18,7 @@ function world = mimo_create(scene, varargin)
 %     no infant    root (with body "scene": a body of the MJCF file, with all below it; "world": everything), vestibular_at (the
 %                  site or body whose motion the vestibular sense feels)
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable,
+%                  step_contacts (1: mimo_get has what touched what in a step),
 %                  timing (1: mimo_timing counts)
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
 %     the room     objects, models and cameras: struct arrays with the members of mimo_object_config, mimo_model_config and

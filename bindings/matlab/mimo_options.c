@@ -44,17 +44,12 @@ const option mimo_agent_options[] = {
 };
 
 const option mimo_env_options[] = {
-    OPTION(mimo_env_config, frame_skip, kUnsigned),
-    OPTION(mimo_env_config, jacobian, kSigned),
-    OPTION(mimo_env_config, disable, kUnsigned),
-    OPTION(mimo_env_config, renderer, kText),
-    OPTION(mimo_env_config, max_steps, kUnsigned),
-    OPTION(mimo_env_config, task, kText),
-    OPTION(mimo_env_config, render, kUnsigned),
-    OPTION(mimo_env_config, samples, kUnsigned),
-    OPTION(mimo_env_config, render_threads, kUnsigned),
-    OPTION(mimo_env_config, timing, kUnsigned),
-    {NULL, kText, 0},
+    OPTION(mimo_env_config, frame_skip, kUnsigned),     OPTION(mimo_env_config, jacobian, kSigned),
+    OPTION(mimo_env_config, disable, kUnsigned),        OPTION(mimo_env_config, renderer, kText),
+    OPTION(mimo_env_config, max_steps, kUnsigned),      OPTION(mimo_env_config, task, kText),
+    OPTION(mimo_env_config, render, kUnsigned),         OPTION(mimo_env_config, samples, kUnsigned),
+    OPTION(mimo_env_config, render_threads, kUnsigned), OPTION(mimo_env_config, step_contacts, kUnsigned),
+    OPTION(mimo_env_config, timing, kUnsigned),         {NULL, kText, 0},
 };
 
 const option mimo_batch_options[] = {

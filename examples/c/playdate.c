@@ -87,6 +87,8 @@ static void smile(world* w) {
   const unsigned char* picture = field(w, "ben/vision/eye_left");
   const int32_t* geoms = field(w, "ben/vision/eye_left_segmentation");
   unsigned char* before = malloc(3 * PIXELS);
+  const double enjoyment = find(w, MIMO_FACE, "enjoyment");
+  const int32_t anna = ANNA;
   double place[3];
   int i, on_head = 0, changed = 0, elsewhere = 0;
 
@@ -94,7 +96,7 @@ static void smile(world* w) {
   check(mimo_env_look_at(w->env, BEN, place, MIMO_LOOK_HEAD, NULL));
   check(mimo_env_observe(w->env, w->block, w->bytes));
   memcpy(before, picture, 3 * PIXELS);
-  check(mimo_env_set_face(w->env, ANNA, "enjoyment"));
+  check(mimo_env_set(w->env, MIMO_AGENT_FACE, &anna, 1, &enjoyment, 1));
   check(mimo_env_observe(w->env, w->block, w->bytes));
   for (i = 0; i < PIXELS; ++i) {
     const int differs = memcmp(picture + 3 * i, before + 3 * i, 3) != 0;
@@ -164,7 +166,8 @@ static void touch(world* w) {
     for (infant = ANNA; infant <= BEN; ++infant) {
       for (j = 0; j < JOINTS; ++j) {
         const double angle = start[infant][j] + share * (stretched[j].angle - start[infant][j]);
-        check(mimo_env_lock(w->env, joints[infant][j], angle));
+        const double lock[2] = {1, angle}; /* held there */
+        check(mimo_env_set(w->env, MIMO_JOINT_LOCK, &joints[infant][j], 1, lock, 2));
       }
     }
     check(mimo_env_step(w->env, NULL, 0, w->block, w->bytes, NULL, NULL, NULL, 0));

@@ -70,7 +70,7 @@ MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, si
 
 /**
  * One world as an environment. All functions of environments work on it, between the batch's own calls: what its
- * observations and actions are (the same for all worlds), names, contacts, pictures, locks, state, single steps.
+ * observations and actions are (the same for all worlds), names, contacts, pictures, state, single steps.
  * Different worlds may then be used by different threads, or by tasks of other batches.
  * @param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between
  *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT.
@@ -145,19 +145,21 @@ MIMO_API mimo_status mimo_batch_observe(mimo_batch *batch, const uint8_t *mask, 
 /**
  * Reads a quantity of many ids in many worlds, as mimo_env_get; so that a reward needs one call and no loop.
  * @param values worlds x the width that mimo_env_width gives for the ids.
+ * Errors: MIMO_E_INVALID_ARGUMENT for contacts, of which worlds have different numbers.
  */
 MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
                                     const uint8_t *mask, size_t worlds, double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
 
+/** The same in single precision, for engines. */
+MIMO_API mimo_status mimo_batch_get_float(const mimo_batch *batch, int32_t quantity, const int32_t *ids,
+                                          size_t id_count, const uint8_t *mask, size_t worlds, float *values,
+                                          size_t value_count) MIMO_NOEXCEPT;
+
 /** Writes a quantity of many ids in many worlds, as mimo_env_set. All values are checked before any is written. */
 MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
                                     const uint8_t *mask, size_t worlds, const double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
-
-/** Gives an agent another face in many worlds, as mimo_env_set_face. */
-MIMO_API mimo_status mimo_batch_set_face(mimo_batch *batch, size_t agent, const char *name, const uint8_t *mask,
-                                         size_t worlds) MIMO_NOEXCEPT;
 
 /** Saves the states of many worlds. @param states worlds x mimo_env_state_size bytes. */
 MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *states,

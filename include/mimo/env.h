@@ -48,7 +48,8 @@ typedef struct mimo_env_config {
                                 what the model tells OSMesa. */
   uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
                                 Pictures do not differ. Default 1, which is best in batches. */
-  uint32_t reserved;       /**< 0. */
+  uint32_t step_contacts;  /**< 1: what touched what during a step is recorded (MIMO_STEP_CONTACT). Default 0, which
+                                costs nothing. */
 } mimo_env_config;
 
 /**
@@ -126,7 +127,8 @@ MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t ac
 
 /**
  * The observation of the current state, without changing the trajectory. All its fields belong to the current
- * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START.
+ * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next
+ * step mimo_env_get gives values of the current state, too.
  */
 MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
 

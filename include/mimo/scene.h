@@ -139,7 +139,7 @@ MIMO_API mimo_status mimo_scene_weld(mimo_scene *scene, const char *body, const 
                                      const double *pose) MIMO_NOEXCEPT;
 
 /**
- * Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the
+ * Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control takes over the
  * locks of the joints that it moves.
  * @param joint name of a joint in the scene, "anna/robot:left_knee".
  * @param value rad or m, within the joint's range.

@@ -24,7 +24,10 @@ typedef struct mimo_gaze {
   double miss;               /**< How far they pass each other there, m. */
 } mimo_gaze;
 
-/** Where an agent looks, by its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first. */
+/**
+ * Where an agent looks, by its eyes' cameras where mimo_env_get has them: after a step as at the start of the last
+ * physics step, after mimo_env_update as they are now. Set gaze->struct_size first.
+ */
 MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze *gaze) MIMO_NOEXCEPT;
 
 #define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
@@ -82,7 +85,7 @@ typedef struct mimo_picture_config {
 MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Draws the current state.
+ * Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays.
  * @param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted.
  * @param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted.
  * @param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted.
@@ -92,7 +95,8 @@ MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *c
                                      size_t segmentation_count) MIMO_NOEXCEPT;
 
 /**
- * Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it.
+ * Where points of the world lie in the picture that mimo_env_render draws, of the current positions as well; for
+ * drawing over it.
  * @param config NULL means defaults, as in mimo_env_render.
  * @param points count x 3, metres, world frame, C order; finite.
  * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the

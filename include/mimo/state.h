@@ -21,7 +21,7 @@ extern "C" {
 MIMO_API mimo_status mimo_env_state_size(const mimo_env *env, size_t *bytes) MIMO_NOEXCEPT;
 
 /**
- * Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces, gravity, and what is late.
+ * Saves physics, actuation, task, random numbers, elapsed steps, all that mimo_env_set can write, and what is late.
  * The bytes may be kept in a file: machines that store numbers alike read them, and so do later versions.
  * @param state receives mimo_env_state_size bytes; needs no alignment.
  * Errors: MIMO_E_SIMULATION for a world that has failed.

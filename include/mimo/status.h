@@ -18,8 +18,8 @@ extern "C" {
 #define MIMO_VERSION_MINOR 1 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_ABI_VERSION 0   /**< Changes when old callers would break; equals the SONAME's number. */
-#define MIMO_API_MAJOR 0     /**< Version of what is declared here, 0.9; docs/abi.md says what may change. */
-#define MIMO_API_MINOR 9     /**< Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`. */
+#define MIMO_API_MAJOR 0     /**< Version of what is declared here, 0.10; docs/abi.md says what may change. */
+#define MIMO_API_MINOR 10    /**< Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`. */
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
 typedef int32_t mimo_status;

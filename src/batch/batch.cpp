@@ -96,32 +96,15 @@ void Batch::observe(const std::uint8_t* mask, std::uint8_t* blocks) {
 }
 
 // Copying is so quick that waking threads for it would take longer.
-void Batch::get(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, double* values) const {
+void Batch::set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t* mask, const double* values) {
   require_idle();
-  const std::size_t width = env::width(world(0).model(), quantity, ids);
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (mask != nullptr && mask[i] == 0) continue;
-    env::get(world(i).physics(), quantity, ids, {values + i * width, width});
-  }
-}
-
-void Batch::set(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, const double* values) {
-  require_idle();
-  const std::size_t width = env::width(world(0).model(), quantity, ids);
+  const std::size_t width = env::width(world(0), quantity, ids);
   const auto row = [&](std::size_t i) { return Span<const double>(values + i * width, width); };
   for (std::size_t i = 0; i < size(); ++i) {  // all before any is changed
     if (mask != nullptr && mask[i] == 0) continue;
-    env::check_settable(world(i).model(), quantity, ids, row(i));
+    env::check_settable(world(i), quantity, ids, row(i));
   }
-  perform(mask, [&](std::size_t i, Report&) { env::set(worlds_[i]->physics(), quantity, ids, row(i)); });
-}
-
-// A name that the first world does not know, none does: nothing has changed then.
-void Batch::set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask) {
-  require_idle();
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (mask == nullptr || mask[i] != 0) world(i).set_face(agent, name);
-  }
+  perform(mask, [&](std::size_t i, Report&) { env::set(*worlds_[i], quantity, ids, row(i)); });
 }
 
 void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {

@@ -53,10 +53,15 @@ class Batch : private Job {
   void observe(const std::uint8_t* mask, std::uint8_t* blocks);
 
   // Values have a row for each world.
-  void get(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, double* values) const;
-  void set(env::Quantity quantity, Span<const std::int32_t> ids, const std::uint8_t* mask, const double* values);
-
-  void set_face(std::size_t agent, const std::string& name, const std::uint8_t* mask);
+  template <typename T>
+  void get(env::Quantity quantity, const env::Ids& ids, bool now, const std::uint8_t* mask, T* values) const {
+    require_idle();
+    const std::size_t width = env::width(world(0), quantity, ids);
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (mask == nullptr || mask[i] != 0) env::get(world(i), quantity, ids, now, {values + i * width, width});
+    }
+  }
+  void set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t* mask, const double* values);
 
   // One state behind the other, all of one size. A single one is loaded by all worlds.
   void save(const std::uint8_t* mask, std::uint8_t* states);

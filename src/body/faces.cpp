@@ -35,6 +35,15 @@ const Face* Faces::shown(const mjModel& model) const {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::vector<Face> faces_of(const mjModel& model) {
+  std::vector<Face> faces;
+  for (int material = 0; material < model.nmat; ++material) {
+    if (!is_face(model, material)) continue;
+    faces.push_back({std::string(material_name(model, material).substr(kPrefix.size())), material});
+  }
+  return faces;
+}
+
 Faces find_faces(const mjModel& model, const Body& body) {
   Faces faces;
   if (body.head < 0) return faces;
@@ -42,10 +51,7 @@ Faces find_faces(const mjModel& model, const Body& body) {
   for (int geom = first; geom < first + model.body_geomnum[body.head] && faces.geom < 0; ++geom) {
     if (is_face(model, model.geom_matid[geom])) faces.geom = geom;
   }
-  for (int material = 0; material < model.nmat; ++material) {
-    if (!is_face(model, material)) continue;
-    faces.all.push_back({std::string(material_name(model, material).substr(kPrefix.size())), material});
-  }
+  faces.all = faces_of(model);
   return faces;
 }
 

@@ -28,7 +28,10 @@ struct Faces {
   const Face* shown(const mjModel& model) const;
 };
 
-// Materials named "mimo_face_<name>", and the geom of the head that has one of them.
+// The faces that a model has: materials named "mimo_face_<name>".
+std::vector<Face> faces_of(const mjModel& model);
+
+// These, and the geom of the head that has one of them.
 Faces find_faces(const mjModel& model, const Body& body);
 
 }  // namespace mimo::body

@@ -29,10 +29,6 @@ senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   return options;
 }
 
-void check_choice(std::int32_t value, std::int32_t low, std::int32_t high, const char* argument) {
-  require(value >= low && value <= high, "{} is {}, expected {} to {}", argument, value, low, high);
-}
-
 senses::TouchOptions touch(const mimo_agent_config& config) {
   constexpr std::uint32_t kAll = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
   check_bits(config.touch, kAll, "touch");
@@ -59,8 +55,8 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
 }
 
 actuation::Options actuation(const mimo_agent_config& config) {
-  require(config.actuation <= MIMO_ACTUATION_MUJOCO_MUSCLE,
-          "actuation is {}, expected a MIMO_ACTUATION_ constant, 0 to 3", config.actuation);
+  check_choice(config.actuation, std::uint32_t{MIMO_ACTUATION_TORQUE}, std::uint32_t{MIMO_ACTUATION_MUJOCO_MUSCLE},
+               "actuation");
   check_flag(config.normalize_actions, "normalize_actions");
   actuation::Options options;
   options.mode = static_cast<actuation::Mode>(config.actuation);

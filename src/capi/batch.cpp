@@ -44,8 +44,7 @@ batch::Options batch_options(const mimo_batch_config& config) {
           kMostWorlds);
   require(config.threads <= kMostThreads, "threads is {}, expected up to {}, or 0 for the machine's", config.threads,
           kMostThreads);
-  require(config.autoreset >= MIMO_AUTORESET_NONE && config.autoreset <= MIMO_AUTORESET_SAME_STEP,
-          "autoreset is {}, expected a MIMO_AUTORESET_ constant, 0 to 2", config.autoreset);
+  check_choice(config.autoreset, MIMO_AUTORESET_NONE, MIMO_AUTORESET_SAME_STEP, "autoreset");
   check_flag(config.restart_failed, "restart_failed");
   check_reserved(config.reserved, "reserved");
   batch::Options options;
@@ -54,6 +53,17 @@ batch::Options batch_options(const mimo_batch_config& config) {
   options.autoreset = static_cast<batch::Autoreset>(config.autoreset);
   options.restart_failed = config.restart_failed != 0;
   return options;
+}
+
+template <typename T>
+void get(const mimo_batch* batch, std::int32_t quantity, const std::int32_t* ids, std::size_t id_count,
+         const std::uint8_t* mask, std::size_t worlds, T* values, std::size_t value_count) {
+  const batch::Batch& inner = open(batch).batch;
+  const Request wanted = request_from(quantity);
+  const env::Ids which = ids_of(inner, wanted.quantity, ids, id_count);
+  check_per_world(inner, worlds, mask != nullptr);
+  check_values(inner, wanted.quantity, which, values, value_count);
+  inner.get(wanted.quantity, which, wanted.now, mask, values);
 }
 
 }  // namespace
@@ -150,37 +160,23 @@ mimo_status mimo_batch_observe(mimo_batch* batch, const uint8_t* mask, size_t wo
 
 mimo_status mimo_batch_get(const mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
                            const uint8_t* mask, size_t worlds, double* values, size_t value_count) noexcept {
-  return guard(batch, [&] {
-    const batch::Batch& inner = open(batch).batch;
-    const env::Quantity what = env::quantity_from(quantity);
-    const auto which = array(ids, id_count, "ids");
-    check_per_world(inner, worlds, mask != nullptr);
-    check_values(inner, what, which, values, value_count);
-    inner.get(what, which, mask, values);
-  });
+  return guard(batch, [&] { get(batch, quantity, ids, id_count, mask, worlds, values, value_count); });
+}
+
+mimo_status mimo_batch_get_float(const mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
+                                 const uint8_t* mask, size_t worlds, float* values, size_t value_count) noexcept {
+  return guard(batch, [&] { get(batch, quantity, ids, id_count, mask, worlds, values, value_count); });
 }
 
 mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* ids, size_t id_count,
                            const uint8_t* mask, size_t worlds, const double* values, size_t value_count) noexcept {
   return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
-    const env::Quantity what = env::quantity_from(quantity);
-    const auto which = array(ids, id_count, "ids");
+    const env::Quantity what = writable_from(quantity);
+    const env::Ids which = ids_of(inner, what, ids, id_count);
     check_per_world(inner, worlds, mask != nullptr);
-    env::require_writable(what);
     check_values(inner, what, which, values, value_count);
     inner.set(what, which, mask, values);
-  });
-}
-
-mimo_status mimo_batch_set_face(mimo_batch* batch, size_t agent, const char* name, const uint8_t* mask,
-                                size_t worlds) noexcept {
-  return guard(batch, [&] {
-    batch::Batch& inner = open(batch).batch;
-    check_per_world(inner, worlds, mask != nullptr);
-    check_agent(inner.world(0).agents(), agent);
-    require(name != nullptr, "name is NULL");
-    inner.set_face(agent, name, mask);
   });
 }
 

@@ -59,12 +59,11 @@ const float* actions_of(const batch::Batch& batch, const float* actions, std::si
   return count == 0 ? nullptr : actions;
 }
 
-void check_values(const batch::Batch& batch, env::Quantity quantity, Span<const std::int32_t> ids, const double* values,
-                  std::size_t count) {
-  const std::size_t expected = batch.size() * env::width(batch.world(0).model(), quantity, ids);
-  require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
-  if (count < expected) fail(Status::kBufferTooSmall, "value_count is {}, but {} are needed", count, expected);
-  require(count == expected, "value_count is {}, expected {}", count, expected);
+env::Ids ids_of(const batch::Batch& batch, env::Quantity quantity, const std::int32_t* ids, std::size_t count) {
+  const env::Traits& what = env::traits(quantity);
+  require(env::is_alike(what.kind), "quantity {} ({}): worlds differ in how many they have; ask each world",
+          static_cast<int>(quantity), what.name);
+  return ids_of(batch.world(0), quantity, ids, count);
 }
 
 }  // namespace mimo::capi

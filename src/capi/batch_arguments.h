@@ -2,6 +2,7 @@
 #pragma once
 
 #include "batch/batch.h"
+#include "capi/access.h"
 #include "mimo/mimo.h"
 
 namespace mimo::capi {
@@ -18,8 +19,15 @@ batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t blo
 // Null without actions.
 const float* actions_of(const batch::Batch& batch, const float* actions, std::size_t count);
 
-// All that named access is given.
-void check_values(const batch::Batch& batch, env::Quantity quantity, Span<const std::int32_t> ids, const double* values,
-                  std::size_t count);
+// Ids for all worlds, of a quantity of which each has as many.
+env::Ids ids_of(const batch::Batch& batch, env::Quantity quantity, const std::int32_t* ids, std::size_t count);
+
+// The values of all worlds.
+template <typename T>
+void check_values(const batch::Batch& batch, env::Quantity quantity, const env::Ids& ids, const T* values,
+                  std::size_t count) {
+  require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
+  check_value_count(count, batch.size() * env::width(batch.world(0), quantity, ids));
+}
 
 }  // namespace mimo::capi

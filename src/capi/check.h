@@ -7,6 +7,7 @@
 
 #include "base/fail.h"
 #include "base/span.h"
+#include "mimo/status.h"
 
 namespace mimo::capi {
 
@@ -52,17 +53,35 @@ inline void check_finite(const double* values, std::size_t count, const char* ar
   }
 }
 
+// What a caller of a newer interface asks for and this library does not know: a constant, a bit, a quantity.
+template <typename T>
+[[noreturn]] void refuse_unknown(const char* argument, T value) {
+  fail(Status::kUnsupported, "{} is {}, which needs an interface newer than {}.{}", argument, value, MIMO_API_MAJOR,
+       MIMO_API_MINOR);
+}
+
+// A constant of an enumeration without gaps.
+template <typename T>
+void check_choice(T value, T low, T high, const char* argument) {
+  if (value >= low && value <= high) return;
+  fail(Status::kUnsupported, "{} is {}, which needs an interface newer than {}.{}: this one knows {} to {}", argument,
+       value, MIMO_API_MAJOR, MIMO_API_MINOR, low, high);
+}
+
+inline void check_bits(std::uint32_t value, std::uint32_t known, const char* argument) {
+  if ((value & ~known) == 0) return;
+  fail(Status::kUnsupported, "{} is {:#x}, which needs an interface newer than {}.{}: this one knows bits of {:#x}",
+       argument, value, MIMO_API_MAJOR, MIMO_API_MINOR, known);
+}
+
+// A switch; later versions may give it more positions.
+inline void check_flag(std::uint32_t value, const char* argument) { check_choice(value, 0U, 1U, argument); }
+
 // What later versions may give a meaning.
 inline void check_reserved(std::uint32_t value, const char* argument) {
-  require(value == 0, "{} is {}, expected 0", argument, value);
-}
-
-inline void check_flag(std::uint32_t value, const char* argument) {
-  require(value <= 1, "{} is {}, expected 0 or 1", argument, value);
-}
-
-inline void check_bits(std::uint32_t value, std::uint32_t all, const char* argument) {
-  require((value & ~all) == 0, "{} is {:#x}, expected bits of {:#x}", argument, value, all);
+  if (value == 0) return;
+  fail(Status::kUnsupported, "{} is {}, which needs an interface newer than {}.{}: this one knows 0", argument, value,
+       MIMO_API_MAJOR, MIMO_API_MINOR);
 }
 
 }  // namespace mimo::capi

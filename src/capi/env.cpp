@@ -37,8 +37,7 @@ render::Quality quality(const mimo_env_config& config) {
 }
 
 engine::PhysicsOptions physics(const mimo_env_config& config) {
-  require(config.jacobian >= MIMO_JACOBIAN_MODEL && config.jacobian <= MIMO_JACOBIAN_SPARSE,
-          "jacobian is {}, expected a MIMO_JACOBIAN_ constant, 0 to 2", config.jacobian);
+  check_choice(config.jacobian, MIMO_JACOBIAN_MODEL, MIMO_JACOBIAN_SPARSE, "jacobian");
   check_bits(config.disable, MIMO_DISABLE_CONTACT | MIMO_DISABLE_GRAVITY | MIMO_DISABLE_OWN_SOLVER, "disable");
   engine::PhysicsOptions options;
   options.jacobian = static_cast<engine::Jacobian>(config.jacobian);
@@ -61,8 +60,9 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   options.task = text(config.task);
   options.quality = quality(config);
   check_flag(config.timing, "timing");
-  check_reserved(config.reserved, "reserved");
+  check_flag(config.step_contacts, "step_contacts");
   options.timing = config.timing != 0;
+  options.step_contacts = config.step_contacts != 0;
   return options;
 }
 

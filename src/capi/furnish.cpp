@@ -33,8 +33,7 @@ mimo_model_config default_model_config() {
 }
 
 scene::Shape shape_from(std::int32_t shape) {
-  require(shape >= MIMO_SHAPE_SPHERE && shape <= MIMO_SHAPE_BOX,
-          "shape is {}, expected MIMO_SHAPE_SPHERE (1) to MIMO_SHAPE_BOX (5)", shape);
+  check_choice(shape, MIMO_SHAPE_SPHERE, MIMO_SHAPE_BOX, "shape");
   return static_cast<scene::Shape>(shape);
 }
 

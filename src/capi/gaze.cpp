@@ -25,7 +25,7 @@ Eigen::Vector3d point_from(const double* point) {
 }
 
 bool turns_head(std::int32_t how) {
-  require(how == MIMO_LOOK_EYES || how == MIMO_LOOK_HEAD, "how is {}, expected MIMO_LOOK_EYES or MIMO_LOOK_HEAD", how);
+  check_choice(how, MIMO_LOOK_EYES, MIMO_LOOK_HEAD, "how");
   return how == MIMO_LOOK_HEAD;
 }
 

@@ -5,6 +5,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "engine/present.h"
 #include "render/format.h"
 #include "render/projection.h"
 #include "render/viewpoint.h"
@@ -110,7 +111,8 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     check_length<double[3]>(count, "count");
     check_finite(array(points, 3 * count, "points").data(), 3 * count, "points");
     array(pixels, 3 * count, "pixels");
-    const render::View from = render::view_from(world.model(), world.data(), viewpoint(world, ours));
+    engine::Present present;
+    const render::View from = render::view_from(world.model(), present.of(world.physics()), viewpoint(world, ours));
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
       Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);

@@ -83,7 +83,8 @@ void TouchPicture::add(const mimo::Env& env, std::size_t agent, const mimo_field
 
 std::vector<TouchPicture::Feeling> TouchPicture::feelings(const mimo::Env& env, const mimo::Block& block) const {
   const auto bodies = env.ids(MIMO_BODY);
-  const auto places = env.get_values(MIMO_BODY_POSITION, bodies), turns = env.get_values(MIMO_BODY_ORIENTATION, bodies);
+  const auto places = env.get_values(MIMO_BODY_POSITION | MIMO_NOW, bodies),
+             turns = env.get_values(MIMO_BODY_ORIENTATION | MIMO_NOW, bodies);  // as the picture shows them
   std::vector<Feeling> feelings;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const auto body = static_cast<std::size_t>(sensors_[i].body);
@@ -104,7 +105,7 @@ std::size_t TouchPicture::strongest_of(const std::vector<Feeling>& felt) {
 
 ColorPicture TouchPicture::draw(mimo::Env& env, const mimo_picture_config& config, const mimo::Block& block) {
   Scenery scenery = take(env, config);
-  const auto felt = feelings(env, block);  // after the picture, which brings poses up to date
+  const auto felt = feelings(env, block);
   const std::size_t most = strongest_of(felt);
   const double strongest = std::max(norm(felt[most].force), kNothing);
   std::vector<Vector> points, tails, above;

@@ -8,6 +8,10 @@ bool has_one_axis(const mjModel& model, int joint) {
   return model.jnt_type[joint] == mjJNT_HINGE || model.jnt_type[joint] == mjJNT_SLIDE;
 }
 
+int position_count(int joint_type) { return joint_type == mjJNT_FREE ? 7 : joint_type == mjJNT_BALL ? 4 : 1; }
+
+int velocity_count(int joint_type) { return joint_type == mjJNT_FREE ? 6 : joint_type == mjJNT_BALL ? 3 : 1; }
+
 int free_joint_address(const mjModel& model, int body) {
   const int joint = model.body_jntadr[body];
   if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {

@@ -143,6 +143,7 @@ mjtObj object_type(Kind kind) {
     case Kind::kCamera: return mjOBJ_CAMERA;
     case Kind::kActuator: return mjOBJ_ACTUATOR;
     case Kind::kSensor: return mjOBJ_SENSOR;
+    case Kind::kLight: return mjOBJ_LIGHT;
   }
   return mjOBJ_UNKNOWN;
 }
@@ -156,6 +157,7 @@ int count(const mjModel& model, Kind kind) {
     case Kind::kCamera: return model.ncam;
     case Kind::kActuator: return model.nu;
     case Kind::kSensor: return model.nsensor;
+    case Kind::kLight: return model.nlight;
   }
   return 0;
 }
@@ -186,6 +188,7 @@ const char* word(Kind kind) {
     case Kind::kCamera: return "camera";
     case Kind::kActuator: return "actuator";
     case Kind::kSensor: return "sensor";
+    case Kind::kLight: return "light";
   }
   return "element";
 }

@@ -25,7 +25,7 @@ struct Asset {
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log);
 
 // Kinds of model elements, as mimo.h numbers them (MIMO_BODY ...).
-enum class Kind : int { kBody = 1, kJoint = 2, kGeom = 3, kSite = 4, kCamera = 5, kActuator = 6, kSensor = 7 };
+enum class Kind : int { kBody = 1, kJoint, kGeom, kSite, kCamera, kActuator, kSensor, kLight };
 
 mjtObj object_type(Kind kind);
 int count(const mjModel& model, Kind kind);

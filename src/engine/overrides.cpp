@@ -1,29 +1,76 @@
 #include "engine/overrides.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "base/fail.h"
+#include "engine/constants.h"
+#include "engine/joints.h"
 
 namespace mimo::engine {
 namespace {
 
-// Gives the model an array of its own in place of the shared one.
-template <typename T>
-void own(std::vector<T>& mine, T*& array, int count) {
-  if (!mine.empty() || count == 0) return;
-  mine.assign(array, array + static_cast<std::size_t>(count));
-  array = mine.data();
-}
-
 // The equality is about the difference to the joint's reference angle.
 double reference(const mjModel& model, int lock) { return model.qpos0[model.jnt_qposadr[model.eq_obj1id[lock]]]; }
 
+// Numbers of an array of the model in which worlds may differ: the first one of each of `count` rows.
+template <typename T>
+struct Column {
+  const char* what;
+  T* mjModel::*array;
+  int count;
+  int stride = 1;
+  double least = -std::numeric_limits<double>::infinity();
+};
+
+template <typename T>
+Column<T> column(const char* what, T* mjModel::*array, int count, int stride = 1) {
+  return {what, array, count, stride};
+}
+
+template <typename T>
+Column<T> not_negative(const char* what, T* mjModel::*array, int count) {
+  return {what, array, count, 1, 0};
+}
+
+// All of them, but for materials. What follows from masses is among them: finding it out anew would take long, and its
+// last digits depend on how the masses came to be.
 template <typename Visit>
-void for_each_ball(const mjModel& model, Visit&& visit) {
-  for (int body = 1; body < model.nbody; ++body) {
-    if (is_ball(model, body)) visit(body);
+void visit_columns(const mjModel& model, Visit&& visit) {
+  visit(column("a lock", &mjModel::eq_data, model.neq, mjNEQDATA));
+  visit(column("a gear", &mjModel::actuator_gear, model.nu, 6));
+  visit(not_negative("a size", &mjModel::geom_size, 3 * model.ngeom));
+  visit(not_negative("the radius around a geom", &mjModel::geom_rbound, model.ngeom));
+  visit(not_negative("a friction", &mjModel::geom_friction, 3 * model.ngeom));
+  visit(column("a colour", &mjModel::geom_rgba, 4 * model.ngeom));
+  visit(not_negative("a mass", &mjModel::body_mass, model.nbody));
+  visit(not_negative("a mass of a body with all that hangs on it", &mjModel::body_subtreemass, model.nbody));
+  visit(not_negative("an inertia", &mjModel::body_inertia, 3 * model.nbody));
+  visit(column("a body's weight in constraints", &mjModel::body_invweight0, 2 * model.nbody));
+  visit(column("a joint's weight in constraints", &mjModel::dof_invweight0, model.nv));
+  visit(column("a joint's inertia", &mjModel::dof_M0, model.nv));
+  visit(column("a tendon's weight in constraints", &mjModel::tendon_invweight0, model.ntendon));
+  visit(column("an actuator's strength", &mjModel::actuator_acc0, model.nu));
+  visit(column("a damping", &mjModel::dof_damping, model.nv));
+  visit(column("a body's position", &mjModel::body_pos, 3 * model.nbody));
+  visit(column("a body's orientation", &mjModel::body_quat, 4 * model.nbody));
+  visit(column("a light's position", &mjModel::light_pos, 3 * model.nlight));
+  visit(column("a light's direction", &mjModel::light_dir, 3 * model.nlight));
+  visit(column("a light's colour", &mjModel::light_diffuse, 3 * model.nlight));
+}
+
+// The radius of the sphere around a shape of this size; MuJoCo's compiler has the same formulas.
+double bound(int type, const double* size) {
+  switch (type) {
+    case mjGEOM_CAPSULE: return size[0] + size[1];
+    case mjGEOM_CYLINDER: return std::sqrt(size[0] * size[0] + size[1] * size[1]);
+    case mjGEOM_ELLIPSOID: return std::max({size[0], size[1], size[2]});
+    case mjGEOM_BOX: return std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
+    default: return size[0];
   }
 }
 
@@ -36,17 +83,52 @@ bool is_ball(const mjModel& model, int body) {
   return alone && leaf && model.jnt_type[joint] == mjJNT_FREE && model.geom_type[geom] == mjGEOM_SPHERE;
 }
 
-void Overrides::own_locks(mjModel& model) {
-  own(active_, model.eq_active, model.neq);
-  own(data_, model.eq_data, model.neq * mjNEQDATA);
+int size_count(int geom_type) {
+  switch (geom_type) {
+    case mjGEOM_SPHERE: return 1;
+    case mjGEOM_CAPSULE:
+    case mjGEOM_CYLINDER: return 2;
+    case mjGEOM_ELLIPSOID:
+    case mjGEOM_BOX: return 3;
+    default: return 0;
+  }
 }
 
-void Overrides::own_gears(mjModel& model) { own(gear_, model.actuator_gear, model.nu * 6); }
+template <typename T>
+T* Overrides::own(mjModel& model, T* mjModel::*array, int length) {
+  if (model.*array != shared_.*array || length == 0) return model.*array;
+  const std::size_t bytes = sizeof(T) * static_cast<std::size_t>(length);
+  arrays_.push_back(std::make_unique<std::uint8_t[]>(bytes));
+  std::memcpy(arrays_.back().get(), shared_.*array, bytes);
+  model.*array = reinterpret_cast<T*>(arrays_.back().get());
+  return model.*array;
+}
+
+void Overrides::own_locks(mjModel& model) {
+  own(model, &mjModel::eq_active, model.neq);
+  own(model, &mjModel::eq_data, model.neq * mjNEQDATA);
+}
+
+void Overrides::own_masses(mjModel& model) {
+  own(model, &mjModel::body_mass, model.nbody);
+  own(model, &mjModel::body_subtreemass, model.nbody);
+  own(model, &mjModel::body_inertia, 3 * model.nbody);
+  own(model, &mjModel::body_invweight0, 2 * model.nbody);
+  own(model, &mjModel::dof_invweight0, model.nv);
+  own(model, &mjModel::dof_M0, model.nv);
+  own(model, &mjModel::tendon_invweight0, model.ntendon);
+  own(model, &mjModel::actuator_acc0, model.nu);
+}
 
 void Overrides::hold(mjModel& model, int lock, double angle) {
   own_locks(model);
   model.eq_data[lock * mjNEQDATA] = angle - reference(model, lock);
   model.eq_active[lock] = 1;
+}
+
+void Overrides::release(mjModel& model, int lock, double angle) {
+  hold(model, lock, angle);
+  model.eq_active[lock] = 0;
 }
 
 void Overrides::release(mjModel& model, int lock) {
@@ -55,35 +137,21 @@ void Overrides::release(mjModel& model, int lock) {
 }
 
 double& Overrides::gear(mjModel& model, int actuator) {
-  own_gears(model);
-  return model.actuator_gear[6 * actuator];
+  return own(model, &mjModel::actuator_gear, 6 * model.nu)[6 * actuator];
 }
-
-void Overrides::own_materials(mjModel& model) { own(material_, model.geom_matid, model.ngeom); }
 
 void Overrides::paint(mjModel& model, int geom, int material) {
-  own_materials(model);
-  model.geom_matid[geom] = material;
-}
-
-void Overrides::own_balls(mjModel& model) {
-  own(size_, model.geom_size, 3 * model.ngeom);
-  own(bound_, model.geom_rbound, model.ngeom);
-  own(mass_, model.body_mass, model.nbody);
-  own(subtree_mass_, model.body_subtreemass, model.nbody);
-  own(inertia_, model.body_inertia, 3 * model.nbody);
-  own(body_weight_, model.body_invweight0, 2 * model.nbody);
-  own(dof_weight_, model.dof_invweight0, model.nv);
-  own(dof_inertia_, model.dof_M0, model.nv);
+  own(model, &mjModel::geom_matid, model.ngeom)[geom] = material;
 }
 
 // What MuJoCo's compiler would compute, but for the statistic of mean inertia, which scales the solver's tolerance
 // only.
 void Overrides::shape_ball(mjModel& model, int body, double radius, double mass) {
-  own_balls(model);
+  own_masses(model);
   const int geom = model.body_geomadr[body], dof = model.body_dofadr[body];
   const double inertia = 0.4 * mass * radius * radius;
-  model.geom_size[3 * geom] = model.geom_rbound[geom] = radius;
+  own(model, &mjModel::geom_size, 3 * model.ngeom)[3 * geom] = radius;
+  own(model, &mjModel::geom_rbound, model.ngeom)[geom] = radius;
   model.body_subtreemass[0] += mass - model.body_mass[body];
   model.body_subtreemass[body] = model.body_mass[body] = mass;
   std::fill_n(model.body_inertia + 3 * body, 3, inertia);
@@ -95,49 +163,87 @@ void Overrides::shape_ball(mjModel& model, int body, double radius, double mass)
   }
 }
 
+void Overrides::set_masses(mjModel& model, Span<const std::int32_t> bodies, Span<const double> masses) {
+  own_masses(model);
+  Constants constants(model);
+  for (std::size_t i = 0; i < bodies.size(); ++i) constants.scale_mass(bodies[i], masses[i]);
+  constants.derive();
+  constants.copy_to(model);
+}
+
+void Overrides::resize(mjModel& model, int geom, const double* size) {
+  const int type = model.geom_type[geom];
+  if (size_count(type) == 0) return;
+  double* own_size = own(model, &mjModel::geom_size, 3 * model.ngeom) + 3 * geom;
+  std::copy_n(size, size_count(type), own_size);
+  own(model, &mjModel::geom_rbound, model.ngeom)[geom] = bound(type, own_size);
+}
+
+double* Overrides::friction(mjModel& model, int geom) {
+  return own(model, &mjModel::geom_friction, 3 * model.ngeom) + 3 * geom;
+}
+
+float* Overrides::color(mjModel& model, int geom) {
+  return own(model, &mjModel::geom_rgba, 4 * model.ngeom) + 4 * geom;
+}
+
+double* Overrides::light_position(mjModel& model, int light) {
+  return own(model, &mjModel::light_pos, 3 * model.nlight) + 3 * light;
+}
+
+double* Overrides::light_direction(mjModel& model, int light) {
+  return own(model, &mjModel::light_dir, 3 * model.nlight) + 3 * light;
+}
+
+float* Overrides::light_color(mjModel& model, int light) {
+  return own(model, &mjModel::light_diffuse, 3 * model.nlight) + 3 * light;
+}
+
+double* Overrides::position(mjModel& model, int body) {
+  return own(model, &mjModel::body_pos, 3 * model.nbody) + 3 * body;
+}
+
+double* Overrides::orientation(mjModel& model, int body) {
+  return own(model, &mjModel::body_quat, 4 * model.nbody) + 4 * body;
+}
+
+void Overrides::damp(mjModel& model, int joint, double damping) {
+  double* first = own(model, &mjModel::dof_damping, model.nv) + model.jnt_dofadr[joint];
+  std::fill_n(first, velocity_count(model.jnt_type[joint]), damping);
+}
+
 void Overrides::slacken(mjModel& model, int joint, int dof, double damping) {
-  own(stiffness_, model.jnt_stiffness, model.njnt);
-  own(damping_, model.dof_damping, model.nv);
-  model.jnt_stiffness[joint] = 0;
-  model.dof_damping[dof] = damping;
+  own(model, &mjModel::jnt_stiffness, model.njnt)[joint] = 0;
+  own(model, &mjModel::dof_damping, model.nv)[dof] = damping;
 }
 
 void Overrides::unlimit(mjModel& model, int actuator) {
-  own(control_limited_, model.actuator_ctrllimited, model.nu);
-  own(force_limited_, model.actuator_forcelimited, model.nu);
-  model.actuator_ctrllimited[actuator] = 0;
-  model.actuator_forcelimited[actuator] = 0;
+  own(model, &mjModel::actuator_ctrllimited, model.nu)[actuator] = 0;
+  own(model, &mjModel::actuator_forcelimited, model.nu)[actuator] = 0;
 }
 
 void Overrides::save(const mjModel& model, ByteWriter& to) {
-  for (int i = 0; i < model.neq; ++i) {
-    to.put(model.eq_active[i]);
-    to.put(model.eq_data[i * mjNEQDATA]);
-  }
-  for (int i = 0; i < model.nu; ++i) to.put(model.actuator_gear[6 * i]);
+  for (int i = 0; i < model.neq; ++i) to.put(model.eq_active[i]);
   for (int i = 0; i < model.ngeom; ++i) to.put(std::int32_t{model.geom_matid[i]});
-  for_each_ball(model, [&](int body) {
-    to.put(model.geom_size[3 * model.body_geomadr[body]]);
-    to.put(model.body_mass[body]);
+  visit_columns(model, [&](const auto& column) {
+    for (int i = 0; i < column.count; ++i) to.put((model.*column.array)[i * column.stride]);
   });
   to.put(Span<const double>(model.opt.gravity, 3));
 }
 
 void Overrides::check(const mjModel& model, ByteReader& from) {
-  for (int i = 0; i < model.neq; ++i) {
-    from.take_flag();
-    from.take_finite("a lock");
-  }
-  for (int i = 0; i < model.nu; ++i) from.take_finite("a gear");
+  for (int i = 0; i < model.neq; ++i) from.take_flag();
   for (int i = 0; i < model.ngeom; ++i) {
     const auto material = from.take<std::int32_t>();
     require(material >= -1 && material < model.nmat, "the state holds {} for a material, expected -1 to {}", material,
             model.nmat - 1);
   }
-  for_each_ball(model, [&](int) {
-    for (const char* what : {"a ball's radius", "a ball's mass"}) {
-      const double value = from.take_finite(what);
-      require(value > 0, "the state holds {} for {}, expected more than 0", value, what);
+  visit_columns(model, [&](const auto& column) {
+    using Number = std::remove_pointer_t<std::decay_t<decltype(model.*column.array)>>;
+    for (int i = 0; i < column.count; ++i) {
+      const double value = from.take<Number>();
+      require(std::isfinite(value) && value >= column.least, "the state holds {} for {}, expected a finite number{}",
+              value, column.what, column.least == 0 ? ", not negative" : "");
     }
   });
   for (int i = 0; i < 3; ++i) from.take_finite("gravity");
@@ -145,28 +251,16 @@ void Overrides::check(const mjModel& model, ByteReader& from) {
 
 // Takes arrays of its own only where the state differs from what the world has now.
 void Overrides::load(mjModel& model, ByteReader& from) {
-  for (int i = 0; i < model.neq; ++i) {
-    const auto active = from.take<mjtByte>();
-    const auto data = from.take<double>();
-    if (active == model.eq_active[i] && data == model.eq_data[i * mjNEQDATA]) continue;
-    own_locks(model);
-    model.eq_active[i] = active;
-    model.eq_data[i * mjNEQDATA] = data;
-  }
-  for (int i = 0; i < model.nu; ++i) {
-    const auto value = from.take<double>();
-    if (value != model.actuator_gear[6 * i]) gear(model, i) = value;
-  }
-  for (int i = 0; i < model.ngeom; ++i) {
-    const auto value = from.take<std::int32_t>();
-    if (value != model.geom_matid[i]) paint(model, i, value);
-  }
-  for_each_ball(model, [&](int body) {
-    const auto radius = from.take<double>();
-    const auto mass = from.take<double>();
-    const bool same = radius == model.geom_size[3 * model.body_geomadr[body]] && mass == model.body_mass[body];
-    if (!same) shape_ball(model, body, radius, mass);
-  });
+  const auto take = [&](auto array, int count, int stride) {
+    using Number = std::remove_pointer_t<std::decay_t<decltype(model.*array)>>;
+    for (int i = 0; i < count; ++i) {
+      const auto value = from.take<Number>();
+      if (value != (model.*array)[i * stride]) own(model, array, count * stride)[i * stride] = value;
+    }
+  };
+  take(&mjModel::eq_active, model.neq, 1);
+  take(&mjModel::geom_matid, model.ngeom, 1);
+  visit_columns(model, [&](const auto& column) { take(column.array, column.count, column.stride); });
   from.take(Span<double>(model.opt.gravity, 3));
 }
 

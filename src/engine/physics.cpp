@@ -47,7 +47,10 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 }  // namespace
 
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
-    : shared_(std::move(model)), model_(*shared_), data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
+    : shared_(std::move(model)),
+      model_(*shared_),
+      overrides_(*shared_),
+      data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
   apply(options, model_.opt);
   step_ = options.own_solver && newton_step_serves(model_) ? newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
@@ -79,7 +82,9 @@ void Physics::step(int count, bool sensors) {
     for (int i = 0; i < count && !diverged(*data_); ++i) {
       step_time_ = data_->time;
       model_.opt.disableflags = sensors && i + 1 == count ? flags : flags | mjDSBL_SENSOR;
+      const WarningWatch watch(*data_);
       step_(&model_, data_.get());
+      watch.count(model_, *data_, counts_);
     }
   });
   model_.opt.disableflags = flags;
@@ -110,6 +115,18 @@ void Physics::update_contacts() {
     mj_camlight(&model_, data_.get());
     mj_collision(&model_, data_.get());
   });
+}
+
+void Physics::place(int body, const double* position, const double* orientation) {
+  const int mocap = model_.body_mocapid[body];
+  if (position != nullptr) {
+    std::copy_n(position, 3, overrides_.position(model_, body));
+    if (mocap >= 0) std::copy_n(position, 3, data_->mocap_pos + 3 * mocap);
+  }
+  if (orientation != nullptr) {
+    std::copy_n(orientation, 4, overrides_.orientation(model_, body));
+    if (mocap >= 0) std::copy_n(orientation, 4, data_->mocap_quat + 4 * mocap);
+  }
 }
 
 void Physics::update_poses_at_last_start(Span<const int> turned) {

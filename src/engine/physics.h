@@ -15,6 +15,7 @@
 #include "engine/guard.h"
 #include "engine/model.h"
 #include "engine/overrides.h"
+#include "engine/warnings.h"
 
 namespace mimo::engine {
 
@@ -60,11 +61,24 @@ class Physics {
   // Differences from the shared model, for this world only. They outlive resets.
   void hold(int lock, double angle) { overrides_.hold(model_, lock, angle); }
   void release(int lock) { overrides_.release(model_, lock); }
+  void release(int lock, double angle) { overrides_.release(model_, lock, angle); }
   double& gear(int actuator) { return overrides_.gear(model_, actuator); }
   void paint(int geom, int material) { overrides_.paint(model_, geom, material); }
   void slacken(int joint, int dof, double damping) { overrides_.slacken(model_, joint, dof, damping); }
   void unlimit(int actuator) { overrides_.unlimit(model_, actuator); }
   void shape_ball(int body, double radius, double mass) { overrides_.shape_ball(model_, body, radius, mass); }
+  void set_masses(Span<const std::int32_t> bodies, Span<const double> masses) {
+    overrides_.set_masses(model_, bodies, masses);
+  }
+  void resize(int geom, const double* size) { overrides_.resize(model_, geom, size); }
+  void damp(int joint, double damping) { overrides_.damp(model_, joint, damping); }
+  double* friction(int geom) { return overrides_.friction(model_, geom); }
+  float* color(int geom) { return overrides_.color(model_, geom); }
+  double* light_position(int light) { return overrides_.light_position(model_, light); }
+  double* light_direction(int light) { return overrides_.light_direction(model_, light); }
+  float* light_color(int light) { return overrides_.light_color(model_, light); }
+  // Of a body that stands fixed on the world.
+  void place(int body, const double* position, const double* orientation);
   Eigen::Vector3d gravity() const { return Eigen::Map<const Eigen::Vector3d>(model_.opt.gravity); }  // m/s^2
   void set_gravity(const Eigen::Vector3d& gravity) { Eigen::Map<Eigen::Vector3d>{model_.opt.gravity} = gravity; }
 
@@ -89,6 +103,9 @@ class Physics {
 
   // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.
   std::string take_warnings();
+  // How often each happened in a physics step, since this was made; and failures.
+  const WarningCounts& warnings() const { return counts_; }
+  void forget_warnings(int kind) { counts_[static_cast<std::size_t>(kind)] = 0; }
 
  private:
   void fail_world(const std::string& why);
@@ -105,10 +122,11 @@ class Physics {
 
   ModelPtr shared_;
   mjModel model_;
-  std::unique_ptr<mjData, void (*)(mjData*)> data_;
   Overrides overrides_;
+  std::unique_ptr<mjData, void (*)(mjData*)> data_;
   std::vector<double> start_;
   std::array<int, mjNWARNING> warned_{};
+  WarningCounts counts_{};
   std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
   double step_time_ = 0;  // when the step in progress started; MuJoCo sets a diverged world's time back
   void (*step_)(const mjModel*, mjData*);  // mj_step, or the same with our own solver

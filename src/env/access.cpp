@@ -1,63 +1,15 @@
+// Named access: reading.
 #include "env/access.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 #include "base/fail.h"
+#include "engine/overrides.h"
+#include "engine/present.h"
 
 namespace mimo::env {
 namespace {
-
-using engine::Kind;
-
-// How a quantity is stored: whose it is, how wide, and whether it can be written.
-struct Traits {
-  const char* name;
-  Kind kind;
-  int width;  // 0: depends on the element
-  bool writable;
-};
-
-const Traits& traits(Quantity quantity) {
-  static constexpr std::array<Traits, 22> kTraits = {{
-      {"joint position", Kind::kJoint, 0, true},      {"joint velocity", Kind::kJoint, 0, true},
-      {"joint force", Kind::kJoint, 0, true},         {"joint acceleration", Kind::kJoint, 0, false},
-      {"joint range", Kind::kJoint, 2, false},        {"body position", Kind::kBody, 3, true},
-      {"body orientation", Kind::kBody, 4, true},     {"body velocity", Kind::kBody, 6, false},
-      {"body force", Kind::kBody, 6, true},           {"body mass", Kind::kBody, 1, false},
-      {"body center of mass", Kind::kBody, 3, false}, {"geom position", Kind::kGeom, 3, false},
-      {"geom orientation", Kind::kGeom, 4, false},    {"geom size", Kind::kGeom, 3, false},
-      {"site position", Kind::kSite, 3, false},       {"site orientation", Kind::kSite, 4, false},
-      {"camera position", Kind::kCamera, 3, false},   {"camera orientation", Kind::kCamera, 4, false},
-      {"actuator control", Kind::kActuator, 1, true}, {"actuator force", Kind::kActuator, 1, false},
-      {"sensor value", Kind::kSensor, 0, false},      {"actuator gear", Kind::kActuator, 1, true},
-  }};
-  return kTraits[static_cast<std::size_t>(quantity) - 1];
-}
-
-int position_width(int joint_type) { return joint_type == mjJNT_FREE ? 7 : joint_type == mjJNT_BALL ? 4 : 1; }
-
-int velocity_width(int joint_type) { return joint_type == mjJNT_FREE ? 6 : joint_type == mjJNT_BALL ? 3 : 1; }
-
-int width(const mjModel& model, Quantity quantity, int id) {
-  if (quantity == Quantity::kJointPosition) return position_width(model.jnt_type[id]);
-  if (quantity == Quantity::kSensorValue) return model.sensor_dim[id];
-  const int fixed = traits(quantity).width;
-  return fixed > 0 ? fixed : velocity_width(model.jnt_type[id]);
-}
-
-// The free joint of a body, by which it can be moved; -1 if it has none.
-int free_joint(const mjModel& model, int body) {
-  const int joint = model.body_jntadr[body];
-  return joint >= 0 && model.jnt_type[joint] == mjJNT_FREE ? joint : -1;
-}
-
-bool moves_bodies(Quantity quantity) {
-  return quantity == Quantity::kJointPosition || quantity == Quantity::kBodyPosition ||
-         quantity == Quantity::kBodyOrientation;
-}
 
 // Where a quantity that MuJoCo stores as plain numbers lies; null for those that are computed.
 const double* stored(const mjModel& model, const mjData& data, Quantity quantity, int id) {
@@ -66,6 +18,7 @@ const double* stored(const mjModel& model, const mjData& data, Quantity quantity
     case Quantity::kJointVelocity: return data.qvel + model.jnt_dofadr[id];
     case Quantity::kJointForce: return data.qfrc_applied + model.jnt_dofadr[id];
     case Quantity::kJointAcceleration: return data.qacc + model.jnt_dofadr[id];
+    case Quantity::kJointDamping: return model.dof_damping + model.jnt_dofadr[id];
     case Quantity::kBodyPosition: return data.xpos + 3 * id;
     case Quantity::kBodyOrientation: return data.xquat + 4 * id;
     case Quantity::kBodyForce: return data.xfrc_applied + 6 * id;
@@ -73,176 +26,145 @@ const double* stored(const mjModel& model, const mjData& data, Quantity quantity
     case Quantity::kBodyCenterOfMass: return data.xipos + 3 * id;
     case Quantity::kGeomPosition: return data.geom_xpos + 3 * id;
     case Quantity::kGeomSize: return model.geom_size + 3 * id;
+    case Quantity::kGeomFriction: return model.geom_friction + 3 * id;
     case Quantity::kSitePosition: return data.site_xpos + 3 * id;
     case Quantity::kCameraPosition: return data.cam_xpos + 3 * id;
     case Quantity::kActuatorControl: return data.ctrl + id;
     case Quantity::kActuatorForce: return data.actuator_force + id;
     case Quantity::kSensorValue: return data.sensordata + model.sensor_adr[id];
     case Quantity::kActuatorGear: return model.actuator_gear + 6 * id;
+    case Quantity::kLightPosition: return model.light_pos + 3 * id;
+    case Quantity::kLightDirection: return model.light_dir + 3 * id;
+    case Quantity::kContactPosition: return data.contact[id].pos;
+    case Quantity::kContactFrame: return data.contact[id].frame;
+    case Quantity::kContactDistance: return &data.contact[id].dist;
+    case Quantity::kWorldGravity: return model.opt.gravity;
     default: return nullptr;
   }
 }
 
-void compute(const mjModel& model, const mjData& data, Quantity quantity, int id, double* out) {
-  const auto put = [out](const auto& values) { std::copy(values.begin(), values.end(), out); };
+// Writes numbers one after the other.
+class Out {
+ public:
+  explicit Out(double* to) : to_(to) {}
+  Out& put(double value) {
+    *to_++ = value;
+    return *this;
+  }
+  template <typename T>
+  Out& put(const T* values, int count) {
+    to_ = std::copy_n(values, count, to_);
+    return *this;
+  }
+  template <typename T>
+  Out& put_all(const T& values) {
+    return put(values.data(), static_cast<int>(values.size()));
+  }
+
+ private:
+  double* to_;
+};
+
+void range(const mjModel& model, int joint, Out out) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (model.jnt_limited[joint] != 0) {
+    out.put(model.jnt_range + 2 * joint, 2);
+  } else {
+    out.put(-infinity).put(infinity);
+  }
+}
+
+void lock(const mjModel& model, int joint, Out out) {
+  const int lock = engine::find_lock(model, joint);
+  const bool held = lock >= 0 && model.eq_active[lock] != 0;
+  out.put(held ? 1 : 0).put(lock < 0 ? 0.0 : engine::lock_angle(model, lock));
+}
+
+void pose(const double* position, const double* matrix, int id, Out out) {
+  out.put(position + 3 * id, 3).put_all(engine::quaternion(matrix + 9 * id));
+}
+
+void of_step_contact(const StepContact& contact, Quantity quantity, Out out) {
   switch (quantity) {
-    case Quantity::kJointRange:
-      if (model.jnt_limited[id] != 0) {
-        std::copy_n(model.jnt_range + 2 * id, 2, out);
-      } else {
-        out[1] = std::numeric_limits<double>::infinity();
-        out[0] = -out[1];
-      }
+    case Quantity::kStepContactGeoms: out.put_all(contact.geoms); break;
+    case Quantity::kStepContactBodies: out.put_all(contact.bodies); break;
+    case Quantity::kStepContactStart: out.put(contact.start); break;
+    case Quantity::kStepContactEnd: out.put(contact.end); break;
+    case Quantity::kStepContactImpulse: out.put_all(contact.impulse); break;
+    case Quantity::kStepContactPeakForce: out.put_all(contact.peak_force); break;
+    default: out.put_all(contact.peak_position); break;
+  }
+}
+
+void compute(const World& world, const mjData& data, Quantity quantity, int id, Out out) {
+  const mjModel& model = world.model();
+  const auto contact = [&]() -> const mjContact& { return data.contact[id]; };
+  switch (quantity) {
+    case Quantity::kJointRange: range(model, id, out); break;
+    case Quantity::kJointLock: lock(model, id, out); break;
+    case Quantity::kBodyVelocity: out.put_all(engine::body_velocity(model, data, id)); break;
+    case Quantity::kBodyPose: out.put(data.xpos + 3 * id, 3).put(data.xquat + 4 * id, 4); break;
+    case Quantity::kGeomOrientation: out.put_all(engine::quaternion(data.geom_xmat + 9 * id)); break;
+    case Quantity::kGeomPose: pose(data.geom_xpos, data.geom_xmat, id, out); break;
+    case Quantity::kGeomColor: out.put(model.geom_rgba + 4 * id, 4); break;
+    case Quantity::kSiteOrientation: out.put_all(engine::quaternion(data.site_xmat + 9 * id)); break;
+    case Quantity::kSitePose: pose(data.site_xpos, data.site_xmat, id, out); break;
+    case Quantity::kCameraOrientation: out.put_all(engine::quaternion(data.cam_xmat + 9 * id)); break;
+    case Quantity::kCameraPose: pose(data.cam_xpos, data.cam_xmat, id, out); break;
+    case Quantity::kLightColor: out.put(model.light_diffuse + 3 * id, 3); break;
+    case Quantity::kContactGeoms: out.put(contact().geom1).put(contact().geom2); break;
+    case Quantity::kContactBodies:
+      out.put(model.geom_bodyid[contact().geom1]).put(model.geom_bodyid[contact().geom2]);
       break;
-    case Quantity::kBodyVelocity: put(engine::body_velocity(model, data, id)); break;
-    case Quantity::kGeomOrientation: put(engine::quaternion(data.geom_xmat + 9 * id)); break;
-    case Quantity::kSiteOrientation: put(engine::quaternion(data.site_xmat + 9 * id)); break;
-    case Quantity::kCameraOrientation: put(engine::quaternion(data.cam_xmat + 9 * id)); break;
-    default: break;
+    case Quantity::kContactForce: out.put(engine::contact_force(model, data, id).data(), 3); break;
+    case Quantity::kContactTorque: out.put(engine::contact_force(model, data, id).data() + 3, 3); break;
+    case Quantity::kAgentFace: out.put(world.face(static_cast<std::size_t>(id))); break;
+    case Quantity::kWarningCount:
+      out.put(static_cast<double>(world.physics().warnings()[static_cast<std::size_t>(id)]));
+      break;
+    default: of_step_contact(world.step_contacts().all()[static_cast<std::size_t>(id)], quantity, out); break;
   }
 }
 
-// Where a writable quantity is written to.
-double* target(engine::Physics& physics, Quantity quantity, int id) {
-  const mjModel& model = physics.model();
-  mjData& data = physics.data();
-  switch (quantity) {
-    case Quantity::kJointPosition: return data.qpos + model.jnt_qposadr[id];
-    case Quantity::kJointVelocity: return data.qvel + model.jnt_dofadr[id];
-    case Quantity::kJointForce: return data.qfrc_applied + model.jnt_dofadr[id];
-    case Quantity::kBodyPosition: return data.qpos + model.jnt_qposadr[free_joint(model, id)];
-    case Quantity::kBodyOrientation: return data.qpos + model.jnt_qposadr[free_joint(model, id)] + 3;
-    case Quantity::kBodyForce: return data.xfrc_applied + 6 * id;
-    case Quantity::kActuatorControl: return data.ctrl + id;
-    case Quantity::kActuatorGear: return &physics.gear(id);
-    default: return nullptr;
+template <typename T>
+void read(const World& world, const mjData& data, Quantity quantity, const Ids& ids, Span<T> values) {
+  const mjModel& model = world.model();
+  T* to = values.data();
+  double computed[kWidest];
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const int count = width(model, quantity, ids[i]);
+    const double* from = stored(model, data, quantity, ids[i]);
+    if (from == nullptr) {
+      compute(world, data, quantity, ids[i], Out(computed));
+      from = computed;
+    }
+    to = std::transform(from, from + count, to, [](double value) { return static_cast<T>(value); });
   }
 }
 
-// The quaternion among the values of one element, if there is one.
-double* quaternion_in(const mjModel& model, Quantity quantity, int id, double* values) {
-  if (quantity == Quantity::kBodyOrientation) return values;
-  if (quantity != Quantity::kJointPosition) return nullptr;
-  if (model.jnt_type[id] == mjJNT_BALL) return values;
-  return model.jnt_type[id] == mjJNT_FREE ? values + 3 : nullptr;
-}
-
-double norm(const double* q) { return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]); }
-
-// Numbers whose squares are too large for a double have a direction too.
-void normalise(double* q) {
-  if (std::isinf(norm(q))) {
-    for (int i = 0; i < 4; ++i) q[i] *= 1e-200;
-  }
-  const double length = norm(q);
-  for (int i = 0; i < 4; ++i) q[i] /= length;
+template <typename T>
+void read_at(const World& world, Quantity quantity, const Ids& ids, bool now, Span<T> values) {
+  if (now) require_known_now(quantity);
+  if (!now || traits(quantity).moment == Moment::kAlways) return read(world, world.data(), quantity, ids, values);
+  engine::Present present;
+  read(world, present.of(world.physics()), quantity, ids, values);
 }
 
 }  // namespace
 
-engine::Kind kind_from(int number) {
-  require(number >= 1 && number <= 7, "kind is {}, expected MIMO_BODY (1) to MIMO_SENSOR (7)", number);
-  return static_cast<Kind>(number);
+void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values) {
+  read_at(world, quantity, ids, now, values);
 }
 
-Quantity quantity_from(int number) {
-  require(number >= 1 && number <= 22, "quantity is {}, expected MIMO_JOINT_POSITION (1) to MIMO_ACTUATOR_GEAR (22)",
-          number);
-  return static_cast<Quantity>(number);
+void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<float> values) {
+  read_at(world, quantity, ids, now, values);
 }
 
-int body_of(const mjModel& model, Kind kind, int id) {
-  switch (kind) {
-    case Kind::kBody: return model.body_parentid[id];
-    case Kind::kJoint: return model.jnt_bodyid[id];
-    case Kind::kGeom: return model.geom_bodyid[id];
-    case Kind::kSite: return model.site_bodyid[id];
-    case Kind::kCamera: return model.cam_bodyid[id];
-    default:
-      fail(Status::kInvalidArgument, "kind is {} ({}), expected body, joint, geom, site or camera",
-           static_cast<int>(kind), engine::word(kind));
-  }
-}
-
-std::size_t width(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids) {
-  const Kind kind = traits(quantity).kind;
-  const int limit = engine::count(model, kind);
-  std::size_t sum = 0;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    require(ids[i] >= 0 && ids[i] < limit, "ids[{}] is {}, expected a {} id from 0 to {}", i, ids[i],
-            engine::word(kind), limit - 1);
-    sum += static_cast<std::size_t>(width(model, quantity, ids[i]));
-  }
-  return sum;
-}
-
-void get(const engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<double> values) {
-  const mjModel& model = physics.model();
-  const mjData& data = physics.data();
-  double* out = values.data();
-  for (const std::int32_t id : ids) {
-    const int count = width(model, quantity, id);
-    const double* from = stored(model, data, quantity, id);
-    if (from != nullptr) {
-      std::copy_n(from, count, out);
-    } else {
-      compute(model, data, quantity, id, out);
-    }
-    out += count;
-  }
-}
-
-void require_writable(Quantity quantity) {
+void require_known_now(Quantity quantity) {
   const Traits& what = traits(quantity);
-  require(what.writable, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
-}
-
-void check_settable(const mjModel& model, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
-  require_writable(quantity);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    require(std::isfinite(values[i]), "values[{}] is {}, expected a finite number", i, values[i]);
-  }
-  const bool body = quantity == Quantity::kBodyPosition || quantity == Quantity::kBodyOrientation;
-  const double* at = values.data();
-  for (const std::int32_t id : ids) {
-    if (body && free_joint(model, id) < 0) {
-      fail(Status::kInvalidArgument, "body {} (\"{}\") cannot be moved: it has no free joint", id,
-           engine::name(model, Kind::kBody, id));
-    }
-    const double* quat = quaternion_in(model, quantity, id, const_cast<double*>(at));
-    require(quat == nullptr || norm(quat) > 1e-9, "values: the quaternion of {} {} is zero",
-            word(traits(quantity).kind), id);
-    at += width(model, quantity, id);
-  }
-}
-
-void set(engine::Physics& physics, Quantity quantity, Span<const std::int32_t> ids, Span<const double> values) {
-  physics.require_usable();
-  const mjModel& model = physics.model();
-  check_settable(model, quantity, ids, values);
-  const double* from = values.data();
-  for (const std::int32_t id : ids) {
-    const int count = width(model, quantity, id);
-    double* to = target(physics, quantity, id);
-    std::copy_n(from, count, to);
-    double* quat = quaternion_in(model, quantity, id, to);
-    if (quat != nullptr) normalise(quat);
-    from += count;
-  }
-  if (moves_bodies(quantity)) physics.update_poses();
-}
-
-Contact contact(const mjModel& model, const mjData& data, int index) {
-  const mjContact& touch = data.contact[index];
-  Contact contact;
-  contact.ids = {touch.geom1, touch.geom2, model.geom_bodyid[touch.geom1], model.geom_bodyid[touch.geom2]};
-  double* at = contact.values.data();
-  at = std::copy_n(touch.pos, 3, at);
-  at = std::copy_n(touch.frame, 9, at);
-  *at++ = touch.dist;
-  const auto force = engine::contact_force(model, data, index);
-  std::copy(force.begin(), force.end(), at);
-  return contact;
+  require(what.moment != Moment::kStep,
+          "quantity {} ({}) is computed by physics steps and has no MIMO_NOW; mimo_env_observe brings all to now",
+          static_cast<int>(quantity), what.name);
 }
 
 }  // namespace mimo::env

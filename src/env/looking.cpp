@@ -1,5 +1,7 @@
 #include "env/looking.h"
 
+#include "engine/present.h"
+
 namespace mimo::env {
 namespace {
 
@@ -13,8 +15,8 @@ body::Gaze gaze(const World& world, std::size_t agent) { return eyes_of(world, a
 
 body::Look look(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {
   const body::Eyes eyes = eyes_of(world, agent);
-  world.physics().update_poses();
-  return eyes.look_at(world.model(), world.data(), point, turn_head);
+  engine::Present present;
+  return eyes.look_at(world.model(), present.of(world.physics()), point, turn_head);
 }
 
 body::Look look_at(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {

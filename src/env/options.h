@@ -68,6 +68,7 @@ struct EnvOptions {
   tasks::Settings parameters;
   CustomTask custom_task;  // stands in for the scene's own, where given
   bool timing = false;
+  bool step_contacts = false;  // what touched what in a step is recorded
 };
 
 // Whether anything in such a world observes pictures, and may.

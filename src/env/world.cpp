@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kFrameSkip = 2;  // where neither config nor scene say
 constexpr const char* kCustomTask = "custom";
-const std::string kNoFace;
 
 // True as long as this lives.
 class Flag {
@@ -37,6 +36,8 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       services_(services),
       shared_model_(std::move(model)),
       physics_(shared_model_, options.physics),
+      faces_(body::faces_of(physics_.model())),
+      step_contacts_(options.step_contacts),
       random_(identity.seed) {
   adopt_scene_choices();
   body::read_stored_pose(physics_.model(), physics_.start());
@@ -61,7 +62,9 @@ void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, r
   action_size_ += agent.actuation->size();
   for (const auto& sense : agent.senses) observer_.add(*sense);
   agents_.push_back(std::move(agent));
-  if (!options.face.empty()) set_face(agents_.size() - 1, options.face);
+  if (options.face.empty()) return;
+  const body::Faces& faces = agents_.back().faces;
+  physics_.paint(faces.geom, faces.find(options.face).material);
 }
 
 void World::require_outside_task() const {
@@ -93,6 +96,7 @@ TaskMaker World::task_maker(const Identity& identity) const {
 // The stored state, before any task.
 void World::start() {
   physics_.reset();
+  step_contacts_.begin();
   for (const Agent& agent : agents_) {
     agent.actuation->reset(physics_);
     if (agent.path) agent.path->forget();
@@ -164,6 +168,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   physics_.require_undisturbed();
   const Stopwatch total(options_.timing, timing_.total);
   act(actions);
+  step_contacts_.begin();
   for (int i = 0; i < options_.frame_skip; ++i) {
     {
       const Stopwatch watch(options_.timing, timing_.physics);
@@ -197,12 +202,14 @@ void World::step_physics(int count) {
   require_outside_task();
   physics_.require_usable();
   physics_.require_undisturbed();
+  step_contacts_.begin();
   for (int i = 0; i < count; ++i) step_once(i + 1 == count);
 }
 
 void World::step_once(bool sensors) {
   for (const Agent& agent : agents_) agent.actuation->advance(physics_);
   physics_.step(1, sensors);
+  if (step_contacts_.wanted()) step_contacts_.add(physics_);
 }
 
 void World::observe(std::uint8_t* block) {
@@ -282,22 +289,21 @@ bool World::over() const {
                      [this](const Agent& agent) { return agent.task->over() || cut_off(agent); });
 }
 
-void World::set_face(std::size_t agent, const std::string& name) {
-  const body::Faces& faces = agents_[agent].faces;
-  physics_.paint(faces.geom, faces.find(name).material);
+void World::show_face(std::size_t agent, int face) {
+  physics_.paint(agents_[agent].faces.geom, faces_[static_cast<std::size_t>(face)].material);
 }
 
-const std::string& World::face(std::size_t agent) const {
-  const body::Face* face = agents_[agent].faces.shown(model());
-  return face == nullptr ? kNoFace : face->name;
+int World::face(std::size_t agent) const {
+  const body::Face* shown = agents_[agent].faces.shown(model());
+  const auto same = [shown](const body::Face& face) { return shown != nullptr && face.material == shown->material; };
+  const auto found = std::find_if(faces_.begin(), faces_.end(), same);
+  return found == faces_.end() ? -1 : static_cast<int>(found - faces_.begin());
 }
 
-// The renderer comes first: where there is none, poses stay what they are. The view comes after the poses, which move
-// the model's cameras.
 void World::draw(const render::Viewpoint& from, const render::Picture& picture) {
   render::Renderer& drawing = renderer();
-  physics_.update_poses();
-  drawing.draw(model(), data(), render::view_from(model(), data(), from), picture);
+  const mjData& now = present_.of(physics_);
+  drawing.draw(model(), now, render::view_from(model(), now, from), picture);
 }
 
 void World::save(Span<std::uint8_t> state) const {
@@ -307,7 +313,9 @@ void World::save(Span<std::uint8_t> state) const {
 
 LoadReport World::load(Span<const std::uint8_t> state) {
   require_outside_task();
-  return archive_.load(state);
+  LoadReport report = archive_.load(state);
+  step_contacts_.begin();
+  return report;
 }
 
 void World::report_warnings() {

@@ -6,10 +6,12 @@
 
 #include "base/random.h"
 #include "engine/physics.h"
+#include "engine/present.h"
 #include "env/agent.h"
 #include "env/episode.h"
 #include "env/kit.h"
 #include "env/state.h"
+#include "env/step_contacts.h"
 #include "env/timing.h"
 #include "observation/observer.h"
 #include "render/viewpoint.h"
@@ -71,9 +73,13 @@ class World {
   // paths remember starts afresh where the state does not hold it.
   LoadReport load(Span<const std::uint8_t> state);
 
-  // Faces of the agents, in this world only; they outlive resets. The name is "" for a face that has none.
-  void set_face(std::size_t agent, const std::string& name);
-  const std::string& face(std::size_t agent) const;
+  // The faces of the model, which agents show by their number in this list, in this world only; they outlive resets.
+  const std::vector<body::Face>& faces() const { return faces_; }
+  void show_face(std::size_t agent, int face);
+  int face(std::size_t agent) const;  // -1 for an agent that shows none of them
+
+  // What touched what in the last step.
+  const StepContacts& step_contacts() const { return step_contacts_; }
 
   // Draws the world as it is now, with a renderer that is made when first needed.
   void draw(const render::Viewpoint& from, const render::Picture& picture);
@@ -105,6 +111,9 @@ class World {
   Services services_;
   engine::ModelPtr shared_model_;
   engine::Physics physics_;
+  engine::Present present_;  // of which pictures are drawn
+  std::vector<body::Face> faces_;
+  StepContacts step_contacts_;
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   observation::Observer observer_;

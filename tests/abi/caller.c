@@ -133,7 +133,9 @@ static void live(mimo_env *env) {
   const uint64_t seed = 7;
   size_t bytes = 0, count = 0, agents = 0, state_bytes = 0, i;
   double reward = 9, seconds = 0, place[3], xyz[3];
-  uint8_t terminated = 9, truncated = 9, held = 9;
+  uint8_t terminated = 9, truncated = 9;
+  const double lock[2] = {1, -0.5}, moon[3] = {0, 0, -1.6};
+  float pose[7];
   int32_t toy = -1, elbow = -1, body = -1;
   mimo_agent_info infant;
   uint8_t *block, *again, *state;
@@ -175,14 +177,16 @@ static void live(mimo_env *env) {
 
   OK(mimo_env_find(env, MIMO_JOINT, "robot:left_elbow", &elbow));
   OK(mimo_env_body_of(env, MIMO_JOINT, elbow, &body));
-  OK(mimo_env_lock(twin, elbow, -0.5));
-  OK(mimo_env_lock_state(twin, elbow, &held, NULL));
-  CHECK(held == 1);
-  OK(mimo_env_lock_state(env, elbow, &held, NULL));
-  CHECK(held == 0);
-  OK(mimo_env_set_gravity(twin, 0, 0, -1.6));
-  OK(mimo_env_gravity(twin, xyz, 3));
+  OK(mimo_env_set(twin, MIMO_JOINT_LOCK, &elbow, 1, lock, 2));
+  OK(mimo_env_get(twin, MIMO_JOINT_LOCK, &elbow, 1, xyz, 2));
+  CHECK(xyz[0] == 1 && fabs(xyz[1] + 0.5) < 1e-12);
+  OK(mimo_env_get(env, MIMO_JOINT_LOCK, &elbow, 1, xyz, 2));
+  CHECK(xyz[0] == 0);
+  OK(mimo_env_set(twin, MIMO_WORLD_GRAVITY, NULL, 0, moon, 3));
+  OK(mimo_env_get(twin, MIMO_WORLD_GRAVITY, NULL, 0, xyz, 3));
   CHECK(xyz[2] == -1.6);
+  OK(mimo_env_get_float(env, MIMO_BODY_POSE | MIMO_NOW, &toy, 1, pose, 7));
+  CHECK(fabs(pose[2] - place[2]) < 1e-6);
   mimo_env_destroy(twin);
   CHECK(mimo_env_time(twin, &seconds) == MIMO_E_BAD_HANDLE);
   free(state);
@@ -196,13 +200,19 @@ static void see(mimo_env *env) {
   static uint8_t rgb[8 * 8 * 4];
   const double point[3] = {1, 0, 0.5};
   double errors[2], pixels[3];
-  const char *face = NULL;
+  const char *name = NULL;
+  double face = -1;
+  int32_t fear = -1;
   size_t sensors = 0, contacts = 0, terms = 9;
   mimo_gaze gaze;
   mimo_timing timing;
   mimo_picture_config picture;
-  CHECK(mimo_env_face(env, 0, &face) == MIMO_OK && strcmp(face, "enjoyment") == 0);
-  OK(mimo_env_set_face(env, 0, "fear"));
+  OK(mimo_env_get(env, MIMO_AGENT_FACE, NULL, 0, &face, 1));
+  OK(mimo_env_name(env, MIMO_FACE, (int32_t)face, &name));
+  CHECK(strcmp(name, "enjoyment") == 0);
+  OK(mimo_env_find(env, MIMO_FACE, "fear", &fear));
+  face = fear;
+  OK(mimo_env_set(env, MIMO_AGENT_FACE, NULL, 0, &face, 1));
   memset(&gaze, 0, sizeof gaze);
   gaze.struct_size = sizeof gaze;
   OK(mimo_env_look_at(env, 0, point, MIMO_LOOK_HEAD, errors));
@@ -217,7 +227,7 @@ static void see(mimo_env *env) {
   OK(mimo_env_project(env, &picture, point, 1, pixels));
   OK(mimo_env_touch_sensors(env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
   CHECK(sensors > 100);
-  OK(mimo_env_contacts(env, NULL, NULL, 0, &contacts));
+  OK(mimo_env_count(env, MIMO_CONTACT, &contacts));
   OK(mimo_env_reward_term_count(env, 0, &terms));
   memset(&timing, 0, sizeof timing);
   timing.struct_size = sizeof timing;
@@ -247,6 +257,9 @@ static void live_together(mimo_scene *scene) {
   double reward[2] = {0, 0};
   uint8_t terminated[2] = {9, 9}, was_reset[2] = {9, 9};
   mimo_status status[2] = {9, 9};
+  const double masses[2] = {0.25, 0.5};
+  float same_masses[2] = {0, 0};
+  int32_t toy = -1;
   size_t worlds = 0;
   mimo_task task;
   mimo_batch_config config;
@@ -298,7 +311,11 @@ static void live_together(mimo_scene *scene) {
   CHECK(reward[1] == 1012 && terminated[1] == 1 && was_reset[1] == 0);
   OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
   CHECK(reward[1] == 0 && was_reset[1] == 1);
-  OK(mimo_batch_set_face(batch, 0, "anger", NULL, 0));
+  OK(mimo_batch_world(batch, 0, &world));
+  OK(mimo_env_find(world, MIMO_BODY, "toy", &toy));
+  OK(mimo_batch_set(batch, MIMO_BODY_MASS, &toy, 1, NULL, 0, masses, 2));
+  OK(mimo_batch_get_float(batch, MIMO_BODY_MASS, &toy, 1, NULL, 0, same_masses, 2));
+  CHECK(same_masses[0] == 0.25F && same_masses[1] == 0.5F);
   mimo_batch_destroy(batch);
 }
 

@@ -133,7 +133,7 @@ int main(void) {
   FIELD(mimo_env_config, render);
   FIELD(mimo_env_config, samples);
   FIELD(mimo_env_config, render_threads);
-  FIELD(mimo_env_config, reserved);
+  FIELD(mimo_env_config, step_contacts);
 
   BEGIN(mimo_agent_info);
   FIELD(mimo_agent_info, struct_size);

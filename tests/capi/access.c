@@ -8,10 +8,15 @@ static void check_names(void) {
     int32_t kind;
     size_t count;
     const char* name;
-  } known[] = {{MIMO_BODY, 26, "left_hand"},       {MIMO_JOINT, 50, "robot:left_knee"},
-               {MIMO_GEOM, 39, "floor"},           {MIMO_SITE, 23, "vestibular"},
-               {MIMO_CAMERA, 2, "eye_left"},       {MIMO_ACTUATOR, 44, "act:left_knee"},
-               {MIMO_SENSOR, 23, "vestibular_acc"}};
+  } known[] = {{MIMO_BODY, 26, "left_hand"},
+               {MIMO_JOINT, 50, "robot:left_knee"},
+               {MIMO_GEOM, 39, "floor"},
+               {MIMO_SITE, 23, "vestibular"},
+               {MIMO_CAMERA, 2, "eye_left"},
+               {MIMO_ACTUATOR, 44, "act:left_knee"},
+               {MIMO_SENSOR, 23, "vestibular_acc"},
+               {MIMO_FACE, 7, "anger"},
+               {MIMO_WARNING, 9, "not converged"}};
   size_t i, count;
   const char* name;
   int32_t id = -7, body = -7;
@@ -32,8 +37,8 @@ static void check_names(void) {
     CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected a ", mimo_env_name(env, known[i].kind, (int32_t)count, &name));
     CHECK(name == NULL);
   }
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "kind is 0", mimo_env_count(env, 0, &count));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "kind is 8", mimo_env_find(env, 8, "x", &id));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "kind is 0", mimo_env_count(env, 0, &count));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "kind is 15", mimo_env_find(env, 15, "x", &id));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_count(env, MIMO_BODY, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_env_find(env, MIMO_BODY, NULL, &id));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "id is NULL", mimo_env_find(env, MIMO_BODY, "world", NULL));
@@ -59,13 +64,18 @@ static void check_names(void) {
 
 /* The first element of each kind. Widths of a free joint, a body, ... */
 static void check_quantities(void) {
-  static const size_t widths[] = {7, 6, 6, 6, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3};
+  /* In the order of mimo.h; contacts, which there are none of at first, have 0. */
+  static const size_t widths[] = {7, 6, 6, 6, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3, 1, 7, 7, 7,
+                                  7, 3, 4, 1, 2, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 3, 1};
   double values[9];
+  float floats[9];
   const int32_t first = 0;
   int32_t quantity;
-  for (quantity = 1; quantity <= 21; ++quantity) {
+  size_t count;
+  for (quantity = 1; quantity <= MIMO_WARNING_COUNT; ++quantity) {
     const size_t width = widths[quantity - 1];
     size_t asked = 0, i;
+    if (width == 0) continue;
     CHECK_OK(mimo_env_width(env, quantity, &first, 1, &asked));
     CHECK(asked == width);
     for (i = 0; i < 9; ++i) values[i] = 77;
@@ -76,11 +86,34 @@ static void check_quantities(void) {
     for (i = 0; i < 9; ++i) CHECK(values[i] == 77);
     CHECK_OK(mimo_env_get(env, quantity, &first, 1, values, width));
     for (i = width; i < 9; ++i) CHECK(values[i] == 77);
-    CHECK_OK(mimo_env_get(env, quantity, NULL, 0, NULL, 0));
+    CHECK_OK(mimo_env_get_float(env, quantity, &first, 1, floats, width));
+    for (i = 0; i < width; ++i) CHECK(floats[i] == (float)values[i] || (isnan(floats[i]) && isnan(values[i])));
+    CHECK_OK(mimo_env_get(env, quantity, &first, 0, NULL, 0)); /* none of them */
   }
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 23", mimo_env_get(env, 23, &first, 1, values, 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "quantity is 0", mimo_env_set(env, 0, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 51", mimo_env_get(env, 51, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0", mimo_env_set(env, 0, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "MIMO_NOW",
+              mimo_env_set(env, MIMO_BODY_POSITION | MIMO_NOW, &first, 1, values, 3));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "no MIMO_NOW",
+              mimo_env_get(env, MIMO_SENSOR_VALUE | MIMO_NOW, &first, 1, values, 3));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "step_contacts", mimo_env_count(env, MIMO_STEP_CONTACT, &count));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "value_count is NULL", mimo_env_width(env, 1, &first, 1, NULL));
+}
+
+/* NULL means all, of whatever there are. */
+static void check_all(void) {
+  double all[26], one;
+  size_t count = 0, i;
+  CHECK_OK(mimo_env_width(env, MIMO_BODY_MASS, NULL, 0, &count));
+  CHECK(count == 26);
+  CHECK_OK(mimo_env_get(env, MIMO_BODY_MASS, NULL, 0, all, 26));
+  for (i = 0; i < 26; ++i) {
+    const int32_t id = (int32_t)i;
+    CHECK_OK(mimo_env_get(env, MIMO_BODY_MASS, &id, 1, &one, 1));
+    CHECK(one == all[i]);
+  }
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "25, but 26 are needed", mimo_env_get(env, MIMO_BODY_MASS, NULL, 0, all, 25));
+  CHECK_OK(mimo_env_set(env, MIMO_BODY_MASS, NULL, 0, all, 26)); /* what is there may be written back */
 }
 
 static void check_writing(void) {
@@ -93,7 +126,7 @@ static void check_writing(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "values[1] is nan", mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, nan, 3));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count is 2, but 3 are needed",
               mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, two, 2));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "can only be read", mimo_env_set(env, MIMO_BODY_MASS, &ball, 1, two, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "can only be read", mimo_env_set(env, MIMO_BODY_VELOCITY, &ball, 1, two, 6));
   CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, &ball, 1, back, 3));
   CHECK(memcmp(there, back, sizeof back) == 0);
   CHECK_OK(mimo_env_update(env));
@@ -107,8 +140,9 @@ static void check_contacts(void) {
   mimo_object_config object;
   mimo_scene* scene = NULL;
   mimo_env* world = NULL;
-  int32_t ids[8 * MIMO_CONTACT_IDS], floor, box, box_body;
-  double values[8 * MIMO_CONTACT_VALUES], force[3] = {0, 0, 0};
+  double geoms[8], bodies[8], positions[12], frames[36], distances[4], forces[12], force[3] = {0, 0, 0};
+  int32_t floor, box, box_body;
+  const int32_t fifth = 4;
   size_t count = 77, i, k;
   CHECK_OK(mimo_scene_config_init(&room, sizeof room));
   room.name = "free";
@@ -122,32 +156,32 @@ static void check_contacts(void) {
   CHECK_OK(mimo_scene_add_object(scene, &object));
   CHECK_OK(mimo_env_create(scene, NULL, &world));
   mimo_scene_destroy(scene);
-  CHECK_OK(mimo_env_contacts(world, NULL, NULL, 0, &count));
+  CHECK_OK(mimo_env_count(world, MIMO_CONTACT, &count));
   CHECK(count == 0);
   CHECK_OK(mimo_env_physics_step(world, 1000));
   floor = find(world, MIMO_GEOM, "floor");
   box = find(world, MIMO_GEOM, "box");
   box_body = find(world, MIMO_BODY, "box");
-  CHECK_OK(mimo_env_contacts(world, NULL, NULL, 0, &count));
+  CHECK_OK(mimo_env_count(world, MIMO_CONTACT, &count));
   CHECK(count == 4); /* one at each corner */
-  memset(ids, 0x55, sizeof ids);
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "capacity is 3, but there are 4 contacts",
-              mimo_env_contacts(world, ids, NULL, 3, &count));
-  CHECK(ids[0] == 0x55555555 && count == 4);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_contacts(world, ids, values, 8, NULL));
-  CHECK_OK(mimo_env_contacts(world, ids, values, 8, &count));
-  CHECK(ids[4 * MIMO_CONTACT_IDS] == 0x55555555);
+  CHECK_OK(mimo_env_get(world, MIMO_CONTACT_GEOMS, NULL, 0, geoms, 8));
+  CHECK_OK(mimo_env_get(world, MIMO_CONTACT_BODIES, NULL, 0, bodies, 8));
+  CHECK_OK(mimo_env_get(world, MIMO_CONTACT_POSITION, NULL, 0, positions, 12));
+  CHECK_OK(mimo_env_get(world, MIMO_CONTACT_FRAME, NULL, 0, frames, 36));
+  CHECK_OK(mimo_env_get(world, MIMO_CONTACT_DISTANCE, NULL, 0, distances, 4));
+  CHECK_OK(mimo_env_get(world, MIMO_CONTACT_FORCE, NULL, 0, forces, 12));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "ids[0] is 4, expected a contact id from 0 to 3",
+              mimo_env_get(world, MIMO_CONTACT_FORCE, &fifth, 1, forces, 3));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no contact named", mimo_env_find(world, MIMO_CONTACT, "box", &box_body));
   for (i = 0; i < 4; ++i) {
-    const int32_t* who = ids + i * MIMO_CONTACT_IDS;
-    const double* at = values + i * MIMO_CONTACT_VALUES;
-    const double* frame = at + 3;
-    CHECK(who[0] == floor && who[1] == box && who[2] == 0 && who[3] == box_body);
+    const double *at = positions + 3 * i, *frame = frames + 9 * i;
+    CHECK(geoms[2 * i] == floor && geoms[2 * i + 1] == box && bodies[2 * i] == 0 && bodies[2 * i + 1] == box_body);
     CHECK_NEAR(0.05, fabs(at[0]), 1e-3);
     CHECK_NEAR(0.05, fabs(at[1]), 1e-3);
     CHECK_NEAR(0, at[2], 1e-3);
     CHECK_NEAR(1, frame[2], 1e-6); /* the normal points from the floor to the box */
-    CHECK(at[12] < 0 && at[12] > -1e-3);
-    for (k = 0; k < 3; ++k) force[k] += at[13] * frame[k] + at[14] * frame[3 + k] + at[15] * frame[6 + k];
+    CHECK(distances[i] < 0 && distances[i] > -1e-3);
+    for (k = 0; k < 9; ++k) force[k % 3] += forces[3 * i + k / 3] * frame[k];
   }
   CHECK_NEAR(0, force[0], 1e-5);
   CHECK_NEAR(0, force[1], 1e-5);
@@ -159,6 +193,7 @@ int main(void) {
   env = blind_env("benchmark", NULL);
   check_names();
   check_quantities();
+  check_all();
   check_writing();
   check_contacts();
   mimo_env_destroy(env);

@@ -33,17 +33,17 @@ static void check_making(void) {
   size_t worlds = 0, threads = 0;
   CHECK_OK(mimo_batch_config_init(&config, sizeof config));
   CHECK(config.worlds == 1 && config.threads == 0 && config.autoreset == MIMO_AUTORESET_NONE);
-#define NO_BATCH(part, field, value, good)                                                       \
-  do {                                                                                           \
-    config.field = (value);                                                                      \
-    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_batch_create(scene, NULL, &config, &batch)); \
-    config.field = (good);                                                                       \
+#define NO_BATCH(status, part, field, value, good)                              \
+  do {                                                                          \
+    config.field = (value);                                                     \
+    CHECK_FAILS(status, part, mimo_batch_create(scene, NULL, &config, &batch)); \
+    config.field = (good);                                                      \
   } while (0)
-  NO_BATCH("worlds is 0, expected 1 to", worlds, 0, 1);
-  NO_BATCH("worlds is 4294967295", worlds, UINT32_MAX, 1);
-  NO_BATCH("threads is 5000", threads, 5000, 0);
-  NO_BATCH("autoreset is 3", autoreset, 3, 0);
-  NO_BATCH("restart_failed is 2", restart_failed, 2, 0);
+  NO_BATCH(MIMO_E_INVALID_ARGUMENT, "worlds is 0, expected 1 to", worlds, 0, 1);
+  NO_BATCH(MIMO_E_INVALID_ARGUMENT, "worlds is 4294967295", worlds, UINT32_MAX, 1);
+  NO_BATCH(MIMO_E_INVALID_ARGUMENT, "threads is 5000", threads, 5000, 0);
+  NO_BATCH(MIMO_E_UNSUPPORTED, "autoreset is 3", autoreset, 3, 0);
+  NO_BATCH(MIMO_E_UNSUPPORTED, "restart_failed is 2", restart_failed, 2, 0);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "batch is NULL", mimo_batch_create(scene, NULL, &config, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "scene is NULL", mimo_batch_create(NULL, NULL, &config, &batch));
   CHECK(batch == NULL);
@@ -122,7 +122,7 @@ static void check_arguments(mimo_batch* batch) {
               mimo_batch_get(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, NULL, WORLDS));
   CHECK_OK(mimo_batch_get(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, value, WORLDS));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "can only be read",
-              mimo_batch_set(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, value, WORLDS));
+              mimo_batch_set(batch, MIMO_BODY_VELOCITY, &id, 1, NULL, 0, value, WORLDS));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "receive without", mimo_batch_receive(batch));
   free(action);
   free(blocks);

@@ -36,15 +36,15 @@ static mimo_env* env_of(mimo_scene* scene) {
 
 /* How deep an infant is in the floor and by which of its bodies, as MuJoCo's collisions say; 0 where it is not. */
 static double depth(mimo_env* env, int32_t* body) {
-  int32_t ids[4 * 64];
-  double values[MIMO_CONTACT_VALUES * 64], deepest = 0;
+  double bodies[2 * 64], distances[64], deepest = 0;
   size_t i, count = 0;
-  CHECK_OK(mimo_env_contacts(env, ids, values, 64, &count));
+  CHECK_OK(mimo_env_count(env, MIMO_CONTACT, &count));
+  CHECK_OK(mimo_env_get(env, MIMO_CONTACT_BODIES, NULL, 0, bodies, 2 * count));
+  CHECK_OK(mimo_env_get(env, MIMO_CONTACT_DISTANCE, NULL, 0, distances, count));
   for (i = 0; i < count; ++i) {
-    const double distance = values[MIMO_CONTACT_VALUES * i + 12];
-    if ((ids[4 * i + 2] != 0 && ids[4 * i + 3] != 0) || distance >= deepest) continue;
-    deepest = distance;
-    *body = ids[4 * i + 2] + ids[4 * i + 3];
+    if ((bodies[2 * i] != 0 && bodies[2 * i + 1] != 0) || distances[i] >= deepest) continue;
+    deepest = distances[i];
+    *body = (int32_t)(bodies[2 * i] + bodies[2 * i + 1]);
   }
   return -deepest;
 }
@@ -166,7 +166,7 @@ static void check_apart(void) {
       CHECK_NEAR(0, farthest(together, ids[i], alone[i], own[i]), 1e-6);
     }
   }
-  CHECK_OK(mimo_env_contacts(together, NULL, NULL, 0, &count));
+  CHECK_OK(mimo_env_count(together, MIMO_CONTACT, &count));
   CHECK(count > 5); /* they have fallen */
   still = farthest(together, ids[0], together, ids[1]);
   CHECK(still > 0.1); /* and do not all do the same */
@@ -204,10 +204,10 @@ static void check_own(void) {
   mimo_agent_info info;
   float* action;
   unsigned char* block;
-  double reward[2], control = 0;
+  double reward[2], control = 0, fear, faces[2];
   uint8_t terminated[2], truncated[2];
   size_t bytes = 0, actions = 0, count = 0, i;
-  const char* name = NULL;
+  const int32_t ben = 1;
   int32_t motor;
   CHECK_OK(mimo_task_init(&task, sizeof task));
   task.evaluate = judge;
@@ -257,11 +257,10 @@ static void check_own(void) {
   CHECK_OK(mimo_env_get(env, MIMO_ACTUATOR_CONTROL, &motor, 1, &control, 1));
   CHECK(control == 0.25);
 
-  CHECK_OK(mimo_env_set_face(env, 1, "fear"));
-  CHECK_OK(mimo_env_face(env, 0, &name));
-  CHECK_TEXT("neutral", name);
-  CHECK_OK(mimo_env_face(env, 1, &name));
-  CHECK_TEXT("fear", name);
+  fear = find(env, MIMO_FACE, "fear");
+  CHECK_OK(mimo_env_set(env, MIMO_AGENT_FACE, &ben, 1, &fear, 1));
+  CHECK_OK(mimo_env_get(env, MIMO_AGENT_FACE, NULL, 0, faces, 2));
+  CHECK(faces[0] == find(env, MIMO_FACE, "neutral") && faces[1] == fear);
   for (i = 0; i < 2; ++i) {
     CHECK_OK(mimo_env_touch_sensors(env, i, NULL, NULL, NULL, NULL, 0, &count));
     CHECK(field_named(env, i == 0 ? "anna/touch/force" : "ben/touch/force").shape[0] == count);
@@ -401,7 +400,7 @@ static void check_ten_run(mimo_env* env) {
     for (i = 0; i < TEN * MOTORS; ++i) action[i] = (float)noise(&state);
     CHECK_OK(mimo_env_step(env, action, TEN * MOTORS, block, bytes, NULL, NULL, NULL, 0));
   }
-  CHECK_OK(mimo_env_contacts(env, NULL, NULL, 0, &count));
+  CHECK_OK(mimo_env_count(env, MIMO_CONTACT, &count));
   CHECK(count > 50);
   CHECK(warnings == 0); /* every buffer is large enough */
   free(block);

@@ -97,10 +97,11 @@ static void check_limits(void) {
   config.confined = 1;
   CHECK_FAILS(MIMO_E_MODEL, "file /dev/null lies outside the document's folder", mimo_scene_create(&config, &scene));
   config.confined = 2;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "confined is 2, expected 0 or 1", mimo_scene_create(&config, &scene));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "confined is 2, which needs an interface newer than 0.10: this one knows 0 to 1",
+              mimo_scene_create(&config, &scene));
   config.confined = 0;
   config.limits_reserved = 1;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "limits_reserved is 1", mimo_scene_create(&config, &scene));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "limits_reserved is 1", mimo_scene_create(&config, &scene));
 }
 
 static void check_agents(void) {
@@ -125,16 +126,16 @@ static void check_agents(void) {
   } while (0)
   REFUSED(MIMO_E_NOT_FOUND, "no body named \"octopus\"; there are: mitten, fingers", body, "octopus", "mitten");
   REFUSED(MIMO_E_INVALID_ARGUMENT, "name is \"a/b\"", name, "a/b", "anna");
-  REFUSED(MIMO_E_INVALID_ARGUMENT, "proprioception is 0x80", proprioception, 0x80, defaults);
-  REFUSED(MIMO_E_INVALID_ARGUMENT, "vestibular is 0x4", vestibular, 4, 3);
+  REFUSED(MIMO_E_UNSUPPORTED, "proprioception is 0x80", proprioception, 0x80, defaults);
+  REFUSED(MIMO_E_UNSUPPORTED, "vestibular is 0x4", vestibular, 4, 3);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is 0", limit_threshold, 0, 0.035);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is nan", limit_threshold, (double)NAN, 0.035);
-  REFUSED(MIMO_E_INVALID_ARGUMENT, "vision is 0x8", vision, 8, MIMO_VISION_RGB);
+  REFUSED(MIMO_E_UNSUPPORTED, "vision is 0x8", vision, 8, MIMO_VISION_RGB);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_width is 0", vision_width, 0, 256);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_height is 4097", vision_height, 4097, 256);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "vision_fovy is 0.5", vision_fovy, 0.5, 0);
-  REFUSED(MIMO_E_INVALID_ARGUMENT, "place is 7", place, 7, MIMO_PLACE_ROOT);
-  REFUSED(MIMO_E_INVALID_ARGUMENT, "place is -1", place, -1, MIMO_PLACE_ROOT);
+  REFUSED(MIMO_E_UNSUPPORTED, "place is 7", place, 7, MIMO_PLACE_ROOT);
+  REFUSED(MIMO_E_UNSUPPORTED, "place is -1", place, -1, MIMO_PLACE_ROOT);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "position[1] is inf", position[1], (double)INFINITY, 1);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "orientation is zero", orientation[0], 0, 2);
   config.vision = 0;
@@ -190,25 +191,25 @@ static void check_objects(void) {
   int32_t id;
   CHECK_OK(mimo_object_config_init(&config, sizeof config));
   CHECK(config.shape == MIMO_SHAPE_SPHERE && config.size[0] == 0.04 && config.mass == 0.1 && config.fixed == 0);
-#define NO_OBJECT(part, field, value, good)                                            \
-  do {                                                                                 \
-    config.field = (value);                                                            \
-    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_scene_add_object(scene, &config)); \
-    config.field = (good);                                                             \
+#define NO_OBJECT(status, part, field, value, good)                   \
+  do {                                                                \
+    config.field = (value);                                           \
+    CHECK_FAILS(status, part, mimo_scene_add_object(scene, &config)); \
+    config.field = (good);                                            \
   } while (0)
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is empty", mimo_scene_add_object(scene, &config));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "config is NULL", mimo_scene_add_object(scene, NULL));
   config.name = "toy";
-  NO_OBJECT("shape is 0", shape, 0, MIMO_SHAPE_SPHERE);
-  NO_OBJECT("shape is 6", shape, 6, MIMO_SHAPE_BOX);
-  NO_OBJECT("size[1] is 0", size[1], 0, 0.02);
+  NO_OBJECT(MIMO_E_UNSUPPORTED, "shape is 0", shape, 0, MIMO_SHAPE_SPHERE);
+  NO_OBJECT(MIMO_E_UNSUPPORTED, "shape is 6", shape, 6, MIMO_SHAPE_BOX);
+  NO_OBJECT(MIMO_E_INVALID_ARGUMENT, "size[1] is 0", size[1], 0, 0.02);
   config.size[2] = 0.03;
-  NO_OBJECT("size[2] is nan", size[2], (double)NAN, 0.03);
-  NO_OBJECT("mass is -1", mass, -1, 0.5);
-  NO_OBJECT("rgba[3] is 1.5", rgba[3], 1.5, 1);
-  NO_OBJECT("fixed is 3", fixed, 3, 0);
-  NO_OBJECT("position[0] is inf", position[0], (double)INFINITY, 1);
-  NO_OBJECT("\"floor\"", name, "floor", "toy");
+  NO_OBJECT(MIMO_E_INVALID_ARGUMENT, "size[2] is nan", size[2], (double)NAN, 0.03);
+  NO_OBJECT(MIMO_E_INVALID_ARGUMENT, "mass is -1", mass, -1, 0.5);
+  NO_OBJECT(MIMO_E_INVALID_ARGUMENT, "rgba[3] is 1.5", rgba[3], 1.5, 1);
+  NO_OBJECT(MIMO_E_UNSUPPORTED, "fixed is 3", fixed, 3, 0);
+  NO_OBJECT(MIMO_E_INVALID_ARGUMENT, "position[0] is inf", position[0], (double)INFINITY, 1);
+  NO_OBJECT(MIMO_E_INVALID_ARGUMENT, "\"floor\"", name, "floor", "toy");
   CHECK_OK(mimo_scene_add_object(scene, &config));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "\"toy\"", mimo_scene_add_object(scene, &config));
   CHECK_OK(mimo_env_create(scene, NULL, &env));

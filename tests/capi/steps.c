@@ -42,17 +42,17 @@ static void check_making(void) {
   CHECK_OK(mimo_env_config_init(&config, sizeof config));
   CHECK(config.frame_skip == 0 && config.jacobian == MIMO_JACOBIAN_MODEL && config.disable == 0 &&
         config.max_steps == 0);
-#define NO_ENV(part, field, value, good)                                                \
-  do {                                                                                  \
-    config.field = (value);                                                             \
-    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_env_create(scene, &config, &made)); \
-    config.field = (good);                                                              \
+#define NO_ENV(status, part, field, value, good)                       \
+  do {                                                                 \
+    config.field = (value);                                            \
+    CHECK_FAILS(status, part, mimo_env_create(scene, &config, &made)); \
+    config.field = (good);                                             \
   } while (0)
-  NO_ENV("frame_skip is 1001, expected 1 to 1000, or 0", frame_skip, 1001, 0);
-  NO_ENV("jacobian is 3", jacobian, 3, 0);
-  NO_ENV("disable is 0x8", disable, 8, 0);
-  NO_ENV("renderer is \"paper\"", renderer, "paper", "auto");
-  NO_ENV("timing is 2", timing, 2, 0);
+  NO_ENV(MIMO_E_INVALID_ARGUMENT, "frame_skip is 1001, expected 1 to 1000, or 0", frame_skip, 1001, 0);
+  NO_ENV(MIMO_E_UNSUPPORTED, "jacobian is 3", jacobian, 3, 0);
+  NO_ENV(MIMO_E_UNSUPPORTED, "disable is 0x8", disable, 8, 0);
+  NO_ENV(MIMO_E_INVALID_ARGUMENT, "renderer is \"paper\"", renderer, "paper", "auto");
+  NO_ENV(MIMO_E_UNSUPPORTED, "timing is 2", timing, 2, 0);
   config.task = "fly";
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no task named \"fly\"; there are: none, reach",
               mimo_env_create(scene, &config, &made));

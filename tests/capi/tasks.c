@@ -106,10 +106,10 @@ static void check_agents(void) {
   CHECK(agent.vision == 0 && agent.vestibular == 3 && agent.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
   CHECK(agent.acts == 0 && agent.actuation == MIMO_ACTUATION_TORQUE && agent.normalize_actions == 0);
   agent.acts = 0x800;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
   agent.acts = MIMO_ACT_RIGHT_LEG | MIMO_ACT_LEFT_LEG;
   agent.actuation = 4;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actuation is 4", mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "actuation is 4", mimo_scene_add_agent(scene, &agent, NULL));
   agent.actuation = MIMO_ACTUATION_POSITION;
   agent.normalize_actions = 1;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
@@ -147,29 +147,37 @@ static void check_overrides(void) {
   mimo_env* env = blind_env("free", NULL);
   const int32_t elbow = find(env, MIMO_JOINT, "robot:right_elbow");
   const int32_t motor = find(env, MIMO_ACTUATOR, "act:right_elbow");
-  double angle = 0, xyz[3], gear = 5;
-  uint8_t locked = 2;
+  const int32_t root = find(env, MIMO_JOINT, "mimo_orientation"), none = -1;
+  const double at[2] = {1, -1}, too_far[2] = {1, 3}, half[2] = {0.5, -1}, moon[3] = {0, 0, -1.62}, nan[3] = {0, NAN, 0};
+  double angle = 0, lock[2], xyz[3], gear = 5;
   int i;
-  CHECK_OK(mimo_env_lock_state(env, elbow, &locked, &angle));
-  CHECK(locked == 0);
-  CHECK_OK(mimo_env_lock(env, elbow, -1));
-  CHECK_OK(mimo_env_lock_state(env, elbow, &locked, NULL));
-  CHECK(locked == 1);
+  CHECK_OK(mimo_env_get(env, MIMO_JOINT_LOCK, &elbow, 1, lock, 2));
+  CHECK(lock[0] == 0);
+  CHECK_OK(mimo_env_get(env, MIMO_JOINT_LOCK, &root, 1, lock, 2));
+  CHECK(lock[0] == 0 && lock[1] == 0);
+  CHECK_OK(mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, at, 2));
+  CHECK_OK(mimo_env_get(env, MIMO_JOINT_LOCK, &elbow, 1, lock, 2));
+  CHECK(lock[0] == 1 && lock[1] == -1);
   for (i = 0; i < 200; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
   CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &elbow, 1, &angle, 1));
   CHECK_NEAR(-1, angle, 0.05);
-  CHECK_OK(mimo_env_unlock(env, elbow));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "joint is -1", mimo_env_lock(env, -1, 0));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "angle is 3", mimo_env_lock(env, elbow, 3));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "env is NULL", mimo_env_unlock(NULL, elbow));
+  lock[0] = 0;
+  CHECK_OK(mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, lock, 2));
+  CHECK_OK(mimo_env_get(env, MIMO_JOINT_LOCK, &elbow, 1, lock, 2));
+  CHECK(lock[0] == 0 && lock[1] == -1); /* where it would hold */
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "ids[0] is -1", mimo_env_set(env, MIMO_JOINT_LOCK, &none, 1, at, 2));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "angle is 3", mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, too_far, 2));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "is 0.5, expected 0 or 1",
+              mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, half, 2));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "no equality", mimo_env_set(env, MIMO_JOINT_LOCK, &root, 1, at, 2));
 
-  CHECK_OK(mimo_env_gravity(env, xyz, 3));
+  CHECK_OK(mimo_env_get(env, MIMO_WORLD_GRAVITY, NULL, 0, xyz, 3));
   CHECK(xyz[0] == 0 && xyz[2] == -9.81);
-  CHECK_OK(mimo_env_set_gravity(env, 0, 0, -1.62));
-  CHECK_OK(mimo_env_gravity(env, xyz, 3));
+  CHECK_OK(mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, moon, 3));
+  CHECK_OK(mimo_env_get(env, MIMO_WORLD_GRAVITY, NULL, 0, xyz, 3));
   CHECK(xyz[2] == -1.62);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "gravity[1]", mimo_env_set_gravity(env, 0, NAN, 0));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "xyz", mimo_env_gravity(env, xyz, 2));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "values[1]", mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, nan, 3));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count", mimo_env_get(env, MIMO_WORLD_GRAVITY, NULL, 0, xyz, 2));
 
   CHECK_OK(mimo_env_set(env, MIMO_ACTUATOR_GEAR, &motor, 1, &gear, 1));
   gear = 0;

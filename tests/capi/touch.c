@@ -132,32 +132,33 @@ static void check_spacing(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_refused(const char* part, mimo_agent_config config) {
+static void check_refused(mimo_status status, const char* part, mimo_agent_config config) {
   mimo_scene* scene = empty_scene();
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, part, mimo_scene_add_agent(scene, &config, NULL));
+  CHECK_FAILS(status, part, mimo_scene_add_agent(scene, &config, NULL));
   mimo_scene_destroy(scene);
 }
 
 static void check_bad_values(void) {
   mimo_agent_config config = feeling_agent();
   config.touch = 0x10;
-  check_refused("touch is 0x10", config);
+  check_refused(MIMO_E_UNSUPPORTED, "touch is 0x10", config);
   config.touch = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
-  check_refused("exclude each other", config);
+  check_refused(MIMO_E_INVALID_ARGUMENT, "exclude each other", config);
   config = feeling_agent();
   config.touch_response = 0;
-  check_refused("touch_response is 0, expected 1 to 3", config);
+  check_refused(MIMO_E_UNSUPPORTED,
+                "touch_response is 0, which needs an interface newer than 0.10: this one knows 1 to 3", config);
   config = feeling_agent();
   config.touch_frame = 4;
-  check_refused("touch_frame is 4, expected 1 to 3", config);
+  check_refused(MIMO_E_UNSUPPORTED, "touch_frame is 4", config);
   config = feeling_agent();
   config.touch_scale = 0;
-  check_refused("touch_scale is 0", config);
+  check_refused(MIMO_E_INVALID_ARGUMENT, "touch_scale is 0", config);
   config.touch_scale = NAN;
-  check_refused("touch_scale is nan", config);
+  check_refused(MIMO_E_INVALID_ARGUMENT, "touch_scale is nan", config);
   config = feeling_agent();
   config.touch_slip_threshold = -1;
-  check_refused("touch_slip_threshold is -1", config);
+  check_refused(MIMO_E_INVALID_ARGUMENT, "touch_slip_threshold is -1", config);
 }
 
 static void check_projection(void) {

@@ -216,9 +216,10 @@ static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof
 static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes, NULL); }
 static mimo_status draw(void) { return mimo_env_render(made_env, NULL, block, 640 * 480 * 3, NULL, 0, NULL, 0); }
 static mimo_status lock(void) {
+  const double held[2] = {1, -1};
   int32_t joint = -1;
   const mimo_status status = mimo_env_find(made_env, MIMO_JOINT, "robot:left_elbow", &joint);
-  return status == MIMO_OK ? mimo_env_lock(made_env, joint, -1) : status;
+  return status == MIMO_OK ? mimo_env_set(made_env, MIMO_JOINT_LOCK, &joint, 1, held, 2) : status;
 }
 static void prepare_env(void) { CHECK_OK(mimo_env_clone(infant, &made_env)); }
 

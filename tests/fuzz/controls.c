@@ -73,11 +73,11 @@ static void look(input* in) {
 
 static void change(input* in) {
   const int32_t joint = (int32_t)take_below(in, 120) - 2;
-  const double x = take_double(in);
+  const double x = take_double(in), held[2] = {1, x}, free_again[2] = {0, x}, gravity[3] = {x, 0, -9.81};
   switch (take_byte(in) % 3) {
-    case 0: CALL(mimo_env_lock(env, joint, x)); break;
-    case 1: CALL(mimo_env_unlock(env, joint)); break;
-    default: CALL(mimo_env_set_gravity(env, x, 0, -9.81)); break;
+    case 0: CALL(mimo_env_set(env, MIMO_JOINT_LOCK, &joint, 1, held, 2)); break;
+    case 1: CALL(mimo_env_set(env, MIMO_JOINT_LOCK, &joint, 1, free_again, 2)); break;
+    default: CALL(mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, gravity, 3)); break;
   }
 }
 
@@ -89,7 +89,7 @@ static void ask(input* in) {
   CALL(mimo_env_random(env, numbers, 4));
   CALL(mimo_env_outcome(env, take_byte(in), &success, &failure));
   CALL(mimo_env_reward_terms(env, 0, numbers, take_byte(in)));
-  CALL(mimo_env_contacts(env, NULL, NULL, 0, &contacts));
+  CALL(mimo_env_count(env, MIMO_CONTACT, &contacts));
   CALL(mimo_env_name(env, take_byte(in), take_byte(in), &text));
   CALL(mimo_env_observation_label(env, take_byte(in), take_byte(in), &text));
 }
@@ -97,6 +97,7 @@ static void ask(input* in) {
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   input in = {data, size};
   const uint64_t seed = 1;
+  const double earth[3] = {0, 0, -9.81};
   int calls;
   if (env == NULL) make_world();
   PROMISE(mimo_env_reset(env, &seed, block, block_bytes) == MIMO_OK);
@@ -112,7 +113,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     }
   }
   /* What outlives resets goes back, so that a run does not depend on the one before. */
-  CALL(mimo_env_set_gravity(env, 0, 0, -9.81));
+  CALL(mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, earth, 3));
   PROMISE(mimo_env_reset(env, &seed, block, block_bytes) == MIMO_OK);
   return 0;
 }

@@ -1,11 +1,12 @@
 /* Batches. See table.h. */
 
 #define BATCH(f, n) BAD_FIELD(batch_config, mimo_batch_config, f, n, #f)
+#define BATCH_UNKNOWN(f, n) UNKNOWN_FIELD(batch_config, mimo_batch_config, f, n, #f)
 ROW(mimo_batch_create, ON_SCENE, mimo_batch_create(a->scene, a->env_config, a->batch_config, a->made_batch),
     NULL_OK(env_config), NULL_OK(batch_config), NO_NULL(made_batch, "batch"),
     CONFIG(batch_config, mimo_batch_config, "batch_config"), BAD_SIZES(env_config, mimo_env_config, "env_config"),
-    BATCH(worlds, 0), BATCH(worlds, -1), BATCH(threads, 4097), BATCH(threads, -1), BATCH(autoreset, 3),
-    BATCH(autoreset, -1), BATCH(restart_failed, 2), BATCH(reserved, 1))
+    BATCH(worlds, 0), BATCH(worlds, -1), BATCH(threads, 4097), BATCH(threads, -1), BATCH_UNKNOWN(autoreset, 3),
+    BATCH_UNKNOWN(autoreset, -1), BATCH_UNKNOWN(restart_failed, 2), BATCH_UNKNOWN(reserved, 1))
 ROW(mimo_batch_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_batch(a), NONE)
 ROW(mimo_batch_size, ON_BATCH | ANYTIME, mimo_batch_size(a->batch, a->count, a->count2), NULL_OK(count),
     NULL_OK(count2))
@@ -18,9 +19,9 @@ ROW(mimo_batch_world_error, ON_BATCH, mimo_batch_world_error(a->batch, a->world,
 #define BLOCKS NO_NULL(blocks, "blocks"), SHORT(blocks_bytes, "blocks")
 #define ACTIONS NO_NULL(actions, "actions"), EXACT(actions_count, "action_count")
 #define RESULT(f, names) SHORT_FIELD(results, mimo_batch_results, f, names)
-#define RESULTS                                                                                  \
-  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                              \
-      BAD_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"), \
+#define RESULTS                                                                                      \
+  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                  \
+      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"), \
       RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), DO(no_final_blocks, E_ARG, "final_blocks")
 ROW(mimo_batch_reset, ON_BATCH | HEALS,
     mimo_batch_reset(a->batch, a->seeds, a->mask, a->worlds, a->blocks, a->blocks_bytes), WORLDS, NULL_OK(seeds),
@@ -37,12 +38,13 @@ ROW(mimo_batch_observe, ON_BATCH | SIMULATES,
 ROW(mimo_batch_get, ON_BATCH,
     mimo_batch_get(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_values, a->values_count),
     QUANTITIES, IDS, WORLDS, NO_NULL(all_values, "values"), VALUES(values_count))
+ROW(mimo_batch_get_float, ON_BATCH,
+    mimo_batch_get_float(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->depth, a->values_count),
+    QUANTITIES, IDS, WORLDS, NO_NULL(depth, "values"), VALUES(values_count))
 ROW(mimo_batch_set, ON_BATCH | SIMULATES,
     mimo_batch_set(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_to_write, a->values_count),
     QUANTITIES, IDS, WORLDS, NO_NULL(all_to_write, "values"), VALUES(values_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
-ROW(mimo_batch_set_face, ON_BATCH, mimo_batch_set_face(a->batch, a->agent_index, a->face, a->mask, a->worlds),
-    BAD_INDEX(agent_index, "agent"), NO_NULL(face, "name"), DO(unknown_face, MIMO_E_NOT_FOUND, "boredom"), WORLDS)
 ROW(mimo_batch_state_save, ON_BATCH | SIMULATES,
     mimo_batch_state_save(a->batch, a->mask, a->worlds, a->states_out, a->states_bytes), WORLDS,
     NO_NULL(states_out, "states"), SHORT(states_bytes, "states"))

@@ -34,8 +34,10 @@ ROW(mimo_env_physics_step, ON_ENV | SIMULATES, mimo_env_physics_step(a->env, a->
 ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "seconds"))
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
 
-#define KINDS BAD_I32(kind, 0, "kind"), BAD_I32(kind, 8, "kind"), BAD_IDS(kind, "kind")
-#define QUANTITIES BAD_I32(quantity, 0, "quantity"), BAD_I32(quantity, 23, "quantity"), BAD_IDS(quantity, "quantity")
+#define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
+#define QUANTITIES                                                                          \
+  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_WARNING_COUNT + 1, "quantity"), \
+      BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")
 #define VALUES(m)                                                                                               \
@@ -54,14 +56,13 @@ ROW(mimo_env_width, ON_ENV, mimo_env_width(a->env, a->quantity, a->ids, a->id_co
     NO_NULL(count, "value_count"))
 ROW(mimo_env_get, ON_ENV, mimo_env_get(a->env, a->quantity, a->ids, a->id_count, a->values, a->value_count), QUANTITIES,
     IDS, NO_NULL(values, "values"), VALUES(value_count))
+ROW(mimo_env_get_float, ON_ENV, mimo_env_get_float(a->env, a->quantity, a->ids, a->id_count, a->depth, a->value_count),
+    QUANTITIES, IDS, NO_NULL(depth, "values"), VALUES(value_count))
 ROW(mimo_env_set, ON_ENV | SIMULATES,
     mimo_env_set(a->env, a->quantity, a->ids, a->id_count, a->to_write, a->value_count), QUANTITIES, IDS,
     NO_NULL(to_write, "values"), VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
 ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
-ROW(mimo_env_contacts, ON_ENV,
-    mimo_env_contacts(a->env, a->contact_ids, a->contact_values, a->contact_capacity, a->count), NULL_OK(contact_ids),
-    NULL_OK(contact_values), NO_NULL(count, "count"), BAD_SIZE(contact_capacity, -1, "capacity"))
 ROW(mimo_env_touch_sensors, ON_ENV,
     mimo_env_touch_sensors(a->env, a->agent_index, a->bodies, a->geoms, a->positions, a->frames, a->touch_capacity,
                            a->count),
@@ -69,11 +70,12 @@ ROW(mimo_env_touch_sensors, ON_ENV,
     NULL_OK(count), BAD_SIZE(touch_capacity, -1, "capacity"), DO(few_sensors, MIMO_E_BUFFER_TOO_SMALL, "capacity"))
 
 #define PICTURE(f, n) BAD_FIELD(picture_config, mimo_picture_config, f, n, #f)
+#define PICTURE_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
 #define PICTURE_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
 #define PICTURE_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
 #define PICTURES                                                                                                      \
   CONFIG(picture_config, mimo_picture_config, "config"), PICTURE(width, 0), PICTURE(width, 4097), PICTURE(width, -1), \
-      PICTURE(height, 0), PICTURE(height, 4097), PICTURE(format, 4), PICTURE_UNREAL(look_at[2]),                      \
+      PICTURE(height, 0), PICTURE(height, 4097), PICTURE_UNKNOWN(format, 4), PICTURE_UNREAL(look_at[2]),              \
       PICTURE_UNREAL(distance), PICTURE_REAL(distance, 0), PICTURE_REAL(distance, -1), PICTURE_UNREAL(azimuth),       \
       PICTURE_UNREAL(elevation), PICTURE_UNREAL(fovy), PICTURE_REAL(fovy, -1), PICTURE_REAL(fovy, 171),               \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
@@ -83,19 +85,15 @@ ROW(mimo_env_render, ON_ENV | SIMULATES,
     PICTURES, NO_NULL(rgb, "rgb"), SHORT(rgb_bytes, "rgb"), NO_NULL(depth, "depth"), SHORT(depth_count, "depth"),
     NO_NULL(segmentation, "segmentation"), SHORT(segmentation_count, "segmentation"),
     {FAULT_NULL, "the picture is 640 x 480", MEMBER(picture_config), 0, 0, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "rgb"})
-ROW(mimo_env_project, ON_ENV, mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels),
-    PICTURES, NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"),
-    BAD_SIZE(point_count, -1, "count"), BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"),
-    SIZE_IS(point_count, 0, MIMO_OK, NULL), DO(nan_point, E_ARG, "points[0]"))
+ROW(mimo_env_project, ON_ENV | SIMULATES,
+    mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels), PICTURES,
+    NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"), BAD_SIZE(point_count, -1, "count"),
+    BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"), SIZE_IS(point_count, 0, MIMO_OK, NULL),
+    DO(nan_point, E_ARG, "points[0]"))
 
-ROW(mimo_env_set_face, ON_ENV, mimo_env_set_face(a->env, a->agent_index, a->face), BAD_INDEX(agent_index, "agent"),
-    NO_NULL(face, "name"), DO(unknown_face, MIMO_E_NOT_FOUND, "boredom"))
-ROW(mimo_env_face, ON_ENV, mimo_env_face(a->env, a->agent_index, a->string), BAD_INDEX(agent_index, "agent"),
-    NO_NULL(string, "name"))
-
-#define LOOK                                                                                                           \
-  BAD_INDEX(agent_index, "agent"), NO_NULL(points, "point"), DO(nan_point, E_ARG, "point[0]"), BAD_I32(how, 2, "how"), \
-      BAD_IDS(how, "how"), NULL_OK(numbers)
+#define LOOK                                                                                   \
+  BAD_INDEX(agent_index, "agent"), NO_NULL(points, "point"), DO(nan_point, E_ARG, "point[0]"), \
+      UNKNOWNS(how, 2, "how"), NULL_OK(numbers)
 ROW(mimo_env_gaze, ON_ENV, mimo_env_gaze(a->env, a->agent_index, a->gaze), BAD_INDEX(agent_index, "agent"),
     DESCRIPTION(gaze, mimo_gaze, "gaze"))
 ROW(mimo_env_look_angles, ON_ENV | SIMULATES,
@@ -114,17 +112,6 @@ ROW(mimo_env_reward_terms, ON_ENV, mimo_env_reward_terms(a->env, a->agent_index,
     BAD_INDEX(agent_index, "agent"), NO_NULL(numbers, "values"), SHORT(term_count, "values"))
 ROW(mimo_env_outcome, ON_ENV, mimo_env_outcome(a->env, a->agent_index, a->flag, a->flag2),
     BAD_INDEX(agent_index, "agent"), NULL_OK(flag), NULL_OK(flag2))
-
-ROW(mimo_env_lock, ON_ENV, mimo_env_lock(a->env, a->joint, a->angle), BAD_IDS(joint, "joint"),
-    NOT_FINITE(angle, "angle"), BAD_F64(angle, 100, "angle"), DO(no_lock, MIMO_E_UNSUPPORTED, "joint"))
-ROW(mimo_env_unlock, ON_ENV, mimo_env_unlock(a->env, a->joint), BAD_IDS(joint, "joint"),
-    DO(no_lock, MIMO_E_UNSUPPORTED, "joint"))
-ROW(mimo_env_lock_state, ON_ENV, mimo_env_lock_state(a->env, a->joint, a->flag, a->number), BAD_IDS(joint, "joint"),
-    NULL_OK(flag), NULL_OK(number), DO(no_lock, MIMO_E_UNSUPPORTED, "joint"))
-ROW(mimo_env_set_gravity, ON_ENV, mimo_env_set_gravity(a->env, a->x, a->y, a->z), NOT_FINITE(x, "gravity[0]"),
-    NOT_FINITE(y, "gravity[1]"), NOT_FINITE(z, "gravity[2]"))
-ROW(mimo_env_gravity, ON_ENV, mimo_env_gravity(a->env, a->numbers, a->gravity_count), NO_NULL(numbers, "xyz"),
-    SHORT(gravity_count, "xyz"))
 
 ROW(mimo_env_state_size, ON_ENV, mimo_env_state_size(a->env, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->state_out, a->state_bytes),

@@ -37,9 +37,9 @@ ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more
 
 ROW(mimo_scene_create, 0, mimo_scene_create(a->scene_config, a->made_scene), NULL_OK(scene_config),
     NO_NULL(made_scene, "scene"), CONFIG(scene_config, mimo_scene_config, "config"),
-    BAD_FIELD(scene_config, mimo_scene_config, reserved, 1, "reserved"),
-    BAD_FIELD(scene_config, mimo_scene_config, confined, 2, "confined"),
-    BAD_FIELD(scene_config, mimo_scene_config, limits_reserved, 1, "limits_reserved"),
+    UNKNOWN_FIELD(scene_config, mimo_scene_config, reserved, 1, "reserved"),
+    UNKNOWN_FIELD(scene_config, mimo_scene_config, confined, 2, "confined"),
+    UNKNOWN_FIELD(scene_config, mimo_scene_config, limits_reserved, 1, "limits_reserved"),
     DO(unknown_scene, MIMO_E_NOT_FOUND, "nowhere"), DO(two_sources, E_ARG, "exclude each other"),
     DO(no_file, MIMO_E_NOT_FOUND, "no_such_file"), DO(no_xml, MIMO_E_MODEL, "xml text"),
     DO(not_mjcf, MIMO_E_MODEL, "root element"), DO(deep_xml, MIMO_E_MODEL, "nested"),
@@ -48,30 +48,32 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
 
 #define AGENT_REAL(f, ...) BAD_REAL(agent_config, mimo_agent_config, f, __VA_ARGS__)
 #define AGENT(f, n) BAD_FIELD(agent_config, mimo_agent_config, f, n, #f)
+#define AGENT_UNKNOWN(f, n) UNKNOWN_FIELD(agent_config, mimo_agent_config, f, n, #f)
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))
 ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config, a->count), NULL_OK(agent_config),
-    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place, 4),
+    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
     UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
-    AGENT(proprioception, 0x80), AGENT(proprioception, -1), AGENT(vestibular, 4),
+    AGENT_UNKNOWN(proprioception, 0x80), AGENT_UNKNOWN(proprioception, -1), AGENT_UNKNOWN(vestibular, 4),
     UNREAL(agent_config, mimo_agent_config, limit_threshold, "limit_threshold"),
-    AGENT_REAL(limit_threshold, 0, "limit"), AGENT(vision, 8), AGENT(vision_width, 0), AGENT(vision_width, 4097),
-    AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097), AGENT(actuation, 4),
-    UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"), AGENT_REAL(vision_fovy, 171, "vision_fovy"),
-    AGENT(acts, 0x800), AGENT(acts, 0x80000001), AGENT(normalize_actions, 2), AGENT(touch, 16), AGENT(touch, 3),
-    AGENT(touch_response, 0), AGENT(touch_response, 4), AGENT(touch_frame, 0), AGENT(touch_frame, -1),
-    AGENT(touch_reserved, 1), UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"),
+    AGENT_REAL(limit_threshold, 0, "limit"), AGENT_UNKNOWN(vision, 8), AGENT(vision_width, 0),
+    AGENT(vision_width, 4097), AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097),
+    AGENT_UNKNOWN(actuation, 4), UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"),
+    AGENT_REAL(vision_fovy, 171, "vision_fovy"), AGENT_UNKNOWN(acts, 0x800), AGENT_UNKNOWN(acts, 0x80000001),
+    AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 16), AGENT(touch, 3), AGENT_UNKNOWN(touch_response, 0),
+    AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0), AGENT_UNKNOWN(touch_frame, -1),
+    AGENT_UNKNOWN(touch_reserved, 1), UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"),
     AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
     DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"))
 ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_config, a->count), NULL_OK(agent_config),
-    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT(place, 4), AGENT(vision, 8),
-    UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"), DO(bad_agent_name, E_ARG, "an na"),
-    DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
+    NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4),
+    AGENT_UNKNOWN(vision, 8), UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
+    DO(bad_agent_name, E_ARG, "an na"), DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"))
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent_index, a->part, a->spacing), NULL_OK(part),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
@@ -92,20 +94,23 @@ ROW(mimo_scene_limit_motor, ON_SCENE, mimo_scene_limit_motor(a->scene, a->agent_
     BAD_REAL(limits, mimo_limits, blur, 1, "blur"))
 
 #define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
+#define OBJECT_UNKNOWN(f, n) UNKNOWN_FIELD(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_REAL(f, n) BAD_REAL(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_UNREAL(f) UNREAL(object_config, mimo_object_config, f, #f)
 ROW(mimo_scene_add_object, ON_SCENE, mimo_scene_add_object(a->scene, a->object_config),
-    NO_NULL(object_config, "config"), CONFIG(object_config, mimo_object_config, "config"), OBJECT(shape, 0),
-    OBJECT(shape, 6), OBJECT(shape, -1), OBJECT_UNREAL(size[0]), OBJECT_REAL(size[0], 0), OBJECT_REAL(size[0], -1),
-    OBJECT_UNREAL(position[0]), OBJECT_UNREAL(orientation[3]), OBJECT_UNREAL(mass), OBJECT_REAL(mass, -1),
-    OBJECT_UNREAL(rgba[3]), OBJECT_REAL(rgba[0], 2), OBJECT_REAL(rgba[0], -1), OBJECT(fixed, 2), OBJECT(reserved, 1),
+    NO_NULL(object_config, "config"), CONFIG(object_config, mimo_object_config, "config"), OBJECT_UNKNOWN(shape, 0),
+    OBJECT_UNKNOWN(shape, 6), OBJECT_UNKNOWN(shape, -1), OBJECT_UNREAL(size[0]), OBJECT_REAL(size[0], 0),
+    OBJECT_REAL(size[0], -1), OBJECT_UNREAL(position[0]), OBJECT_UNREAL(orientation[3]), OBJECT_UNREAL(mass),
+    OBJECT_REAL(mass, -1), OBJECT_UNREAL(rgba[3]), OBJECT_REAL(rgba[0], 2), OBJECT_REAL(rgba[0], -1),
+    OBJECT_UNKNOWN(fixed, 2), OBJECT_UNKNOWN(reserved, 1),
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(object_config), FIELD(mimo_object_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(taken_object, E_ARG, "toy"))
 #define MODEL_UNREAL(f) UNREAL(model_config, mimo_model_config, f, #f)
 ROW(mimo_scene_add_model, ON_SCENE, mimo_scene_add_model(a->scene, a->model_config), NO_NULL(model_config, "config"),
-    CONFIG(model_config, mimo_model_config, "config"), BAD_FIELD(model_config, mimo_model_config, fixed, 2, "fixed"),
-    MODEL_UNREAL(position[2]), MODEL_UNREAL(orientation[0]),
+    CONFIG(model_config, mimo_model_config, "config"),
+    UNKNOWN_FIELD(model_config, mimo_model_config, fixed, 2, "fixed"), MODEL_UNREAL(position[2]),
+    MODEL_UNREAL(orientation[0]),
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(model_config), FIELD(mimo_model_config, name), 0, 0, NULL, E_ARG, "name"},
     {FAULT_FIELD_NULL, "xml is NULL", MEMBER(model_config), FIELD(mimo_model_config, xml), 0, 0, NULL, E_ARG, "xml"},
     DO(bad_model_name, E_ARG, "te/a"), DO(taken_model, E_ARG, "toy"), DO(two_models, E_ARG, "both"),
@@ -122,13 +127,14 @@ ROW(mimo_scene_weld, ON_SCENE, mimo_scene_weld(a->scene, a->part, a->other, a->p
 ROW(mimo_scene_lock, ON_SCENE, mimo_scene_lock(a->scene, a->joint_name, a->angle), JOINT_FAULTS)
 ROW(mimo_scene_set_pose, ON_SCENE, mimo_scene_set_pose(a->scene, a->joint_name, a->angle), JOINT_FAULTS)
 #define CAMERA(f, n) BAD_FIELD(camera_config, mimo_camera_config, f, n, #f)
+#define CAMERA_UNKNOWN(f, n) UNKNOWN_FIELD(camera_config, mimo_camera_config, f, n, #f)
 #define CAMERA_UNREAL(f) UNREAL(camera_config, mimo_camera_config, f, #f)
 ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_config),
     NO_NULL(camera_config, "config"), CONFIG(camera_config, mimo_camera_config, "config"), CAMERA(outputs, 0),
-    CAMERA(outputs, 8), CAMERA(outputs, -1), CAMERA(width, 0), CAMERA(width, 4097), CAMERA(height, 0),
+    CAMERA_UNKNOWN(outputs, 8), CAMERA_UNKNOWN(outputs, -1), CAMERA(width, 0), CAMERA(width, 4097), CAMERA(height, 0),
     CAMERA(height, 4097), CAMERA(height, -1), CAMERA_UNREAL(fovy),
-    BAD_REAL(camera_config, mimo_camera_config, fovy, 171, "fovy"), CAMERA(placed, 2), CAMERA(reserved, 1),
-    CAMERA_UNREAL(position[1]), CAMERA_UNREAL(look_at[2]),
+    BAD_REAL(camera_config, mimo_camera_config, fovy, 171, "fovy"), CAMERA_UNKNOWN(placed, 2),
+    CAMERA_UNKNOWN(reserved, 1), CAMERA_UNREAL(position[1]), CAMERA_UNREAL(look_at[2]),
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(camera_config), FIELD(mimo_camera_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
@@ -145,7 +151,7 @@ ROW(mimo_scene_set_parameter, ON_SCENE, mimo_scene_set_parameter(a->scene, a->pa
 ROW(mimo_scene_get_parameter, ON_SCENE, mimo_scene_get_parameter(a->scene, a->parameter_name, a->number),
     NO_NULL(parameter_name, "name"), NO_NULL(number, "value"), DO(unknown_parameter, MIMO_E_NOT_FOUND, "mood"))
 ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_OK(task),
-    CONFIG(task, mimo_task, "task"), BAD_FIELD(task, mimo_task, reserved, 1, "reserved"),
+    CONFIG(task, mimo_task, "task"), UNKNOWN_FIELD(task, mimo_task, reserved, 1, "reserved"),
     {FAULT_FIELD_SIZE, "memory", MEMBER(task), FIELD(mimo_task, memory_bytes), 1048577, 0, NULL, E_ARG, "memory_bytes"},
     {FAULT_FIELD_SIZE, "huge memory", MEMBER(task), FIELD(mimo_task, memory_bytes), -1, 0, NULL, E_ARG, "memory_bytes"},
     {FAULT_FIELD_SIZE, "many terms", MEMBER(task), FIELD(mimo_task, term_count), 1001, 0, NULL, E_ARG, "terms"},
@@ -161,12 +167,14 @@ ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_
     BAD_REAL(task_field, mimo_task_field, low, 9, "low"), DO(no_evaluate, E_ARG, "evaluate"))
 
 #define ENV(f, n) BAD_FIELD(env_config, mimo_env_config, f, n, #f)
+#define ENV_UNKNOWN(f, n) UNKNOWN_FIELD(env_config, mimo_env_config, f, n, #f)
 ROW(mimo_env_create, ON_SCENE, mimo_env_create(a->scene, a->env_config, a->made_env), NULL_OK(env_config),
     NO_NULL(made_env, "env"), CONFIG(env_config, mimo_env_config, "config"), ENV(frame_skip, 1001), ENV(frame_skip, -1),
-    ENV(jacobian, 3), ENV(jacobian, -1), ENV(disable, 8), ENV(disable, -1), ENV(timing, 2), ENV(render, 32),
-    ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65), ENV(render_threads, -1), ENV(reserved, 1),
-    DO(unknown_renderer, E_ARG, "crayons"), DO(unknown_task, MIMO_E_NOT_FOUND, "homework"),
-    DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"), DO(no_renderer, E_ARG, "renderer"))
+    ENV_UNKNOWN(jacobian, 3), ENV_UNKNOWN(jacobian, -1), ENV_UNKNOWN(disable, 8), ENV_UNKNOWN(disable, -1),
+    ENV_UNKNOWN(timing, 2), ENV_UNKNOWN(render, 32), ENV(samples, 2), ENV(samples, -1), ENV(render_threads, 65),
+    ENV(render_threads, -1), ENV_UNKNOWN(step_contacts, 2), DO(unknown_renderer, E_ARG, "crayons"),
+    DO(unknown_task, MIMO_E_NOT_FOUND, "homework"), DO(no_custom_task, MIMO_E_NOT_FOUND, "custom"),
+    DO(no_renderer, E_ARG, "renderer"))
 ROW(mimo_env_make, 0, mimo_env_make(a->scene_name, a->made_env), NO_NULL(scene_name, "scene_name"),
     NO_NULL(made_env, "env"), DO(unknown_scene_name, MIMO_E_NOT_FOUND, "nowhere"),
     DO(no_scene_name, E_ARG, "scene_name"))

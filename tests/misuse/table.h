@@ -4,7 +4,6 @@
 #define MIMO_TESTS_MISUSE_TABLE_H
 
 #include "mimo/mimo.h"
-#include "support/first_sizes.h"
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {
@@ -36,12 +35,11 @@ typedef struct args {
   mimo_load_report* report;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, joint, body_id, how;
+  int32_t kind, id, quantity, body_id, how, version;
   size_t index, element, agent_index, world, steps;
-  double angle, value, spacing, x, y, z;
+  double angle, value, spacing;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *face, *path, *room_name, *motor_path, *joint_name, *other,
-      *folder;
+  const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *motor_path, *joint_name, *other, *folder;
   /* arrays that are read */
   const uint64_t *seed, *seeds;
   const uint8_t* mask;
@@ -54,12 +52,13 @@ typedef struct args {
   /* arrays that are written */
   void *block, *blocks, *state_out, *states_out, *memory_out;
   char* text;
-  double *reward, *values, *all_values, *numbers, *pixels, *contact_values, *positions, *frames, *look_angles;
+  double *reward, *values, *all_values, *numbers, *pixels, *positions, *frames, *look_angles;
   uint8_t *terminated, *truncated, *rgb;
+  mimo_status* statuses;
   float *low, *high, *depth;
-  int32_t *segmentation, *contact_ids, *bodies, *geoms, *look_joints;
+  int32_t *segmentation, *bodies, *geoms, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
-  size_t contact_capacity, touch_capacity, look_capacity, number_count, term_count, gravity_count;
+  size_t touch_capacity, look_capacity, number_count, term_count;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;
@@ -158,6 +157,11 @@ int rows_failures(void);
 #define BAD_I32(m, n, names) \
   { FAULT_I32, #m " is " #n, MEMBER(m), 0, n, 0, NULL, E_ARG, names }
 #define BAD_IDS(m, names) BAD_I32(m, -1, names), BAD_I32(m, INT32_MIN, names), BAD_I32(m, INT32_MAX, names)
+/* Constants that the library does not know. */
+#define UNKNOWN(m, n, names) \
+  { FAULT_I32, #m " is " #n, MEMBER(m), 0, n, 0, NULL, MIMO_E_UNSUPPORTED, names }
+#define UNKNOWNS(m, first, names) \
+  UNKNOWN(m, first, names), UNKNOWN(m, -1, names), UNKNOWN(m, INT32_MIN, names), UNKNOWN(m, INT32_MAX, names)
 #define BAD_INDEX(m, names) BAD_SIZE(m, 1000000, names), BAD_SIZE(m, -1, names)
 #define BAD_F64(m, n, names) \
   { FAULT_F64, #m " is " #n, MEMBER(m), 0, 0, n, NULL, E_ARG, names }
@@ -169,6 +173,8 @@ int rows_failures(void);
 #define FIELD(t, f) offsetof(t, f)
 #define BAD_FIELD(m, t, f, n, names) \
   { FAULT_FIELD_I32, #f " is " #n, MEMBER(m), FIELD(t, f), (int64_t)(n), 0, NULL, E_ARG, names }
+#define UNKNOWN_FIELD(m, t, f, n, names) \
+  { FAULT_FIELD_I32, #f " is " #n, MEMBER(m), FIELD(t, f), (int64_t)(n), 0, NULL, MIMO_E_UNSUPPORTED, names }
 #define BAD_REAL(m, t, f, n, names) \
   { FAULT_FIELD_F64, #f " is " #n, MEMBER(m), FIELD(t, f), 0, n, NULL, E_ARG, names }
 #define UNREAL(m, t, f, names) BAD_REAL(m, t, f, NAN, names), BAD_REAL(m, t, f, INFINITY, names)
@@ -181,7 +187,7 @@ int rows_failures(void);
 #define STRUCT_LATER(m, t, tail, status, names) \
   { FAULT_STRUCT_TAIL, #m " is of a later version, tail " #tail, MEMBER(m), tail, sizeof(t), 0, NULL, status, names }
 #define BAD_SIZES(m, t, names) \
-  STRUCT_IS(m, 0, names), STRUCT_IS(m, t##_first - 1, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
+  STRUCT_IS(m, 0, names), STRUCT_IS(m, 8, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
 /* A struct that is read, and one that is filled. */
 #define CONFIG(m, t, names) \
   BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_STRUCT_SIZE, names)
@@ -192,7 +198,7 @@ int rows_failures(void);
 /* A function that is told the struct's size: sizeof(t) + more_bytes. */
 #define INIT(m, t, names)                                                                 \
   NO_NULL(m, names), SIZE_IS(more_bytes, -(int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), \
-      SIZE_IS(more_bytes, t##_first - 1 - (int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), \
+      SIZE_IS(more_bytes, 8 - (int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names),             \
       SIZE_IS(more_bytes, 1000000, MIMO_E_STRUCT_SIZE, names),                            \
       SIZE_IS(more_bytes, -1 - (int64_t)sizeof(t), MIMO_E_STRUCT_SIZE, names), SIZE_IS(more_bytes, 16, MIMO_OK, NULL)
 

@@ -148,16 +148,10 @@ static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment
 }
 
 static void find_things(void) {
-  size_t joints = 0;
   static int32_t ids[1];
   CHECK_OK(mimo_env_find(good.env, MIMO_JOINT, "toy", &ids[0]));
   good.ids = ids;
   good.id_count = 1;
-  CHECK_OK(mimo_env_count(good.env, MIMO_JOINT, &joints));
-  for (good.joint = 0; (size_t)good.joint < joints; ++good.joint) {
-    if (mimo_env_lock_state(good.env, good.joint, NULL, &good.angle) == MIMO_OK) return;
-  }
-  CHECK(!"a joint that can be locked");
 }
 
 static void make_arrays(void) {
@@ -180,9 +174,7 @@ static void make_arrays(void) {
   good.value_count = VALUES_PER_WORLD;
   good.values_count = worlds * VALUES_PER_WORLD;
   good.touch_capacity = sensors;
-  good.contact_capacity = 200;
   good.number_count = 4;
-  good.gravity_count = 3;
   good.point_count = 2;
   good.capacity = text + 1;
   good.depth_count = good.segmentation_count = PICTURE_SIZE * PICTURE_SIZE;
@@ -212,8 +204,7 @@ static void make_arrays(void) {
   good.all_values = region(good.values_count * sizeof(double));
   good.numbers = region((good.term_count > 4 ? good.term_count : 4) * sizeof(double));
   good.pixels = region(3 * good.point_count * sizeof(double));
-  good.contact_values = region(good.contact_capacity * MIMO_CONTACT_VALUES * sizeof(double));
-  good.contact_ids = region(good.contact_capacity * MIMO_CONTACT_IDS * sizeof(int32_t));
+  good.statuses = region(worlds * sizeof(mimo_status));
   good.positions = region(3 * sensors * sizeof(double));
   good.frames = region(MIMO_TOUCH_FRAME_VALUES * sensors * sizeof(double));
   good.bodies = region(sensors * sizeof(int32_t));
@@ -356,7 +347,7 @@ static void fill_results(void) {
   results->terminated = good.state_out;
   results->truncated = (uint8_t*)good.state_out + WORLDS_IN_BATCH;
   results->agents = WORLDS_IN_BATCH * AGENTS;
-  results->status = (mimo_status*)good.contact_ids;
+  results->status = good.statuses;
   results->was_reset = (uint8_t*)good.state_out + 2 * WORLDS_IN_BATCH;
   results->final_written = (uint8_t*)good.state_out + 3 * WORLDS_IN_BATCH;
   results->worlds = WORLDS_IN_BATCH;
@@ -405,7 +396,6 @@ args good_args(int uses) {
   good.kind = MIMO_BODY;
   good.quantity = MIMO_JOINT_POSITION;
   good.steps = 1;
-  good.z = -9.81;
   good.name = "toy";
   good.scene_name = "free";
   good.part = "head";
@@ -413,7 +403,6 @@ args good_args(int uses) {
   good.room_name = "playroom";
   good.folder = "misuse_saved_scene";
   good.joint_name = "robot:head_tilt";
-  good.face = "fear";
   good.path = "touch";
   good.motor_path = "right_arm";
   good.how = MIMO_LOOK_HEAD;
@@ -476,7 +465,6 @@ void break_worlds(void) {
 void mend_worlds(void) {
   CHECK_OK(mimo_env_reset(good.env, NULL, NULL, 0));
   CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0, NULL, 0));
-  CHECK_OK(mimo_env_set_gravity(good.env, 0, 0, -9.81));
 }
 
 int world_failures(void) { return failures(); }

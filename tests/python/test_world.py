@@ -126,7 +126,7 @@ def test_refused_arguments(reach):
     with pytest.raises(mimo.NotFoundError, match="hed"):
         reach.bodies("hed")
     with pytest.raises(AttributeError, match="cannot be written"):
-        reach.bodies("head").mass = 3
+        reach.bodies("head").velocity = 3
 
 
 def test_a_closed_world_says_so():

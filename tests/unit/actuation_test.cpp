@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "env/access.h"
-#include "env/locks.h"
 #include "scene/groups.h"
+#include "support/access.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -163,7 +163,7 @@ TEST(MappedActions, GoFromMinusOneToOneLinearly) {
 TEST(Locks, HoldAJointAndLetItGo) {
   const auto world = floating();
   const int elbow = joint_id(*world, "robot:right_elbow");
-  env::lock(*world, elbow, -1);
+  set(*world, env::Quantity::kJointLock, {elbow}, {1, -1});
   std::vector<float> actions(world->action_size());
   actions[action_index(*world, "act:right_elbow")] = 0.3f;
   run(*world, actions, 300);
@@ -171,7 +171,7 @@ TEST(Locks, HoldAJointAndLetItGo) {
   world->reset(nullptr, nullptr);
   run(*world, {}, 100);
   EXPECT_NEAR(angle(*world, "robot:right_elbow"), -1, 0.02) << "locks outlive resets";
-  env::unlock(*world, elbow);
+  set(*world, env::Quantity::kJointLock, {elbow}, Values{0, 0});
   run(*world, actions, 100);
   EXPECT_GT(angle(*world, "robot:right_elbow"), -0.1);
 }
@@ -181,38 +181,44 @@ TEST(Locks, OfTheSceneCanBeOpened) {
   const int knee = joint_id(world, "robot:right_knee");
   run(world, {}, 50);
   EXPECT_NEAR(angle(world, "robot:right_knee"), -1.85, 0.02);
-  env::unlock(world, knee);
+  set(world, env::Quantity::kJointLock, {knee}, Values{0, 0});
   run(world, {}, 50);
   EXPECT_GT(std::abs(angle(world, "robot:right_knee") + 1.85), 0.03);
 }
 
 TEST(Locks, AreRefusedWhereThereAreNone) {
   const auto world = floating();
-  expect_error(Status::kUnsupported, "mimo_orientation",
-               [&] { env::lock(*world, joint_id(*world, "mimo_orientation"), 0); });
-  expect_error(Status::kInvalidArgument, "expected 0 to 47", [&] { env::lock(*world, 48, 0); });
+  expect_error(Status::kUnsupported, "mimo_orientation", [&] {
+    set(*world, env::Quantity::kJointLock, {joint_id(*world, "mimo_orientation")}, {1, 0});
+  });
+  expect_error(Status::kInvalidArgument, "from 0 to 47", [&] { set(*world, env::Quantity::kJointLock, {48}, {1, 0}); });
   const int elbow = joint_id(*world, "robot:right_elbow");
-  expect_error(Status::kInvalidArgument, "angle is 2", [&] { env::lock(*world, elbow, 2); });
-  expect_error(Status::kInvalidArgument, "angle is nan", [&] { env::lock(*world, elbow, std::nan("")); });
+  expect_error(Status::kInvalidArgument, "angle is 2", [&] {
+    set(*world, env::Quantity::kJointLock, {elbow}, {1, 2});
+  });
+  expect_error(Status::kInvalidArgument, "values[1] is nan", [&] {
+    set(*world, env::Quantity::kJointLock, {elbow}, {1, std::nan("")});
+  });
   const auto positioned = floating(kPosition);
-  expect_error(Status::kUnsupported, "under position control", [&] { env::lock(*positioned, elbow, 0); });
-  expect_error(Status::kUnsupported, "under position control", [&] { env::unlock(*positioned, elbow); });
+  expect_error(Status::kUnsupported, "under position control", [&] {
+    set(*positioned, env::Quantity::kJointLock, {elbow}, {1, 0});
+  });
+  expect_error(Status::kUnsupported, "under position control", [&] {
+    set(*positioned, env::Quantity::kJointLock, {elbow}, Values{0, 0});
+  });
 }
 
 // Three worlds on one model: one is changed in every way, the other two stay alike.
 TEST(Overrides, StayInTheirWorld) {
   const auto changed = floating(), one = floating(), two = floating();
   const int elbow = joint_id(*changed, "robot:right_elbow");
-  env::lock(*changed, elbow, -1);
+  set(*changed, env::Quantity::kJointLock, {elbow}, {1, -1});
   const std::int32_t motor = engine::find_or_fail(changed->model(), Kind::kActuator, "act:left_elbow");
   const double gear = 7.5;
-  env::set(changed->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&gear, 1});
+  set(*changed, env::Quantity::kActuatorGear, {motor}, {gear});
   changed->physics().set_gravity({0, 0, -1});
-  double read = 0;
-  env::get(changed->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&read, 1});
-  EXPECT_EQ(read, gear);
-  env::get(one->physics(), env::Quantity::kActuatorGear, {&motor, 1}, {&read, 1});
-  EXPECT_EQ(read, 3.6);
+  EXPECT_EQ(get(*changed, env::Quantity::kActuatorGear, {motor}), Values{gear});
+  EXPECT_EQ(get(*one, env::Quantity::kActuatorGear, {motor}), Values{3.6});
   EXPECT_EQ(free_room()->eq_active[engine::find_lock(*free_room(), elbow)], 0);
   const std::vector<float> actions(changed->action_size(), 0.2f);
   run(*changed, actions, 20);
@@ -226,7 +232,7 @@ TEST(Overrides, StayInTheirWorld) {
 TEST(Overrides, ShareWhatTheyDoNotChange) {
   const auto world = floating();
   EXPECT_EQ(world->model().eq_data, free_room()->eq_data);
-  env::lock(*world, joint_id(*world, "robot:right_elbow"), -1);
+  set(*world, env::Quantity::kJointLock, {joint_id(*world, "robot:right_elbow")}, {1, -1});
   EXPECT_NE(world->model().eq_data, free_room()->eq_data);
   EXPECT_EQ(world->model().actuator_gear, free_room()->actuator_gear);
   EXPECT_EQ(world->model().body_mass, free_room()->body_mass);

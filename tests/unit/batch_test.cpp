@@ -365,12 +365,12 @@ TEST(Batch, NamedAccessStacksTheWorlds) {
   Rig rig(floating_model(), sized(3, 2));
   for (int n = 0; n < 5; ++n) rig.step(n);
   const std::vector<std::int32_t> ids = {4, 1};
-  const auto which = Span<const std::int32_t>(ids);
+  const env::Ids which{Span<const std::int32_t>(ids)};
   const auto quantity = env::Quantity::kJointPosition;
   std::vector<double> values(6), own(2);
-  rig.batch.get(quantity, which, nullptr, values.data());
+  rig.batch.get(quantity, which, false, nullptr, values.data());
   for (std::size_t i = 0; i < 3; ++i) {
-    env::get(rig.batch.world(i).physics(), quantity, which, Span<double>(own));
+    env::get(rig.batch.world(i), quantity, which, false, Span<double>(own));
     EXPECT_EQ(own[0], values[2 * i]);
     EXPECT_EQ(own[1], values[2 * i + 1]);
   }
@@ -379,7 +379,7 @@ TEST(Batch, NamedAccessStacksTheWorlds) {
   const std::vector<double> wanted = {.1, .2, .3, .4, .5, .6};
   rig.batch.set(quantity, which, mask, wanted.data());
   std::vector<double> back(6, -1);
-  rig.batch.get(quantity, which, mask, back.data());
+  rig.batch.get(quantity, which, false, mask, back.data());
   EXPECT_EQ(back, (std::vector<double>{.1, .2, -1, -1, .5, .6}));
   EXPECT_EQ(saved(rig.batch.world(1)), before);
 

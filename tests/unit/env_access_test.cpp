@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "env/access.h"
+#include "support/access.h"
 #include "support/numbers.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -13,32 +13,30 @@
 namespace mimo::test {
 namespace {
 
-using engine::Kind;
+using env::Kind;
 using env::Quantity;
-using Ids = std::vector<std::int32_t>;
-using Values = std::vector<double>;
 
 constexpr double kStep = 0.005;
 
 class EnvAccess : public ::testing::Test {
  protected:
-  EnvAccess() : physics_(benchmark_model(), {}) {}
+  EnvAccess() : world_(benchmark_model(), {}, {}), physics_(world_.physics()) {}
 
   const mjModel& model() const { return physics_.model(); }
-  int id(Kind kind, const char* name) const { return engine::find_or_fail(model(), kind, name); }
-  Values get(Quantity quantity, const Ids& ids) const {
-    Values values(env::width(model(), quantity, ids));
-    env::get(physics_, quantity, ids, values);
-    return values;
+  int id(Kind kind, const char* name) const { return id_of(world_, kind, name); }
+  std::size_t width(Quantity quantity, const Ids& ids) const {
+    return env::width(world_, quantity, env::Ids(Span<const std::int32_t>(ids)));
   }
-  void set(Quantity quantity, const Ids& ids, const Values& values) { env::set(physics_, quantity, ids, values); }
+  Values get(Quantity quantity, const Ids& ids, bool now = false) { return test::get(world_, quantity, ids, now); }
+  void set(Quantity quantity, const Ids& ids, const Values& values) { test::set(world_, quantity, ids, values); }
   Ids all(Kind kind) const {
-    Ids ids(static_cast<std::size_t>(engine::count(model(), kind)));
+    Ids ids(static_cast<std::size_t>(env::count(world_, kind)));
     for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int32_t>(i);
     return ids;
   }
 
-  engine::Physics physics_;
+  env::World world_;
+  engine::Physics& physics_;
 };
 
 // 3 free joints and 47 hinges, 26 bodies, 39 geoms, 23 sites, 2 cameras, 44 motors, 69 sensor values.
@@ -62,9 +60,9 @@ TEST_F(EnvAccess, WidthsOfEverything) {
       {Quantity::kSensorValue, Kind::kSensor, 69}};
   for (int number = 1; number <= 21; ++number) {
     const Known& entry = known[number - 1];
-    EXPECT_EQ(env::quantity_from(number), entry.quantity);
-    EXPECT_EQ(env::width(model(), entry.quantity, all(entry.kind)), entry.width) << number;
-    EXPECT_EQ(env::width(model(), entry.quantity, Ids{}), 0u);
+    EXPECT_EQ(static_cast<Quantity>(number), entry.quantity);
+    EXPECT_EQ(width(entry.quantity, all(entry.kind)), entry.width) << number;
+    EXPECT_EQ(width(entry.quantity, Ids{}), 0u);
   }
 }
 
@@ -178,27 +176,27 @@ TEST_F(EnvAccess, LookingAndRewritingLeaveTheTrajectory) {
 
 // Without gravity and contacts, from rest: v = F / m t for the force, w = T / I t for the torque.
 TEST_F(EnvAccess, ForcesMoveAsNewtonSays) {
-  engine::PhysicsOptions floating;
-  floating.gravity = floating.contacts = false;
-  engine::Physics physics(benchmark_model(), floating);
-  const std::int32_t box = engine::find_or_fail(model(), Kind::kBody, "test_object1");
+  env::EnvOptions floating;
+  floating.physics.gravity = floating.physics.contacts = false;
+  env::World world(benchmark_model(), {}, floating);
+  engine::Physics& physics = world.physics();
+  const std::int32_t box = id_of(world, Kind::kBody, "test_object1");
   const double mass = 8, inertia = 8.0 / 12 * (0.2 * 0.2 + 0.2 * 0.2);  // a cube of 0.2 m
-  env::set(physics, Quantity::kBodyForce, Ids{box}, Values{2, -4, 8, 0, 0, 0.5});
+  test::set(world, Quantity::kBodyForce, Ids{box}, Values{2, -4, 8, 0, 0, 0.5});
   physics.step(10);
   const double t = 10 * kStep;
-  Values velocity(6);
   const Ids joint = {model().body_jntadr[box]};
-  env::get(physics, Quantity::kJointVelocity, joint, velocity);
+  Values velocity = test::get(world, Quantity::kJointVelocity, joint);
   EXPECT_TRUE(close({2 / mass * t, -4 / mass * t, 8 / mass * t, 0, 0, 0.5 / inertia * t}, velocity.data()));
-  // Until changed: taken away, it flies on. The same by the joint's own generalised force.
-  env::set(physics, Quantity::kBodyForce, Ids{box}, Values(6, 0));
-  env::set(physics, Quantity::kJointForce, joint, Values{0, 8, 0, 0, 0, 0});
+  // Until changed, and no longer than until a reset: taken away, it flies on. The same by the joint's own generalised
+  // force.
+  test::set(world, Quantity::kBodyForce, Ids{box}, Values(6, 0));
+  test::set(world, Quantity::kJointForce, joint, Values{0, 8, 0, 0, 0, 0});
   physics.step(10);
-  env::get(physics, Quantity::kJointVelocity, joint, velocity);
+  velocity = test::get(world, Quantity::kJointVelocity, joint);
   EXPECT_TRUE(close({2 / mass * t, 4 / mass * t, 8 / mass * t, 0, 0, 0.5 / inertia * t}, velocity.data()));
   physics.reset();
-  env::get(physics, Quantity::kJointForce, joint, velocity);
-  EXPECT_EQ(velocity, Values(6, 0)) << "reset takes forces away";
+  EXPECT_EQ(test::get(world, Quantity::kJointForce, joint), Values(6, 0)) << "reset takes forces away";
 }
 
 TEST_F(EnvAccess, Refusals) {
@@ -214,20 +212,63 @@ TEST_F(EnvAccess, Refusals) {
   refuse("values[2] is inf", Quantity::kBodyPosition, {ball}, {1, 1, infinity});
   refuse("quaternion", Quantity::kBodyOrientation, {ball}, {0, 0, 0, 0});
   refuse("quaternion", Quantity::kJointPosition, {model().body_jntadr[ball]}, {9, 9, 9, 0, 0, 0, 0});
-  refuse("body mass) can only be read", Quantity::kBodyMass, {ball}, {1});
+  refuse("body velocity) can only be read", Quantity::kBodyVelocity, {ball}, {1, 1, 1, 1, 1, 1});
   refuse("sensor value) can only be read", Quantity::kSensorValue, {0}, {1, 1, 1});
   EXPECT_EQ(copy(physics_.data().qpos, model().nq), before) << "nothing was written";
   expect_error(Status::kInvalidArgument, "ids[1] is 26, expected a body id from 0 to 25", [&] {
-    env::width(model(), Quantity::kBodyMass, Ids{0, 26});
+    width(Quantity::kBodyMass, Ids{0, 26});
   });
-  expect_error(Status::kInvalidArgument, "ids[0] is -1",
-               [&] { env::width(model(), Quantity::kJointPosition, Ids{-1}); });
-  for (const int number : {0, 23, -1}) {
-    expect_error(Status::kInvalidArgument, std::to_string(number), [&] { env::quantity_from(number); });
+  expect_error(Status::kInvalidArgument, "ids[0] is -1", [&] { width(Quantity::kJointPosition, Ids{-1}); });
+}
+
+// A pose is a position and an orientation.
+TEST_F(EnvAccess, Poses) {
+  physics_.step(60);
+  const auto expect = [&](Kind kind, Quantity pose, Quantity position, Quantity orientation) {
+    for (const int element : all(kind)) {
+      Values expected = get(position, {element});
+      const Values turn = get(orientation, {element});
+      expected.insert(expected.end(), turn.begin(), turn.end());
+      EXPECT_EQ(get(pose, {element}), expected) << element;
+    }
+  };
+  expect(Kind::kBody, Quantity::kBodyPose, Quantity::kBodyPosition, Quantity::kBodyOrientation);
+  expect(Kind::kGeom, Quantity::kGeomPose, Quantity::kGeomPosition, Quantity::kGeomOrientation);
+  expect(Kind::kSite, Quantity::kSitePose, Quantity::kSitePosition, Quantity::kSiteOrientation);
+  expect(Kind::kCamera, Quantity::kCameraPose, Quantity::kCameraPosition, Quantity::kCameraOrientation);
+  const int ball = id(Kind::kBody, "test_object2");
+  set(Quantity::kBodyPose, {ball}, {1, 2, 3, 0, 0, 3, 4});
+  EXPECT_EQ(get(Quantity::kBodyPose, {ball}), (Values{1, 2, 3, 0, 0, 0.6, 0.8}));
+}
+
+// Of now: what an update would give, while the values of the last step and the trajectory stay. A falling ball tells
+// the two apart: its last step started where it was one step ago.
+TEST_F(EnvAccess, NowIsAfterTheStep) {
+  env::World twin(benchmark_model(), {}, {});
+  const int ball = id(Kind::kBody, "test_object2");
+  set(Quantity::kBodyPosition, {ball}, {3, 3, 5});
+  test::set(twin, Quantity::kBodyPosition, {ball}, {3, 3, 5});
+  for (int step = 0; step < 20; ++step) {
+    physics_.step(1);
+    twin.physics().step(1);
+    const Values last = get(Quantity::kBodyPosition, all(Kind::kBody));
+    const Values now = get(Quantity::kBodyPosition, all(Kind::kBody), true);
+    const Values velocity = get(Quantity::kBodyVelocity, {ball}, true);
+    EXPECT_EQ(last, test::get(twin, Quantity::kBodyPosition, all(Kind::kBody))) << "nothing is changed by asking";
+    EXPECT_EQ(get(Quantity::kBodyPosition, all(Kind::kBody)), last);
+    const double speed = -9.81 * kStep * (step + 1);
+    EXPECT_TRUE(close(now[3 * ball + 2] - last[3 * ball + 2], speed * kStep, {1e-6, 1e-12}));
+    EXPECT_TRUE(close(speed, velocity[2], {1e-9, 1e-12}));
+    EXPECT_TRUE(close(speed + 9.81 * kStep, get(Quantity::kBodyVelocity, {ball})[2], {1e-9, 1e-12}));
+    ASSERT_EQ(copy(physics_.data().qpos, model().nq), copy(twin.data().qpos, model().nq)) << step;
+    engine::Physics moved(benchmark_model(), {});
+    std::copy_n(physics_.data().qpos, model().nq, moved.data().qpos);
+    moved.update_poses();
+    EXPECT_EQ(now, copy(moved.data().xpos, 3 * model().nbody));
   }
-  for (const int number : {0, 8, -1}) {
-    expect_error(Status::kInvalidArgument, std::to_string(number), [&] { env::kind_from(number); });
-  }
+  EXPECT_EQ(get(Quantity::kJointPosition, {0}, true), get(Quantity::kJointPosition, {0})) << "always current";
+  expect_error(Status::kInvalidArgument, "(joint acceleration) is computed by physics steps",
+               [&] { get(Quantity::kJointAcceleration, {0}, true); });
 }
 
 // Finite, but far beyond what the simulation takes: refused by the next step, not by a crash.
@@ -242,23 +283,20 @@ TEST_F(EnvAccess, AbsurdPositionsFailTheWorld) {
 
 // A ball at rest carries its weight: along the contact's normal, which points from geom 1 to geom 2.
 TEST(EnvContacts, BallAtRestCarriesItsWeight) {
-  engine::Physics physics(
+  env::World world(
       compiled(
           "<mujoco><option timestep='0.005'/><worldbody><geom name='floor' type='plane' size='1 1 .1'/>"
           "<body name='ball' pos='0 0 0.05'><freejoint/><geom size='0.05' mass='0.3'/></body></worldbody></mujoco>"),
-      {});
-  physics.step(2000);
-  const mjData& d = physics.data();
-  ASSERT_EQ(d.ncon, 1);
-  EXPECT_EQ(d.contact[0].geom1, 0);
-  EXPECT_TRUE(close({0, 0, 1}, d.contact[0].frame, {0, 1e-9})) << "up, from the floor to the ball";
-  const env::Contact contact = env::contact(physics.model(), d, 0);
-  EXPECT_EQ(contact.ids, (std::array<std::int32_t, 4>{0, 1, 0, 1}));
-  EXPECT_TRUE(close({0, 0, 1}, contact.values.data() + 3, {0, 1e-9}));
-  const double* force = contact.values.data() + 13;
-  EXPECT_NEAR(force[0], 0.3 * 9.81, 1e-6) << "on the ball, upwards";
-  EXPECT_NEAR(force[1], 0, 1e-6);
-  EXPECT_NEAR(force[2], 0, 1e-6);
+      {}, {});
+  world.physics().step(2000);
+  ASSERT_EQ(env::count(world, Kind::kContact), 1);
+  EXPECT_EQ(get(world, Quantity::kContactGeoms), (Values{0, 1}));
+  EXPECT_EQ(get(world, Quantity::kContactBodies), (Values{0, 1}));
+  EXPECT_TRUE(close({0, 0, 1}, get(world, Quantity::kContactFrame).data(), {0, 1e-9})) << "up, from floor to ball";
+  EXPECT_NEAR(get(world, Quantity::kContactPosition)[2], 0, 1e-3);
+  EXPECT_LT(get(world, Quantity::kContactDistance)[0], 0);
+  EXPECT_TRUE(close({0.3 * 9.81, 0, 0}, get(world, Quantity::kContactForce).data(), {1e-6, 1e-6})) << "on the ball";
+  EXPECT_TRUE(close({0, 0, 0}, get(world, Quantity::kContactTorque).data(), {0, 1e-6}));
 }
 
 }  // namespace

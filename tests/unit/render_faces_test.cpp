@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "body/faces.h"
 #include "render/renderer.h"
+#include "support/access.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -40,6 +41,14 @@ Rgb look_in_the_face(env::World& world, double aside = 0, double above = 0, cons
   from.fovy = 60;
   world.draw(from, picture);
   return rgb;
+}
+
+std::string face_of(const env::World& world, std::size_t agent = 0) {
+  return world.faces()[static_cast<std::size_t>(world.face(agent))].name;
+}
+
+void show(env::World& world, const char* face, std::int32_t agent = 0) {
+  set(world, env::Quantity::kAgentFace, {agent}, {static_cast<double>(id_of(world, env::Kind::kFace, face))});
 }
 
 // Sum of the differences of all colours, 0 to 255 each.
@@ -95,17 +104,17 @@ TEST_P(Faces, AreToldApartByAnInfant) {
 TEST_P(Faces, BelongToOneWorld) {
   const auto one = world_with("", GetParam()), two = world_with("", GetParam());
   const Rgb neutral = look_in_the_face(*one);
-  EXPECT_EQ(one->face(0), "neutral");
-  one->set_face(0, "anger");
-  EXPECT_EQ(one->face(0), "anger");
-  EXPECT_EQ(two->face(0), "neutral");
+  EXPECT_EQ(face_of(*one), "neutral");
+  show(*one, "anger");
+  EXPECT_EQ(face_of(*one), "anger");
+  EXPECT_EQ(face_of(*two), "neutral");
   EXPECT_EQ(look_in_the_face(*two), neutral);
   const Rgb angry = look_in_the_face(*one);
   EXPECT_NE(angry, neutral);
   one->reset(nullptr, nullptr);
-  EXPECT_EQ(one->face(0), "anger");
+  EXPECT_EQ(face_of(*one), "anger");
   EXPECT_EQ(look_in_the_face(*one), angry);
-  one->set_face(0, "neutral");
+  show(*one, "neutral");
   EXPECT_EQ(look_in_the_face(*one), neutral);
 }
 
@@ -118,10 +127,10 @@ TEST(Faces, ArePartOfTheState) {
   plain->save(Span<std::uint8_t>(before));
   EXPECT_NE(state, before);
   plain->load(Span<const std::uint8_t>(state));
-  EXPECT_EQ(plain->face(0), "enjoyment");
+  EXPECT_EQ(face_of(*plain), "enjoyment");
   EXPECT_EQ(look_in_the_face(*plain), look_in_the_face(*glad));
   plain->load(Span<const std::uint8_t>(before));
-  EXPECT_EQ(plain->face(0), "neutral");
+  EXPECT_EQ(face_of(*plain), "neutral");
 }
 
 TEST(Faces, EachAgentHasItsOwn) {
@@ -134,26 +143,26 @@ TEST(Faces, EachAgentHasItsOwn) {
   ben.name = "ben";
   ben.face = "fear";
   env::World world(compile(scene), {anna, ben}, drawn_by("ray"));
-  EXPECT_EQ(world.face(0), "neutral");
-  EXPECT_EQ(world.face(1), "fear");
+  EXPECT_EQ(face_of(world, 0), "neutral");
+  EXPECT_EQ(face_of(world, 1), "fear");
   const Rgb before = look_in_the_face(world, 0, 0, "anna/head");
-  world.set_face(1, "anger");
+  show(world, "anger", 1);
   EXPECT_EQ(look_in_the_face(world, 0, 0, "anna/head"), before);
-  world.set_face(0, "anger");
+  show(world, "anger", 0);
   EXPECT_NE(look_in_the_face(world, 0, 0, "anna/head"), before);
 }
 
 TEST(Faces, Unknown) {
   const auto world = world_with("");
   try {
-    world->set_face(0, "boredom");
+    show(*world, "boredom");
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::kNotFound);
     EXPECT_NE(error.message().find("neutral, enjoyment, sadness, surprise, disgust, anger, fear"), std::string::npos)
         << error.message();
   }
-  EXPECT_EQ(world->face(0), "neutral");
+  EXPECT_EQ(face_of(*world), "neutral");
   EXPECT_THROW(world_with("boredom"), Error);
 }
 

@@ -137,7 +137,14 @@ namespace Mimo
         /// <summary>Reads a quantity of many ids in all worlds: worlds x Env.Width.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
-            MimoException.Check(Native.mimo_batch_get(handle, (int)quantity, ids, (UIntPtr)ids.Length, null, UIntPtr.Zero, values,
+            MimoException.Check(Native.mimo_batch_get(handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
+                (UIntPtr)values.Length));
+        }
+
+        /// <summary>The same in single precision, for engines.</summary>
+        public void Get(Quantity quantity, int[] ids, float[] values)
+        {
+            MimoException.Check(Native.mimo_batch_get_float(handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
                 (UIntPtr)values.Length));
         }
 
@@ -145,15 +152,16 @@ namespace Mimo
         public void Set(Quantity quantity, int[] ids, double[] values, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_set(handle, (int)quantity, ids, (UIntPtr)ids.Length, chosen, CountOf(chosen), values,
+            MimoException.Check(Native.mimo_batch_set(handle, (int)quantity, ids, Env.LengthOf(ids), chosen, CountOf(chosen), values,
                 (UIntPtr)values.Length));
         }
 
         /// <summary>Gives an infant another face.</summary>
         public void SetFace(string name, int agent = 0, bool[] mask = null)
         {
-            var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_set_face(handle, (UIntPtr)agent, Utf8.Bytes(name), chosen, CountOf(chosen)));
+            var faces = new double[Worlds];
+            for (var i = 0; i < faces.Length; ++i) faces[i] = first.Find(Kind.Face, name);
+            Set(Quantity.AgentFace, new[] { agent }, faces, mask);
         }
 
         /// <summary>The states of all worlds, one after the other; all have the same size.</summary>

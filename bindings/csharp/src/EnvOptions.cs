@@ -33,6 +33,8 @@ namespace Mimo
         public uint MaxSteps;
         /// <summary>Whether Env.Timing counts, which costs a few clock reads a step.</summary>
         public bool Timing;
+        /// <summary>Whether what touched what during a step is recorded, for Env.StepContacts.</summary>
+        public bool StepContacts;
         /// <summary>What pictures show; null: everything but fog.</summary>
         public Render? Render;
         /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.</summary>
@@ -54,6 +56,7 @@ namespace Mimo
                 config.frame_skip = FrameSkip;
                 config.max_steps = MaxSteps;
                 config.timing = Timing ? 1u : 0u;
+                config.step_contacts = StepContacts ? 1u : 0u;
                 if (Render.HasValue) config.render = (uint)Render.Value;
                 config.samples = Samples;
                 config.render_threads = RenderThreads;

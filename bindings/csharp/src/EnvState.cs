@@ -36,42 +36,39 @@ namespace Mimo
         /// <summary>The face that an infant shows; "" for a body without faces.</summary>
         public string Face(int agent = 0)
         {
-            IntPtr name;
-            MimoException.Check(Native.mimo_env_face(handle, (UIntPtr)agent, out name));
-            return Utf8.Of(name);
+            var face = new double[1];
+            Get(Quantity.AgentFace, new[] { agent }, face);
+            return face[0] < 0 ? "" : Name(Kind.Face, (int)face[0]);
         }
 
         /// <summary>Gives an infant another face; pictures show it from the next one on.</summary>
-        public void SetFace(string name, int agent = 0)
-        {
-            MimoException.Check(Native.mimo_env_set_face(handle, (UIntPtr)agent, Utf8.Bytes(name)));
-        }
+        public void SetFace(string name, int agent = 0) { Set(Quantity.AgentFace, new[] { agent }, Find(Kind.Face, name)); }
 
         /// <summary>Holds a joint (its id) at an angle (rad), softly, from the next step on.</summary>
-        public void Lock(int joint, double angle) { MimoException.Check(Native.mimo_env_lock(handle, joint, angle)); }
+        public void Lock(int joint, double angle) { Set(Quantity.JointLock, new[] { joint }, 1, angle); }
 
         /// <summary>Lets a joint go, also one that the scene has locked.</summary>
-        public void Unlock(int joint) { MimoException.Check(Native.mimo_env_unlock(handle, joint)); }
+        public void Unlock(int joint) { Set(Quantity.JointLock, new[] { joint }, 0, LockOf(joint)[1]); }
 
         /// <summary>The angle at which a joint is held; null if it is not.</summary>
         public double? Locked(int joint)
         {
-            byte locked;
-            double angle;
-            MimoException.Check(Native.mimo_env_lock_state(handle, joint, out locked, out angle));
-            return locked != 0 ? angle : (double?)null;
+            var held = LockOf(joint);
+            return held[0] != 0 ? held[1] : (double?)null;
+        }
+
+        private double[] LockOf(int joint)
+        {
+            var values = new double[2];
+            Get(Quantity.JointLock, new[] { joint }, values);
+            return values;
         }
 
         /// <summary>Gravity, m/s^2, world frame.</summary>
         public Vector3d Gravity
         {
-            get
-            {
-                Vector3d xyz;
-                MimoException.Check(Native.mimo_env_gravity(handle, out xyz, (UIntPtr)3));
-                return xyz;
-            }
-            set { MimoException.Check(Native.mimo_env_set_gravity(handle, value.X, value.Y, value.Z)); }
+            get { return VectorOf(Get(Quantity.WorldGravity), 0); }
+            set { Set(Quantity.WorldGravity, null, value.X, value.Y, value.Z); }
         }
     }
 }

@@ -95,9 +95,9 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_body_of(EnvHandle env, int kind, int id, out int body);
         [DllImport(File)] internal static extern int mimo_env_width(EnvHandle env, int quantity, int[] ids, Size idCount, out Size count);
         [DllImport(File)] internal static extern int mimo_env_get(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
+        [DllImport(File)] internal static extern int mimo_env_get_float(EnvHandle env, int quantity, int[] ids, Size idCount, float[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_set(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_update(EnvHandle env);
-        [DllImport(File)] internal static extern int mimo_env_contacts(EnvHandle env, int[] ids, double[] values, Size capacity, out Size count);
         [DllImport(File)] internal static extern int mimo_env_random(EnvHandle env, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_outcome(EnvHandle env, Size agent, out byte success, out byte failure);
         [DllImport(File)] internal static extern int mimo_env_gaze(EnvHandle env, Size agent, ref GazeStruct gaze);
@@ -107,13 +107,6 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, byte[] rgb, Size rgbBytes, float[] depth, Size depthCount, int[] segmentation, Size segmentationCount);
 
         [DllImport(File)] internal static extern IntPtr mimo_face_name(Size index);
-        [DllImport(File)] internal static extern int mimo_env_set_face(EnvHandle env, Size agent, byte[] name);
-        [DllImport(File)] internal static extern int mimo_env_face(EnvHandle env, Size agent, out IntPtr name);
-        [DllImport(File)] internal static extern int mimo_env_lock(EnvHandle env, int joint, double angle);
-        [DllImport(File)] internal static extern int mimo_env_unlock(EnvHandle env, int joint);
-        [DllImport(File)] internal static extern int mimo_env_lock_state(EnvHandle env, int joint, out byte locked, out double angle);
-        [DllImport(File)] internal static extern int mimo_env_set_gravity(EnvHandle env, double x, double y, double z);
-        [DllImport(File)] internal static extern int mimo_env_gravity(EnvHandle env, out Vector3d xyz, Size count);
         [DllImport(File)] internal static extern int mimo_env_state_size(EnvHandle env, out Size bytes);
         [DllImport(File)] internal static extern int mimo_env_state_save(EnvHandle env, byte[] state, Size bytes);
         [DllImport(File)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, Size bytes, ref LoadReportStruct report);
@@ -130,8 +123,8 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_batch_receive(BatchHandle batch);
         [DllImport(File)] internal static extern int mimo_batch_observe(BatchHandle batch, byte[] mask, Size worlds, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_get(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
+        [DllImport(File)] internal static extern int mimo_batch_get_float(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, float[] values, Size count);
         [DllImport(File)] internal static extern int mimo_batch_set(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
-        [DllImport(File)] internal static extern int mimo_batch_set_face(BatchHandle batch, Size agent, byte[] name, byte[] mask, Size worlds);
         [DllImport(File)] internal static extern int mimo_batch_state_save(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_state_load(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes, ref LoadReportStruct report);
         [DllImport(File)] internal static extern int mimo_senses_config_init(out SensesConfigStruct config, Size size);

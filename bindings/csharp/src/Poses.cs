@@ -53,7 +53,7 @@ namespace Mimo
     public sealed class PoseReader
     {
         private readonly Env env;
-        private readonly double[] places, rotations;
+        private readonly float[] poses;
 
         /// <summary>Ids of the bodies, in the order of the poses.</summary>
         public int[] Bodies { get; }
@@ -67,21 +67,19 @@ namespace Mimo
             this.env = env;
             Bodies = new int[env.Count(Kind.Body)];
             for (var i = 0; i < Bodies.Length; ++i) Bodies[i] = i;
-            places = new double[3 * Bodies.Length];
-            rotations = new double[4 * Bodies.Length];
+            poses = new float[7 * Bodies.Length];
             Poses = new LeftHandedPose[Bodies.Length];
         }
 
         /// <summary>Reads and converts the current poses.</summary>
         public void Read()
         {
-            env.Get(Quantity.BodyPosition, Bodies, places);
-            env.Get(Quantity.BodyOrientation, Bodies, rotations);
+            env.Get(Quantity.BodyPose | Quantity.Now, Bodies, poses);
             for (var i = 0; i < Bodies.Length; ++i)
             {
-                var p = LeftHanded.Position(new Vector3d(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
-                var q = LeftHanded.Rotation(new Quaterniond(rotations[4 * i], rotations[4 * i + 1], rotations[4 * i + 2],
-                    rotations[4 * i + 3]));
+                var p = LeftHanded.Position(new Vector3d(poses[7 * i], poses[7 * i + 1], poses[7 * i + 2]));
+                var q = LeftHanded.Rotation(new Quaterniond(poses[7 * i + 3], poses[7 * i + 4], poses[7 * i + 5],
+                    poses[7 * i + 6]));
                 Poses[i] = new LeftHandedPose
                 {
                     X = (float)p.X, Y = (float)p.Y, Z = (float)p.Z,

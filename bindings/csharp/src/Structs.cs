@@ -36,7 +36,7 @@ namespace Mimo
         internal IntPtr renderer;
         internal uint max_steps, timing;
         internal IntPtr log, log_user, task;
-        internal uint render, samples, render_threads, reserved;
+        internal uint render, samples, render_threads, step_contacts;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -66,9 +66,9 @@ internal static partial class Tests
             Check(theirs.Count > 1 && differ.Count == 0, type.Name + ": " + string.Join(" ", differ));
         };
         Check(defined["MIMO_ABI_VERSION"] == Library.Abi, "another ABI version");
-        const string kinds = "BODY|JOINT|GEOM|SITE|CAMERA|ACTUATOR|SENSOR";
-        compare(typeof(Kind), "MIMO_", kinds);
-        compare(typeof(Quantity), "MIMO_", "(?:" + kinds + ")_[A-Z_]+");
+        const string kinds = "BODY|JOINT|GEOM|SITE|CAMERA|ACTUATOR|SENSOR|LIGHT|CONTACT|STEP_CONTACT|AGENT|FACE|WORLD";
+        compare(typeof(Kind), "MIMO_", kinds + "|WARNING");
+        compare(typeof(Quantity), "MIMO_", "NOW|WARNING_COUNT|(?:" + kinds + ")_[A-Z_]+");
         compare(typeof(Autoreset), "MIMO_AUTORESET_", "AUTORESET_[A-Z_]+");
         compare(typeof(Render), "MIMO_RENDER_", "RENDER_(?!DEFAULT)[A-Z]+");
         compare(typeof(Shape), "MIMO_SHAPE_", "SHAPE_[A-Z]+");
@@ -81,20 +81,31 @@ internal static partial class Tests
     private static void EveryQuantityIsRead()
     {
         const string all = "<mujoco><worldbody><body name='arm' pos='0 0 1'><joint name='hinge' range='-1 1' limited='true'/>" +
-            "<geom name='bone' size='.1'/><site name='mark'/><camera name='eye'/></body></worldbody>" +
+            "<geom name='bone' size='.1'/><site name='mark'/><camera name='eye'/></body><light name='sun'/></worldbody>" +
             "<actuator><motor name='motor' joint='hinge' gear='3'/></actuator><sensor><accelerometer name='feel' site='mark'/></sensor></mujoco>";
         var names = new Dictionary<Kind, string>
         {
             { Kind.Body, "arm" }, { Kind.Joint, "hinge" }, { Kind.Geom, "bone" }, { Kind.Site, "mark" }, { Kind.Camera, "eye" },
-            { Kind.Actuator, "motor" }, { Kind.Sensor, "feel" }
+            { Kind.Actuator, "motor" }, { Kind.Sensor, "feel" }, { Kind.Light, "sun" }, { Kind.Warning, "other" }
         };
-        var widths = new[] { 1, 1, 1, 1, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3, 1 };
+        var widths = new[]
+        {
+            1, 1, 1, 1, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3, 1, 7, 7, 7, 7, 3, 4, 1, 2, 3, 3, 3, // then contacts
+            2, 2, 3, 9, 1, 3, 3, 2, 2, 1, 1, 3, 3, 3, 1, 3, 1
+        };
         using (var scene = MimoScene.FromXml(all))
-        using (var env = new Env(scene))
+        using (var env = new Env(scene, new EnvOptions { StepContacts = true }))
         {
             foreach (Quantity quantity in Enum.GetValues(typeof(Quantity)))
             {
-                var kind = names.Keys.Single(one => quantity.ToString().StartsWith(one.ToString()));
+                if (quantity == Quantity.Now) continue;
+                var kind = names.Keys.SingleOrDefault(one => quantity.ToString().StartsWith(one.ToString()));
+                if (kind == 0)
+                {
+                    var known = quantity == Quantity.WorldGravity ? 3 : 0; // there is nothing else of these
+                    Check(env.Get(quantity).Length == known, quantity + " of all");
+                    continue;
+                }
                 var id = new[] { env.Find(kind, names[kind]) };
                 var width = widths[(int)quantity - 1];
                 Check(env.Width(quantity, id) == width, quantity + " has " + env.Width(quantity, id) + " numbers");

@@ -196,7 +196,7 @@ internal static partial class Tests
             poses.Read();
             var place = new double[3];
             var head = env.Find(Kind.Body, "head");
-            env.Get(Quantity.BodyPosition, new[] { head }, place);
+            env.Get(Quantity.BodyPosition | Quantity.Now, new[] { head }, place);
             Near(place[2], poses.Poses[head].Y, 1e-6, "the head's height");
             Near(-place[1], poses.Poses[head].X, 1e-6, "to the right");
         }
@@ -239,7 +239,7 @@ internal static partial class Tests
         {
             StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
             BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, SensesAreLimited, MotorsAreLimited, SensesRemember, InfantsArePlacedByTheirSoles,
+            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, MassesDiffer, ContactsWithinAStep, SensesAreLimited, MotorsAreLimited, SensesRemember, InfantsArePlacedByTheirSoles,
             ScenesAreBuilt, FacesShow,
             LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
             BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,

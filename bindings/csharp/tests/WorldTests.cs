@@ -40,6 +40,49 @@ internal static partial class Tests
         }
     }
 
+    private const string HeavyBall = "<mujoco><option timestep='0.005'/><worldbody><geom type='plane' size='5 5 .1'/>" +
+        "<body name='ball' pos='0 0 .3'><freejoint/><geom size='0.1' mass='2'/></body></worldbody></mujoco>";
+
+    /// <summary>v = F / m t, in each world of a batch with its own mass.</summary>
+    private static void MassesDiffer()
+    {
+        using (var scene = MimoScene.FromXml(HeavyBall))
+        using (var batch = new Batch(scene, 3))
+        {
+            var ball = new[] { batch.World(0).Find(Kind.Body, "ball") };
+            var masses = new[] { 0.5, 1, 4 };
+            batch.Set(Quantity.BodyMass, ball, masses);
+            batch.Set(Quantity.WorldGravity, null, new double[9]);
+            batch.Set(Quantity.BodyForce, ball, new double[] { 3, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0 });
+            for (var i = 0; i < 10; ++i) batch.Step(null);
+            var velocity = new float[18];
+            batch.Get(Quantity.BodyVelocity | Quantity.Now, ball, velocity);
+            for (var i = 0; i < 3; ++i) Near(3 / masses[i] * 10 * 2 * 0.005, velocity[6 * i], 1e-6, "speed");
+            Check(Refused(() => batch.Set(Quantity.BodyMass, ball, new double[3])).Message.Contains("above 0"), "another message");
+        }
+    }
+
+    /// <summary>The impulse of all contacts of a step and that of gravity are the change of momentum.</summary>
+    private static void ContactsWithinAStep()
+    {
+        using (var scene = MimoScene.FromXml(HeavyBall))
+        using (var env = new Env(scene, new EnvOptions { FrameSkip = 20, StepContacts = true }))
+        {
+            var touched = false;
+            for (var i = 0; i < 10; ++i)
+            {
+                var before = env.Get(Quantity.JointVelocity)[2];
+                env.Step(null);
+                var contacts = env.StepContacts();
+                var change = 2 * (env.Get(Quantity.JointVelocity)[2] - before);
+                Near(change, contacts.Sum(contact => contact.Impulse.Z) - 2 * 9.81 * 0.1, 1e-9, "momentum");
+                touched = touched || contacts.Length > 0;
+            }
+            Check(touched, "it has landed");
+            Check(env.Get(Quantity.WarningCount).All(count => count == 0), "a clean run");
+        }
+    }
+
     private static void SavedStateContinues()
     {
         using (var env = new Env("reach"))

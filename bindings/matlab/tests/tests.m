@@ -2,7 +2,7 @@
 function tests()
   all_of_them = {@shapes_and_precision, @order_is_column_major, @errors_have_identifiers, @worlds_survive_clear, ...
                  @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
-                 @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, ...
+                 @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
                  @scenes_step_by_step, @two_infants, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
                  @worlds_move_on_their_own, @points_and_looks, @steps_in_two_halves};
@@ -55,7 +55,9 @@ function errors_have_identifiers()
   refused(@() mimo_reset(world, [1 2]), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_get(world, 'body_color', 'head'), 'mimo:NOT_FOUND');
   refused(@() mimo_get(world, 'body_position', 'hed'), 'mimo:NOT_FOUND');
-  refused(@() mimo_set(world, 'body_mass', 'head', 1), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_set(world, 'body_velocity', 'head', 1), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_set(world, 'body_mass', 'head', -1), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_get(world, 'step_contact_start'), 'mimo:UNSUPPORTED');
   refused(@() mimo_face(world, 'boredom'), 'mimo:NOT_FOUND');
   refused(@() mimo_load(world, zeros(3, 1, 'uint8')), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_picture(world, 0, 8), 'mimo:INVALID_ARGUMENT');
@@ -274,6 +276,35 @@ function locks_and_gravity()
   assert(isempty(mimo_locked(worlds, 'robot:left_elbow')));
   assert(isequal(mimo_gravity(worlds), [0; 0; -9.81]));
   assert(isequal(mimo_gravity(worlds, [0 0 -1.6]), [0; 0; -1.6]));
+  mimo_close(worlds);
+end
+
+% v = F / m t in two worlds; and the impulse of a step's contacts is the change of momentum, less that of gravity.
+function masses_and_contacts()
+  worlds = mimo_create('benchmark', 'worlds', 2, 'vision', 0, 'touch', 0, 'step_contacts', 1);
+  mimo_set(worlds, 'body_position', 'test_object2', [3; 3; 5]);
+  mimo_set(worlds, 'body_mass', 'test_object2', [0.5 4]);
+  mimo_set(worlds, 'body_force', 'test_object2', [3; 0; 0; 0; 0; 0]);
+  for n = 1:10, mimo_step(worlds, []); end
+  velocity = mimo_get(worlds, 'body_velocity_now', 'test_object2');
+  assert(max(abs(velocity(1, :) - 3 ./ [0.5 4] * 10 * 2 * 0.005)) < 1e-9);
+  assert(numel(mimo_get(worlds, 'body_mass')) == 2 * numel(mimo_names(worlds, 'body')));
+  ball = find(strcmp(mimo_names(worlds, 'body'), 'test_object2')) - 1;
+  mimo_set(worlds, 'body_force', 'test_object2', zeros(6, 1));
+  mimo_set(worlds, 'body_position', 'test_object2', [3; 3; 0.11]);
+  touched = false;
+  for n = 1:20
+    before = mimo_get(worlds, 'body_velocity_now', 'test_object2');
+    mimo_step(worlds, []);
+    change = mimo_get(worlds, 'body_velocity_now', 'test_object2') - before;
+    bodies = reshape(mimo_get(worlds, 'step_contact_bodies', [], 2), 2, []);
+    impulses = reshape(mimo_get(worlds, 'step_contact_impulse', [], 2), 3, []);
+    impulse = sum(impulses(3, bodies(2, :) == ball));
+    assert(abs(impulse - 4 * 9.81 * 0.01 - 4 * change(3, 2)) < 1e-9);
+    touched = touched || impulse > 0;
+  end
+  assert(touched);
+  refused(@() mimo_get(worlds, 'contact_force'), 'mimo:INVALID_ARGUMENT');
   mimo_close(worlds);
 end
 

@@ -80,20 +80,27 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   void observe(Block &blocks, const std::vector<std::uint8_t> &mask = {}) {
     check(mimo_batch_observe(get(), masked(mask), mask.size(), blocks.data(), blocks.bytes()));
   }
-  /// A quantity of these ids in all worlds, world after world; 0 in those that the mask leaves alone.
+  /// A quantity of some elements in all worlds, world after world; 0 in those that the mask leaves alone. Without ids of
+  /// all of its kind.
   std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids,
                                  const std::vector<std::uint8_t> &mask = {}) {
-    std::size_t width = 0;
-    check(mimo_env_width(world(0), quantity, ids.data(), ids.size(), &width));
-    std::vector<double> values(width * size());
-    check(mimo_batch_get(get(), quantity, ids.data(), ids.size(), masked(mask), mask.size(), values.data(),
-                         values.size()));
+    return values_of(quantity, detail::some(ids), ids.size(), mask);
+  }
+  std::vector<double> get_values(std::int32_t quantity) { return values_of(quantity, nullptr, 0, {}); }
+  /// The same in single precision.
+  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
+    std::vector<float> values(width(quantity, detail::some(ids), ids.size()) * size());
+    check(mimo_batch_get_float(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(),
+                               values.size()));
     return values;
   }
   void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values,
                   const std::vector<std::uint8_t> &mask = {}) {
-    check(mimo_batch_set(get(), quantity, ids.data(), ids.size(), masked(mask), mask.size(), values.data(),
+    check(mimo_batch_set(get(), quantity, detail::some(ids), ids.size(), masked(mask), mask.size(), values.data(),
                          values.size()));
+  }
+  void set_values(std::int32_t quantity, const std::vector<double> &values) {
+    check(mimo_batch_set(get(), quantity, nullptr, 0, nullptr, 0, values.data(), values.size()));
   }
 
   /// The states of all worlds, one after the other. Loading takes as many, or one for all.
@@ -112,10 +119,22 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
 
   void set_face(const std::string &name, std::size_t agent = 0) {
-    check(mimo_batch_set_face(get(), agent, name.c_str(), nullptr, 0));
+    const double face = env(0).find(MIMO_FACE, name);
+    set_values(MIMO_AGENT_FACE, {static_cast<std::int32_t>(agent)}, std::vector<double>(size(), face));
   }
 
  private:
+  std::size_t width(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
+    std::size_t width = 0;
+    check(mimo_env_width(world(0), quantity, ids, count, &width));
+    return width;
+  }
+  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count,
+                                const std::vector<std::uint8_t> &mask) {
+    std::vector<double> values(width(quantity, ids, count) * size());
+    check(mimo_batch_get(get(), quantity, ids, count, masked(mask), mask.size(), values.data(), values.size()));
+    return values;
+  }
   static const std::uint8_t *masked(const std::vector<std::uint8_t> &mask) {
     return mask.empty() ? nullptr : mask.data();
   }

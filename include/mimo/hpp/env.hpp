@@ -20,6 +20,12 @@ namespace mimo {
 
 namespace detail {
 inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
+
+/// Ids for the C interface, where NULL means all: an empty vector means none.
+inline const std::int32_t *some(const std::vector<std::int32_t> &ids) {
+  static const std::int32_t none = 0;
+  return ids.empty() ? &none : ids.data();
+}
 }  // namespace detail
 
 /// A world. Ids, kinds and quantities are those of mimo.h.
@@ -186,40 +192,94 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     check(mimo_env_body_of(get(), kind, id, &body));
     return body;
   }
-  /// How many values a quantity has for these ids together.
+  /// How many values a quantity has for these ids together, and for all of its kind.
   std::size_t width(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
     std::size_t count = 0;
-    check(mimo_env_width(get(), quantity, ids.data(), ids.size(), &count));
+    check(mimo_env_width(get(), quantity, detail::some(ids), ids.size(), &count));
     return count;
   }
+  std::size_t width(std::int32_t quantity) const {
+    std::size_t count = 0;
+    check(mimo_env_width(get(), quantity, nullptr, 0, &count));
+    return count;
+  }
+  /// A quantity of some elements, or of all of its kind. MIMO_NOW may be or-ed to it.
   std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
     std::vector<double> values(width(quantity, ids));
-    check(mimo_env_get(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+    check(mimo_env_get(get(), quantity, detail::some(ids), ids.size(), values.data(), values.size()));
+    return values;
+  }
+  std::vector<double> get_values(std::int32_t quantity) const {
+    std::vector<double> values(width(quantity));
+    check(mimo_env_get(get(), quantity, nullptr, 0, values.data(), values.size()));
+    return values;
+  }
+  /// The same in single precision.
+  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
+    std::vector<float> values(width(quantity, ids));
+    check(mimo_env_get_float(get(), quantity, detail::some(ids), ids.size(), values.data(), values.size()));
+    return values;
+  }
+  std::vector<float> get_floats(std::int32_t quantity) const {
+    std::vector<float> values(width(quantity));
+    check(mimo_env_get_float(get(), quantity, nullptr, 0, values.data(), values.size()));
     return values;
   }
   void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
-    check(mimo_env_set(get(), quantity, ids.data(), ids.size(), values.data(), values.size()));
+    check(mimo_env_set(get(), quantity, detail::some(ids), ids.size(), values.data(), values.size()));
+  }
+  /// Of all of its kind.
+  void set_values(std::int32_t quantity, const std::vector<double> &values) {
+    check(mimo_env_set(get(), quantity, nullptr, 0, values.data(), values.size()));
   }
 
   /// Brings the poses of bodies and what they carry up to where the joints are now.
   void update() { check(mimo_env_update(get())); }
 
   /// How many contacts the last physics step computed.
-  std::size_t contact_count() const {
-    std::size_t count = 0;
-    check(mimo_env_contacts(get(), nullptr, nullptr, 0, &count));
-    return count;
-  }
+  std::size_t contact_count() const { return count(MIMO_CONTACT); }
   std::vector<Contact> contacts() const {
-    std::size_t count = contact_count();
-    std::vector<std::int32_t> ids(MIMO_CONTACT_IDS * count);
-    std::vector<double> values(MIMO_CONTACT_VALUES * count);
-    check(mimo_env_contacts(get(), ids.data(), values.data(), count, &count));
-    std::vector<Contact> all;
-    for (std::size_t i = 0; i < count; ++i) {
-      all.push_back(detail::contact_of(&ids[MIMO_CONTACT_IDS * i], &values[MIMO_CONTACT_VALUES * i]));
+    const std::vector<double> geoms = get_values(MIMO_CONTACT_GEOMS), bodies = get_values(MIMO_CONTACT_BODIES),
+                              positions = get_values(MIMO_CONTACT_POSITION), frames = get_values(MIMO_CONTACT_FRAME),
+                              distances = get_values(MIMO_CONTACT_DISTANCE), forces = get_values(MIMO_CONTACT_FORCE),
+                              torques = get_values(MIMO_CONTACT_TORQUE);
+    std::vector<Contact> all(distances.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      detail::put_ids(geoms, i, all[i].geoms);
+      detail::put_ids(bodies, i, all[i].bodies);
+      all[i].position = detail::vector_of(positions, i);
+      all[i].normal = detail::vector_of(frames, 3 * i);
+      all[i].tangents[0] = detail::vector_of(frames, 3 * i + 1);
+      all[i].tangents[1] = detail::vector_of(frames, 3 * i + 2);
+      all[i].distance = distances[i];
+      all[i].force = detail::vector_of(forces, i);
+      all[i].torque = detail::vector_of(torques, i);
     }
     return all;
+  }
+  /// What touched what during the last step, in worlds whose config says step_contacts = 1.
+  std::vector<StepContact> step_contacts() const {
+    const std::vector<double> geoms = get_values(MIMO_STEP_CONTACT_GEOMS),
+                              bodies = get_values(MIMO_STEP_CONTACT_BODIES),
+                              starts = get_values(MIMO_STEP_CONTACT_START), ends = get_values(MIMO_STEP_CONTACT_END),
+                              impulses = get_values(MIMO_STEP_CONTACT_IMPULSE),
+                              forces = get_values(MIMO_STEP_CONTACT_PEAK_FORCE),
+                              positions = get_values(MIMO_STEP_CONTACT_PEAK_POSITION);
+    std::vector<StepContact> all(starts.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      detail::put_ids(geoms, i, all[i].geoms);
+      detail::put_ids(bodies, i, all[i].bodies);
+      all[i].start = starts[i];
+      all[i].end = ends[i];
+      all[i].impulse = detail::vector_of(impulses, i);
+      all[i].peak_force = detail::vector_of(forces, i);
+      all[i].peak_position = detail::vector_of(positions, i);
+    }
+    return all;
+  }
+  /// How many physics steps had a warning (MIMO_WARNING_...) since the world was made.
+  std::uint64_t warning_count(std::int32_t kind) const {
+    return static_cast<std::uint64_t>(get_values(MIMO_WARNING_COUNT, {kind})[0]);
   }
 
   std::size_t touch_sensor_count(std::size_t agent = 0) const {
@@ -283,13 +343,14 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   }
   void reset_timing() { check(mimo_env_timing_reset(get())); }
 
+  /// The face that an agent shows, "" for none; see mimo_face_name.
   std::string face(std::size_t agent = 0) const {
-    const char *name = nullptr;
-    check(mimo_env_face(get(), agent, &name));
-    return name;
+    const auto face = static_cast<std::int32_t>(get_values(MIMO_AGENT_FACE, {static_cast<std::int32_t>(agent)})[0]);
+    return face < 0 ? "" : name(MIMO_FACE, face);
   }
   void set_face(const std::string &name, std::size_t agent = 0) {
-    check(mimo_env_set_face(get(), agent, name.c_str()));
+    const double face = find(MIMO_FACE, name);
+    set_values(MIMO_AGENT_FACE, {static_cast<std::int32_t>(agent)}, {face});
   }
 
   mimo_gaze gaze(std::size_t agent = 0) const {
@@ -319,9 +380,11 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   }
 
   /// Holds a joint at an angle, softly, from the next step on.
-  void lock(std::int32_t joint, double angle) { check(mimo_env_lock(get(), joint, angle)); }
-  void unlock(std::int32_t joint) { check(mimo_env_unlock(get(), joint)); }
-  void set_gravity(double x, double y, double z) { check(mimo_env_set_gravity(get(), x, y, z)); }
+  void lock(std::int32_t joint, double angle) { set_values(MIMO_JOINT_LOCK, {joint}, {1, angle}); }
+  void unlock(std::int32_t joint) {
+    set_values(MIMO_JOINT_LOCK, {joint}, {0, get_values(MIMO_JOINT_LOCK, {joint})[1]});
+  }
+  void set_gravity(double x, double y, double z) { set_values(MIMO_WORLD_GRAVITY, {x, y, z}); }
 
   /// Everything that the future depends on; a world that loads it goes on exactly so.
   std::vector<std::uint8_t> save() const {

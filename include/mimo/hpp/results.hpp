@@ -51,6 +51,16 @@ struct Contact {
   Vector torque;       ///< Likewise, Nm.
 };
 
+/// Two geoms that touched in the last step, in worlds whose config says step_contacts = 1. World frame.
+struct StepContact {
+  std::int32_t geoms[2];
+  std::int32_t bodies[2];  ///< To which the geoms belong.
+  double start, end;       ///< Seconds since the step began.
+  Vector impulse;          ///< On the second body over the whole step, N s.
+  Vector peak_force;       ///< On the second body, the largest of the physics steps', N.
+  Vector peak_position;    ///< Of the strongest contact then, metres.
+};
+
 /// A touch sensor. Metres, in the frame of its body.
 struct TouchSensor {
   std::int32_t body;
@@ -100,18 +110,13 @@ struct Pictures {
 namespace detail {
 inline Vector vector_at(const double *first) { return Vector{{first[0], first[1], first[2]}}; }
 
-inline Contact contact_of(const std::int32_t *ids, const double *values) {
-  Contact contact;
-  std::copy(ids, ids + 2, contact.geoms);
-  std::copy(ids + 2, ids + 4, contact.bodies);
-  contact.position = vector_at(values);
-  contact.normal = vector_at(values + 3);
-  contact.tangents[0] = vector_at(values + 6);
-  contact.tangents[1] = vector_at(values + 9);
-  contact.distance = values[12];
-  contact.force = vector_at(values + 13);
-  contact.torque = vector_at(values + 16);
-  return contact;
+/// The i-th of vectors that lie one behind the other.
+inline Vector vector_of(const std::vector<double> &values, std::size_t i) { return vector_at(&values[3 * i]); }
+
+/// Two ids that came as numbers.
+inline void put_ids(const std::vector<double> &values, std::size_t i, std::int32_t (&ids)[2]) {
+  ids[0] = static_cast<std::int32_t>(values[2 * i]);
+  ids[1] = static_cast<std::int32_t>(values[2 * i + 1]);
 }
 
 /// Makes room for the pixels of a picture that is wanted, and none for another.

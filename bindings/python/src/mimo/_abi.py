@@ -167,7 +167,7 @@ class EnvConfig(Struct):
         ("render", c_uint32),
         ("samples", c_uint32),
         ("render_threads", c_uint32),
-        ("reserved", c_uint32),
+        ("step_contacts", c_uint32),
     ]
 
 
@@ -432,9 +432,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_body_of": (_status, [_Handle, c_int32, c_int32, _Out_i32]),
     "mimo_env_width": (_status, [_Handle, c_int32, _Array, c_size_t, _Out_size]),
     "mimo_env_get": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
+    "mimo_env_get_float": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
     "mimo_env_set": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
     "mimo_env_update": (_status, [_Handle]),
-    "mimo_env_contacts": (_status, [_Handle, _Array, _Array, c_size_t, _Out_size]),
     "mimo_env_touch_sensors": (
         _status,
         [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
@@ -457,13 +457,6 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_reward_term_name": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
     "mimo_env_reward_terms": (_status, [_Handle, c_size_t, _Array, c_size_t]),
     "mimo_env_outcome": (_status, [_Handle, c_size_t, _Out_u8, _Out_u8]),
-    "mimo_env_lock": (_status, [_Handle, c_int32, c_double]),
-    "mimo_env_unlock": (_status, [_Handle, c_int32]),
-    "mimo_env_lock_state": (_status, [_Handle, c_int32, _Out_u8, _Out_f64]),
-    "mimo_env_set_gravity": (_status, [_Handle, c_double, c_double, c_double]),
-    "mimo_env_gravity": (_status, [_Handle, _Array, c_size_t]),
-    "mimo_env_set_face": (_status, [_Handle, c_size_t, c_char_p]),
-    "mimo_env_face": (_status, [_Handle, c_size_t, _Out_text]),
     "mimo_env_state_size": (_status, [_Handle, _Out_size]),
     "mimo_env_state_save": (_status, [_Handle, c_void_p, c_size_t]),
     "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t, _config(LoadReport)]),
@@ -492,11 +485,14 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         _status,
         [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
     ),
+    "mimo_batch_get_float": (
+        _status,
+        [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
+    ),
     "mimo_batch_set": (
         _status,
         [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
     ),
-    "mimo_batch_set_face": (_status, [_Handle, c_size_t, c_char_p, _Array, c_size_t]),
     "mimo_batch_state_save": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
     "mimo_batch_state_load": (
         _status,

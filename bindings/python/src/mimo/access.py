@@ -12,7 +12,7 @@ docs/guide/time-and-frames.md says when and in which frame values are true.
 from __future__ import annotations
 
 import ctypes
-from typing import Any, List, Optional, Tuple, Type, TypeVar, Union, overload
+from typing import Any, List, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,11 +20,12 @@ from numpy.typing import ArrayLike, NDArray
 from ._handle import Handle, Native
 from ._library import LIB, check, text, utf8
 from .arguments import index_in, number_of, whole_number
-from .constants import Kind, Quantity
+from .constants import NOW, Kind, Quantity
 from .layout import Layout, Observation
 
 Mask = Optional[NDArray[np.bool_]]
 Numbers = NDArray[np.float64]
+Which = Union[None, str, Sequence[Union[str, int]]]  # names or numbers of some; None: all of a kind
 SHOWN = 8  # names in a selection's repr
 S = TypeVar("S", bound="Selection")
 
@@ -80,6 +81,27 @@ class Access(Handle):
         """MuJoCo's sensors by name; without names, all of them."""
         return self._select(Sensors, names)
 
+    def lights(self, *names: str) -> "Lights":
+        """Lights by name; without names, all of them."""
+        return self._select(Lights, names)
+
+    def get(self, quantity: Quantity, which: Which = None, now: bool = False, dtype: Any = np.float64) -> Numbers:
+        """A quantity of some elements, by names or numbers, or of all of its kind; in a batch of all worlds.
+
+        Poses and velocities are as mimo_env_get says; with `now` those of the current positions. `dtype` is float64 or
+        float32.
+        """
+        what = Quantity(whole_number("quantity", quantity, Quantity))
+        return self._some(what, which)._get(what, now, dtype)
+
+    def set(self, quantity: Quantity, values: ArrayLike, which: Which = None, mask: Mask = None) -> None:
+        """Writes a quantity of some elements, by names or numbers, or of all of its kind.
+
+        In a batch `values` has a row for each world, or is the same for all; `mask` says which worlds are concerned.
+        """
+        what = Quantity(whole_number("quantity", quantity, Quantity))
+        self._some(what, which)._set(what, values, mask)
+
     def find(self, kind: Kind, name: str) -> int:
         """The number of something by its name."""
         found = ctypes.c_int32()
@@ -124,11 +146,28 @@ class Access(Handle):
         ids = [self.find(kind.kind, name) for name in names] or range(self.count(kind.kind))
         return kind(self, np.array(ids, np.int32))
 
+    def _some(self, quantity: Quantity, which: Which) -> "Selection":
+        """Elements of the kind that a quantity belongs to."""
+        kind = kind_of(quantity)
+        if which is None:
+            ids: Any = range(self.count(kind))
+        else:
+            some = [which] if isinstance(which, str) else which
+            ids = [self.find(kind, one) if isinstance(one, str) else number_of("which", one, 31) for one in some]
+        selection = Selection(self, np.array(ids, np.int32))
+        selection.kind = kind
+        return selection
+
     def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
         raise NotImplementedError
 
     def _write(self, quantity: int, ids: NDArray[np.int32], values: Numbers, mask: Mask) -> None:
         raise NotImplementedError
+
+
+def kind_of(quantity: Quantity) -> Kind:
+    """What a quantity is one of: its name begins so."""
+    return max((kind for kind in Kind if quantity.name.startswith(kind.name)), key=lambda kind: len(kind.name))
 
 
 class Selection:
@@ -164,6 +203,13 @@ class Selection:
             bodies.append(found.value)
         return np.array(bodies, np.int32)
 
+    def read(self, quantity: str, now: bool = False) -> Numbers:
+        """As `selection.quantity`; with `now` a pose or velocity is that of the current positions."""
+        attribute = getattr(type(self), quantity, None)
+        if not isinstance(attribute, Values):
+            raise AttributeError(f"{type(self).__name__.lower()} have no {quantity}")
+        return self._get(attribute.quantity, now)
+
     def write(self, quantity: str, values: ArrayLike, mask: Mask = None) -> None:
         """As `selection.quantity = values`, but in a batch only in the worlds where mask is True."""
         attribute = getattr(type(self), quantity, None)
@@ -171,15 +217,20 @@ class Selection:
             raise AttributeError(f"{quantity} of {type(self).__name__.lower()} cannot be written")
         self._set(attribute.quantity, values, mask)
 
-    def _get(self, quantity: Quantity) -> Numbers:
+    def _get(self, quantity: Quantity, now: bool = False, dtype: Any = np.float64) -> Numbers:
         shape, _ = self._shape(quantity)
-        values = np.empty(shape)
-        self._access._read(quantity, self.ids, values)
+        values = np.empty(shape, dtype)
+        if values.dtype not in (np.float64, np.float32):
+            raise TypeError(f"dtype is {values.dtype}, expected float64 or float32")
+        self._access._read(quantity | NOW if now else quantity, self.ids, values)
         return values
 
     def _set(self, quantity: Quantity, values: ArrayLike, mask: Mask) -> None:
         shape, _ = self._shape(quantity)
-        whole = np.ascontiguousarray(np.broadcast_to(np.asarray(values, np.float64), shape))
+        given = np.asarray(values, np.float64)
+        if [length for length in given.shape if length != 1] == [length for length in shape if length != 1]:
+            given = given.reshape(shape)  # one element or one world needs no axis of its own
+        whole = np.ascontiguousarray(np.broadcast_to(given, shape))
         self._access._write(quantity, self.ids, whole, mask)
 
     def _shape(self, quantity: Quantity) -> Tuple[Tuple[int, ...], int]:
@@ -232,11 +283,12 @@ class Bodies(Selection):
     """Rigid bodies."""
 
     kind = Kind.BODY
-    position = WritableValues(Quantity.BODY_POSITION, "Of the frame's origin, world, m. Writable with a free joint.")
-    orientation = WritableValues(Quantity.BODY_ORIENTATION, "Quaternion w x y z. Writable with a free joint.")
+    position = WritableValues(Quantity.BODY_POSITION, "Of the origin, world, m. Writable with a free joint, or fixed.")
+    orientation = WritableValues(Quantity.BODY_ORIENTATION, "Quaternion w x y z. Writable as the position.")
     velocity = Values(Quantity.BODY_VELOCITY, "Linear (m/s) of the origin, angular (rad/s), world frame: 6.")
-    force = WritableValues(Quantity.BODY_FORCE, "Force (N) and torque (Nm) applied by you until changed: 6.")
-    mass = Values(Quantity.BODY_MASS, "kg.")
+    pose = WritableValues(Quantity.BODY_POSE, "Position and orientation: 7. Writable as they are.")
+    force = WritableValues(Quantity.BODY_FORCE, "Force (N), torque (Nm) that you apply until changed or reset: 6.")
+    mass = WritableValues(Quantity.BODY_MASS, "kg; inertia grows along, outlives resets.")
     center_of_mass = Values(Quantity.BODY_CENTER_OF_MASS, "Of the body alone, world, m.")
 
 
@@ -246,7 +298,9 @@ class Joints(Selection):
     kind = Kind.JOINT
     position = WritableValues(Quantity.JOINT_POSITION, "rad, m, or quaternion.")
     velocity = WritableValues(Quantity.JOINT_VELOCITY, "rad/s, m/s.")
-    force = WritableValues(Quantity.JOINT_FORCE, "Generalised force applied by you until changed.")
+    force = WritableValues(Quantity.JOINT_FORCE, "Generalised force that you apply until changed or reset.")
+    damping = WritableValues(Quantity.JOINT_DAMPING, "Nms/rad, Ns/m; outlives resets.")
+    lock = WritableValues(Quantity.JOINT_LOCK, "1 or 0, held or not, and the angle (rad): 2; outlives resets.")
     acceleration = Values(Quantity.JOINT_ACCELERATION, "rad/s^2, m/s^2.")
     range = Values(Quantity.JOINT_RANGE, "Low and high; -inf and inf when not limited.")
 
@@ -257,7 +311,10 @@ class Geoms(Selection):
     kind = Kind.GEOM
     position = Values(Quantity.GEOM_POSITION, "World, m.")
     orientation = Values(Quantity.GEOM_ORIENTATION, "Quaternion w x y z.")
-    size = Values(Quantity.GEOM_SIZE, "Three numbers by shape, m.")
+    pose = Values(Quantity.GEOM_POSE, "Position and orientation: 7.")
+    size = WritableValues(Quantity.GEOM_SIZE, "Three numbers by shape, m; outlives resets.")
+    friction = WritableValues(Quantity.GEOM_FRICTION, "Sliding, torsional, rolling: 3; outlives resets.")
+    color = WritableValues(Quantity.GEOM_COLOR, "Red, green, blue, opacity, 0 to 1: 4; outlives resets.")
 
 
 class Sites(Selection):
@@ -266,6 +323,7 @@ class Sites(Selection):
     kind = Kind.SITE
     position = Values(Quantity.SITE_POSITION, "World, m.")
     orientation = Values(Quantity.SITE_ORIENTATION, "Quaternion w x y z.")
+    pose = Values(Quantity.SITE_POSE, "Position and orientation: 7.")
 
 
 class Cameras(Selection):
@@ -274,6 +332,7 @@ class Cameras(Selection):
     kind = Kind.CAMERA
     position = Values(Quantity.CAMERA_POSITION, "World, m.")
     orientation = Values(Quantity.CAMERA_ORIENTATION, "Quaternion w x y z.")
+    pose = Values(Quantity.CAMERA_POSE, "Position and orientation: 7.")
 
 
 class Actuators(Selection):
@@ -290,3 +349,12 @@ class Sensors(Selection):
 
     kind = Kind.SENSOR
     value = Values(Quantity.SENSOR_VALUE, "In the sensor's unit.")
+
+
+class Lights(Selection):
+    """Lights; what is set here outlives resets."""
+
+    kind = Kind.LIGHT
+    position = WritableValues(Quantity.LIGHT_POSITION, "In the frame of its body, mostly the world, m.")
+    direction = WritableValues(Quantity.LIGHT_DIRECTION, "Unit vector in that frame.")
+    color = WritableValues(Quantity.LIGHT_COLOR, "Red, green, blue: 3.")

@@ -12,16 +12,16 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Native
-from ._library import LIB, check, message_text, raise_error, utf8
+from ._library import LIB, check, message_text, raise_error
 from .access import Access, Mask, Numbers
 from .arguments import index_in, number_of, whole_number
-from .constants import Autoreset
+from .constants import Autoreset, Kind, Quantity
 from .errors import Error, make_error
 from .layout import Observation
 from .options import Options, refuse_unknown
 from .scene import Scene, prepare
 from .states import LoadReport, reported
-from .world import Contacts, World, contacts_of, env_config, seed_number
+from .world import Contacts, StepContacts, World, contacts_of, env_config, seed_number, step_contacts_of
 
 Seeds = Optional[Union[int, Sequence[int]]]
 
@@ -183,8 +183,12 @@ class Batch(Access):
         """The contacts in one of the worlds, of its last physics step or its reset."""
         return contacts_of(self._world_handle(world))
 
+    def step_contacts(self, world: int) -> StepContacts:
+        """What touched what in one of the worlds during its last step; needs the option step_contacts=True."""
+        return step_contacts_of(self._world_handle(world))
+
     def world(self, index: int) -> World:
-        """One world, between the batch's own calls: its contacts, pictures, locks, state."""
+        """One world, between the batch's own calls: its contacts, pictures, state."""
         index = index_in("world", index, self.world_count)
         world = self._worlds.get(index)
         if world is None:
@@ -209,7 +213,8 @@ class Batch(Access):
 
     def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
         arguments = (quantity, ids.ctypes.data, len(ids), None, 0, values.ctypes.data, values.size)
-        check(LIB.mimo_batch_get(self._handle, *arguments))
+        get = LIB.mimo_batch_get if values.dtype == np.float64 else LIB.mimo_batch_get_float
+        check(get(self._handle, *arguments))
 
     def _write(self, quantity: int, ids: NDArray[np.int32], values: Numbers, mask: Mask) -> None:
         chosen = self._mask(mask)
@@ -226,9 +231,7 @@ class Batch(Access):
 
     def set_face(self, name: str, agent: int = 0, mask: Mask = None) -> None:
         """Gives an infant another face, see mimo.faces()."""
-        chosen = self._mask(mask)
-        count = 0 if chosen is None else self.world_count
-        check(LIB.mimo_batch_set_face(self._handle, self._agent(agent), utf8(name), _data(chosen), count))
+        self.set(Quantity.AGENT_FACE, self.find(Kind.FACE, name), [self._agent(agent)], mask)
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""

@@ -147,7 +147,7 @@ class Time(IntEnum):
 
 
 class Kind(IntEnum):
-    """What a name belongs to."""
+    """What a name or a quantity belongs to."""
 
     BODY = 1
     JOINT = 2
@@ -156,10 +156,17 @@ class Kind(IntEnum):
     CAMERA = 5
     ACTUATOR = 6
     SENSOR = 7
+    LIGHT = 8
+    CONTACT = 9
+    STEP_CONTACT = 10
+    AGENT = 11
+    FACE = 12
+    WORLD = 13
+    WARNING = 14
 
 
 class Quantity(IntEnum):
-    """What can be read, and in part written, by name."""
+    """What can be read, and in part written; mimo.h says what each is."""
 
     JOINT_POSITION = 1
     JOINT_VELOCITY = 2
@@ -183,6 +190,37 @@ class Quantity(IntEnum):
     ACTUATOR_FORCE = 20
     SENSOR_VALUE = 21
     ACTUATOR_GEAR = 22
+    BODY_POSE = 23
+    GEOM_POSE = 24
+    SITE_POSE = 25
+    CAMERA_POSE = 26
+    GEOM_FRICTION = 27
+    GEOM_COLOR = 28
+    JOINT_DAMPING = 29
+    JOINT_LOCK = 30
+    LIGHT_POSITION = 31
+    LIGHT_DIRECTION = 32
+    LIGHT_COLOR = 33
+    CONTACT_GEOMS = 34
+    CONTACT_BODIES = 35
+    CONTACT_POSITION = 36
+    CONTACT_FRAME = 37
+    CONTACT_DISTANCE = 38
+    CONTACT_FORCE = 39
+    CONTACT_TORQUE = 40
+    STEP_CONTACT_GEOMS = 41
+    STEP_CONTACT_BODIES = 42
+    STEP_CONTACT_START = 43
+    STEP_CONTACT_END = 44
+    STEP_CONTACT_IMPULSE = 45
+    STEP_CONTACT_PEAK_FORCE = 46
+    STEP_CONTACT_PEAK_POSITION = 47
+    AGENT_FACE = 48
+    WORLD_GRAVITY = 49
+    WARNING_COUNT = 50
+
+
+NOW = 0x40000000  # or-ed to a quantity: its value of now
 
 
 class Autoreset(IntEnum):

@@ -87,6 +87,7 @@ class PhysicsOptions(TypedDict, total=False):
     jacobian: Jacobian
     disable: Disable
     timing: bool
+    step_contacts: bool
     render: Render
     samples: int
     render_threads: int

@@ -12,10 +12,10 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Native
-from ._library import LIB, check, log_to_python, raise_error, text, utf8
+from ._library import LIB, check, log_to_python, raise_error, text
 from .access import Access, Mask, Numbers
 from .arguments import index_in, number_of, real_number, vector, whole_number
-from .constants import Kind, Look
+from .constants import Kind, Look, Quantity
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
 from .scene import Scene, prepare
@@ -46,7 +46,7 @@ class StepResult(NamedTuple):
 
 
 class Contacts(NamedTuple):
-    """Contacts, one a row; frames, forces and torques as mimo.h explains at MIMO_CONTACT_VALUES."""
+    """Contacts, one a row; frames, forces and torques as mimo.h explains at MIMO_CONTACT_FRAME."""
 
     geoms: NDArray[np.int32]  # n x 2
     bodies: NDArray[np.int32]  # n x 2
@@ -55,6 +55,18 @@ class Contacts(NamedTuple):
     distance: Numbers  # n, negative: overlap
     force: Numbers  # n x 3, on body 2, in the contact's frame, N
     torque: Numbers  # n x 3
+
+
+class StepContacts(NamedTuple):
+    """Pairs of geoms that touched during the last step, one a row; needs the option step_contacts=True."""
+
+    geoms: NDArray[np.int32]  # n x 2
+    bodies: NDArray[np.int32]  # n x 2
+    start: Numbers  # n, s since the step began
+    end: Numbers  # n
+    impulse: Numbers  # n x 3, on body 2, world, N s
+    peak_force: Numbers  # n x 3, on body 2, world, N
+    peak_position: Numbers  # n x 3, world, m
 
 
 class TouchSensors(NamedTuple):
@@ -320,7 +332,8 @@ class World(Access):
     # ---- Named access --------------------------------------------------------------------------------------------
 
     def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
-        check(LIB.mimo_env_get(self._handle, quantity, ids.ctypes.data, len(ids), values.ctypes.data, values.size))
+        get = LIB.mimo_env_get if values.dtype == np.float64 else LIB.mimo_env_get_float
+        check(get(self._handle, quantity, ids.ctypes.data, len(ids), values.ctypes.data, values.size))
 
     def _write(self, quantity: int, ids: NDArray[np.int32], values: Numbers, mask: Mask) -> None:
         if mask is not None:
@@ -338,6 +351,15 @@ class World(Access):
     def contacts(self, world: int = 0) -> Contacts:
         """The contacts that the last physics step computed, or the reset."""
         return contacts_of(self.world(world)._handle)
+
+    def step_contacts(self, world: int = 0) -> StepContacts:
+        """What touched what during the last step; needs the option step_contacts=True."""
+        return step_contacts_of(self.world(world)._handle)
+
+    def warnings(self) -> Dict[str, int]:
+        """How many physics steps had each kind of warning since the world was made: all 0 for a clean run."""
+        counts = self.get(Quantity.WARNING_COUNT)
+        return {self.name(Kind.WARNING, index): int(count) for index, count in enumerate(counts)}
 
     def touch_sensors(self, agent: int = 0) -> TouchSensors:
         """Where an infant's skin feels; empty where touch is off."""
@@ -388,39 +410,35 @@ class World(Access):
 
     def face(self, agent: int = 0) -> str:
         """The face that an infant shows; "" for a body without faces."""
-        name = ctypes.c_char_p()
-        check(LIB.mimo_env_face(self._handle, self._agent(agent), name))
-        return text(name.value)
+        number = int(self.get(Quantity.AGENT_FACE, [self._agent(agent)])[0])
+        return "" if number < 0 else self.name(Kind.FACE, number)
 
     def set_face(self, name: str, agent: int = 0) -> None:
         """Gives an infant another face, see mimo.faces(); pictures show it from the next one on."""
-        check(LIB.mimo_env_set_face(self._handle, self._agent(agent), utf8(name)))
+        self.set(Quantity.AGENT_FACE, self.find(Kind.FACE, name), [self._agent(agent)])
 
     def lock(self, joint: str, angle: float) -> None:
         """Holds a joint at an angle (rad), softly, from the next step on; outlives resets."""
-        check(LIB.mimo_env_lock(self._handle, self.find(Kind.JOINT, joint), real_number("angle", angle)))
+        self.set(Quantity.JOINT_LOCK, [1, real_number("angle", angle)], [joint])
 
     def unlock(self, joint: str) -> None:
         """Lets a joint go, also one that the scene has locked."""
-        check(LIB.mimo_env_unlock(self._handle, self.find(Kind.JOINT, joint)))
+        _, angle = self.get(Quantity.JOINT_LOCK, [joint]).ravel()
+        self.set(Quantity.JOINT_LOCK, [0, angle], [joint])
 
     def locked(self, joint: str) -> Optional[float]:
         """The angle at which a joint is held, or None."""
-        locked, angle = ctypes.c_uint8(), ctypes.c_double()
-        check(LIB.mimo_env_lock_state(self._handle, self.find(Kind.JOINT, joint), locked, angle))
-        return angle.value if locked.value else None
+        held, angle = self.get(Quantity.JOINT_LOCK, [joint]).ravel()
+        return float(angle) if held else None
 
     @property
     def gravity(self) -> Numbers:
         """Gravity, m/s^2, world frame; writable, and outlives resets."""
-        xyz = np.empty(3)
-        check(LIB.mimo_env_gravity(self._handle, xyz.ctypes.data, 3))
-        return xyz
+        return self.get(Quantity.WORLD_GRAVITY).ravel()
 
     @gravity.setter
     def gravity(self, xyz: ArrayLike) -> None:
-        x, y, z = vector("gravity", xyz, 3)
-        check(LIB.mimo_env_set_gravity(self._handle, x, y, z))
+        self.set(Quantity.WORLD_GRAVITY, vector("gravity", xyz, 3))
 
     # ---- Pictures ------------------------------------------------------------------------------------------------
 
@@ -492,20 +510,37 @@ def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
 
 def contacts_of(handle: Native) -> Contacts:
     """The contacts in a world of this handle."""
-    count = ctypes.c_size_t()
-    check(LIB.mimo_env_contacts(handle, None, None, 0, count))
-    n = count.value
-    ids, values = np.empty((n, 4), np.int32), np.empty((n, 19))
-    check(LIB.mimo_env_contacts(handle, ids.ctypes.data, values.ctypes.data, n, count))
     return Contacts(
-        geoms=ids[:, :2],
-        bodies=ids[:, 2:],
-        position=values[:, :3],
-        frame=values[:, 3:12].reshape(n, 3, 3),
-        distance=values[:, 12],
-        force=values[:, 13:16],
-        torque=values[:, 16:],
+        geoms=all_of(handle, Quantity.CONTACT_GEOMS, 2).astype(np.int32),
+        bodies=all_of(handle, Quantity.CONTACT_BODIES, 2).astype(np.int32),
+        position=all_of(handle, Quantity.CONTACT_POSITION, 3),
+        frame=all_of(handle, Quantity.CONTACT_FRAME, 9).reshape(-1, 3, 3),
+        distance=all_of(handle, Quantity.CONTACT_DISTANCE, 1).ravel(),
+        force=all_of(handle, Quantity.CONTACT_FORCE, 3),
+        torque=all_of(handle, Quantity.CONTACT_TORQUE, 3),
     )
+
+
+def step_contacts_of(handle: Native) -> StepContacts:
+    """What touched what during the last step of a world of this handle."""
+    return StepContacts(
+        geoms=all_of(handle, Quantity.STEP_CONTACT_GEOMS, 2).astype(np.int32),
+        bodies=all_of(handle, Quantity.STEP_CONTACT_BODIES, 2).astype(np.int32),
+        start=all_of(handle, Quantity.STEP_CONTACT_START, 1).ravel(),
+        end=all_of(handle, Quantity.STEP_CONTACT_END, 1).ravel(),
+        impulse=all_of(handle, Quantity.STEP_CONTACT_IMPULSE, 3),
+        peak_force=all_of(handle, Quantity.STEP_CONTACT_PEAK_FORCE, 3),
+        peak_position=all_of(handle, Quantity.STEP_CONTACT_PEAK_POSITION, 3),
+    )
+
+
+def all_of(handle: Native, quantity: Quantity, width: int) -> Numbers:
+    """A quantity of all that a world has: a row of `width` numbers for each."""
+    count = ctypes.c_size_t()
+    check(LIB.mimo_env_width(handle, quantity, None, 0, count))
+    values = np.empty((count.value // width, width))
+    check(LIB.mimo_env_get(handle, quantity, None, 0, values.ctypes.data, values.size))
+    return values
 
 
 def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:

@@ -10,10 +10,10 @@ pub const MIMO_VERSION_MINOR: u32 = 1;
 pub const MIMO_VERSION_PATCH: u32 = 0;
 #[doc = "Changes when old callers would break; equals the SONAME's number."]
 pub const MIMO_ABI_VERSION: u32 = 0;
-#[doc = "Version of what is declared here, 0.9; docs/abi.md says what may change."]
+#[doc = "Version of what is declared here, 0.10; docs/abi.md says what may change."]
 pub const MIMO_API_MAJOR: u32 = 0;
 #[doc = "Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`."]
-pub const MIMO_API_MINOR: u32 = 9;
+pub const MIMO_API_MINOR: u32 = 10;
 #[doc = "The call did what it says."]
 pub const MIMO_OK: u32 = 0;
 #[doc = "An argument is NULL, out of range or not finite."]
@@ -194,25 +194,39 @@ pub const MIMO_CAMERA: u32 = 5;
 pub const MIMO_ACTUATOR: u32 = 6;
 #[doc = "MuJoCo's sensors."]
 pub const MIMO_SENSOR: u32 = 7;
+#[doc = "Lights; the headlight is none of them."]
+pub const MIMO_LIGHT: u32 = 8;
+#[doc = "Contacts that the last physics step computed, or the reset. No names."]
+pub const MIMO_CONTACT: u32 = 9;
+#[doc = "Pairs of geoms that touched during the last environment step; see below. No names."]
+pub const MIMO_STEP_CONTACT: u32 = 10;
+#[doc = "Agents, by their index."]
+pub const MIMO_AGENT: u32 = 11;
+#[doc = "Faces that the model has; in built-in bodies in the order of mimo_face_name."]
+pub const MIMO_FACE: u32 = 12;
+#[doc = "The world itself: id 0, without a name."]
+pub const MIMO_WORLD: u32 = 13;
+#[doc = "Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one."]
+pub const MIMO_WARNING: u32 = 14;
 #[doc = "Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."]
 pub const MIMO_JOINT_POSITION: u32 = 1;
 #[doc = "Joint: 1, 3 or 6. Writable."]
 pub const MIMO_JOINT_VELOCITY: u32 = 2;
-#[doc = "Joint: 1, 3 or 6; generalised force applied by you until changed. Writable."]
+#[doc = "Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable."]
 pub const MIMO_JOINT_FORCE: u32 = 3;
 #[doc = "Joint: 1, 3 or 6."]
 pub const MIMO_JOINT_ACCELERATION: u32 = 4;
 #[doc = "Joint: 2, low and high; -inf and inf when not limited."]
 pub const MIMO_JOINT_RANGE: u32 = 5;
-#[doc = "Body: 3, of its frame's origin, world, m. Writable with a free joint."]
+#[doc = "Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without\njoints."]
 pub const MIMO_BODY_POSITION: u32 = 6;
-#[doc = "Body: 4, w x y z. Writable with a free joint."]
+#[doc = "Body: 4, w x y z. Writable as MIMO_BODY_POSITION."]
 pub const MIMO_BODY_ORIENTATION: u32 = 7;
 #[doc = "Body: 6, linear (m/s) of its origin and angular (rad/s), world frame."]
 pub const MIMO_BODY_VELOCITY: u32 = 8;
 #[doc = "Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE."]
 pub const MIMO_BODY_FORCE: u32 = 9;
-#[doc = "Body: 1, kg."]
+#[doc = "Body: 1, kg, > 0. Writable, W: its inertia grows along."]
 pub const MIMO_BODY_MASS: u32 = 10;
 #[doc = "Body: 3, of the body alone, world, m."]
 pub const MIMO_BODY_CENTER_OF_MASS: u32 = 11;
@@ -220,7 +234,7 @@ pub const MIMO_BODY_CENTER_OF_MASS: u32 = 11;
 pub const MIMO_GEOM_POSITION: u32 = 12;
 #[doc = "Geom: 4, w x y z."]
 pub const MIMO_GEOM_ORIENTATION: u32 = 13;
-#[doc = "Geom: 3, by shape."]
+#[doc = "Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes and\nheight fields: what touches and what is seen; mass, inertia and touch sensors stay."]
 pub const MIMO_GEOM_SIZE: u32 = 14;
 #[doc = "Site: 3, world, m."]
 pub const MIMO_SITE_POSITION: u32 = 15;
@@ -236,12 +250,66 @@ pub const MIMO_ACTUATOR_CONTROL: u32 = 19;
 pub const MIMO_ACTUATOR_FORCE: u32 = 20;
 #[doc = "Sensor: its dimension."]
 pub const MIMO_SENSOR_VALUE: u32 = 21;
-#[doc = "Actuator: 1, Nm at control 1; of this world, outlives resets. Writable."]
+#[doc = "Actuator: 1, Nm at control 1. Writable, W."]
 pub const MIMO_ACTUATOR_GEAR: u32 = 22;
-#[doc = "Per contact: geom 1, geom 2, body of geom 1, body of geom 2."]
-pub const MIMO_CONTACT_IDS: u32 = 4;
-#[doc = "Per contact: position 3; frame 9 (rows: normal from geom 1 to geom 2, two tangents; world); distance 1 (negative:\noverlap); force on body 2 in that frame 3, torque 3."]
-pub const MIMO_CONTACT_VALUES: u32 = 19;
+#[doc = "Body: 7, position and orientation. Writable as MIMO_BODY_POSITION."]
+pub const MIMO_BODY_POSE: u32 = 23;
+#[doc = "Geom: 7, position and orientation."]
+pub const MIMO_GEOM_POSE: u32 = 24;
+#[doc = "Site: 7, position and orientation."]
+pub const MIMO_SITE_POSE: u32 = 25;
+#[doc = "Camera: 7, position and orientation."]
+pub const MIMO_CAMERA_POSE: u32 = 26;
+#[doc = "Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the\nmodel says. Writable, W."]
+pub const MIMO_GEOM_FRICTION: u32 = 27;
+#[doc = "Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a\nmaterial. Writable, W."]
+pub const MIMO_GEOM_COLOR: u32 = 28;
+#[doc = "Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W."]
+pub const MIMO_JOINT_DAMPING: u32 = 29;
+#[doc = "Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see mimo_env_set.\n0 and 0 where nothing could hold it."]
+pub const MIMO_JOINT_LOCK: u32 = 30;
+#[doc = "Light: 3, m, in the frame of its body, mostly the world. Writable, W."]
+pub const MIMO_LIGHT_POSITION: u32 = 31;
+#[doc = "Light: 3, unit vector in that frame. Writable (any length), W."]
+pub const MIMO_LIGHT_DIRECTION: u32 = 32;
+#[doc = "Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W."]
+pub const MIMO_LIGHT_COLOR: u32 = 33;
+#[doc = "Contact: 2, ids of geom 1 and geom 2."]
+pub const MIMO_CONTACT_GEOMS: u32 = 34;
+#[doc = "Contact: 2, ids of their bodies."]
+pub const MIMO_CONTACT_BODIES: u32 = 35;
+#[doc = "Contact: 3, world, m."]
+pub const MIMO_CONTACT_POSITION: u32 = 36;
+#[doc = "Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world."]
+pub const MIMO_CONTACT_FRAME: u32 = 37;
+#[doc = "Contact: 1, m; negative: overlap."]
+pub const MIMO_CONTACT_DISTANCE: u32 = 38;
+#[doc = "Contact: 3, on the second body, in the contact's frame, N."]
+pub const MIMO_CONTACT_FORCE: u32 = 39;
+#[doc = "Contact: 3, on the second body, in the contact's frame, Nm."]
+pub const MIMO_CONTACT_TORQUE: u32 = 40;
+#[doc = "Step contact: 2, ids of geom 1 and geom 2."]
+pub const MIMO_STEP_CONTACT_GEOMS: u32 = 41;
+#[doc = "Step contact: 2, ids of their bodies."]
+pub const MIMO_STEP_CONTACT_BODIES: u32 = 42;
+#[doc = "Step contact: 1, when they first touched, s since the step's start."]
+pub const MIMO_STEP_CONTACT_START: u32 = 43;
+#[doc = "Step contact: 1, when they last touched, s since the step's start."]
+pub const MIMO_STEP_CONTACT_END: u32 = 44;
+#[doc = "Step contact: 3, on the second body over the step, world, N s."]
+pub const MIMO_STEP_CONTACT_IMPULSE: u32 = 45;
+#[doc = "Step contact: 3, the largest of the physics steps' forces, on the second body, world, N."]
+pub const MIMO_STEP_CONTACT_PEAK_FORCE: u32 = 46;
+#[doc = "Step contact: 3, of the strongest contact at that time, world, m."]
+pub const MIMO_STEP_CONTACT_PEAK_POSITION: u32 = 47;
+#[doc = "Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face."]
+pub const MIMO_AGENT_FACE: u32 = 48;
+#[doc = "World: 3, m/s^2, world frame. Writable, W."]
+pub const MIMO_WORLD_GRAVITY: u32 = 49;
+#[doc = "Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable with\n0, to count anew."]
+pub const MIMO_WARNING_COUNT: u32 = 50;
+#[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
+pub const MIMO_NOW: u32 = 1073741824;
 #[doc = "Per sensor: outward normal 3, first tangent 3, second tangent 3; body frame."]
 pub const MIMO_TOUCH_FRAME_VALUES: u32 = 9;
 #[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
@@ -487,7 +555,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_unlock lets it go. Position control takes over the"]
+    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control takes over the"]
     #[doc = "locks of the joints that it moves."]
     #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
     #[doc = "@param value rad or m, within the joint's range."]
@@ -823,8 +891,9 @@ pub struct mimo_env_config {
     #[doc = "Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them."]
     #[doc = "Pictures do not differ. Default 1, which is best in batches."]
     pub render_threads: u32,
-    #[doc = "0."]
-    pub reserved: u32,
+    #[doc = "1: what touched what during a step is recorded (MIMO_STEP_CONTACT). Default 0, which"]
+    #[doc = "costs nothing."]
+    pub step_contacts: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults."]
@@ -926,7 +995,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
-    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START."]
+    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next"]
+    #[doc = "step mimo_env_get gives values of the current state, too."]
     pub fn mimo_env_observe(
         env: *mut mimo_env,
         block: *mut std::os::raw::c_void,
@@ -1096,7 +1166,7 @@ extern "C" {
     pub fn mimo_env_count(env: *const mimo_env, kind: i32, count: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Finds something by its name in the model."]
+    #[doc = "Finds something by its name."]
     #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists names that are there."]
     pub fn mimo_env_find(
         env: *const mimo_env,
@@ -1106,7 +1176,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Name of something; \"\" where the model gives none. The string is owned by the environment."]
+    #[doc = "Name of something; \"\" where there is none. The string is owned by the environment."]
     pub fn mimo_env_name(
         env: *const mimo_env,
         kind: i32,
@@ -1115,11 +1185,12 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The body that a joint, geom, site or camera belongs to, or the parent of a body."]
+    #[doc = "The body that a joint, geom, site, camera or light belongs to, or the parent of a body."]
     pub fn mimo_env_body_of(env: *const mimo_env, kind: i32, id: i32, body: *mut i32) -> mimo_status;
 }
 extern "C" {
     #[doc = "How many values a quantity (MIMO_JOINT_POSITION ...) has for a list of ids together."]
+    #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
     pub fn mimo_env_width(
         env: *const mimo_env,
         quantity: i32,
@@ -1130,9 +1201,16 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Reads a quantity of many at once, one after the other."]
-    #[doc = "Positions and velocities of joints, controls and forces set by you are current. Everything else was computed by"]
-    #[doc = "the last physics step from its start (MIMO_AT_LAST_START), or by reset, set and mimo_env_update, whichever came last."]
+    #[doc = "What is never computed (positions and velocities of joints, controls, forces that you apply, and all of W) is"]
+    #[doc = "current. Poses, positions, orientations, centres of mass and velocities of bodies belong to where the last physics"]
+    #[doc = "step started (MIMO_AT_LAST_START), or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or"]
+    #[doc = "set position, if that came later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and"]
+    #[doc = "contacts are computed by physics steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and"]
+    #[doc = "mimo_env_look_angles look at the current positions and change none of these values."]
+    #[doc = "@param quantity    may have MIMO_NOW."]
+    #[doc = "@param ids         NULL with id_count 0: all of the quantity's kind."]
     #[doc = "@param value_count length of values, as mimo_env_width gives it."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for MIMO_NOW with what physics steps compute."]
     pub fn mimo_env_get(
         env: *const mimo_env,
         quantity: i32,
@@ -1143,9 +1221,25 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Writes a quantity of many at once. Quaternions are normalised. When joints or bodies were moved, the poses of"]
-    #[doc = "everything are recomputed (as by mimo_env_update); a moved body keeps its velocity."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, or values that are not finite."]
+    #[doc = "The same in single precision, for engines."]
+    pub fn mimo_env_get_float(
+        env: *const mimo_env,
+        quantity: i32,
+        ids: *const i32,
+        id_count: usize,
+        values: *mut f32,
+        value_count: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Writes a quantity of many at once. Quaternions and directions are normalised. When joints, bodies or lights were"]
+    #[doc = "moved, the poses of everything are recomputed (as by mimo_env_update); a moved body keeps its velocity."]
+    #[doc = "A lock holds its joint softly, from the next step on; the angle lies within the joint's range."]
+    #[doc = "Masses cost about as much as several physics steps, however many are given at once."]
+    #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its range;"]
+    #[doc = "        MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;"]
+    #[doc = "        for a light that follows a body; for the face of an agent without faces. Nothing is written then."]
     pub fn mimo_env_set(
         env: *mut mimo_env,
         quantity: i32,
@@ -1156,23 +1250,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions. The trajectory stays as it was."]
+    #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get gives those of now"]
+    #[doc = "until the next step. The trajectory stays as it was."]
     pub fn mimo_env_update(env: *mut mimo_env) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The contacts that the last physics step computed (or reset), with their forces."]
-    #[doc = "@param ids      n x MIMO_CONTACT_IDS, C order; may be NULL."]
-    #[doc = "@param values   n x MIMO_CONTACT_VALUES, C order; SI units; may be NULL."]
-    #[doc = "@param capacity how many contacts the arrays have room for."]
-    #[doc = "@param count    receives how many there are."]
-    #[doc = "Errors: MIMO_E_BUFFER_TOO_SMALL when there are more than capacity and an array is given; count is set all the same."]
-    pub fn mimo_env_contacts(
-        env: *const mimo_env,
-        ids: *mut i32,
-        values: *mut f64,
-        capacity: usize,
-        count: *mut usize,
-    ) -> mimo_status;
 }
 extern "C" {
     #[doc = "The touch sensors of an agent, in the order of its touch fields. A sensor that stands for a whole small geom sits in"]
@@ -1196,52 +1276,6 @@ extern "C" {
         capacity: usize,
         count: *mut usize,
     ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Gives an agent another face, in this world only. Pictures show it from the next one on."]
-    #[doc = "@param name see mimo_face_name."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists the faces that there are."]
-    pub fn mimo_env_set_face(
-        env: *mut mimo_env,
-        agent: usize,
-        name: *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The face that an agent shows. @param name receives a string owned by the environment; \"\" where it has no faces."]
-    pub fn mimo_env_face(
-        env: *const mimo_env,
-        agent: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Holds a joint at an angle, softly, from the next step on. Locking it again moves the angle."]
-    #[doc = "@param joint a hinge of an infant."]
-    #[doc = "@param angle within the joint's range, rad."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED when the model has no equality for that joint, or the joint is under position control."]
-    pub fn mimo_env_lock(env: *mut mimo_env, joint: i32, angle: f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Lets a joint go, also one that the scene has locked."]
-    pub fn mimo_env_unlock(env: *mut mimo_env, joint: i32) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Whether a joint is held, and at which angle (rad; also that of a lock that is off). Either may be NULL."]
-    pub fn mimo_env_lock_state(
-        env: *const mimo_env,
-        joint: i32,
-        locked: *mut u8,
-        angle: *mut f64,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Sets gravity, m/s^2, world frame."]
-    pub fn mimo_env_set_gravity(env: *mut mimo_env, x: f64, y: f64, z: f64) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Reads gravity. @param xyz receives three numbers."]
-    pub fn mimo_env_gravity(env: *const mimo_env, xyz: *mut f64, count: usize) -> mimo_status;
 }
 #[doc = "Where an infant looks."]
 #[repr(C)]
@@ -1267,7 +1301,8 @@ pub struct mimo_gaze {
     pub miss: f64,
 }
 extern "C" {
-    #[doc = "Where an agent looks, by its eyes' cameras as they are (see mimo_env_get). Set gaze->struct_size first."]
+    #[doc = "Where an agent looks, by its eyes' cameras where mimo_env_get has them: after a step as at the start of the last"]
+    #[doc = "physics step, after mimo_env_update as they are now. Set gaze->struct_size first."]
     pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
 }
 extern "C" {
@@ -1338,7 +1373,7 @@ extern "C" {
     pub fn mimo_picture_config_init(config: *mut mimo_picture_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Draws the current state."]
+    #[doc = "Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays."]
     #[doc = "@param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted."]
     #[doc = "@param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted."]
     #[doc = "@param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted."]
@@ -1354,7 +1389,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Where points of the world lie in the picture that mimo_env_render draws of this state; for drawing over it."]
+    #[doc = "Where points of the world lie in the picture that mimo_env_render draws, of the current positions as well; for"]
+    #[doc = "drawing over it."]
     #[doc = "@param config NULL means defaults, as in mimo_env_render."]
     #[doc = "@param points count x 3, metres, world frame, C order; finite."]
     #[doc = "@param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the"]
@@ -1372,7 +1408,7 @@ extern "C" {
     pub fn mimo_env_state_size(env: *const mimo_env, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, locks, gears, faces, gravity, and what is late."]
+    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, all that mimo_env_set can write, and what is late."]
     #[doc = "The bytes may be kept in a file: machines that store numbers alike read them, and so do later versions."]
     #[doc = "@param state receives mimo_env_state_size bytes; needs no alignment."]
     #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed."]
@@ -1473,7 +1509,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "One world as an environment. All functions of environments work on it, between the batch's own calls: what its"]
-    #[doc = "observations and actions are (the same for all worlds), names, contacts, pictures, locks, state, single steps."]
+    #[doc = "observations and actions are (the same for all worlds), names, contacts, pictures, state, single steps."]
     #[doc = "Different worlds may then be used by different threads, or by tasks of other batches."]
     #[doc = "@param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between"]
     #[doc = "           mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT."]
@@ -1583,6 +1619,7 @@ extern "C" {
 extern "C" {
     #[doc = "Reads a quantity of many ids in many worlds, as mimo_env_get; so that a reward needs one call and no loop."]
     #[doc = "@param values worlds x the width that mimo_env_width gives for the ids."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for contacts, of which worlds have different numbers."]
     pub fn mimo_batch_get(
         batch: *const mimo_batch,
         quantity: i32,
@@ -1591,6 +1628,19 @@ extern "C" {
         mask: *const u8,
         worlds: usize,
         values: *mut f64,
+        value_count: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "The same in single precision, for engines."]
+    pub fn mimo_batch_get_float(
+        batch: *const mimo_batch,
+        quantity: i32,
+        ids: *const i32,
+        id_count: usize,
+        mask: *const u8,
+        worlds: usize,
+        values: *mut f32,
         value_count: usize,
     ) -> mimo_status;
 }
@@ -1605,16 +1655,6 @@ extern "C" {
         worlds: usize,
         values: *const f64,
         value_count: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Gives an agent another face in many worlds, as mimo_env_set_face."]
-    pub fn mimo_batch_set_face(
-        batch: *mut mimo_batch,
-        agent: usize,
-        name: *const std::os::raw::c_char,
-        mask: *const u8,
-        worlds: usize,
     ) -> mimo_status;
 }
 extern "C" {

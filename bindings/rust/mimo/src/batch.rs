@@ -1,7 +1,7 @@
 //! Many worlds.
 use crate::block::Block;
 use crate::config::{defaults, EnvConfig};
-use crate::error::{c_string, check, text, Error, Kind, Result};
+use crate::error::{check, text, Error, Kind, Result};
 use crate::log::Log;
 use crate::scene::Scene;
 use crate::state::LoadReport;
@@ -232,9 +232,8 @@ impl Batch {
 
     /// Gives an infant another face in the worlds whose entry of the mask is true; None: in all.
     pub fn set_face(&mut self, agent: usize, name: &str, mask: Option<&[bool]>) -> Result<()> {
-        let name = c_string(name)?;
-        let (mask, worlds) = chosen(mask);
-        check(unsafe { sys::mimo_batch_set_face(self.handle(), agent, name.as_ptr(), mask, worlds) })
+        let face = self.world(0)?.find(sys::MIMO_FACE, name)? as f64;
+        self.set_in(sys::MIMO_AGENT_FACE, &[agent as i32], &vec![face; self.worlds], mask)
     }
 
     /// The states of all worlds, one after the other; all have the same size.
@@ -284,21 +283,33 @@ impl Batch {
         })
     }
 
+    /// The same in single precision, for engines.
+    pub fn get_f32_into(&self, quantity: u32, ids: &[i32], values: &mut [f32]) -> Result<()> {
+        let (ids, id_count) = (ids.as_ptr(), ids.len());
+        let (into, count) = (values.as_mut_ptr(), values.len());
+        check(unsafe {
+            sys::mimo_batch_get_float(self.handle(), quantity as i32, ids, id_count, null(), 0, into, count)
+        })
+    }
+
     /// Writes a quantity of many ids in all worlds: worlds x [`World::width`].
     pub fn set(&mut self, quantity: u32, ids: &[i32], values: &[f64]) -> Result<()> {
+        self.set_in(quantity, ids, values, None)
+    }
+
+    /// The same, but only in the worlds whose entry of the mask is true; None: in all.
+    pub fn set_in(
+        &mut self,
+        quantity: u32,
+        ids: &[i32],
+        values: &[f64],
+        mask: Option<&[bool]>,
+    ) -> Result<()> {
+        let (mask, worlds) = chosen(mask);
         let (ids, id_count) = (ids.as_ptr(), ids.len());
+        let (from, count) = (values.as_ptr(), values.len());
         check(unsafe {
-            let (from, count) = (values.as_ptr(), values.len());
-            sys::mimo_batch_set(
-                self.handle(),
-                quantity as i32,
-                ids,
-                id_count,
-                null(),
-                self.worlds,
-                from,
-                count,
-            )
+            sys::mimo_batch_set(self.handle(), quantity as i32, ids, id_count, mask, worlds, from, count)
         })
     }
 }

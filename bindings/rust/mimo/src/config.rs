@@ -346,6 +346,12 @@ impl EnvConfig {
         self
     }
 
+    /// What touched what during a step is recorded, for [`World::step_contacts`](crate::World::step_contacts).
+    pub fn step_contacts(&mut self, recorded: bool) -> &mut Self {
+        self.raw.step_contacts = recorded as u32;
+        self
+    }
+
     /// Threads that draw one picture, 1 to 64; 1 is best in batches.
     pub fn render_threads(&mut self, threads: u32) -> &mut Self {
         self.raw.render_threads = threads;

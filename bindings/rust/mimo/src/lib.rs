@@ -61,7 +61,7 @@ pub use senses::{Senses, SensesConfig};
 pub use state::LoadReport;
 pub use steps::{RewardTerm, Timing};
 pub use task::{Moment, Task, TaskField, Verdict};
-pub use world::{Contact, Outcome, Step, TouchSensor, World};
+pub use world::{Contact, Outcome, Step, StepContact, TouchSensor, World};
 
 /// Version of the loaded library, "major.minor.patch".
 pub fn version() -> String {

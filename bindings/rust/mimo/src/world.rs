@@ -66,6 +66,25 @@ pub struct Contact {
     pub torque: [f64; 3],
 }
 
+/// Two geoms that touched during a step; world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepContact {
+    /// Ids of geom 1 and geom 2.
+    pub geoms: [i32; 2],
+    /// Ids of their bodies.
+    pub bodies: [i32; 2],
+    /// When they first touched, seconds since the step began.
+    pub start: f64,
+    /// When they last touched, seconds since the step began.
+    pub end: f64,
+    /// On body 2 over the whole step, N s.
+    pub impulse: [f64; 3],
+    /// On body 2, the largest of the physics steps', N.
+    pub peak_force: [f64; 3],
+    /// Of the strongest contact then, metres.
+    pub peak_position: [f64; 3],
+}
+
 /// A place on the skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TouchSensor {
@@ -298,17 +317,78 @@ impl World {
         })
     }
 
+    /// Reads a quantity of all that there are of its kind.
+    pub fn get_all(&self, quantity: u32) -> Result<Vec<f64>> {
+        let mut count = 0;
+        check(unsafe { sys::mimo_env_width(self.handle(), quantity as i32, null(), 0, &mut count) })?;
+        let mut values = vec![0.0; count];
+        check(unsafe {
+            sys::mimo_env_get(self.handle(), quantity as i32, null(), 0, values.as_mut_ptr(), count)
+        })?;
+        Ok(values)
+    }
+
+    /// Writes a quantity of all that there are of its kind.
+    pub fn set_all(&mut self, quantity: u32, values: &[f64]) -> Result<()> {
+        check(unsafe {
+            sys::mimo_env_set(self.handle(), quantity as i32, null(), 0, values.as_ptr(), values.len())
+        })
+    }
+
+    /// The same as [`get_into`](Self::get_into) in single precision, for engines.
+    pub fn get_f32_into(&self, quantity: u32, ids: &[i32], values: &mut [f32]) -> Result<()> {
+        check(unsafe {
+            sys::mimo_env_get_float(
+                self.handle(),
+                quantity as i32,
+                ids.as_ptr(),
+                ids.len(),
+                values.as_mut_ptr(),
+                values.len(),
+            )
+        })
+    }
+
     /// The contacts that the last physics step computed, with their forces.
     pub fn contacts(&self) -> Result<Vec<Contact>> {
-        let mut count = 0;
-        check(unsafe { sys::mimo_env_contacts(self.handle(), null_mut(), null_mut(), 0, &mut count) })?;
-        let mut ids = vec![[0; sys::MIMO_CONTACT_IDS as usize]; count];
-        let mut values = vec![[0.0; sys::MIMO_CONTACT_VALUES as usize]; count];
-        check(unsafe {
-            let (ids, values) = (ids.as_mut_ptr() as *mut i32, values.as_mut_ptr() as *mut f64);
-            sys::mimo_env_contacts(self.handle(), ids, values, count, &mut count)
-        })?;
-        Ok(ids.iter().zip(&values).map(|(ids, values)| contact(ids, values)).collect())
+        let geoms = self.get_all(sys::MIMO_CONTACT_GEOMS)?;
+        let bodies = self.get_all(sys::MIMO_CONTACT_BODIES)?;
+        let positions = self.get_all(sys::MIMO_CONTACT_POSITION)?;
+        let frames = self.get_all(sys::MIMO_CONTACT_FRAME)?;
+        let distances = self.get_all(sys::MIMO_CONTACT_DISTANCE)?;
+        let forces = self.get_all(sys::MIMO_CONTACT_FORCE)?;
+        let torques = self.get_all(sys::MIMO_CONTACT_TORQUE)?;
+        let contact = |i: usize| Contact {
+            geoms: row(&geoms, i).map(|id| id as i32),
+            bodies: row(&bodies, i).map(|id| id as i32),
+            position: row(&positions, i),
+            frame: row(&frames, i),
+            distance: distances[i],
+            force: row(&forces, i),
+            torque: row(&torques, i),
+        };
+        Ok((0..distances.len()).map(contact).collect())
+    }
+
+    /// What touched what during the last step, in worlds made with [`EnvConfig::step_contacts`](crate::EnvConfig).
+    pub fn step_contacts(&self) -> Result<Vec<StepContact>> {
+        let geoms = self.get_all(sys::MIMO_STEP_CONTACT_GEOMS)?;
+        let bodies = self.get_all(sys::MIMO_STEP_CONTACT_BODIES)?;
+        let starts = self.get_all(sys::MIMO_STEP_CONTACT_START)?;
+        let ends = self.get_all(sys::MIMO_STEP_CONTACT_END)?;
+        let impulses = self.get_all(sys::MIMO_STEP_CONTACT_IMPULSE)?;
+        let forces = self.get_all(sys::MIMO_STEP_CONTACT_PEAK_FORCE)?;
+        let positions = self.get_all(sys::MIMO_STEP_CONTACT_PEAK_POSITION)?;
+        let contact = |i: usize| StepContact {
+            geoms: row(&geoms, i).map(|id| id as i32),
+            bodies: row(&bodies, i).map(|id| id as i32),
+            start: starts[i],
+            end: ends[i],
+            impulse: row(&impulses, i),
+            peak_force: row(&forces, i),
+            peak_position: row(&positions, i),
+        };
+        Ok((0..starts.len()).map(contact).collect())
     }
 
     /// Recomputes poses from the current joint positions. The trajectory stays as it was.
@@ -376,19 +456,9 @@ impl World {
     }
 }
 
-fn contact(ids: &[i32; 4], values: &[f64; 19]) -> Contact {
-    fn part<const N: usize>(values: &[f64], start: usize) -> [f64; N] {
-        let mut part = [0.0; N];
-        part.copy_from_slice(&values[start..start + N]);
-        part
-    }
-    Contact {
-        geoms: [ids[0], ids[1]],
-        bodies: [ids[2], ids[3]],
-        position: part(values, 0),
-        frame: part(values, 3),
-        distance: values[12],
-        force: part(values, 13),
-        torque: part(values, 16),
-    }
+/// The i-th of rows that lie one behind the other.
+fn row<const N: usize>(values: &[f64], i: usize) -> [f64; N] {
+    let mut row = [0.0; N];
+    row.copy_from_slice(&values[N * i..N * (i + 1)]);
+    row
 }

@@ -356,3 +356,48 @@ fn locks_and_gravity_are_of_one_world() {
     assert_eq!(twin.locked(elbow).unwrap(), Some(-0.5));
     assert!(env.lock(elbow, 99.0).unwrap_err().message().contains("angle"));
 }
+
+const BALL: &str = r#"<mujoco><option timestep="0.005"/><worldbody><geom type="plane" size="5 5 .1"/>
+    <body name="ball" pos="0 0 .3"><freejoint/><geom name="ball" size="0.1" mass="2"/></body></worldbody></mujoco>"#;
+
+// v = F / m t, in each world of a batch with its own mass.
+#[test]
+fn masses_differ_from_world_to_world() {
+    let scene = Scene::xml(BALL).unwrap();
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(3).unwrap()).unwrap();
+    let ball = batch.world(0).unwrap().find(MIMO_BODY, "ball").unwrap();
+    let masses = [0.5, 1.0, 4.0];
+    batch.set(MIMO_BODY_MASS, &[ball], &masses).unwrap();
+    batch.set(MIMO_WORLD_GRAVITY, &[0], &[0.0; 9]).unwrap();
+    batch.set(MIMO_BODY_FORCE, &[ball], &[3.0, 0.0, 0.0, 0.0, 0.0, 0.0].repeat(3)).unwrap();
+    let mut results = batch.new_results().unwrap();
+    for _ in 0..10 {
+        batch.step(&[], None, &mut results).unwrap();
+    }
+    let mut velocity = [0.0f32; 18];
+    batch.get_f32_into(MIMO_BODY_VELOCITY | MIMO_NOW, &[ball], &mut velocity).unwrap();
+    for (world, mass) in masses.iter().enumerate() {
+        assert!((velocity[6 * world] as f64 - 3.0 / mass * 10.0 * 2.0 * 0.005).abs() < 1e-6);
+    }
+    assert!(batch.set(MIMO_BODY_MASS, &[ball], &[0.0; 3]).unwrap_err().message().contains("above 0"));
+}
+
+#[test]
+fn contacts_within_a_step_change_the_momentum() {
+    let scene = Scene::xml(BALL).unwrap();
+    let mut config = EnvConfig::new().unwrap();
+    config.frame_skip(20).step_contacts(true);
+    let mut env = Env::new(&scene, &config).unwrap();
+    let mut touched = false;
+    for _ in 0..10 {
+        let before = env.get(MIMO_JOINT_VELOCITY, &[0]).unwrap()[2];
+        env.step(&[], None).unwrap();
+        let change = 2.0 * (env.get(MIMO_JOINT_VELOCITY, &[0]).unwrap()[2] - before);
+        let contacts = env.step_contacts().unwrap();
+        let impulse: f64 = contacts.iter().map(|contact| contact.impulse[2]).sum();
+        assert!((impulse - 2.0 * 9.81 * 0.1 - change).abs() < 1e-9);
+        touched = touched || !contacts.is_empty();
+    }
+    assert!(touched);
+    assert!(env.warnings().unwrap().iter().all(|count| *count == 0));
+}

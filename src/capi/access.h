@@ -1,0 +1,28 @@
+// What functions of named access are given, of worlds and of batches.
+#pragma once
+
+#include <cstdint>
+
+#include "env/access.h"
+
+namespace mimo::capi {
+
+// A quantity, and whether the values of now are meant.
+struct Request {
+  env::Quantity quantity;
+  bool now;
+};
+// Throws Status::kUnsupported for one that this library does not know, kInvalidArgument for one that has no now.
+Request request_from(std::int32_t quantity);
+// The same for writing, where there is only now.
+env::Quantity writable_from(std::int32_t quantity);
+
+env::Kind kind_from(std::int32_t kind);
+
+// Ids as given; NULL with count 0 means all of the quantity's kind.
+env::Ids ids_of(const env::World& world, env::Quantity quantity, const std::int32_t* ids, std::size_t count);
+
+// For a number of values that is not the one needed.
+void check_value_count(std::size_t count, std::size_t expected);
+
+}  // namespace mimo::capi

@@ -1,0 +1,106 @@
+// What named access reads and writes.
+#pragma once
+
+#include <cstdint>
+
+#include "base/span.h"
+#include "env/kinds.h"
+
+namespace mimo::env {
+
+// As mimo.h numbers them (MIMO_JOINT_POSITION ...).
+enum class Quantity : int {
+  kJointPosition = 1,
+  kJointVelocity,
+  kJointForce,
+  kJointAcceleration,
+  kJointRange,
+  kBodyPosition,
+  kBodyOrientation,
+  kBodyVelocity,
+  kBodyForce,
+  kBodyMass,
+  kBodyCenterOfMass,
+  kGeomPosition,
+  kGeomOrientation,
+  kGeomSize,
+  kSitePosition,
+  kSiteOrientation,
+  kCameraPosition,
+  kCameraOrientation,
+  kActuatorControl,
+  kActuatorForce,
+  kSensorValue,
+  kActuatorGear,
+  kBodyPose,
+  kGeomPose,
+  kSitePose,
+  kCameraPose,
+  kGeomFriction,
+  kGeomColor,
+  kJointDamping,
+  kJointLock,
+  kLightPosition,
+  kLightDirection,
+  kLightColor,
+  kContactGeoms,
+  kContactBodies,
+  kContactPosition,
+  kContactFrame,
+  kContactDistance,
+  kContactForce,
+  kContactTorque,
+  kStepContactGeoms,
+  kStepContactBodies,
+  kStepContactStart,
+  kStepContactEnd,
+  kStepContactImpulse,
+  kStepContactPeakForce,
+  kStepContactPeakPosition,
+  kAgentFace,
+  kWorldGravity,
+  kWarningCount,
+};
+constexpr int kQuantities = 50;
+constexpr int kWidest = 9;  // of those with a width of their own
+
+// When a quantity is true.
+enum class Moment {
+  kAlways,  // it is not computed
+  kPose,    // it follows from positions and velocities: as the last physics step had them, or of now
+  kStep,    // physics steps compute it
+};
+
+struct Traits {
+  const char* name;
+  Kind kind;
+  int width;  // 0: depends on the element
+  bool writable;
+  Moment moment;
+};
+const Traits& traits(Quantity quantity);
+
+// How many values one element has.
+int width(const mjModel& model, Quantity quantity, int id);
+
+// Whether other worlds of the same model have as many elements.
+bool is_alike(Kind kind);
+
+// Elements of a quantity's kind: some, by their ids, or the first so many, which are all.
+class Ids {
+ public:
+  explicit Ids(Span<const std::int32_t> some) : some_(some), size_(some.size()) {}
+  explicit Ids(int all) : size_(static_cast<std::size_t>(all)) {}
+
+  std::size_t size() const { return size_; }
+  int operator[](std::size_t i) const { return some_.data() != nullptr ? some_.data()[i] : static_cast<int>(i); }
+
+ private:
+  Span<const std::int32_t> some_;
+  std::size_t size_;
+};
+
+// How many values a quantity has for all ids together. Throws for ids out of range.
+std::size_t width(const World& world, Quantity quantity, const Ids& ids);
+
+}  // namespace mimo::env

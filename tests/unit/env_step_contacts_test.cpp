@@ -1,0 +1,121 @@
+// Contacts of whole environment steps, against the conservation of momentum; and warnings, counted.
+#include <gtest/gtest.h>
+
+#include "support/access.h"
+#include "support/tiny.h"
+#include "support/worlds.h"
+
+namespace mimo::test {
+namespace {
+
+using env::Kind;
+using env::Quantity;
+
+constexpr double kStep = 0.001, kMass = 0.3, kGravity = 9.81;
+constexpr int kSkip = 100;  // physics steps in an environment step
+
+// A ball of 5 cm that falls from 20 cm: it lands, and leaves the floor again, within an environment step of 0.1 s.
+env::World falling(bool recorded) {
+  env::EnvOptions options;
+  options.frame_skip = kSkip;
+  options.step_contacts = recorded;
+  return env::World(compiled("<mujoco><option timestep='0.001'/><worldbody><geom type='plane' size='1 1 .1' "
+                             "solref='-3000 -3'/><body pos='0 0 .25'><freejoint/><geom size='.05' mass='0.3' "
+                             "solref='-3000 -3'/></body></worldbody></mujoco>"),
+                    {}, options);
+}
+
+TEST(StepContacts, ImpulseIsTheChangeOfMomentum) {
+  env::World world = falling(true);
+  bool bounced = false;
+  for (int step = 0; step < 20; ++step) {
+    const Values before = get(world, Quantity::kJointVelocity, {0});
+    world.step({}, nullptr, {});
+    const Values after = get(world, Quantity::kJointVelocity, {0});
+    const int pairs = env::count(world, Kind::kStepContact);
+    ASSERT_LE(pairs, 1);
+    const double impulse = pairs == 0 ? 0 : get(world, Quantity::kStepContactImpulse)[2];
+    const double gravity = -kMass * kGravity * kSkip * kStep;
+    EXPECT_NEAR(impulse + gravity, kMass * (after[2] - before[2]), 1e-9) << step;
+    if (pairs == 0) continue;
+    const double start = get(world, Quantity::kStepContactStart)[0], end = get(world, Quantity::kStepContactEnd)[0];
+    EXPECT_GE(start, 0);
+    EXPECT_LT(start, end);
+    EXPECT_LE(end, kSkip * kStep + 1e-12);
+    EXPECT_EQ(get(world, Quantity::kStepContactGeoms), (Values{0, 1}));
+    EXPECT_EQ(get(world, Quantity::kStepContactBodies), (Values{0, 1}));
+    EXPECT_NEAR(get(world, Quantity::kStepContactPeakPosition)[2], 0, 0.02);
+    EXPECT_GT(get(world, Quantity::kStepContactPeakForce)[2], impulse / (end - start)) << "more than on average";
+    bounced = bounced || (before[2] < -0.5 && after[2] > 0 && env::count(world, Kind::kContact) == 0);
+  }
+  EXPECT_TRUE(bounced) << "a contact that began and ended between two looks at the world";
+}
+
+TEST(StepContacts, NeitherChangeAnythingNorOutliveAReset) {
+  env::World recorded = falling(true), plain = falling(false);
+  for (int step = 0; step < 10; ++step) {
+    recorded.step({}, nullptr, {});
+    plain.step({}, nullptr, {});
+    EXPECT_EQ(copy(recorded.data().qpos, 7), copy(plain.data().qpos, 7));
+  }
+  recorded.step_physics(400);
+  const Bytes state = saved(recorded);
+  ASSERT_GT(env::count(recorded, Kind::kStepContact), 0);
+  load(recorded, state);
+  EXPECT_EQ(env::count(recorded, Kind::kStepContact), 0);
+  recorded.step_physics(400);
+  recorded.reset(nullptr, nullptr);
+  EXPECT_EQ(env::count(recorded, Kind::kStepContact), 0);
+  expect_error(Status::kUnsupported, "set step_contacts", [&] { env::count(plain, Kind::kStepContact); });
+}
+
+// ---- Warnings -------------------------------------------------------------------------------------------------------
+
+double warnings(env::World& world, engine::Warning kind) {
+  return get(world, Quantity::kWarningCount, {static_cast<std::int32_t>(kind)})[0];
+}
+
+TEST(Warnings, NoneInACleanRun) {
+  const auto world = make_world(benchmark_model());
+  for (int i = 0; i < 50; ++i) step(*world, i);
+  EXPECT_EQ(get(*world, Quantity::kWarningCount), Values(engine::kWarnings, 0));
+}
+
+TEST(Warnings, CountStepsThatDropContacts) {
+  env::World world(compiled(pile(16, "<size nconmax='5'/>")), {}, {});
+  world.physics().step(5);
+  EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), 0) << "they have not landed yet";
+  world.physics().step(200);
+  const double landed = warnings(world, engine::Warning::kContactsDropped);
+  EXPECT_GT(landed, 100);
+  world.physics().forward();
+  EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed) << "looking is no step";
+  world.physics().step(7);
+  EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed + 7);
+  world.reset(nullptr, nullptr);
+  EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed + 7) << "since the world was made";
+  set(world, Quantity::kWarningCount, {static_cast<std::int32_t>(engine::Warning::kContactsDropped)}, Values{0});
+  EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), 0);
+}
+
+TEST(Warnings, SolverAtItsLimit) {
+  env::World world(compiled(pile(16, "<option iterations='1' tolerance='0'/>")), {}, {});
+  world.physics().step(300);
+  EXPECT_GT(warnings(world, engine::Warning::kNotConverged), 100);
+}
+
+TEST(Warnings, Divergence) {
+  const auto fail_by = [](Quantity quantity, const Values& values) {
+    env::World world = falling(false);
+    set(world, quantity, {0}, values);
+    EXPECT_THROW(world.step({}, nullptr, {}), Error);
+    world.reset(nullptr, nullptr);
+    return get(world, Quantity::kWarningCount);
+  };
+  EXPECT_EQ(fail_by(Quantity::kJointPosition, {1e200, 0, 0, 1, 0, 0, 0})[3], 1);
+  EXPECT_EQ(fail_by(Quantity::kJointVelocity, {1e200, 0, 0, 0, 0, 0})[4], 1);
+  EXPECT_EQ(fail_by(Quantity::kJointForce, {1e200, 0, 0, 0, 0, 0})[5], 1);
+}
+
+}  // namespace
+}  // namespace mimo::test
