@@ -232,8 +232,8 @@ MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, size_t agent, con
  * before. A task sees the controls that arrive.
  * @param path   a motor by its name, "act:left_elbow", or one of its muscles, "act:left_elbow/negative"; a part of the
  *               body, as MIMO_ACT_ names it: "trunk", "head", "eyes", "right_arm", "left_arm", "right_hand",
- *               "left_hand", "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls concern an action,
- *               the last one counts.
+ *               "left_hand", "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls concern an
+ *               action, the last one counts.
  * @param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0.
  * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent
  *         has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of
