@@ -188,17 +188,17 @@ MIMO_API mimo_status mimo_scene_set_touch(mimo_scene *scene, size_t agent, const
  */
 MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, size_t agent, const char *joint) MIMO_NOEXCEPT;
 
-/** How much less an agent senses than there is to be sensed, or does than it wants. What is not limited costs nothing. */
+/** How much less an agent senses than there is, or does than it wants. What is not limited costs nothing. */
 typedef struct mimo_limits {
   uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
   uint32_t reserved;    /**< 0. */
-  double delay;         /**< Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000 of them.
+  double delay;         /**< Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000.
                              Default 0. */
   double gain;          /**< Factor of all values, 0 to 3.4e38 (the largest float). Default 1. */
   double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's
                              or action's unit (colours: levels of 255). Default 0. */
-  double blur;          /**< Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half their contrast; 0
-                             (default): sharp. 0.05 to 1000. */
+  double blur;          /**< Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half
+                             their contrast; 0 (default): sharp. 0.05 to 1000. */
 } mimo_limits;
 
 /**
@@ -210,9 +210,10 @@ MIMO_API mimo_status mimo_limits_init(mimo_limits *limits, size_t size) MIMO_NOE
 /**
  * Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the
  * picture is blurred, then comes the gain, then the noise, then the delay; before the delay is over, what the episode
- * began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are none.
- * The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any number
- * of looks at a step. What is late is part of the world's state, and no episode senses anything of the one before.
+ * began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are
+ * none. The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any
+ * number of looks at a step. What is late is part of the world's state, and no episode senses anything of the one
+ * before.
  * @param path   a field without its agent's name, "vision/eye_left", or all fields below a path, "touch". Where several
  *               calls concern a field, the last one counts. Gain and noise of "vision" do not concern depth and
  *               segmentation, unless these are named.
@@ -225,14 +226,14 @@ MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, size_t agent, con
 
 /**
  * Limits the way of an agent's actions to its motors, for environments made from now on. Actions are clipped to their
- * bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first ones arrive,
+ * bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first arrive,
  * motors are as the episode began. Noise is new in each step with actions and follows from the world's seed, the step
  * and the action's name. What is on its way is part of the world's state, and no episode gets anything of the one
  * before. A task sees the controls that arrive.
  * @param path   a motor by its name, "act:left_elbow", or one of its muscles, "act:left_elbow/negative"; a part of the
- *               body, as MIMO_ACT_ names it: "trunk", "head", "eyes", "right_arm", "left_arm", "right_hand", "left_hand",
- *               "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls concern an action,
- *               the last one counts.
+ *               body, as MIMO_ACT_ names it: "trunk", "head", "eyes", "right_arm", "left_arm", "right_hand",
+ *               "left_hand", "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls concern an
+ *               action, the last one counts.
  * @param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0.
  * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent
  *         has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of

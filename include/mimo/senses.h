@@ -22,13 +22,13 @@ typedef struct mimo_senses mimo_senses;
 /** What the host simulates with, and how it is to be looked at. */
 typedef struct mimo_senses_config {
   uint32_t struct_size;    /**< sizeof(mimo_senses_config), set by mimo_senses_config_init. */
-  int32_t mujoco_version;  /**< mj_version() of the host, which has to set it; has to be that of mimo_mujoco_version, 222
-                                for "2.2.2". */
+  int32_t mujoco_version;  /**< mj_version() of the host, which has to set it: that of mimo_mujoco_version, 222 for
+                                "2.2.2". */
   size_t model_size;       /**< sizeof(mjModel) as the host's compiler knows it; 0 (default) where it cannot know, as in
                                 Python. */
   size_t data_size;        /**< sizeof(mjData), likewise. */
-  double step;             /**< Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time step,
-                                so once every mj_step. Delays are counted in such steps. */
+  double step;             /**< Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time
+                                step, so once every mj_step. Delays are counted in such steps. */
   const char *renderer;    /**< As in mimo_env_config. */
   mimo_log_fn log;         /**< Messages while senses are attached, or NULL. */
   void *log_user;          /**< Passed to log. */

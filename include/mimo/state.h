@@ -3,10 +3,11 @@
  * State: everything that the future of a world depends on, as bytes. A world that loads a state continues
  * exactly as the one that saved it, to the last bit, for as long as it is given the same actions.
  *
- * A state is made of sections with names and versions: "physics", "overrides", "random", "episode", one for each agent's
- * task and actuation ("agent/anna/task"), and one for everything that is remembered: senses and motors with a delay
- * ("delay/anna/touch/force", "agent/anna/motor delay"). What is remembered may be missing, as in a state of a world that
- * senses differently: it then starts fresh. A state that a library of version 1.x saved is read by all later 1.y.
+ * A state is made of sections with names and versions: "physics", "overrides", "random", "episode", one for each
+ * agent's task and actuation ("agent/anna/task"), and one for everything that is remembered: senses and motors with a
+ * delay ("delay/anna/touch/force", "agent/anna/motor delay"). What is remembered may be missing, as in a state of a
+ * world that senses differently: it then starts fresh. A state that a library of version 1.x saved is read by all later
+ * 1.y.
  */
 #ifndef MIMO_STATE_H
 #define MIMO_STATE_H
@@ -32,8 +33,8 @@ MIMO_API mimo_status mimo_env_state_save(const mimo_env *env, void *state, size_
 typedef struct mimo_load_report {
   uint32_t struct_size;      /**< sizeof(mimo_load_report), set by the caller. */
   uint32_t reserved;         /**< 0. */
-  size_t fresh;              /**< How many memories the state did not hold, or held of another length or delay: they start
-                                  fresh, with the first that is sensed in a step, or with no action on its way. */
+  size_t fresh;              /**< How many memories the state did not hold, or held of another length or delay: they
+                                  start fresh, with the first that is sensed in a step, or no action on its way. */
   size_t ignored;            /**< How many memories of the state this world does not have. */
   const char *fresh_names;   /**< Their sections' names, ", " between them, "" for none. Both strings are owned by the
                                   handle and valid until its next load. */
@@ -42,8 +43,8 @@ typedef struct mimo_load_report {
 
 /**
  * Loads a state that was saved from a world of the same model, agents, actuation and task; its senses may have been
- * others, and others may have been late. Poses and velocities of bodies are then those of the state; contacts, sensors and forces are zero until the
- * next step or mimo_env_observe. Makes a failed world usable again.
+ * others, and others may have been late. Poses and velocities of bodies are then those of the state; contacts, sensors
+ * and forces are zero until the next step or mimo_env_observe. Makes a failed world usable again.
  * @param state_bytes the state's own size, no more and no less: mimo_env_state_size of the world that saved it.
  * @param report      receives what started fresh; may be NULL.
  * Errors: MIMO_E_INVALID_ARGUMENT for a state of something else, a damaged one, or one that was cut short,

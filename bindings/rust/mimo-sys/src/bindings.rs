@@ -786,7 +786,7 @@ extern "C" {
         joint: *const std::os::raw::c_char,
     ) -> mimo_status;
 }
-#[doc = "How much less an agent senses than there is to be sensed, or does than it wants. What is not limited costs nothing."]
+#[doc = "How much less an agent senses than there is, or does than it wants. What is not limited costs nothing."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_limits {
@@ -794,7 +794,7 @@ pub struct mimo_limits {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000 of them."]
+    #[doc = "Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000."]
     #[doc = "Default 0."]
     pub delay: f64,
     #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
@@ -802,8 +802,8 @@ pub struct mimo_limits {
     #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's"]
     #[doc = "or action's unit (colours: levels of 255). Default 0."]
     pub noise: f64,
-    #[doc = "Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half their contrast; 0"]
-    #[doc = "(default): sharp. 0.05 to 1000."]
+    #[doc = "Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half"]
+    #[doc = "their contrast; 0 (default): sharp. 0.05 to 1000."]
     pub blur: f64,
 }
 extern "C" {
@@ -814,9 +814,10 @@ extern "C" {
 extern "C" {
     #[doc = "Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the"]
     #[doc = "picture is blurred, then comes the gain, then the noise, then the delay; before the delay is over, what the episode"]
-    #[doc = "began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are none."]
-    #[doc = "The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any number"]
-    #[doc = "of looks at a step. What is late is part of the world's state, and no episode senses anything of the one before."]
+    #[doc = "began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are"]
+    #[doc = "none. The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any"]
+    #[doc = "number of looks at a step. What is late is part of the world's state, and no episode senses anything of the one"]
+    #[doc = "before."]
     #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
     #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
     #[doc = "              segmentation, unless these are named."]
@@ -832,14 +833,14 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Limits the way of an agent's actions to its motors, for environments made from now on. Actions are clipped to their"]
-    #[doc = "bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first ones arrive,"]
+    #[doc = "bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first arrive,"]
     #[doc = "motors are as the episode began. Noise is new in each step with actions and follows from the world's seed, the step"]
     #[doc = "and the action's name. What is on its way is part of the world's state, and no episode gets anything of the one"]
     #[doc = "before. A task sees the controls that arrive."]
     #[doc = "@param path   a motor by its name, \"act:left_elbow\", or one of its muscles, \"act:left_elbow/negative\"; a part of the"]
-    #[doc = "              body, as MIMO_ACT_ names it: \"trunk\", \"head\", \"eyes\", \"right_arm\", \"left_arm\", \"right_hand\", \"left_hand\","]
-    #[doc = "              \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\", all. Where several calls concern an action,"]
-    #[doc = "              the last one counts."]
+    #[doc = "              body, as MIMO_ACT_ names it: \"trunk\", \"head\", \"eyes\", \"right_arm\", \"left_arm\", \"right_hand\","]
+    #[doc = "              \"left_hand\", \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\", all. Where several calls concern an"]
+    #[doc = "              action, the last one counts."]
     #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0."]
     #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent"]
     #[doc = "        has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of"]
@@ -1426,8 +1427,8 @@ pub struct mimo_load_report {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "How many memories the state did not hold, or held of another length or delay: they start"]
-    #[doc = "fresh, with the first that is sensed in a step, or with no action on its way."]
+    #[doc = "How many memories the state did not hold, or held of another length or delay: they"]
+    #[doc = "start fresh, with the first that is sensed in a step, or no action on its way."]
     pub fresh: usize,
     #[doc = "How many memories of the state this world does not have."]
     pub ignored: usize,
@@ -1439,8 +1440,8 @@ pub struct mimo_load_report {
 }
 extern "C" {
     #[doc = "Loads a state that was saved from a world of the same model, agents, actuation and task; its senses may have been"]
-    #[doc = "others, and others may have been late. Poses and velocities of bodies are then those of the state; contacts, sensors and forces are zero until the"]
-    #[doc = "next step or mimo_env_observe. Makes a failed world usable again."]
+    #[doc = "others, and others may have been late. Poses and velocities of bodies are then those of the state; contacts, sensors"]
+    #[doc = "and forces are zero until the next step or mimo_env_observe. Makes a failed world usable again."]
     #[doc = "@param state_bytes the state's own size, no more and no less: mimo_env_state_size of the world that saved it."]
     #[doc = "@param report      receives what started fresh; may be NULL."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a state of something else, a damaged one, or one that was cut short,"]
@@ -1883,16 +1884,16 @@ pub struct mimo_senses {
 pub struct mimo_senses_config {
     #[doc = "sizeof(mimo_senses_config), set by mimo_senses_config_init."]
     pub struct_size: u32,
-    #[doc = "mj_version() of the host, which has to set it; has to be that of mimo_mujoco_version, 222"]
-    #[doc = "for \"2.2.2\"."]
+    #[doc = "mj_version() of the host, which has to set it: that of mimo_mujoco_version, 222 for"]
+    #[doc = "\"2.2.2\"."]
     pub mujoco_version: i32,
     #[doc = "sizeof(mjModel) as the host's compiler knows it; 0 (default) where it cannot know, as in"]
     #[doc = "Python."]
     pub model_size: usize,
     #[doc = "sizeof(mjData), likewise."]
     pub data_size: usize,
-    #[doc = "Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time step,"]
-    #[doc = "so once every mj_step. Delays are counted in such steps."]
+    #[doc = "Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time"]
+    #[doc = "step, so once every mj_step. Delays are counted in such steps."]
     pub step: f64,
     #[doc = "As in mimo_env_config."]
     pub renderer: *const std::os::raw::c_char,
