@@ -7,7 +7,6 @@ reasons below does not say why, and where it gives a reason for one that is reac
 """
 
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -26,9 +25,12 @@ LANGUAGES = {
 
 # Why a language does not reach a function: one reason for all whose names match.
 REASONS = [
-    ("MATLAB", "mimo_task_init|mimo_task_field_init|mimo_scene_set_task|mimo_fail",
-     "MATLAB runs its code on one thread only, and the library asks a task from its own threads while it steps: rewards"
-     " are computed after the step, from named access."),
+    (
+        "MATLAB",
+        "mimo_task_init|mimo_task_field_init|mimo_scene_set_task|mimo_fail",
+        "MATLAB runs its code on one thread only, and the library asks a task from its own threads while it steps:"
+        " rewards are computed after the step, from named access.",
+    ),
 ]
 
 
@@ -67,11 +69,13 @@ def table():
             for language, names in has.items():
                 why = reason(language, function)
                 if (function in names) == (why is not None):
-                    wrong.append(f"{language}: {function} is {'reached, and has a reason not to be' if why is not None else 'not reached, without a reason'}")
+                    what = "reached, and has a reason not to be" if why is not None else "not reached, without a reason"
+                    wrong.append(f"{language}: {function} is {what}")
                 used.add(why)
                 cells.append("yes" if function in names else f"[{why + 1}](#reasons)" if why is not None else "no")
             lines.append(f"| `{function}` | {' | '.join(cells)} |")
-    wrong += [f"nothing is left of the reason for {pattern}" for i, (_, pattern, _) in enumerate(REASONS) if i not in used]
+    unused = [pattern for i, (_, pattern, _) in enumerate(REASONS) if i not in used]
+    wrong += [f"nothing is left of the reason for {pattern}" for pattern in unused]
     lines += ["", "## Reasons", ""] + [f"{i + 1}. {text}" for i, (_, _, text) in enumerate(REASONS)]
     return "\n".join(lines).strip(), wrong
 

@@ -192,7 +192,7 @@ static void check_steps(mimo_env* env, rules* rule) {
     first[step - 1] = reward;
     if (step == 8) CHECK_OK(mimo_env_state_save(env, state, state_bytes));
   }
-  CHECK_OK(mimo_env_state_load(env, state, state_bytes));
+  CHECK_OK(mimo_env_state_load(env, state, state_bytes, NULL));
   CHECK_OK(mimo_env_observe(env, block, bytes));
   CHECK(floats(block, reached)[0] == 8);
   for (step = 9; step <= STEPS; ++step) {
@@ -372,7 +372,7 @@ static void check_mistakes(mimo_env* env, rules* rule) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "gave agent 0 truncated as 9, expected 0 or 1", step_once(env));
   rule->mistake = NO_MISTAKE;
   CHECK_OK(mimo_env_state_save(env, state, state_bytes)); /* holds numbers only */
-  CHECK_OK(mimo_env_state_load(env, state, state_bytes));
+  CHECK_OK(mimo_env_state_load(env, state, state_bytes, NULL));
   CHECK_OK(mimo_env_observe(env, block, bytes));
   CHECK(floats(block, field_named(env, "reached"))[0] == 1); /* of the last step that was good */
   CHECK_OK(step_once(env));

@@ -78,9 +78,9 @@ def test_a_state_tells_what_it_lacks():
 
 
 def test_bad_limits_are_refused():
-    with pytest.raises(ValueError, match="delay is -1.*expected seconds"):
+    with pytest.raises(ValueError, match=r"delay is -1.*expected seconds"):
         infant(delay=-1)
-    with pytest.raises(ValueError, match="delay is 11 s, which is 1100 steps of 0.01 s"):
+    with pytest.raises(ValueError, match=r"delay is 11 s, which is 1100 steps of 0.01 s"):
         infant(delay=11)
     with pytest.raises(TypeError, match="delay is 'soon', expected a number"):
         infant(delay="soon")

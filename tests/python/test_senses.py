@@ -139,7 +139,7 @@ def test_what_senses_cannot_do_is_refused(humanoid):
     scene.limit_motor(delay=0.1)
     with pytest.raises(mimo.UnsupportedError, match="the host commands them"):
         mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version)
-    with pytest.raises(TypeError, match="frame_skip.*There are: .*step"):
+    with pytest.raises(TypeError, match=r"frame_skip.*There are: .*step"):
         mimo.Senses(described("torso"), humanoid.model, mujoco_version=humanoid.version, frame_skip=2)
-    with late_senses(humanoid) as senses, pytest.raises(ValueError, match="state: .* too few"):
+    with late_senses(humanoid) as senses, pytest.raises(ValueError, match=r"state: .* too few"):
         senses.load(b"nothing")

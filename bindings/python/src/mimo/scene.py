@@ -154,9 +154,10 @@ class Scene(Handle):
         check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 64), utf8(path), limits))
         self._remember("limit_sense", path, gain=gain, noise=noise, delay=delay, blur=blur, agent=agent)
 
-    def limit_motor(self, path: str = "", *, gain: float = 1, noise: float = 0, delay: float = 0, agent: int = 0) -> None:
-        """Limits the way of actions to a motor ("act:left_elbow"), to those of a part of the body ("left_arm"), or to
-        all.
+    def limit_motor(
+        self, path: str = "", *, gain: float = 1, noise: float = 0, delay: float = 0, agent: int = 0
+    ) -> None:
+        """Limits the way of actions to a motor ("act:left_elbow"), a part of the body ("left_arm"), or all of it.
 
         Actions get a factor, Gaussian noise of a standard deviation in their unit, and a delay in seconds.
         """

@@ -63,7 +63,8 @@ class Senses(Handle):
 
     def reset(self, data: Any, seed: Optional[int] = None) -> None:
         """Starts an episode: nothing was sensed before what data hold; noise follows from the seed."""
-        check(LIB.mimo_senses_reset(self._handle, _address_of(data), None if seed is None else ctypes.byref(seed_number(seed))))
+        start = None if seed is None else ctypes.byref(seed_number(seed))
+        check(LIB.mimo_senses_reset(self._handle, _address_of(data), start))
 
     def advance(self, data: Any) -> None:
         """One step later, to be called once a step and before observe: senses with a delay take in what data hold."""
