@@ -46,6 +46,22 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
 pub const MIMO_LOG_INFO: u32 = 2;
+#[doc = "More contacts than the model has room for."]
+pub const MIMO_WARNING_CONTACTS_DROPPED: u32 = 1;
+#[doc = "More constraints than the model has room for."]
+pub const MIMO_WARNING_CONSTRAINTS_DROPPED: u32 = 2;
+#[doc = "Not finite, or unrealistically large."]
+pub const MIMO_WARNING_BAD_POSITION: u32 = 3;
+#[doc = "The same."]
+pub const MIMO_WARNING_BAD_VELOCITY: u32 = 4;
+#[doc = "The same."]
+pub const MIMO_WARNING_BAD_ACCELERATION: u32 = 5;
+#[doc = "The same."]
+pub const MIMO_WARNING_BAD_CONTROL: u32 = 6;
+#[doc = "An inertia matrix that cannot be inverted."]
+pub const MIMO_WARNING_INERTIA: u32 = 7;
+#[doc = "The solver took all its iterations."]
+pub const MIMO_WARNING_NOT_CONVERGED: u32 = 8;
 #[doc = "size: radius."]
 pub const MIMO_SHAPE_SPHERE: u32 = 1;
 #[doc = "size: radius, half length of the cylindrical part (along z)."]
@@ -214,8 +230,10 @@ pub const MIMO_AGENT: u32 = 11;
 pub const MIMO_FACE: u32 = 12;
 #[doc = "The world itself: id 0, without a name."]
 pub const MIMO_WORLD: u32 = 13;
-#[doc = "Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one."]
+#[doc = "Kinds of warnings, by the ids below."]
 pub const MIMO_WARNING: u32 = 14;
+#[doc = "Any other one."]
+pub const MIMO_WARNING_OTHER: u32 = 0;
 #[doc = "Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."]
 pub const MIMO_JOINT_POSITION: u32 = 1;
 #[doc = "Joint: 1, 3 or 6. Writable."]
@@ -412,7 +430,7 @@ pub struct mimo_log_record {
     pub level: i32,
     #[doc = "What it is about: a MIMO_WARNING_ constant where physics warns, else 0."]
     pub code: i32,
-    #[doc = "1: it comes from a world; 0: from a scene, or from making a world."]
+    #[doc = "1: a world's physics warns; 0: a scene, a model or a renderer has something to say."]
     pub in_world: u32,
     #[doc = "One line, UTF-8."]
     pub text: *const std::os::raw::c_char,
@@ -1750,10 +1768,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Starts a step and returns at once, so that the caller can do something else meanwhile. The actions are copied; the"]
-    #[doc = "blocks, and the arrays that results points to, are written to until mimo_batch_receive; the struct itself is not"]
-    #[doc = "kept. Nothing but mimo_batch_receive and"]
-    #[doc = "mimo_batch_destroy can be called in between."]
+    #[doc = "Starts a step and returns at once, so that the caller can do something else meanwhile. Until mimo_batch_receive the"]
+    #[doc = "actions are read, and the blocks and what results points to are written: they have to stay where they are. The struct"]
+    #[doc = "results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between."]
     pub fn mimo_batch_send(
         batch: *mut mimo_batch,
         actions: *const f32,
