@@ -3,6 +3,7 @@ use crate::error::{c_string, Result};
 use crate::structs::{defaults, pointer};
 use crate::sys;
 use std::ffi::CString;
+use std::ptr::null;
 
 /// A further field of the observation, of `f32`: a quantity of parts of the scene, where [`World::get`](crate::World::get)
 /// is asked for it otherwise. Its shape is elements x values of each; elements alone where they have one value each; and
@@ -40,7 +41,7 @@ impl FieldConfig {
         let elements: Vec<_> = self.elements.iter().map(|element| element.as_ptr()).collect();
         use_it(&sys::mimo_field_config {
             name: self.name.as_ptr(),
-            elements: elements.as_ptr(),
+            elements: if elements.is_empty() { null() } else { elements.as_ptr() },
             element_count: elements.len(),
             relative_to: pointer(&self.relative_to),
             ..self.raw
