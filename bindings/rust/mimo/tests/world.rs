@@ -210,13 +210,14 @@ fn scenes_warn_of_places() {
     assert_eq!((*level, *code, *world, *time), (Level::Warning, 0, None, 0.0), "{}", text);
 }
 
-/// MJCF asks for more than it may.
+/// Three elements in the world, of which two are allowed.
 #[test]
 fn documents_are_limited() {
     let mut config = SceneConfig::xml(CROWDED).unwrap();
-    assert!(Scene::new(&config).is_ok());
+    let make = |config: &SceneConfig| Env::new(&Scene::new(config).unwrap(), &EnvConfig::new().unwrap());
+    assert!(make(&config).is_ok());
     config.limits(mimo::DocumentLimits { max_elements: 2, ..Default::default() });
-    assert_eq!(Scene::new(&config).unwrap_err().kind(), Kind::Model);
+    assert_eq!(make(&config).unwrap_err().kind(), Kind::Model);
 }
 
 #[test]
