@@ -3,7 +3,7 @@
 use mimo::sys::*;
 use mimo::{Env, EnvConfig, FieldConfig, Layout, Object, Reset, Scene};
 
-/// A ball falls on the legs of an infant that lies on its back.
+/// A ball falls on an infant that lies on its back.
 fn make_world() -> mimo::Result<Env> {
     let mut scene = Scene::builtin("free")?;
     let mut agent = scene.default_agent()?;
@@ -11,7 +11,7 @@ fn make_world() -> mimo::Result<Env> {
     agent.vision(0, 8, 8);
     agent.place_by(MIMO_PLACE_LOWEST, [0.0, 0.0, 0.0], [half, 0.0, -half, 0.0]);
     scene.add_agent(&agent)?;
-    scene.add_object(Object::new("ball")?.position([0.15, 0.0, 0.4]))?;
+    scene.add_object(Object::new("ball")?.position([0.15, 0.0, 0.4]).mass(0.5))?;
     let mut place = FieldConfig::new("ball/position", MIMO_BODY_POSITION | MIMO_NOW, &["ball"])?;
     scene.add_field(place.relative_to("head")?)?;
     Env::new(&scene, &EnvConfig::new()?)
@@ -47,16 +47,17 @@ fn main() -> mimo::Result<()> {
     let receptors = env.layout()?.receptors(touch)?;
     let mut block = env.new_block()?;
     env.reset(Reset::new().seed(1), Some(&mut block))?;
-    for step in 1..=50 {
-        env.step(&[], Some(&mut block))?;
-        if step % 10 == 0 {
-            let (receptor, force) = strongest(block.f32("touch/force")?);
-            println!(
-                "the ball is at {:.2?} m from the head; {} feels most, {:.2} N",
-                block.f32("ball/position")?,
-                env.name(MIMO_BODY, receptors[receptor].body)?,
-                force
-            );
+    for _ in 0..10 {
+        let (receptor, force) = strongest(block.f32("touch/force")?);
+        println!(
+            "{:.2} s: the ball is at {:.2?} m from the head; the {} feels most, {:.1} N",
+            env.time()?,
+            block.f32("ball/position")?,
+            env.name(MIMO_BODY, receptors[receptor].body)?,
+            force
+        );
+        for _ in 0..4 {
+            env.step(&[], Some(&mut block))?;
         }
     }
     Ok(())
