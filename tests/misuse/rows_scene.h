@@ -86,7 +86,7 @@ ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_in
       LIMITS_REAL(delay, -0.01), UNREAL(limits, mimo_limits, gain, "gain"), LIMITS_REAL(gain, -1),     \
       UNREAL(limits, mimo_limits, noise, "noise"), LIMITS_REAL(noise, -0.5),                           \
       UNREAL(limits, mimo_limits, blur, "blur"), LIMITS_REAL(blur, -1), LIMITS_REAL(blur, 0.01),       \
-      LIMITS_REAL(blur, 1001), BAD_FIELD(limits, mimo_limits, reserved, 1, "reserved")
+      LIMITS_REAL(blur, 1001), UNKNOWN_FIELD(limits, mimo_limits, reserved, 1, "reserved")
 ROW(mimo_scene_limit_sense, ON_SCENE, mimo_scene_limit_sense(a->scene, a->agent_index, a->path, a->limits),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(path, "path"), LIMITS)
 ROW(mimo_scene_limit_motor, ON_SCENE, mimo_scene_limit_motor(a->scene, a->agent_index, a->motor_path, a->limits),
