@@ -13,7 +13,7 @@ MIMO_FIRST_SIZE(mimo_gaze, 144);
 MIMO_FIRST_SIZE(mimo_picture_config, 80);
 MIMO_FIRST_SIZE(mimo_timing, 64);
 MIMO_FIRST_SIZE(mimo_batch_config, 24);
-MIMO_FIRST_SIZE(mimo_batch_results, 88);
+MIMO_FIRST_SIZE(mimo_batch_results, 112);
 MIMO_FIRST_SIZE(mimo_load_report, 40);
 MIMO_FIRST_SIZE(mimo_senses_config, 72);
 MIMO_FIRST_SIZE(mimo_task, 72);

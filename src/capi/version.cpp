@@ -8,6 +8,8 @@ extern "C" {
 
 uint32_t mimo_abi_version(void) noexcept { return MIMO_ABI_VERSION; }
 
+uint32_t mimo_api_version(void) noexcept { return MIMO_API_VERSION; }
+
 const char* mimo_version(void) noexcept {
   return MIMO_TEXT(MIMO_VERSION_MAJOR) "." MIMO_TEXT(MIMO_VERSION_MINOR) "." MIMO_TEXT(MIMO_VERSION_PATCH);
 }
