@@ -23,8 +23,8 @@ struct Results {
   Span<double> reward;
   Span<std::uint8_t> terminated;
   Span<std::uint8_t> truncated;
-  Span<std::int32_t> outcome;  // as tasks::Outcome
-  Span<double> terms;          // of all agents, one after the other
+  Span<std::int32_t> outcome{};  // as tasks::Outcome
+  Span<double> terms{};          // of all agents, one after the other
 };
 
 class World {
