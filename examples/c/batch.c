@@ -45,6 +45,7 @@ int main(void) {
   mimo_env* first;
   mimo_batch_results results;
   uint64_t seeds[WORLDS];
+  mimo_batch_reset_config start;
   double reward[WORLDS], sum = 0;
   uint8_t terminated[WORLDS], truncated[WORLDS], *blocks;
   float* actions;
@@ -68,7 +69,11 @@ int main(void) {
   results.agents = WORLDS;
 
   for (i = 0; i < WORLDS; ++i) seeds[i] = i;
-  check(mimo_batch_reset(batch, seeds, NULL, WORLDS, blocks, WORLDS * block_bytes));
+  memset(&start, 0, sizeof start);
+  start.struct_size = sizeof start;
+  start.seeds = seeds;
+  start.worlds = WORLDS;
+  check(mimo_batch_reset(batch, &start, blocks, WORLDS * block_bytes));
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < WORLDS * action_count; ++i) actions[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
     check(mimo_batch_step(batch, actions, WORLDS * action_count, blocks, WORLDS * block_bytes, &results));

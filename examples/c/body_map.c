@@ -120,7 +120,7 @@ static void print_bars(const mimo_env* env, const double* impulse, double most) 
 
 int main(void) {
   mimo_env* env = make_world();
-  const uint64_t seed = 1;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
   double impulse[MAX_BODIES] = {0}, most = 0;
   size_t block_bytes, sensors, actions, i;
   unsigned char* block;
@@ -139,10 +139,10 @@ int main(void) {
   check(mimo_env_touch_sensors(env, 0, bodies, NULL, NULL, NULL, sensors, NULL));
   force = find_field(env, "touch/force");
 
-  check(mimo_env_reset(env, &seed, block, block_bytes));
+  check(mimo_env_reset(env, &seeded, block, block_bytes));
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < actions; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
-    check(mimo_env_step(env, action, actions, block, block_bytes, NULL, NULL, NULL, 0));
+    check(mimo_env_step(env, action, actions, block, block_bytes, NULL));
     add_up((const float*)(const void*)(block + force.offset), bodies, sensors, impulse);
   }
   for (i = 0; i < MAX_BODIES; ++i) most = fmax(most, impulse[i]);

@@ -34,7 +34,7 @@ static mimo_env* make_world(void) {
 
 int main(void) {
   mimo_env* env = make_world();
-  const uint64_t seed = 42;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 42};
   size_t block_bytes, field_count, action_count, i;
   unsigned char* block;
   float* action;
@@ -47,10 +47,10 @@ int main(void) {
   action = malloc(action_count * sizeof *action);
   if (block == NULL || action == NULL) return 1;
 
-  check(mimo_env_reset(env, &seed, block, block_bytes));
+  check(mimo_env_reset(env, &seeded, block, block_bytes));
   for (step = 0; step < 100; ++step) { /* 100 steps of 10 ms */
     for (i = 0; i < action_count; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
-    check(mimo_env_step(env, action, action_count, block, block_bytes, NULL, NULL, NULL, 0));
+    check(mimo_env_step(env, action, action_count, block, block_bytes, NULL));
   }
 
   check(mimo_env_time(env, &seconds));

@@ -55,12 +55,12 @@ static double reward(const mimo_env* env, const int32_t bodies[2]) {
 
 /* The return of a second towards one posture of the arm. */
 static double try_posture(mimo_env* env, const int32_t bodies[2], const float* posture, size_t count) {
-  const uint64_t seed = 1;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
   double sum = 0;
   int step;
-  check(mimo_env_reset(env, &seed, NULL, 0));
+  check(mimo_env_reset(env, &seeded, NULL, 0));
   for (step = 0; step < 100; ++step) {
-    check(mimo_env_step(env, posture, count, NULL, 0, NULL, NULL, NULL, 0));
+    check(mimo_env_step(env, posture, count, NULL, 0, NULL));
     sum += reward(env, bodies);
   }
   return sum;

@@ -170,7 +170,7 @@ static void touch(world* w) {
         check(mimo_env_set(w->env, MIMO_JOINT_LOCK, &joints[infant][j], 1, lock, 2));
       }
     }
-    check(mimo_env_step(w->env, NULL, 0, w->block, w->bytes, NULL, NULL, NULL, 0));
+    check(mimo_env_step(w->env, NULL, 0, w->block, w->bytes, NULL));
   }
   felt_by_hand(w, ANNA, anna);
   felt_by_hand(w, BEN, ben);
@@ -184,8 +184,8 @@ static void touch(world* w) {
 
 int main(void) {
   world w = make_world();
-  const uint64_t seed = 1;
-  check(mimo_env_reset(w.env, &seed, w.block, w.bytes));
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  check(mimo_env_reset(w.env, &seeded, w.block, w.bytes));
   smile(&w);
   touch(&w);
   mimo_env_destroy(w.env);

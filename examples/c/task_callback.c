@@ -102,6 +102,7 @@ int main(void) {
   mimo_batch_results results;
   mimo_env* first;
   uint64_t seeds[WORLDS];
+  mimo_batch_reset_config start;
   uint8_t terminated[WORLDS], truncated[WORLDS];
   float* actions;
   size_t count, i;
@@ -119,7 +120,11 @@ int main(void) {
   results.agents = WORLDS;
 
   for (i = 0; i < WORLDS; ++i) seeds[i] = i;
-  check(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+  memset(&start, 0, sizeof start);
+  start.struct_size = sizeof start;
+  start.seeds = seeds;
+  start.worlds = WORLDS;
+  check(mimo_batch_reset(batch, &start, NULL, 0));
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < WORLDS * count; ++i) actions[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
     check(mimo_batch_step(batch, actions, WORLDS * count, NULL, 0, &results));

@@ -18,8 +18,7 @@ extern "C" {
 #define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
 #define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
 #define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, 0 to 1: see docs/guide/muscles.md. */
-#define MIMO_PROPRIOCEPTION_DEFAULT 0x2fu      /**< All but JOINT_TORQUE and EFFORT, as the original. */
-#define MIMO_PROPRIOCEPTION_ALL 0x7fu          /**< Everything. */
+#define MIMO_PROPRIOCEPTION_ALL 0x80000000u    /**< All that the loaded library has. */
 
 #define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
@@ -60,8 +59,8 @@ extern "C" {
 #define MIMO_ACT_LEFT_LEG 0x100u   /**< The same on the left. */
 #define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes; a big toe has a motor of its own. */
 #define MIMO_ACT_LEFT_FOOT 0x400u  /**< The same on the left. */
-#define MIMO_ACT_ALL 0x7ffu        /**< Everything. */
-#define MIMO_ACT_NONE 0x80000000u  /**< No motor at all; excludes the other bits. */
+#define MIMO_ACT_ALL 0x80000000u   /**< All that the loaded library has. */
+#define MIMO_ACT_NONE 0x40000000u  /**< No motor at all; excludes the other bits. */
 
 #define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */
 #define MIMO_TOUCH_NORMAL_FORCE 0x2u /**< touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE. */
@@ -101,7 +100,8 @@ typedef struct mimo_agent_config {
                                     body is part of the scene's MJCF. */
   double position[3];          /**< Of the point that place says, m, world frame; without meaning with PLACE_SCENE. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
-  uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
+  uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:
+                                    all but JOINT_TORQUE and EFFORT. */
   uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both. */
   double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
   uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */

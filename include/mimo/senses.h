@@ -83,9 +83,10 @@ MIMO_API mimo_status mimo_senses_touch_sensors(const mimo_senses *senses, size_t
  * Starts an episode: nothing was sensed before what the data hold. Noise and memory start anew. Who never calls it
  * begins with the first mimo_senses_advance, as with seed 0.
  * @param data as in mimo_senses_observe; after mj_forward, as an environment's reset gives it.
- * @param seed points to the seed of the noise, that of an environment's reset; NULL goes on from the last episode's.
+ * @param config the seed of the noise, as in an environment's reset; NULL goes on from the last episode's.
  */
-MIMO_API mimo_status mimo_senses_reset(mimo_senses *senses, const void *data, const uint64_t *seed) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_senses_reset(mimo_senses *senses, const void *data,
+                                       const mimo_reset_config *config) MIMO_NOEXCEPT;
 
 /**
  * Goes one step on: what senses remember takes in what the data hold now, and noise is drawn anew. To be called once

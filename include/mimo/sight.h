@@ -84,15 +84,25 @@ typedef struct mimo_picture_config {
  */
 MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_t size) MIMO_NOEXCEPT;
 
+/** Where a picture goes. What is NULL is not drawn. */
+typedef struct mimo_picture {
+  uint32_t struct_size;      /**< sizeof(mimo_picture), set by the caller. */
+  uint32_t reserved;         /**< 0. */
+  uint8_t *rgb;              /**< height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA. */
+  size_t rgb_bytes;          /**< Length of rgb. */
+  float *depth;              /**< height x width, metres along the camera's axis. */
+  size_t depth_count;        /**< Length of depth. */
+  int32_t *segmentation;     /**< height x width geom ids, -1 is background. */
+  size_t segmentation_count; /**< Length of segmentation. */
+} mimo_picture;
+
 /**
  * Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays.
- * @param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted.
- * @param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted.
- * @param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted.
+ * @param config  NULL means defaults.
+ * @param picture says where it goes.
  */
-MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *config, uint8_t *rgb, size_t rgb_bytes,
-                                     float *depth, size_t depth_count, int32_t *segmentation,
-                                     size_t segmentation_count) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *config,
+                                     const mimo_picture *picture) MIMO_NOEXCEPT;
 
 /**
  * Where points of the world lie in the picture that mimo_env_render draws, of the current positions as well; for

@@ -119,12 +119,14 @@ mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_s
   });
 }
 
-mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds, void* blocks,
+mimo_status mimo_batch_reset(mimo_batch* batch, const mimo_batch_reset_config* config, void* blocks,
                              size_t block_bytes) noexcept {
   return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
-    check_per_world(inner, worlds, seeds != nullptr || mask != nullptr);
-    inner.reset(seeds, mask, blocks_of(inner, blocks, block_bytes, "blocks"));
+    const mimo_batch_reset_config ours = read_struct(config, mimo_batch_reset_config{}, "config");
+    check_reserved(ours.reserved, "config: reserved");
+    check_per_world(inner, ours.worlds, ours.seeds != nullptr || ours.mask != nullptr);
+    inner.reset(ours.seeds, ours.mask, blocks_of(inner, blocks, block_bytes, "blocks"));
   });
 }
 

@@ -13,6 +13,7 @@
 #include "scene/scene.h"
 #include "senses/touch/options.h"
 #include "senses/touch/spread.h"
+#include "tasks/task.h"
 
 namespace mimo {
 namespace {
@@ -38,6 +39,20 @@ static_assert(same(MIMO_E_INTERNAL, Status::kInternal));
 
 static_assert(same(MIMO_LOG_WARNING, LogLevel::kWarning));
 static_assert(same(MIMO_LOG_INFO, LogLevel::kInfo));
+
+static_assert(same(MIMO_WARNING_CONTACTS_DROPPED, engine::Warning::kContactsDropped));
+static_assert(same(MIMO_WARNING_CONSTRAINTS_DROPPED, engine::Warning::kConstraintsDropped));
+static_assert(same(MIMO_WARNING_BAD_POSITION, engine::Warning::kBadPosition));
+static_assert(same(MIMO_WARNING_BAD_VELOCITY, engine::Warning::kBadVelocity));
+static_assert(same(MIMO_WARNING_BAD_ACCELERATION, engine::Warning::kBadAcceleration));
+static_assert(same(MIMO_WARNING_BAD_CONTROL, engine::Warning::kBadControl));
+static_assert(same(MIMO_WARNING_INERTIA, engine::Warning::kInertia));
+static_assert(same(MIMO_WARNING_NOT_CONVERGED, engine::Warning::kNotConverged));
+static_assert(same(MIMO_WARNING_NOT_CONVERGED + 1, engine::kWarnings));
+
+static_assert(same(MIMO_OUTCOME_NONE, tasks::Outcome::kNone));
+static_assert(same(MIMO_OUTCOME_SUCCESS, tasks::Outcome::kSuccess));
+static_assert(same(MIMO_OUTCOME_FAILURE, tasks::Outcome::kFailure));
 
 static_assert(same(MIMO_BODY, env::Kind::kBody));
 static_assert(same(MIMO_JOINT, env::Kind::kJoint));
@@ -83,8 +98,6 @@ static_assert(same(MIMO_ACT_RIGHT_LEG, scene::Group::kRightLeg));
 static_assert(same(MIMO_ACT_LEFT_LEG, scene::Group::kLeftLeg));
 static_assert(same(MIMO_ACT_RIGHT_FOOT, scene::Group::kRightFoot));
 static_assert(same(MIMO_ACT_LEFT_FOOT, scene::Group::kLeftFoot));
-static_assert(same(MIMO_ACT_ALL, scene::Group::kAllGroups));
-static_assert(same(MIMO_ACT_NONE, scene::Group::kNoGroup));
 
 static_assert(same(MIMO_ACTUATION_TORQUE, actuation::Mode::kTorque));
 static_assert(same(MIMO_ACTUATION_POSITION, actuation::Mode::kPosition));

@@ -2,6 +2,7 @@
 
 #include "capi/check.h"
 #include "capi/guard.h"
+#include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 
@@ -12,7 +13,7 @@ mimo_env_config default_env_config() {
   config.struct_size = sizeof config;
   config.jacobian = MIMO_JACOBIAN_MODEL;
   config.renderer = "auto";
-  config.render = MIMO_RENDER_DEFAULT;
+  config.render = MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE;
   config.render_threads = 1;
   return config;
 }
@@ -20,7 +21,9 @@ mimo_env_config default_env_config() {
 namespace {
 
 render::Quality quality(const mimo_env_config& config) {
-  check_bits(config.render, MIMO_RENDER_DEFAULT | MIMO_RENDER_FOG, "render");
+  constexpr std::uint32_t kKnown = MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE |
+                                   MIMO_RENDER_FOG;
+  check_bits(config.render, kKnown, "render");
   const auto has = [&](std::uint32_t bit) { return (config.render & bit) != 0; };
   render::require_samples(config.samples);
   require(config.render_threads >= 1 && config.render_threads <= 64, "render_threads is {}, expected 1 to 64",
@@ -67,7 +70,7 @@ env::EnvOptions env_options(const mimo_env_config& config) {
 }
 
 blueprint::KitPtr make_kit(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
-  return blueprint.compile(env_options(config), log_of(config));
+  return blueprint.compile(env_options(config), log_sink(config.log, config.log_user));
 }
 
 EnvObject::EnvObject(blueprint::KitPtr of)

@@ -5,7 +5,9 @@
 #include "capi/env.h"
 #include "capi/fields.h"
 #include "capi/guard.h"
+#include "capi/log.h"
 #include "capi/objects.h"
+#include "capi/reset.h"
 #include "capi/structs.h"
 #include "engine/host_model.h"
 
@@ -50,13 +52,13 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const
     mimo_senses*& result = out(senses, "senses");
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, expected one that says the host's mujoco_version");
-    const mimo_senses_config ours = read_struct(config, default_senses_config(), "config");
+    const mimo_senses_config ours = read_struct(config, "config");
     check_reserved(ours.reserved, "reserved");
     require(ours.step >= 0 && std::isfinite(ours.step), "step is {}, expected seconds above 0, or 0 for the model's",
             ours.step);
     const env::EnvOptions options = picture_options(ours);
     engine::ModelPtr theirs = engine::adopt({model, ours.mujoco_version, ours.model_size, ours.data_size});
-    const env::Kit kit = blueprint.around(std::move(theirs), options, LogSink{ours.log, ours.log_user});
+    const env::Kit kit = blueprint.around(std::move(theirs), options, log_sink(ours.log, ours.log_user));
     result = wrap<mimo_senses>(std::make_unique<SensesObject>(kit, ours.step));
   });
 }
@@ -94,10 +96,11 @@ mimo_status mimo_senses_observe(mimo_senses* senses, const void* data, void* blo
   });
 }
 
-mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const uint64_t* seed) noexcept {
+mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const mimo_reset_config* config) noexcept {
   return guard(senses, [&] {
     env::Attached& attached = open(senses).attached;
-    attached.reset(engine::adopt_data(attached.model(), data), seed);
+    const Seed seed = seed_of(config);
+    attached.reset(engine::adopt_data(attached.model(), data), seed.pointer());
   });
 }
 

@@ -1,4 +1,4 @@
-// Tasks: parameters, rewards, outcomes.
+// Tasks: parameters, terms of rewards.
 #include <algorithm>
 
 #include "capi/check.h"
@@ -73,22 +73,6 @@ mimo_status mimo_env_reward_term_name(const mimo_env* env, size_t agent, size_t 
     const auto terms = task_of(env, agent).terms();
     require(index < terms.size(), "index is {}, but there are {} terms", index, terms.size());
     out(name, "name") = terms[index].name;
-  });
-}
-
-mimo_status mimo_env_reward_terms(const mimo_env* env, size_t agent, double* values, size_t count) noexcept {
-  return guard(env, [&] {
-    const auto terms = task_of(env, agent).terms();
-    check_buffer(values, count, terms.size(), "values");
-    for (std::size_t i = 0; values != nullptr && i < terms.size(); ++i) values[i] = terms[i].value;
-  });
-}
-
-mimo_status mimo_env_outcome(const mimo_env* env, size_t agent, uint8_t* success, uint8_t* failure) noexcept {
-  return guard(env, [&] {
-    const tasks::Task& task = task_of(env, agent);
-    if (success != nullptr) *success = task.success() ? 1 : 0;
-    if (failure != nullptr) *failure = task.failure() ? 1 : 0;
   });
 }
 

@@ -145,18 +145,14 @@ void Physics::require_usable() const {
   if (failed_) fail(Status::kSimulation, "this world has failed before and needs a reset first");
 }
 
-std::string Physics::take_warnings() {
-  std::string text;
+std::vector<Note> Physics::take_warnings() {
+  std::vector<Note> notes;
   for (const mjtWarning kind : kSurvivable) {
     const mjWarningStat& stat = data_->warning[kind];
-    if (stat.number <= warned_[kind]) continue;
-    if (warned_[kind] == 0) {  // once an episode is enough
-      if (!text.empty()) text += "; ";
-      text += text_of(kind, stat);
-    }
+    if (stat.number > 0 && warned_[kind] == 0) notes.push_back({kind_of(kind), text_of(kind, stat)});
     warned_[kind] = stat.number;
   }
-  return text;
+  return notes;
 }
 
 void Physics::fail_world(const std::string& why) {

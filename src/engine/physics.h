@@ -101,8 +101,8 @@ class Physics {
   void check(ByteReader& from) const;
   void load(ByteReader& from);
 
-  // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.
-  std::string take_warnings();
+  // Warnings that are not failures (contact or constraint buffers full, ...) since the last call, each once an episode.
+  std::vector<Note> take_warnings();
   // How often each happened in a physics step, since this was made; and failures.
   const WarningCounts& warnings() const { return counts_; }
   void forget_warnings(int kind) { counts_[static_cast<std::size_t>(kind)] = 0; }

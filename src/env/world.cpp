@@ -38,7 +38,8 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       physics_(shared_model_, options.physics),
       faces_(body::faces_of(physics_.model())),
       step_contacts_(options.step_contacts),
-      random_(identity.seed) {
+      random_(identity.seed),
+      number_(identity.number) {
   adopt_scene_choices();
   body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker(identity);
@@ -269,12 +270,22 @@ void World::check_reward(std::size_t agent) {
        agent, reward);
 }
 
+std::size_t World::term_count() const {
+  std::size_t count = 0;
+  for (const Agent& agent : agents_) count += agent.task->terms().size();
+  return count;
+}
+
 void World::report(const Results& results) const {
+  std::size_t next_term = 0;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const tasks::Task& task = *agents_[i].task;
     if (!results.reward.empty()) results.reward[i] = task.reward();
     if (!results.terminated.empty()) results.terminated[i] = task.over() ? 1 : 0;
     if (!results.truncated.empty()) results.truncated[i] = cut_off(agents_[i]) ? 1 : 0;
+    if (!results.outcome.empty()) results.outcome[i] = static_cast<std::int32_t>(task.outcome());
+    if (results.terms.empty()) continue;
+    for (const tasks::Term& term : task.terms()) results.terms[next_term++] = term.value;
   }
 }
 
@@ -319,9 +330,10 @@ LoadReport World::load(Span<const std::uint8_t> state) {
 }
 
 void World::report_warnings() {
-  if (services_.log.write == nullptr) return;
-  const std::string text = physics_.take_warnings();
-  if (!text.empty()) services_.log(LogLevel::kWarning, text);
+  if (!services_.log) return;
+  for (const engine::Note& note : physics_.take_warnings()) {
+    services_.log({LogLevel::kWarning, note.text, static_cast<int>(note.kind), true, number_, data().time});
+  }
 }
 
 }  // namespace mimo::env

@@ -18,11 +18,13 @@
 
 namespace mimo::env {
 
-// Per-agent results of a step, each as long as there are agents or empty.
+// Results of a step, for each agent and each term; empty where they are not wanted.
 struct Results {
   Span<double> reward;
   Span<std::uint8_t> terminated;
   Span<std::uint8_t> truncated;
+  Span<std::int32_t> outcome{};  // as tasks::Outcome
+  Span<double> terms{};          // of all agents, one after the other
 };
 
 class World {
@@ -41,6 +43,8 @@ class World {
   std::pair<const Agent*, std::size_t> action(std::size_t index) const;
   // The bounds of all actions, each as long as there are actions or empty.
   void action_bounds(Span<float> low, Span<float> high) const;
+  // Terms of the rewards of all agents.
+  std::size_t term_count() const;
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
@@ -119,6 +123,7 @@ class World {
   observation::Observer observer_;
   observation::LimitedSenses limits_;
   Random random_;
+  std::size_t number_;  // in its batch
   std::size_t action_size_ = 0;
   std::vector<float> bounded_;  // actions of a step, for tasks
   Episode episode_;

@@ -28,6 +28,9 @@ struct Step {
   Span<const std::uint8_t> block;  // all that was sensed, of tasks that judge it; empty: nobody asked for it
 };
 
+// Whether a step was a success or a failure; as mimo.h numbers them (MIMO_OUTCOME_...).
+enum class Outcome : int { kNone = 0, kSuccess = 1, kFailure = -1 };
+
 class Task {
  public:
   virtual ~Task() = default;
@@ -54,6 +57,7 @@ class Task {
   double reward() const;
   bool success() const { return success_; }
   bool failure() const { return failure_; }
+  Outcome outcome() const;
   // Whether success or failure ends the episode.
   bool over() const { return ends_ && (success_ || failure_); }
   // Whether the task cuts the episode off here.

@@ -22,6 +22,15 @@ static void field(const char* name, size_t offset, size_t size) {
 int main(void) {
   printf("{\n");
 
+  BEGIN(mimo_log_record);
+  FIELD(mimo_log_record, struct_size);
+  FIELD(mimo_log_record, level);
+  FIELD(mimo_log_record, code);
+  FIELD(mimo_log_record, in_world);
+  FIELD(mimo_log_record, text);
+  FIELD(mimo_log_record, world);
+  FIELD(mimo_log_record, time);
+
   BEGIN(mimo_scene_config);
   FIELD(mimo_scene_config, struct_size);
   FIELD(mimo_scene_config, reserved);
@@ -144,6 +153,22 @@ int main(void) {
   FIELD(mimo_agent_info, mass);
   FIELD(mimo_agent_info, height);
 
+  BEGIN(mimo_reset_config);
+  FIELD(mimo_reset_config, struct_size);
+  FIELD(mimo_reset_config, seeded);
+  FIELD(mimo_reset_config, seed);
+
+  BEGIN(mimo_env_results);
+  FIELD(mimo_env_results, struct_size);
+  FIELD(mimo_env_results, reserved);
+  FIELD(mimo_env_results, reward);
+  FIELD(mimo_env_results, terminated);
+  FIELD(mimo_env_results, truncated);
+  FIELD(mimo_env_results, outcome);
+  FIELD(mimo_env_results, agents);
+  FIELD(mimo_env_results, terms);
+  FIELD(mimo_env_results, term_count);
+
   BEGIN(mimo_field);
   FIELD(mimo_field, struct_size);
   FIELD(mimo_field, dtype);
@@ -181,6 +206,16 @@ int main(void) {
   FIELD(mimo_picture_config, elevation);
   FIELD(mimo_picture_config, fovy);
 
+  BEGIN(mimo_picture);
+  FIELD(mimo_picture, struct_size);
+  FIELD(mimo_picture, reserved);
+  FIELD(mimo_picture, rgb);
+  FIELD(mimo_picture, rgb_bytes);
+  FIELD(mimo_picture, depth);
+  FIELD(mimo_picture, depth_count);
+  FIELD(mimo_picture, segmentation);
+  FIELD(mimo_picture, segmentation_count);
+
   BEGIN(mimo_timing);
   FIELD(mimo_timing, struct_size);
   FIELD(mimo_timing, reserved);
@@ -200,13 +235,23 @@ int main(void) {
   FIELD(mimo_batch_config, restart_failed);
   FIELD(mimo_batch_config, reserved);
 
+  BEGIN(mimo_batch_reset_config);
+  FIELD(mimo_batch_reset_config, struct_size);
+  FIELD(mimo_batch_reset_config, reserved);
+  FIELD(mimo_batch_reset_config, seeds);
+  FIELD(mimo_batch_reset_config, mask);
+  FIELD(mimo_batch_reset_config, worlds);
+
   BEGIN(mimo_batch_results);
   FIELD(mimo_batch_results, struct_size);
   FIELD(mimo_batch_results, reserved);
   FIELD(mimo_batch_results, reward);
   FIELD(mimo_batch_results, terminated);
   FIELD(mimo_batch_results, truncated);
+  FIELD(mimo_batch_results, outcome);
   FIELD(mimo_batch_results, agents);
+  FIELD(mimo_batch_results, terms);
+  FIELD(mimo_batch_results, term_count);
   FIELD(mimo_batch_results, status);
   FIELD(mimo_batch_results, was_reset);
   FIELD(mimo_batch_results, final_written);

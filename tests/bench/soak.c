@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   counts all = {0, 0, 0, 0};
   unsigned random = 1;
   long settled_kb = 0;
-  check(mimo_batch_reset(batch, NULL, NULL, 0, blocks, kWorlds * bytes), "reset");
+  check(mimo_batch_reset(batch, NULL, blocks, kWorlds * bytes), "reset");
   for (unsigned long long report = 1; report <= kReports; ++report) {
     while (all.steps < steps * report / kReports) {
       for (size_t i = 0; i < kWorlds * width; ++i) actions[i] = random_action(&random);

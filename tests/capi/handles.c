@@ -9,7 +9,6 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
   double value = GUARD, reward = GUARD;
   float bound = GUARD, depth = GUARD;
   int32_t id = GUARD, segment = GUARD, joint = 0;
-  uint64_t seed = 1;
   uint8_t flag = 77, rgb = 77, block[8192];
   const char* text = NULL;
   mimo_agent_info info;
@@ -28,8 +27,10 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
   CHECK_FAILS(status, part, mimo_env_action_size(env, &size));
   CHECK_FAILS(status, part, mimo_env_action_bounds(env, &bound, NULL, 1));
   CHECK_FAILS(status, part, mimo_env_action_name(env, 0, &text));
-  CHECK_FAILS(status, part, mimo_env_reset(env, &seed, block, sizeof block));
-  CHECK_FAILS(status, part, mimo_env_step(env, NULL, 0, block, sizeof block, &reward, &flag, &flag, 1));
+  CHECK_FAILS(status, part, mimo_env_reset(env, SEED(1), block, sizeof block));
+  CHECK_FAILS(status, part,
+              mimo_env_step(env, NULL, 0, block, sizeof block,
+                            RESULTS(.reward = &reward, .terminated = &flag, .truncated = &flag, .agents = 1)));
   CHECK_FAILS(status, part, mimo_env_observe(env, block, sizeof block));
   CHECK_FAILS(status, part, mimo_env_physics_step(env, 1));
   CHECK_FAILS(status, part, mimo_env_time(env, &value));
@@ -43,7 +44,10 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
   CHECK_FAILS(status, part, mimo_env_set(env, MIMO_ACTUATOR_CONTROL, &joint, 1, &value, 1));
   CHECK_FAILS(status, part, mimo_env_update(env));
   CHECK_FAILS(status, part, mimo_env_get_float(env, MIMO_BODY_MASS, &joint, 1, &depth, 1));
-  CHECK_FAILS(status, part, mimo_env_render(env, NULL, &rgb, 1, &depth, 1, &segment, 1));
+  CHECK_FAILS(status, part,
+              mimo_env_render(env, NULL,
+                              PICTURE(.rgb = &rgb, .rgb_bytes = 1, .depth = &depth, .depth_count = 1,
+                                      .segmentation = &segment, .segmentation_count = 1)));
   CHECK_FAILS(status, part, mimo_env_timing(env, &timing));
   CHECK_FAILS(status, part, mimo_env_timing_reset(env));
 

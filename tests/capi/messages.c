@@ -32,7 +32,7 @@ static mimo_scene* scene_with(plan* it) {
   return scene;
 }
 
-static mimo_status step(mimo_env* env) { return mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0); }
+static mimo_status step(mimo_env* env) { return mimo_env_step(env, NULL, 0, NULL, 0, NULL); }
 
 static void check_tasks(void) {
   plan it = {0};

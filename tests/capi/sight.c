@@ -175,15 +175,17 @@ static void check_cameras(mimo_env* env) {
   CHECK_OK(mimo_picture_config_init(&picture, sizeof picture));
   picture.camera = "wall";
   picture.width = picture.height = SIZE;
-  CHECK_OK(mimo_env_render(env, &picture, plain, sizeof plain, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_env_render(env, &picture, PICTURE(.rgb = plain, .rgb_bytes = sizeof plain)));
   CHECK(memcmp(plain, block + color.offset, sizeof plain) == 0);
   picture.format = 4;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "format is 0x4", mimo_env_render(env, &picture, rgb, 4 * PIXELS, NULL, 0, NULL, 0));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "format is 0x4",
+              mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = 4 * PIXELS)));
   picture.format = MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP;
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "rgb has a length of",
-              mimo_env_render(env, &picture, rgb, 4 * PIXELS - 1, NULL, 0, NULL, 0));
+              mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = 4 * PIXELS - 1)));
   rgb[4 * PIXELS] = 0xab;
-  CHECK_OK(mimo_env_render(env, &picture, rgb, 4 * PIXELS, far, PIXELS, NULL, 0));
+  CHECK_OK(mimo_env_render(env, &picture,
+                           PICTURE(.rgb = rgb, .rgb_bytes = 4 * PIXELS, .depth = far, .depth_count = PIXELS)));
   CHECK(rgb[4 * PIXELS] == 0xab);
   for (i = 0; i < PIXELS; ++i) {
     const size_t upright = (SIZE - 1 - i / SIZE) * SIZE + i % SIZE;

@@ -104,18 +104,18 @@ static void check_stepping(void) {
   float action[44] = {0};
   double reward = 7, time = 7, step = 0;
   uint8_t terminated = 7, truncated = 7;
-  uint64_t seed = 1;
   const mimo_field control = field_named("proprioception/control");
 
   CHECK_OK(mimo_env_timestep(env, &step));
   CHECK(step == 0.005);
-  CHECK_OK(mimo_env_reset(env, &seed, first, bytes));
+  CHECK_OK(mimo_env_reset(env, SEED(1), first, bytes));
   CHECK_OK(mimo_env_observe(env, second, bytes));
   CHECK(memcmp(first, second, bytes) == 0);
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
 
   action[3] = 9;
-  CHECK_OK(mimo_env_step(env, action, 44, first, bytes, &reward, &terminated, &truncated, 1));
+  CHECK_OK(mimo_env_step(env, action, 44, first, bytes,
+                         RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
   CHECK(reward == 0 && terminated == 0 && truncated == 0);
   CHECK(((const float*)(const void*)(first + control.offset))[3] == 1); /* clipped */
   CHECK_OK(mimo_env_time(env, &time));
@@ -126,20 +126,23 @@ static void check_stepping(void) {
   reward = terminated = truncated = 7;
   action[0] = 0.5f;
   action[43] = (float)NAN;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action[43] is not a number",
-              mimo_env_step(env, action, 44, first, bytes, &reward, &terminated, &truncated, 1));
+  CHECK_FAILS(
+      MIMO_E_INVALID_ARGUMENT, "action[43] is not a number",
+      mimo_env_step(env, action, 44, first, bytes,
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
   action[43] = 0;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action_count is 43, expected 44",
-              mimo_env_step(env, action, 43, first, bytes, NULL, NULL, NULL, 0));
+              mimo_env_step(env, action, 43, first, bytes, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action is NULL, but its length is 44",
-              mimo_env_step(env, NULL, 44, first, bytes, NULL, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, " bytes, but ",
-              mimo_env_step(env, action, 44, first, bytes - 1, &reward, &terminated, &truncated, 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL",
-              mimo_env_step(env, action, 44, NULL, bytes, NULL, NULL, NULL, 0));
+              mimo_env_step(env, NULL, 44, first, bytes, NULL));
+  CHECK_FAILS(
+      MIMO_E_BUFFER_TOO_SMALL, " bytes, but ",
+      mimo_env_step(env, action, 44, first, bytes - 1,
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL", mimo_env_step(env, action, 44, NULL, bytes, NULL));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agents is 0",
-              mimo_env_step(env, action, 44, first, bytes, &reward, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_reset(env, &seed, first, bytes - 1));
+              mimo_env_step(env, action, 44, first, bytes, RESULTS(.reward = &reward)));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_reset(env, SEED(1), first, bytes - 1));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_observe(env, first, bytes - 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL", mimo_env_observe(env, NULL, 0));
   CHECK(is_filled(first, 0xab) && reward == 7 && terminated == 7 && truncated == 7);
@@ -148,7 +151,7 @@ static void check_stepping(void) {
   CHECK_OK(mimo_env_observe(env, first, bytes));
   CHECK(((const float*)(const void*)(first + control.offset))[0] == 0);
 
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_physics_step(env, 3));
   CHECK_OK(mimo_env_physics_step(env, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is 1000001", mimo_env_physics_step(env, 1000001));
@@ -172,7 +175,7 @@ static void check_timing(void) {
   timing.struct_size = sizeof timing;
   for (i = 1; i <= 3; ++i) {
     uint8_t truncated = 7;
-    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL, NULL, &truncated, 1));
+    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, RESULTS(.truncated = &truncated, .agents = 1)));
     CHECK(truncated == (i >= 2));
   }
   CHECK_OK(mimo_env_timing(timed, &timing));
@@ -183,7 +186,7 @@ static void check_timing(void) {
   CHECK(timing.steps == 0 && timing.total == 0 && timing.physics == 0);
   mimo_env_destroy(timed);
   timed = blind_env("free", NULL); /* without timing = 1 */
-  CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_timing(timed, &timing));
   CHECK(timing.steps == 0 && timing.total == 0);
   mimo_env_destroy(timed);

@@ -32,7 +32,7 @@
     CHECK_OK(init(&config.now, sizeof config));                                    \
     CHECK_OK(use(&config.now));                                                    \
     config.bytes[sizeof config - 1] = 1;                                           \
-    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: it has fields", use(&config.now));    \
+    CHECK_FAILS(MIMO_E_UNSUPPORTED, "config: it has members", use(&config.now));   \
     config.bytes[sizeof config - 1] = 0;                                           \
     config.now.struct_size = 8;                                                    \
     CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is", use(&config.now));   \
@@ -40,7 +40,7 @@
     CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is 0", use(&config.now)); \
   } while (0)
 
-/* A description fills a longer struct, with zeros behind what it knows. */
+/* A description fills a longer struct, with zeros behind what it knows, and says how much that is. */
 #define CHECK_DESCRIBED(type, argument, describe)                                      \
   do {                                                                                 \
     LATER(type) info;                                                                  \
@@ -48,7 +48,7 @@
     memset(&info, 0xab, sizeof info);                                                  \
     info.now.struct_size = sizeof info;                                                \
     CHECK_OK(describe(&info.now));                                                     \
-    CHECK(info.now.struct_size == sizeof info);                                        \
+    CHECK(info.now.struct_size == sizeof(type));                                       \
     for (i = sizeof(type); i < sizeof info; ++i) CHECK(info.bytes[i] == 0);            \
     memset(&info, 0xab, sizeof info);                                                  \
     info.now.struct_size = 8;                                                          \

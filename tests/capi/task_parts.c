@@ -162,7 +162,6 @@ static void check_declared(const mimo_env* env) {
 static void check_steps(mimo_env* env, rules* rule) {
   mimo_field goal = field_named(env, "goal"), reached = field_named(env, "reached");
   size_t bytes = 0, actions = 0, state_bytes = 0, step;
-  uint64_t seed = 3;
   double first[STEPS];
   uint8_t *block, *state;
   float* action;
@@ -174,20 +173,21 @@ static void check_steps(mimo_env* env, rules* rule) {
   action = calloc(actions, sizeof *action);
   action[rule->action] = 3;
   rule->looks = 1;
-  CHECK_OK(mimo_env_reset(env, &seed, block, bytes));
+  CHECK_OK(mimo_env_reset(env, SEED(3), block, bytes));
   CHECK(floats(block, goal)[0] < 0 && floats(block, reached)[0] == 7 && floats(block, reached)[1] == 0);
   for (step = 1; step <= STEPS; ++step) {
     double reward = 0, angle, terms[2], target;
-    uint8_t ends = 9, cut = 9, success = 9, failure = 9;
-    CHECK_OK(mimo_env_step(env, action, actions, block, bytes, &reward, &ends, &cut, 1));
-    CHECK_OK(mimo_env_reward_terms(env, 0, terms, 2));
-    CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
+    uint8_t ends = 9, cut = 9;
+    int32_t outcome = 9;
+    CHECK_OK(mimo_env_step(env, action, actions, block, bytes,
+                           RESULTS(.reward = &reward, .terminated = &ends, .truncated = &cut, .outcome = &outcome,
+                                   .agents = 1, .terms = terms, .term_count = 2)));
     CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &rule->elbow, 1, &angle, 1));
     target = floats(block, goal)[0];
     CHECK(reward == terms[0] + terms[1] && terms[1] == -rule->most);
     CHECK_NEAR(-fabs(angle - target), terms[0], 1e-7);
     CHECK(floats(block, reached)[0] == (float)step && floats(block, reached)[1] == (float)angle);
-    CHECK(success == (step % 4 == 0) && failure == 0);
+    CHECK(outcome == (step % 4 == 0 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE));
     CHECK(ends == (step == 8) && cut == (step == CUT));
     first[step - 1] = reward;
     if (step == 8) CHECK_OK(mimo_env_state_save(env, state, state_bytes));
@@ -197,7 +197,7 @@ static void check_steps(mimo_env* env, rules* rule) {
   CHECK(floats(block, reached)[0] == 8);
   for (step = 9; step <= STEPS; ++step) {
     double reward = 0;
-    CHECK_OK(mimo_env_step(env, action, actions, block, bytes, &reward, NULL, NULL, 1));
+    CHECK_OK(mimo_env_step(env, action, actions, block, bytes, RESULTS(.reward = &reward, .agents = 1)));
     CHECK(reward == first[step - 1] && floats(block, reached)[0] == (float)step);
   }
   rule->looks = 0;
@@ -225,9 +225,9 @@ static void check_batch(const mimo_scene* scene) {
   for (i = 0; i < WORLDS; ++i) {
     seeds[i] = 90 + i;
     alone[i] = env_of(scene);
-    CHECK_OK(mimo_env_reset(alone[i], &seeds[i], NULL, 0));
+    CHECK_OK(mimo_env_reset(alone[i], SEED(seeds[i]), NULL, 0));
   }
-  CHECK_OK(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+  CHECK_OK(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), NULL, 0));
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = reward;
@@ -241,7 +241,7 @@ static void check_batch(const mimo_scene* scene) {
       if (anew[i]) {
         CHECK_OK(mimo_env_reset(alone[i], NULL, NULL, 0));
       } else {
-        CHECK_OK(mimo_env_step(alone[i], NULL, 0, NULL, 0, &expected, NULL, NULL, 1));
+        CHECK_OK(mimo_env_step(alone[i], NULL, 0, NULL, 0, RESULTS(.reward = &expected, .agents = 1)));
         CHECK(reward[i] == expected);
       }
     }
@@ -292,7 +292,7 @@ static void check_infants(void) {
   block = malloc(bytes);
   CHECK_OK(mimo_env_reset(env, NULL, block, bytes));
   CHECK(floats(block, field_named(env, "anna/goal"))[0] == 10 && floats(block, field_named(env, "ben/goal"))[0] == 11);
-  CHECK_OK(mimo_env_step(env, action, 50, block, bytes, reward, NULL, NULL, 2));
+  CHECK_OK(mimo_env_step(env, action, 50, block, bytes, RESULTS(.reward = reward, .agents = 2)));
   CHECK(reward[0] == 1 && reward[1] == 1);
   CHECK(floats(block, field_named(env, "ben/goal"))[0] == 11);
   free(block);
@@ -330,7 +330,7 @@ static void check_shown(void) {
   block = malloc(bytes);
   for (step = 0; step < 5; ++step) {
     memset(block, 0xab, bytes);
-    CHECK_OK(mimo_env_step(env, NULL, 0, block, bytes, &reward, NULL, NULL, 1));
+    CHECK_OK(mimo_env_step(env, NULL, 0, block, bytes, RESULTS(.reward = &reward, .agents = 1)));
     CHECK(reward == 1);
   }
   free(block);
@@ -340,10 +340,9 @@ static void check_shown(void) {
 
 /* ---- What is refused ---- */
 
-static mimo_status step_once(mimo_env* env) { return mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0); }
+static mimo_status step_once(mimo_env* env) { return mimo_env_step(env, NULL, 0, NULL, 0, NULL); }
 
 static void check_mistakes(mimo_env* env, rules* rule) {
-  double terms[2] = {9, 9};
   size_t bytes = 0, state_bytes = 0;
   uint8_t *block, *state;
   CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
@@ -355,8 +354,6 @@ static void check_mistakes(mimo_env* env, rules* rule) {
   rule->mistake = NAN_TERM;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "gave agent 0 the term \"lazy\" as nan, expected a finite number",
               step_once(env));
-  CHECK_OK(mimo_env_reward_terms(env, 0, terms, 2));
-  CHECK(terms[0] == 0 && terms[1] == 0);
   rule->mistake = REWARD_BESIDE;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "the reward 0.5 beside terms, expected 0", step_once(env));
   rule->mistake = INFINITE_FIELD;

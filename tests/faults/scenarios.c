@@ -207,14 +207,13 @@ static mimo_status create_infant(void) { return mimo_env_create(infant_scene, NU
 static mimo_status make_infant(void) { return mimo_env_make("standup", &made_env); }
 static mimo_status clone_infant(void) { return mimo_env_clone(infant, &made_env); }
 
-static mimo_status reset(void) {
-  const uint64_t seed = 3;
-  return mimo_env_reset(infant, &seed, block, block_bytes);
-}
-static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL, NULL, NULL, 0); }
+static mimo_status reset(void) { return mimo_env_reset(infant, SEED(3), block, block_bytes); }
+static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL); }
 static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof block); }
 static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes, NULL); }
-static mimo_status draw(void) { return mimo_env_render(made_env, NULL, block, 640 * 480 * 3, NULL, 0, NULL, 0); }
+static mimo_status draw(void) {
+  return mimo_env_render(made_env, NULL, PICTURE(.rgb = block, .rgb_bytes = 640 * 480 * 3));
+}
 static mimo_status lock(void) {
   const double held[2] = {1, -1};
   int32_t joint = -1;
@@ -235,7 +234,7 @@ static mimo_status create_batch(void) {
   config.threads = 2;
   return mimo_batch_create(small_scene, NULL, &config, &made_batch);
 }
-static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, NULL, 0, block, batch_bytes); }
+static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, block, batch_bytes); }
 static mimo_status step_batch(void) { return mimo_batch_step(batch, NULL, 0, block, batch_bytes, NULL); }
 static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes, NULL); }
 static void prepare_batch(void) { make_batch_of(small_scene, &made_batch); }

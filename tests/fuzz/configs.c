@@ -56,7 +56,7 @@ static void use(mimo_env* env) {
   block = malloc(bytes > 0 ? bytes : 1);
   if (block == NULL) return;
   if (CALL(mimo_env_reset(env, NULL, block, bytes)) == MIMO_OK) {
-    CALL(mimo_env_step(env, NULL, 0, block, bytes, NULL, NULL, NULL, 0));
+    CALL(mimo_env_step(env, NULL, 0, block, bytes, NULL));
   }
   free(block);
 }
@@ -87,7 +87,7 @@ static void make_batch(input* in, const mimo_scene* scene) {
   if (given.config.worlds <= 1048576) given.config.worlds %= 3;
   if (given.config.threads <= 4096) given.config.threads %= 3;
   if (CALL(mimo_batch_create(scene, NULL, &given.config, &batch)) == MIMO_OK) {
-    CALL(mimo_batch_reset(batch, NULL, NULL, 0, NULL, 0));
+    CALL(mimo_batch_reset(batch, NULL, NULL, 0));
     CALL(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   } else {
     PROMISE(batch == NULL);

@@ -7,6 +7,9 @@
 #include <string.h>
 
 #include "mimo/mimo.h"
+#ifndef __cplusplus
+#include "support/calls.h"
+#endif
 
 /* One run of a target; libFuzzer's name for it. */
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);

@@ -55,7 +55,6 @@ static size_t state_of(mimo_env* env, uint8_t* state) {
 }
 
 static void check_refused(const char* name, mimo_scene* scene, mimo_env* env, mimo_batch* batch) {
-  const uint64_t seed = 9;
   const float ones[200] = {1, 1, 1};
   mimo_env* other = NULL;
   size_t bytes = 0, count = 0, size;
@@ -65,12 +64,12 @@ static void check_refused(const char* name, mimo_scene* scene, mimo_env* env, mi
   size = state_of(env, before);
   asked = 0;
   if (scene != NULL) CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_create(scene, NULL, &other));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_reset(env, &seed, block, bytes));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_step(env, ones, count, block, bytes, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_reset(env, SEED(9), block, bytes));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_step(env, ones, count, block, bytes, NULL));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_physics_step(env, 1));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_observe(env, block, bytes));
   if (batch != NULL) {
-    CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_reset(batch, NULL, NULL, 0, NULL, 0));
+    CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_reset(batch, NULL, NULL, 0));
     CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
     CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
     CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_observe(batch, NULL, 0, block, sizeof block));
@@ -107,7 +106,7 @@ static void check_infant(void) {
   mjcb_act_dyn = mjcb_act_gain = mjcb_act_bias = act;
   asked = 0;
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   CHECK(asked == 0);
   mjcb_time = NULL;
@@ -141,7 +140,7 @@ static void check_user_defined(const char* actuator, const char* sensor, mjfAct*
   check_refused(name, NULL, env, NULL);
   if (act_callback != NULL) *act_callback = NULL;
   mjcb_sensor = NULL;
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 }

@@ -157,7 +157,6 @@ static void run(const char* name, uint32_t vision, int limited) {
   mimo_scene* scene = make_scene(name, vision);
   mimo_env_config config;
   mimo_senses_config attached;
-  const uint64_t seed = 11;
   mimo_env* env = NULL;
   mimo_senses* senses = NULL;
   mjModel* model = load(scene);
@@ -187,14 +186,14 @@ static void run(const char* name, uint32_t vision, int limited) {
   expected = new_block(bytes);
   actual = new_block(bytes);
   before = new_block((size_t)data->nbuffer);
-  CHECK_OK(mimo_env_reset(env, &seed, expected, bytes));
+  CHECK_OK(mimo_env_reset(env, SEED(11), expected, bytes));
   mj_forward(model, data);
-  CHECK_OK(mimo_senses_reset(senses, data, &seed));
+  CHECK_OK(mimo_senses_reset(senses, data, SEED(11)));
   CHECK_OK(mimo_senses_observe(senses, data, actual, bytes));
   compare(env, expected, actual, -1);
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < actions; ++i) action[i] = low[i] + random_share(&random) * (high[i] - low[i]);
-    CHECK_OK(mimo_env_step(env, action, actions, expected, bytes, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, actions, expected, bytes, NULL));
     CHECK((size_t)model->nu == actions);
     for (i = 0; i < actions; ++i) data->ctrl[i] = (double)action[i];
     for (i = 0; i < FRAME_SKIP; ++i) mj_step(model, data);

@@ -93,7 +93,7 @@ static mimo_status meddle(void* user, const mimo_env* env, const mimo_task_momen
   (void)moment, (void)verdict;
   CHECK_OK(mimo_env_time(env, &time));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_reset(mine, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(mine, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(mine, NULL, 0, NULL, 0, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_physics_step(mine, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_state_load(mine, a->state, a->state_bytes, NULL));
   mimo_env_destroy(mine);
@@ -110,7 +110,7 @@ static void in_a_task(void) {
   CHECK_OK(mimo_scene_set_task(a.scene, a.task));
   CHECK_OK(mimo_env_create(a.scene, NULL, &env));
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   mimo_env_destroy(env);
   destroy_made(&a);
 }

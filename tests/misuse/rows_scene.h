@@ -1,6 +1,9 @@
 /* Versions, configs, scenes, agents, objects, tasks. See table.h. */
 
 ROW(mimo_abi_version, 0, CHECKED(mimo_abi_version() == MIMO_ABI_VERSION), NONE)
+ROW(mimo_api_version, 0, CHECKED(mimo_api_version() == MIMO_API_VERSION), NONE)
+ROW(mimo_supports, 0, CHECKED(mimo_supports(NULL) == 0 && mimo_supports("") == 0 && mimo_supports("mimo_supports") == 1),
+    NONE)
 ROW(mimo_version, 0, CHECKED(is_version(mimo_version())), NONE)
 ROW(mimo_mujoco_version, 0, CHECKED(is_version(mimo_mujoco_version())), NONE)
 ROW(mimo_status_name, 0, check_status_names(), NONE)

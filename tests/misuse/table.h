@@ -23,6 +23,10 @@ typedef struct args {
   mimo_task* task;
   mimo_task_field* task_field;
   mimo_batch_results* results;
+  mimo_env_results* env_results;
+  mimo_reset_config* reset_config;
+  mimo_batch_reset_config* batch_reset;
+  mimo_picture* picture;
   mimo_parameter* parameter;
   mimo_agent_info* info;
   mimo_field* field;
@@ -41,7 +45,7 @@ typedef struct args {
   /* strings */
   const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *motor_path, *joint_name, *other, *folder;
   /* arrays that are read */
-  const uint64_t *seed, *seeds;
+  const uint64_t* seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
@@ -56,7 +60,7 @@ typedef struct args {
   uint8_t *terminated, *truncated, *rgb;
   mimo_status* statuses;
   float *low, *high, *depth;
-  int32_t *segmentation, *bodies, *geoms, *look_joints;
+  int32_t *outcome, *segmentation, *bodies, *geoms, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
   size_t touch_capacity, look_capacity, number_count, term_count;
   /* single results */
@@ -190,7 +194,7 @@ int rows_failures(void);
   STRUCT_IS(m, 0, names), STRUCT_IS(m, 8, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
 /* A struct that is read, and one that is filled. */
 #define CONFIG(m, t, names) \
-  BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_STRUCT_SIZE, names)
+  BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_UNSUPPORTED, names)
 #define DESCRIPTION(m, t, names) NO_NULL(m, names), BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 1, MIMO_OK, NULL)
 #define LOAD_REPORT                                               \
   NULL_OK(report), BAD_SIZES(report, mimo_load_report, "report"), \

@@ -180,7 +180,6 @@ static void make_arrays(void) {
   good.depth_count = good.segmentation_count = PICTURE_SIZE * PICTURE_SIZE;
   good.rgb_bytes = 3 * good.depth_count;
 
-  good.seed = region(sizeof(uint64_t));
   good.seeds = region(worlds * sizeof(uint64_t));
   good.mask = region(worlds);
   good.action = region(actions * sizeof(float));
@@ -202,7 +201,8 @@ static void make_arrays(void) {
   good.reward = region(AGENTS * sizeof(double));
   good.values = region(good.value_count * sizeof(double));
   good.all_values = region(good.values_count * sizeof(double));
-  good.numbers = region((good.term_count > 4 ? good.term_count : 4) * sizeof(double));
+  good.numbers = region((worlds * good.term_count > 4 ? worlds * good.term_count : 4) * sizeof(double));
+  good.outcome = region(worlds * AGENTS * sizeof(int32_t));
   good.pixels = region(3 * good.point_count * sizeof(double));
   good.statuses = region(worlds * sizeof(mimo_status));
   good.positions = region(3 * sensors * sizeof(double));
@@ -247,6 +247,10 @@ static void make_structs(void) {
   good.task = region(sizeof *good.task + TAIL);
   good.task_field = region(sizeof *good.task_field + TAIL);
   good.results = region(sizeof *good.results + TAIL);
+  good.env_results = region(sizeof *good.env_results + TAIL);
+  good.reset_config = region(sizeof *good.reset_config + TAIL);
+  good.batch_reset = region(sizeof *good.batch_reset + TAIL);
+  good.picture = region(sizeof *good.picture + TAIL);
   good.parameter = region(sizeof *good.parameter + TAIL);
   good.info = region(sizeof *good.info + TAIL);
   good.field = region(sizeof *good.field + TAIL);
@@ -346,13 +350,52 @@ static void fill_results(void) {
   results->reward = good.all_values;
   results->terminated = good.state_out;
   results->truncated = (uint8_t*)good.state_out + WORLDS_IN_BATCH;
+  results->outcome = good.outcome;
   results->agents = WORLDS_IN_BATCH * AGENTS;
+  results->terms = good.numbers;
+  results->term_count = WORLDS_IN_BATCH * good.term_count;
   results->status = good.statuses;
   results->was_reset = (uint8_t*)good.state_out + 2 * WORLDS_IN_BATCH;
   results->final_written = (uint8_t*)good.state_out + 3 * WORLDS_IN_BATCH;
   results->worlds = WORLDS_IN_BATCH;
   results->final_blocks = good.states_out;
   results->final_bytes = good.blocks_bytes;
+}
+
+static void fill_env_results(void) {
+  mimo_env_results* results = good.env_results;
+  memset(results, 0, sizeof *results);
+  results->struct_size = sizeof *results;
+  results->reward = good.reward;
+  results->terminated = good.terminated;
+  results->truncated = good.truncated;
+  results->outcome = good.outcome;
+  results->agents = AGENTS;
+  results->terms = good.numbers;
+  results->term_count = good.term_count;
+}
+
+static void fill_resets(void) {
+  memset(good.reset_config, 0, sizeof *good.reset_config);
+  good.reset_config->struct_size = sizeof *good.reset_config;
+  good.reset_config->seeded = 1;
+  good.reset_config->seed = 5;
+  memset(good.batch_reset, 0, sizeof *good.batch_reset);
+  good.batch_reset->struct_size = sizeof *good.batch_reset;
+  good.batch_reset->seeds = good.seeds;
+  good.batch_reset->mask = good.mask;
+  good.batch_reset->worlds = WORLDS_IN_BATCH;
+}
+
+static void fill_picture(void) {
+  memset(good.picture, 0, sizeof *good.picture);
+  good.picture->struct_size = sizeof *good.picture;
+  good.picture->rgb = good.rgb;
+  good.picture->rgb_bytes = good.rgb_bytes;
+  good.picture->depth = good.depth;
+  good.picture->depth_count = good.depth_count;
+  good.picture->segmentation = good.segmentation;
+  good.picture->segmentation_count = good.segmentation_count;
 }
 
 /* Arrays that are read hold what is asked for: no actions, everything at the origin, the world's own state. */
@@ -387,6 +430,9 @@ args good_args(int uses) {
   for (i = 0; i < region_count; ++i) memset(regions[i].bytes, 0xab, regions[i].size);
   fill_configs();
   fill_results();
+  fill_env_results();
+  fill_resets();
+  fill_picture();
   fill_arrays();
   fill_states();
   *good.made_scene = NULL;
@@ -464,7 +510,7 @@ void break_worlds(void) {
 
 void mend_worlds(void) {
   CHECK_OK(mimo_env_reset(good.env, NULL, NULL, 0));
-  CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0));
 }
 
 int world_failures(void) { return failures(); }

@@ -38,7 +38,7 @@ static void step(mimo_env* env, int count) {
   CHECK_OK(mimo_env_action_size(env, &actions));
   while (count-- > 0) {
     for (i = 0; i < actions; ++i) action[i] = 0.3f * (float)((int)(i * 7 + (size_t)count * 3) % 5 - 2);
-    CHECK_OK(mimo_env_step(env, action, actions, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, actions, NULL, 0, NULL));
   }
 }
 
@@ -84,11 +84,10 @@ static void write_numbers(FILE* file, mimo_env* env) {
 
 static void write_state(const char* folder, const char* name) {
   static uint8_t state[MOST];
-  const uint64_t seed = 5;
   mimo_env* env = env_of(name);
   size_t bytes = 0;
   FILE* file;
-  CHECK_OK(mimo_env_reset(env, &seed, NULL, 0));
+  CHECK_OK(mimo_env_reset(env, SEED(5), NULL, 0));
   step(env, STEPS);
   CHECK_OK(mimo_env_state_size(env, &bytes));
   CHECK(bytes <= sizeof state);

@@ -8,6 +8,9 @@
 #include <string.h>
 
 #include "mimo/mimo.h"
+#ifndef __cplusplus
+#include "support/calls.h"
+#endif
 
 static int failed_checks = 0;
 

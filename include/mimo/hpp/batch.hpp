@@ -49,8 +49,11 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
 
   /// One seed for each world; none: they go on with their own random numbers.
   void reset(const std::vector<std::uint64_t> &seeds, Block &blocks) {
-    check(mimo_batch_reset(get(), seeds.empty() ? nullptr : seeds.data(), nullptr, seeds.size(), blocks.data(),
-                           blocks.bytes()));
+    mimo_batch_reset_config config = {};
+    config.struct_size = sizeof config;
+    config.seeds = seeds.empty() ? nullptr : seeds.data();
+    config.worlds = seeds.size();
+    check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));
   }
   /// One step; worlds x actions, none leave the controls as they are. `results` says where else it goes, or nullptr.
   void step(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {

@@ -28,6 +28,14 @@ Description described() {
   description.struct_size = sizeof description;
   return description;
 }
+
+/// An episode whose random numbers start anew from a seed.
+inline mimo_reset_config seeded(std::uint64_t seed) {
+  mimo_reset_config config = described<mimo_reset_config>();
+  config.seeded = 1;
+  config.seed = seed;
+  return config;
+}
 inline std::vector<std::string> names(const char *(*name)(std::size_t)) {
   std::vector<std::string> all;
   for (std::size_t i = 0; name(i) != nullptr; ++i) all.push_back(name(i));

@@ -7,7 +7,6 @@
 #define MIMO_HPP_ENV
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,7 +90,8 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   Block make_block() const { return detail::block_of<mimo_env>(get(), mimo_env_observation_size); }
   Results make_results() const {
     const std::size_t count = agent_count();
-    return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count)};
+    return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count),
+                   std::vector<std::int32_t>(count), std::vector<double>(term_names().size())};
   }
   /// Their strings live as long as the environment.
   std::vector<mimo_field> fields() const {
@@ -100,20 +100,18 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   /// The field of that name; throws std::out_of_range when there is none.
   mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
 
-  void reset(std::uint64_t seed, Block &block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
+  void reset(std::uint64_t seed, Block &block) {
+    const mimo_reset_config config = detail::seeded(seed);
+    check(mimo_env_reset(get(), &config, block.data(), block.bytes()));
+  }
   void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
   void observe(Block &block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
 
   /// One step of all agents; an empty vector of actions leaves the controls as they are. Allocates nothing.
   void step(const std::vector<float> &actions, Block &block, Results &results) {
-    const std::size_t agents = results.reward.size();
-    if (results.terminated.size() != agents || results.truncated.size() != agents) {
-      throw std::invalid_argument("vectors of the results differ in length");
-    }
-    const bool wanted = agents != 0;
+    const mimo_env_results to = results.raw();
     check(mimo_env_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), block.data(), block.bytes(),
-                        wanted ? results.reward.data() : nullptr, wanted ? results.terminated.data() : nullptr,
-                        wanted ? results.truncated.data() : nullptr, agents));
+                        &to));
   }
   /// The same with results of its own.
   std::vector<Result> step(const std::vector<float> &actions, Block &block) {
@@ -121,12 +119,12 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     step(actions, block, all);
     std::vector<Result> results;
     for (std::size_t i = 0; i < all.reward.size(); ++i) {
-      results.push_back(Result{all.reward[i], all.terminated[i] != 0, all.truncated[i] != 0});
+      results.push_back(Result{all.reward[i], all.terminated[i] != 0, all.truncated[i] != 0, all.outcome[i]});
     }
     return results;
   }
 
-  /// Physics alone: no actuation, senses or task.
+  /// Physics alone: no senses and no task.
   void physics_step(std::size_t count = 1) { check(mimo_env_physics_step(get(), count)); }
 
   double time() const {
@@ -141,26 +139,19 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     check(mimo_env_random(get(), values.data(), values.size()));
     return values;
   }
-  /// MIMO_OUTCOME_ of an agent's last step, also where it does not end the episode.
-  std::int32_t outcome(std::size_t agent = 0) const {
-    std::uint8_t success = 0, failure = 0;
-    check(mimo_env_outcome(get(), agent, &success, &failure));
-    return success != 0 ? MIMO_OUTCOME_SUCCESS : failure != 0 ? MIMO_OUTCOME_FAILURE
-                                                              : MIMO_OUTCOME_NONE;
-  }
-  /// The terms of the last step's reward by name, in their order.
-  std::vector<std::pair<std::string, double>> reward_terms(std::size_t agent = 0) const {
-    std::size_t count = 0;
-    check(mimo_env_reward_term_count(get(), agent, &count));
-    std::vector<double> values(count);
-    check(mimo_env_reward_terms(get(), agent, values.data(), values.size()));
-    std::vector<std::pair<std::string, double>> terms;
-    for (std::size_t i = 0; i < count; ++i) {
-      const char *name = nullptr;
-      check(mimo_env_reward_term_name(get(), agent, i, &name));
-      terms.emplace_back(name, values[i]);
+  /// Names of the terms of all agents' rewards, in the order of Results::terms.
+  std::vector<std::string> term_names() const {
+    std::vector<std::string> names;
+    for (std::size_t agent = 0; agent < agent_count(); ++agent) {
+      std::size_t count = 0;
+      check(mimo_env_reward_term_count(get(), agent, &count));
+      for (std::size_t i = 0; i < count; ++i) {
+        const char *name = nullptr;
+        check(mimo_env_reward_term_name(get(), agent, i, &name));
+        names.push_back(name);
+      }
     }
-    return terms;
+    return names;
   }
 
   /// How many of a kind (MIMO_BODY ...) there are.
@@ -322,9 +313,15 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     std::vector<Rgb> &color = pictures.color.pixels;
     std::vector<float> &depth = pictures.depth.pixels;
     std::vector<std::int32_t> &ids = pictures.segmentation.pixels;
-    check(mimo_env_render(get(), &config, color.empty() ? nullptr : &color[0].r, sizeof(Rgb) * color.size(),
-                          depth.empty() ? nullptr : depth.data(), depth.size(), ids.empty() ? nullptr : ids.data(),
-                          ids.size()));
+    mimo_picture to = {};
+    to.struct_size = sizeof to;
+    to.rgb = color.empty() ? nullptr : &color[0].r;
+    to.rgb_bytes = sizeof(Rgb) * color.size();
+    to.depth = depth.empty() ? nullptr : depth.data();
+    to.depth_count = depth.size();
+    to.segmentation = ids.empty() ? nullptr : ids.data();
+    to.segmentation_count = ids.size();
+    check(mimo_env_render(get(), &config, &to));
   }
   /// Where points of the world lie in the picture: pixels from its left and its upper edge, and depth in metres.
   std::vector<Vector> project(const mimo_picture_config &config, const std::vector<Vector> &points) const {

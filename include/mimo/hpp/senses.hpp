@@ -39,7 +39,10 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
 
   /// Starts an episode; without a seed its noise goes on from the last one's.
   void reset(const void *data) { check(mimo_senses_reset(get(), data, nullptr)); }
-  void reset(const void *data, std::uint64_t seed) { check(mimo_senses_reset(get(), data, &seed)); }
+  void reset(const void *data, std::uint64_t seed) {
+    const mimo_reset_config config = detail::seeded(seed);
+    check(mimo_senses_reset(get(), data, &config));
+  }
   /// One step later: what is late takes in what the data hold.
   void advance(const void *data) { check(mimo_senses_advance(get(), data)); }
   void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }
