@@ -8,7 +8,7 @@ MIMO_FIRST_SIZE(mimo_camera_config, 96);
 MIMO_FIRST_SIZE(mimo_parameter, 48);
 MIMO_FIRST_SIZE(mimo_env_config, 72);
 MIMO_FIRST_SIZE(mimo_agent_info, 40);
-MIMO_FIRST_SIZE(mimo_field, 104);
+MIMO_FIRST_SIZE(mimo_field, 112);
 MIMO_FIRST_SIZE(mimo_gaze, 144);
 MIMO_FIRST_SIZE(mimo_picture_config, 80);
 MIMO_FIRST_SIZE(mimo_timing, 64);
