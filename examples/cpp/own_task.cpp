@@ -44,7 +44,7 @@ int main() try {
   mimo::Block block = env.make_block();
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  std::vector<float> action(env.action_size());
+  std::vector<float> action(env.layout().info().actions);
   double sum = 0;
   int steps = 0;
   env.reset(1, block);
@@ -54,7 +54,7 @@ int main() try {
     sum += result.reward;
     ended = result.terminated;
   }
-  const float height = block.view<float>(env.field("head_height"))[0];
+  const float height = block.view<float>(env.layout().field("head_height"))[0];
   std::printf("after %d steps the head is at %.2f m; return %.2f\n", steps, height, sum);
   for (const auto& term : env.reward_terms())
     std::printf("  %s: %.3f in the last step\n", term.first.c_str(), term.second);
