@@ -42,7 +42,8 @@ static mimo_batch* make_batch(void) {
 
 int main(void) {
   mimo_batch* batch = make_batch();
-  mimo_env* first;
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   mimo_batch_results results;
   uint64_t seeds[WORLDS];
   mimo_batch_reset_config start;
@@ -52,10 +53,11 @@ int main(void) {
   size_t block_bytes, action_count, threads, i;
   int step, episodes = 0;
 
-  /* What the worlds observe and do is asked of one of them: they are all alike. */
-  check(mimo_batch_world(batch, 0, &first));
-  check(mimo_env_observation_size(first, &block_bytes, NULL));
-  check(mimo_env_action_size(first, &action_count));
+  check(mimo_batch_layout(batch, &layout)); /* what each of the worlds observes and does */
+  sizes.struct_size = sizeof sizes;
+  check(mimo_layout_describe(layout, &sizes));
+  block_bytes = sizes.block_bytes;
+  action_count = sizes.actions;
   check(mimo_batch_size(batch, NULL, &threads));
   blocks = malloc(WORLDS * block_bytes);
   actions = malloc(WORLDS * action_count * sizeof *actions);

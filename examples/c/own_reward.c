@@ -72,10 +72,15 @@ int main(void) {
   float best[4] = {0, 0, 0, 0}, trial[4];
   double best_sum, first_sum;
   int32_t bodies[2];
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   size_t count, i;
   int round;
 
-  check(mimo_env_action_size(env, &count));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_env_layout(env, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  count = sizes.actions;
   if (count != 4) return 1;
   check(mimo_env_find(env, MIMO_BODY, "right_fingers", &bodies[0]));
   check(mimo_env_find(env, MIMO_BODY, "head", &bodies[1]));

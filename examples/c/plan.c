@@ -36,13 +36,18 @@ int main(void) {
   int32_t hand_and_ball[2];
   double nearest, first, reached;
   const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   int decision, future;
 
   check(mimo_env_make("reach", &env));
   check(mimo_env_reset(env, &seeded, NULL, 0));
   check(mimo_env_find(env, MIMO_BODY, "right_fingers", &hand_and_ball[0]));
   check(mimo_env_find(env, MIMO_BODY, "target", &hand_and_ball[1]));
-  check(mimo_env_action_size(env, &count));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_env_layout(env, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  count = sizes.actions;
   check(mimo_env_state_size(env, &bytes));
   present = malloc(bytes);
   actions = malloc(FUTURES * count * sizeof *actions);

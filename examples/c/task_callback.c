@@ -104,13 +104,18 @@ int main(void) {
   uint64_t seeds[WORLDS];
   mimo_batch_reset_config start;
   uint8_t terminated[WORLDS], truncated[WORLDS];
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   float* actions;
   size_t count, i;
   int step, successes = 0, time_outs = 0;
 
   check(mimo_batch_world(batch, 0, &first));
   check(mimo_env_find(first, MIMO_BODY, "left_hand", &user.hand));
-  check(mimo_env_action_size(first, &count));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_batch_layout(batch, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  count = sizes.actions;
   actions = malloc(WORLDS * count * sizeof *actions);
   if (actions == NULL) return 1;
   memset(&results, 0, sizeof results);

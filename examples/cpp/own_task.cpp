@@ -44,7 +44,7 @@ int main() try {
   mimo::Block block = env.make_block();
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  std::vector<float> action(env.action_size());
+  std::vector<float> action(env.layout().info().actions);
   mimo::Results results = env.make_results();
   double sum = 0;
   int steps = 0;
@@ -55,7 +55,7 @@ int main() try {
     sum += results.reward[0];
     ended = results.terminated[0] != 0;
   }
-  const float height = block.view<float>(env.field("head_height"))[0];
+  const float height = block.view<float>(env.layout().field("head_height"))[0];
   std::printf("after %d steps the head is at %.2f m; return %.2f\n", steps, height, sum);
   const auto names = env.term_names();
   for (std::size_t i = 0; i < names.size(); ++i)

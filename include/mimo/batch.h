@@ -2,7 +2,7 @@
  * @file mimo/batch.h
  * Batches: many worlds of one scene, stepped by a pool of threads. World i does exactly what a single
  * environment does that is reset with the i-th seed and given the i-th actions, for any number of threads.
- * Arrays stack the worlds along their first axis: blocks lie at i * mimo_env_observation_size.
+ * Arrays stack the worlds along their first axis: blocks lie at i * block_bytes of mimo_layout_info.
  *
  * What one world cannot do (its simulation failed, its actions are not numbers) stops none of the others. The
  * call then returns the status of the first such world, mimo_last_error() names it, and
@@ -68,9 +68,12 @@ MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
 /** Number of worlds and of threads; either may be NULL. */
 MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, size_t *threads) MIMO_NOEXCEPT;
 
+/** What each of the worlds observes, acts with and is rewarded for. */
+MIMO_API mimo_status mimo_batch_layout(const mimo_batch *batch, const mimo_layout **layout) MIMO_NOEXCEPT;
+
 /**
- * One world as an environment. All functions of environments work on it, between the batch's own calls: what its
- * observations and actions are (the same for all worlds), names, contacts, pictures, state, single steps.
+ * One world as an environment. All functions of environments work on it, between the batch's own calls: names,
+ * contacts, pictures, state, single steps.
  * Different worlds may then be used by different threads, or by tasks of other batches.
  * @param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between
  *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT.
@@ -129,7 +132,7 @@ typedef struct mimo_batch_results {
 
 /**
  * Goes one step on in all worlds.
- * @param actions worlds x mimo_env_action_size; NULL with action_count 0 leaves all controls as they are.
+ * @param actions worlds x actions of mimo_layout_info; NULL with action_count 0 leaves all controls as they are.
  * @param blocks  receives the observations; NULL with block_bytes 0 skips the senses.
  * @param results NULL: not wanted.
  * Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on.

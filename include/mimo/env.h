@@ -5,6 +5,7 @@
 #ifndef MIMO_ENV_H
 #define MIMO_ENV_H
 
+#include "observation.h"
 #include "scene.h"
 
 #ifdef __cplusplus
@@ -87,14 +88,14 @@ typedef struct mimo_agent_info {
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
 
+/** What it observes, acts with and is rewarded for. */
+MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **layout) MIMO_NOEXCEPT;
+
 /** Name of the task. The string is owned by the environment. */
 MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
 
 /** Physics steps per environment step. */
 MIMO_API mimo_status mimo_env_frame_skip(const mimo_env *env, uint32_t *frame_skip) MIMO_NOEXCEPT;
-
-/** Number of agents; also the length of the reward, terminated and truncated arrays of a step. */
-MIMO_API mimo_status mimo_env_agent_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
 
 /** Describes the index-th agent. Set info->struct_size first. */
 MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agent_info *info) MIMO_NOEXCEPT;
@@ -147,7 +148,7 @@ MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t ac
 
 /**
  * The observation of the current state, without changing the trajectory. All its fields belong to the current
- * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next
+ * state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next
  * step mimo_env_get gives values of the current state, too.
  */
 MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
@@ -190,12 +191,6 @@ MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
 
 /* Terms of rewards. */
 
-/** Number of terms of an agent's reward, which is their sum. */
-MIMO_API mimo_status mimo_env_reward_term_count(const mimo_env *env, size_t agent, size_t *count) MIMO_NOEXCEPT;
-
-/** Name of the index-th term, "distance". The string is owned by the environment. */
-MIMO_API mimo_status mimo_env_reward_term_name(const mimo_env *env, size_t agent, size_t index,
-                                               const char **name) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -33,8 +33,6 @@ MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze 
 #define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
 #define MIMO_LOOK_HEAD 1 /**< The head turns first, so that the eyes have to turn little. */
 
-#define MIMO_LOOK_JOINTS 8 /**< As many joints as looking takes at most. */
-
 /**
  * Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position
  * control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0.
@@ -43,7 +41,7 @@ MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze 
  * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD
  *                 swivel and tilt of the head before them. May be NULL.
  * @param angles   receives their angles, rad, cut to the joints' ranges; may be NULL.
- * @param capacity how many joints the arrays have room for.
+ * @param capacity how many joints the arrays have room for; 0 where both are NULL, to learn the count.
  * @param count    receives how many there are; may be NULL.
  * @param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;
  *                 may be NULL.

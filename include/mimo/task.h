@@ -120,7 +120,7 @@ typedef struct mimo_task {
   size_t memory_bytes;            /**< Memory for each world and agent, up to MIMO_TASK_MEMORY_LIMIT. */
   mimo_task_reset_fn reset;       /**< May be NULL. */
   mimo_task_evaluate_fn evaluate; /**< Needed. */
-  const char *const *terms;       /**< Names of the terms that the reward is the sum of (mimo_env_reward_term_name).
+  const char *const *terms;       /**< Names of the terms that the reward is the sum of (mimo_layout_term).
                                        NULL: it is one number, the term "reward". */
   size_t term_count;              /**< Length of terms, up to 1000. */
   const mimo_task_field *fields;  /**< Further fields of the observation. NULL: none. */

@@ -63,7 +63,7 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
   options.friction_use = has(MIMO_TOUCH_FRICTION_USE);
   senses::check_outputs(options);
   if (!options.any()) return options;
-  check_choice(config.touch_response, MIMO_TOUCH_NEAREST, MIMO_TOUCH_GAUSSIAN, "touch_response");
+  check_choice(config.touch_response, MIMO_RESPONSE_NEAREST, MIMO_RESPONSE_GAUSSIAN, "touch_response");
   check_choice(config.touch_frame, MIMO_FRAME_BODY, MIMO_FRAME_SKIN, "touch_frame");
   require(config.touch_scale >= 0.001 && config.touch_scale <= 1000, "touch_scale is {}, expected 0.001 to 1000",
           config.touch_scale);

@@ -11,6 +11,7 @@ BatchObject::BatchObject(blueprint::KitPtr of, const batch::Options& options)
     : kit(std::move(of)),
       views(options.worlds),
       batch(*kit, options, [this](std::size_t world) { return &views.handles[world]; }) {
+  layout = own_layout(describe(batch.world(0)));
   // The functions of a user's task get their world's handle; they run where making one would come too late.
   for (std::size_t i = 0; kit->options.custom_task && i < options.worlds; ++i) view(i);
 }
@@ -23,7 +24,7 @@ Views::~Views() {
 
 mimo_env* BatchObject::view(std::size_t world) {
   mimo_env*& handle = views.handles[world];
-  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(kit, batch, world));
+  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(kit, batch, world, layout.get()));
   return handle;
 }
 
@@ -96,6 +97,10 @@ mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* thr
     if (worlds != nullptr) *worlds = inner.size();
     if (threads != nullptr) *threads = inner.threads();
   });
+}
+
+mimo_status mimo_batch_layout(const mimo_batch* batch, const mimo_layout** layout) noexcept {
+  return guard(batch, [&] { out(layout, "layout") = open(batch).layout.get(); });
 }
 
 mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) noexcept {

@@ -104,9 +104,9 @@ static_assert(same(MIMO_ACTUATION_POSITION, actuation::Mode::kPosition));
 static_assert(same(MIMO_ACTUATION_MUSCLE, actuation::Mode::kMuscle));
 static_assert(same(MIMO_ACTUATION_MUJOCO_MUSCLE, actuation::Mode::kMujocoMuscle));
 
-static_assert(same(MIMO_TOUCH_NEAREST, senses::touch::Response::kNearest));
-static_assert(same(MIMO_TOUCH_LINEAR, senses::touch::Response::kLinear));
-static_assert(same(MIMO_TOUCH_GAUSSIAN, senses::touch::Response::kGaussian));
+static_assert(same(MIMO_RESPONSE_NEAREST, senses::touch::Response::kNearest));
+static_assert(same(MIMO_RESPONSE_LINEAR, senses::touch::Response::kLinear));
+static_assert(same(MIMO_RESPONSE_GAUSSIAN, senses::touch::Response::kGaussian));
 
 static_assert(same(MIMO_FRAME_BODY, senses::TouchFrame::kBody));
 static_assert(same(MIMO_FRAME_WORLD, senses::TouchFrame::kWorld));
@@ -117,8 +117,11 @@ static_assert(same(MIMO_I32, observation::Type::kI32));
 static_assert(same(MIMO_F32, observation::Type::kF32));
 static_assert(same(MIMO_F64, observation::Type::kF64));
 
-static_assert(same(MIMO_AT_END, observation::Time::kEnd));
-static_assert(same(MIMO_AT_LAST_START, observation::Time::kLastStart));
+static_assert(same(MIMO_RECEPTOR_BODY, observation::ReceptorQuantity::kBody));
+static_assert(same(MIMO_RECEPTOR_GEOM, observation::ReceptorQuantity::kGeom));
+static_assert(same(MIMO_RECEPTOR_POSITION, observation::ReceptorQuantity::kPosition));
+static_assert(same(MIMO_RECEPTOR_FRAME, observation::ReceptorQuantity::kFrame));
+static_assert(same(MIMO_RECEPTOR_FRAME, observation::kReceptorQuantities));
 
 static_assert(same(MIMO_JOINT_POSITION, env::Quantity::kJointPosition));
 static_assert(same(MIMO_JOINT_VELOCITY, env::Quantity::kJointVelocity));

@@ -76,10 +76,16 @@ blueprint::KitPtr make_kit(const blueprint::Blueprint& blueprint, const mimo_env
 EnvObject::EnvObject(blueprint::KitPtr of)
     : kit(std::move(of)),
       owned(std::make_unique<env::World>(kit->model, kit->agents, kit->options, kit->services, identity())),
-      world(*owned) {}
+      world(*owned),
+      own(own_layout(describe(world))),
+      layout(own.get()) {}
 
 EnvObject::EnvObject(blueprint::KitPtr of, const env::World& original)
-    : kit(std::move(of)), owned(blueprint::clone(*kit, original, identity())), world(*owned) {}
+    : kit(std::move(of)),
+      owned(blueprint::clone(*kit, original, identity())),
+      world(*owned),
+      own(own_layout(describe(world))),
+      layout(own.get()) {}
 
 mimo_env* make_env(blueprint::KitPtr kit) { return wrap_env(std::make_unique<EnvObject>(std::move(kit))); }
 
@@ -134,8 +140,8 @@ mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
 
 void mimo_env_destroy(mimo_env* env) noexcept { destroy(env); }
 
-mimo_status mimo_env_agent_count(const mimo_env* env, size_t* count) noexcept {
-  return guard(env, [&] { out(count, "count") = open(env).world.agents().size(); });
+mimo_status mimo_env_layout(const mimo_env* env, const mimo_layout** layout) noexcept {
+  return guard(env, [&] { out(layout, "layout") = open(env).layout; });
 }
 
 mimo_status mimo_env_agent(const mimo_env* env, size_t index, mimo_agent_info* info) noexcept {

@@ -11,7 +11,7 @@ MIMO_FIRST_SIZE(mimo_env_config, 72);
 MIMO_FIRST_SIZE(mimo_agent_info, 40);
 MIMO_FIRST_SIZE(mimo_reset_config, 16);
 MIMO_FIRST_SIZE(mimo_env_results, 64);
-MIMO_FIRST_SIZE(mimo_field, 104);
+MIMO_FIRST_SIZE(mimo_field, 112);
 MIMO_FIRST_SIZE(mimo_gaze, 144);
 MIMO_FIRST_SIZE(mimo_picture_config, 80);
 MIMO_FIRST_SIZE(mimo_picture, 56);

@@ -77,6 +77,7 @@ const char* word(HandleType type) {
     case HandleType::kEnv: return "mimo_env";
     case HandleType::kBatch: return "mimo_batch";
     case HandleType::kSenses: return "mimo_senses";
+    case HandleType::kLayout: return "mimo_layout";
   }
   return "handle";
 }

@@ -10,7 +10,7 @@
 
 namespace mimo::capi {
 
-enum class HandleType : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4 };
+enum class HandleType : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4, kLayout = 5 };
 
 // Makes a handle that owns the object.
 void* make_handle(HandleType type, void* object);

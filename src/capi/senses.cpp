@@ -1,9 +1,9 @@
 // Senses on a host's own simulation.
 #include <cmath>
 
+#include "capi/block.h"
 #include "capi/check.h"
 #include "capi/env.h"
-#include "capi/fields.h"
 #include "capi/guard.h"
 #include "capi/log.h"
 #include "capi/objects.h"
@@ -65,26 +65,8 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const
 
 void mimo_senses_destroy(mimo_senses* senses) noexcept { destroy(senses); }
 
-mimo_status mimo_senses_observation_size(const mimo_senses* senses, size_t* bytes, size_t* fields) noexcept {
-  return guard(senses, [&] { describe_size(open(senses).attached.layout(), bytes, fields); });
-}
-
-mimo_status mimo_senses_observation_field(const mimo_senses* senses, size_t index, mimo_field* field) noexcept {
-  return guard(senses, [&] { describe_field(open(senses).attached.layout(), index, field); });
-}
-
-mimo_status mimo_senses_observation_label(const mimo_senses* senses, size_t index, size_t element,
-                                          const char** label) noexcept {
-  return guard(senses, [&] { out(label, "label") = label_of(open(senses).attached.layout(), index, element); });
-}
-
-mimo_status mimo_senses_touch_sensors(const mimo_senses* senses, size_t agent, int32_t* bodies, int32_t* geoms,
-                                      double* positions, double* frames, size_t capacity, size_t* count) noexcept {
-  return guard(senses, [&] {
-    const auto& agents = open(senses).attached.agents();
-    check_agent(agents, agent);
-    describe_skin(agents[agent].skin.get(), {bodies, geoms, positions, frames}, capacity, count);
-  });
+mimo_status mimo_senses_layout(const mimo_senses* senses, const mimo_layout** layout) noexcept {
+  return guard(senses, [&] { out(layout, "layout") = open(senses).layout.get(); });
 }
 
 mimo_status mimo_senses_observe(mimo_senses* senses, const void* data, void* block, size_t block_bytes) noexcept {

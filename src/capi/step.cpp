@@ -1,6 +1,6 @@
 // Stepping and observations.
+#include "capi/block.h"
 #include "capi/check.h"
-#include "capi/fields.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/reset.h"
@@ -53,40 +53,6 @@ using namespace mimo;
 using namespace mimo::capi;
 
 extern "C" {
-
-mimo_status mimo_env_observation_size(const mimo_env* env, size_t* bytes, size_t* fields) noexcept {
-  return guard(env, [&] { describe_size(open(env).world.layout(), bytes, fields); });
-}
-
-mimo_status mimo_env_observation_field(const mimo_env* env, size_t index, mimo_field* field) noexcept {
-  return guard(env, [&] { describe_field(open(env).world.layout(), index, field); });
-}
-
-mimo_status mimo_env_observation_label(const mimo_env* env, size_t index, size_t element, const char** label) noexcept {
-  return guard(env, [&] { out(label, "label") = label_of(open(env).world.layout(), index, element); });
-}
-
-mimo_status mimo_env_action_size(const mimo_env* env, size_t* count) noexcept {
-  return guard(env, [&] { out(count, "count") = open(env).world.action_size(); });
-}
-
-mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high, size_t count) noexcept {
-  return guard(env, [&] {
-    const env::World& world = open(env).world;
-    check_length<float>(count, "count");
-    if (count < world.action_size()) {
-      fail(Status::kBufferTooSmall, "count is {}, but there are {} actions", count, world.action_size());
-    }
-    world.action_bounds(optional(low, world.action_size()), optional(high, world.action_size()));
-  });
-}
-
-mimo_status mimo_env_action_name(const mimo_env* env, size_t index, const char** name) noexcept {
-  return guard(env, [&] {
-    const auto [agent, local] = open(env).world.action(index);
-    out(name, "name") = agent->actuation->names()[local].c_str();
-  });
-}
 
 mimo_status mimo_env_reset(mimo_env* env, const mimo_reset_config* config, void* block, size_t block_bytes) noexcept {
   return guard(env, [&] {

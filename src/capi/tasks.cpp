@@ -64,16 +64,4 @@ mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, 
   });
 }
 
-mimo_status mimo_env_reward_term_count(const mimo_env* env, size_t agent, size_t* count) noexcept {
-  return guard(env, [&] { out(count, "count") = task_of(env, agent).terms().size(); });
-}
-
-mimo_status mimo_env_reward_term_name(const mimo_env* env, size_t agent, size_t index, const char** name) noexcept {
-  return guard(env, [&] {
-    const auto terms = task_of(env, agent).terms();
-    require(index < terms.size(), "index is {}, but there are {} terms", index, terms.size());
-    out(name, "name") = terms[index].name;
-  });
-}
-
 }  // extern "C"

@@ -116,21 +116,6 @@ bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
          (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
 }
 
-std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
-  for (const Agent& agent : agents_) {
-    if (index < agent.action_offset + agent.actuation->size()) return {&agent, index - agent.action_offset};
-  }
-  fail(Status::kInvalidArgument, "action index {}: there are {} actions", index, action_size_);
-}
-
-void World::action_bounds(Span<float> low, Span<float> high) const {
-  for (const Agent& agent : agents_) {
-    const std::vector<float>&own_low = agent.actuation->low(), &own_high = agent.actuation->high();
-    if (!low.empty()) std::copy(own_low.begin(), own_low.end(), low.begin() + agent.action_offset);
-    if (!high.empty()) std::copy(own_high.begin(), own_high.end(), high.begin() + agent.action_offset);
-  }
-}
-
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   require_outside_task();
   physics_.require_undisturbed();

@@ -61,6 +61,13 @@ void LimitedSenses::make_room(const Layout& layout) {
   }
 }
 
+std::size_t LimitedSenses::delay(const Field& field) const {
+  for (const LimitedField& limited : fields_) {
+    if (&limited.field() == &field) return limited.delay();
+  }
+  return 0;
+}
+
 void LimitedSenses::weaken(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
   for (LimitedField& field : fields_) field.weaken(block, episode, step);
 }

@@ -103,18 +103,45 @@ static mimo_scene *make_scene(void) {
   return scene;
 }
 
+static const mimo_layout *layout_of(const mimo_env *env) {
+  const mimo_layout *layout = NULL;
+  OK(mimo_env_layout(env, &layout));
+  return layout;
+}
+
+static mimo_layout_info sizes_of(const mimo_env *env) {
+  mimo_layout_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  OK(mimo_layout_describe(layout_of(env), &info));
+  return info;
+}
+
 static mimo_field field_named(const mimo_env *env, const char *name) {
   mimo_field field;
-  size_t count = 0, i;
+  size_t index = 0;
   memset(&field, 0, sizeof field);
-  OK(mimo_env_observation_size(env, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    field.struct_size = sizeof field;
-    OK(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "there is no field %s\n", name);
-  exit(1);
+  field.struct_size = sizeof field;
+  OK(mimo_layout_find(layout_of(env), name, &index));
+  OK(mimo_layout_field(layout_of(env), index, &field));
+  return field;
+}
+
+/* A receptor lies on a body, and its normal is a unit vector. */
+static void check_receptors(const mimo_env *env) {
+  size_t index = 0, count = 0;
+  double *bodies, *frames;
+  OK(mimo_layout_find(layout_of(env), "touch/force", &index));
+  OK(mimo_layout_receptor_width(layout_of(env), index, MIMO_RECEPTOR_BODY, &count));
+  CHECK(count > 100 && count == field_named(env, "touch/force").receptors);
+  bodies = calloc(count, sizeof *bodies);
+  frames = calloc(9 * count, sizeof *frames);
+  OK(mimo_layout_receptors(layout_of(env), index, MIMO_RECEPTOR_BODY, bodies, count));
+  OK(mimo_layout_receptors(layout_of(env), index, MIMO_RECEPTOR_FRAME, frames, 9 * count));
+  CHECK(bodies[count - 1] > 0);
+  CHECK(fabs(frames[0] * frames[0] + frames[1] * frames[1] + frames[2] * frames[2] - 1) < 1e-9);
+  free(bodies);
+  free(frames);
 }
 
 static void check_fields(const mimo_env *env) {
@@ -124,10 +151,10 @@ static void check_fields(const mimo_env *env) {
   const char *label = NULL;
   CHECK(eye.dtype == MIMO_U8 && eye.ndim == 3 && eye.shape[0] == 16 && eye.shape[2] == 3 && eye.bytes == 768);
   CHECK(depth.dtype == MIMO_F32 && depth.ndim == 2 && strcmp(depth.unit, "m") == 0);
-  CHECK(joints.dtype == MIMO_F32 && joints.time == MIMO_AT_END && joints.offset % 64 == 0);
-  CHECK(touch.ndim == 2 && touch.shape[1] == 3 && touch.time == MIMO_AT_LAST_START);
+  CHECK(joints.dtype == MIMO_F32 && joints.start == 0 && joints.end == 0 && joints.period > 0 && joints.offset % 64 == 0);
+  CHECK(touch.ndim == 2 && touch.shape[1] == 3 && touch.end == -0.005);
   CHECK(wall.bytes == 8 * 8 * 3);
-  OK(mimo_env_observation_label(env, 0, 0, &label));
+  OK(mimo_layout_label(layout_of(env), 0, 0, &label));
 }
 
 /* Steps, states, names. A ball falls by g h^2 n (n + 1) / 2 in n steps of h = 5 ms. */
@@ -143,12 +170,12 @@ static void live(mimo_env *env) {
   int32_t toy = -1, elbow = -1, body = -1;
   mimo_agent_info infant;
   uint8_t *block, *again, *state;
-  float *action, *low;
+  float *action;
+  mimo_action first;
   mimo_env *twin = NULL;
-  OK(mimo_env_observation_size(env, &bytes, NULL));
-  OK(mimo_env_action_size(env, &count));
-  OK(mimo_env_agent_count(env, &agents));
-  CHECK(agents == 1 && bytes % 64 == 0 && count > 0);
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
+  CHECK(sizes_of(env).agents == 1 && bytes % 64 == 0 && count > 0);
   memset(&infant, 0, sizeof infant);
   infant.struct_size = sizeof infant;
   OK(mimo_env_agent(env, 0, &infant));
@@ -156,8 +183,10 @@ static void live(mimo_env *env) {
   block = malloc(bytes);
   again = malloc(bytes);
   action = calloc(count, sizeof *action);
-  low = calloc(count, sizeof *low);
-  OK(mimo_env_action_bounds(env, low, NULL, count));
+  memset(&first, 0, sizeof first);
+  first.struct_size = sizeof first;
+  OK(mimo_layout_action(layout_of(env), 0, &first));
+  CHECK(first.agent == 0 && first.low < first.high);
   memset(&seed, 0, sizeof seed);
   seed.struct_size = sizeof seed;
   seed.seeded = 1;
@@ -205,7 +234,6 @@ static void live(mimo_env *env) {
   mimo_env_destroy(twin);
   CHECK(mimo_env_time(twin, &seconds) == MIMO_E_BAD_HANDLE);
   free(state);
-  free(low);
   free(action);
   free(again);
   free(block);
@@ -218,7 +246,7 @@ static void see(mimo_env *env) {
   const char *name = NULL;
   double face = -1;
   int32_t fear = -1;
-  size_t sensors = 0, contacts = 0, terms = 9;
+  size_t contacts = 0;
   mimo_gaze gaze;
   mimo_timing timing;
   mimo_picture_config picture;
@@ -245,10 +273,8 @@ static void see(mimo_env *env) {
   OK(mimo_env_render(env, &picture, &colors));
   CHECK(rgb[3] == 255);
   OK(mimo_env_project(env, &picture, point, 1, pixels));
-  OK(mimo_env_touch_sensors(env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
-  CHECK(sensors > 100);
+  check_receptors(env);
   OK(mimo_env_count(env, MIMO_CONTACT, &contacts));
-  OK(mimo_env_reward_term_count(env, 0, &terms));
   memset(&timing, 0, sizeof timing);
   timing.struct_size = sizeof timing;
   OK(mimo_env_timing(env, &timing));
@@ -289,7 +315,9 @@ static void live_together(mimo_scene *scene) {
   mimo_batch *batch = NULL;
   mimo_task_field goal;
   const size_t two = 2;
-  const char *const terms[2] = {"steps", "thousand"}, *term = NULL;
+  const char *const terms[2] = {"steps", "thousand"};
+  const mimo_layout *layout = NULL;
+  mimo_term term;
   mimo_env *world = NULL;
   OK(mimo_task_field_init(&goal, sizeof goal));
   CHECK(goal.ndim == 0 && goal.low < -1e308 && goal.high > 1e308);
@@ -315,8 +343,12 @@ static void live_together(mimo_scene *scene) {
   OK(mimo_batch_size(batch, &worlds, NULL));
   CHECK(worlds == 2);
   OK(mimo_batch_world(batch, 0, &world));
-  OK(mimo_env_reward_term_name(world, 0, 1, &term));
-  CHECK(strcmp(term, "thousand") == 0 && field_named(world, "goal").bytes == 8);
+  OK(mimo_batch_layout(batch, &layout));
+  CHECK(layout == layout_of(world));
+  memset(&term, 0, sizeof term);
+  term.struct_size = sizeof term;
+  OK(mimo_layout_term(layout, 1, &term));
+  CHECK(strcmp(term.name, "thousand") == 0 && term.agent == 0 && field_named(world, "goal").bytes == 8);
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = reward;

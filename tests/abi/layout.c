@@ -169,6 +169,16 @@ int main(void) {
   FIELD(mimo_env_results, terms);
   FIELD(mimo_env_results, term_count);
 
+  BEGIN(mimo_layout_info);
+  FIELD(mimo_layout_info, struct_size);
+  FIELD(mimo_layout_info, reserved);
+  FIELD(mimo_layout_info, block_bytes);
+  FIELD(mimo_layout_info, fields);
+  FIELD(mimo_layout_info, actions);
+  FIELD(mimo_layout_info, agents);
+  FIELD(mimo_layout_info, terms);
+
+
   BEGIN(mimo_field);
   FIELD(mimo_field, struct_size);
   FIELD(mimo_field, dtype);
@@ -179,9 +189,35 @@ int main(void) {
   FIELD(mimo_field, bytes);
   FIELD(mimo_field, shape);
   FIELD(mimo_field, ndim);
-  FIELD(mimo_field, time);
   FIELD(mimo_field, low);
   FIELD(mimo_field, high);
+  FIELD(mimo_field, start);
+  FIELD(mimo_field, end);
+  FIELD(mimo_field, period);
+  FIELD(mimo_field, receptors);
+
+  BEGIN(mimo_action);
+  FIELD(mimo_action, struct_size);
+  FIELD(mimo_action, reserved);
+  FIELD(mimo_action, name);
+  FIELD(mimo_action, unit);
+  FIELD(mimo_action, agent);
+  FIELD(mimo_action, low);
+  FIELD(mimo_action, high);
+
+  BEGIN(mimo_term);
+  FIELD(mimo_term, struct_size);
+  FIELD(mimo_term, reserved);
+  FIELD(mimo_term, name);
+  FIELD(mimo_term, agent);
+
+  BEGIN(mimo_field_config);
+  FIELD(mimo_field_config, struct_size);
+  FIELD(mimo_field_config, quantity);
+  FIELD(mimo_field_config, name);
+  FIELD(mimo_field_config, elements);
+  FIELD(mimo_field_config, element_count);
+  FIELD(mimo_field_config, relative_to);
 
   BEGIN(mimo_gaze);
   FIELD(mimo_gaze, struct_size);

@@ -67,8 +67,8 @@ static void check_views(mimo_batch* batch) {
   CHECK_OK(mimo_batch_world(batch, 2, &view));
   CHECK_OK(mimo_batch_world(batch, 2, &again));
   CHECK(view == again);
-  CHECK_OK(mimo_env_observation_size(view, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(view, &actions));
+  bytes = sizes_of(view).block_bytes;
+  actions = sizes_of(view).actions;
   mimo_env_destroy(view); /* is the batch's */
   CHECK_OK(mimo_env_step(view, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_time(view, &time));

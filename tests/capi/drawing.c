@@ -27,7 +27,7 @@ static void* paint(void* argument) {
   size_t bytes = 0, i;
   uint8_t* block;
   int round;
-  it->wrong += mimo_env_observation_size(it->world, &bytes, NULL) != MIMO_OK;
+  bytes = sizes_of(it->world).block_bytes;
   block = malloc(bytes);
   if (block == NULL) exit(1);
   it->wrong += mimo_env_reset(it->world, SEED(it->seed), block, bytes) != MIMO_OK;

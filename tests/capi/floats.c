@@ -166,8 +166,8 @@ static uint64_t run_single(const mimo_scene* scene, const char* renderer) {
   mimo_picture_config view;
   AS_HOST(mimo_env_create(scene, &config, &env));
   if (env == NULL) exit(failures());
-  AS_HOST(mimo_env_observation_size(env, &bytes, NULL));
-  AS_HOST(mimo_env_action_size(env, &count));
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
   uint8_t* block = malloc(bytes);
   float* actions = malloc(count * sizeof *actions);
   AS_HOST(mimo_env_reset(env, SEED(3), block, bytes));
@@ -204,8 +204,8 @@ static uint64_t run_batch(const mimo_scene* scene, uint32_t threads, int sent) {
   AS_HOST(mimo_batch_create(scene, &config, &many, &batch));
   if (batch == NULL) exit(failures());
   AS_HOST(mimo_batch_world(batch, 0, &first));
-  AS_HOST(mimo_env_observation_size(first, &bytes, NULL));
-  AS_HOST(mimo_env_action_size(first, &count));
+  bytes = sizes_of(first).block_bytes;
+  count = sizes_of(first).actions;
   bytes *= WORLDS;
   count *= WORLDS;
   uint8_t* blocks = malloc(bytes);

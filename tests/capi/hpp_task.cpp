@@ -51,14 +51,14 @@ mimo::Scene scene_with(mimo::Task& task) {
 
 void check_told(mimo::Env& env) {
   mimo::Block block = env.make_block();
-  const mimo_field goal = env.field("goal"), reached = env.field("reached");
+  const mimo_field goal = env.layout().field("goal"), reached = env.layout().field("reached");
   CHECK(goal.low == 0 && goal.high == 1 && goal.ndim == 1 && reached.ndim == 2 && reached.shape[1] == 3);
   CHECK_TEXT("rad", goal.unit);
   CHECK_TEXT("joint", goal.frame);
   env.reset(4, block);
   const float drawn = block.view<float>(goal)[0];
   CHECK(drawn > 0 && drawn < 1);
-  std::vector<float> action(env.action_size());
+  std::vector<float> action(env.layout().info().actions);
   action[0] = -7;  // the least is -1
   for (int step = 1; step <= 3; ++step) {
     mimo::Results all = env.make_results();

@@ -183,19 +183,6 @@ static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment
   return MIMO_OK;
 }
 
-static mimo_field field_named(const mimo_env* env, const char* name) {
-  mimo_field field;
-  size_t count = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "no field %s\n", name);
-  exit(1);
-}
-
 static void check_own(void) {
   mimo_scene* scene = room("playdate", NULL);
   mimo_task task;
@@ -235,8 +222,8 @@ static void check_own(void) {
   CHECK_OK(mimo_scene_set_touch(scene, 1, NULL, 0.05));
   env = env_of(scene);
 
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(env, &actions));
+  bytes = sizes_of(env).block_bytes;
+  actions = sizes_of(env).actions;
   CHECK(actions == 50); /* head 3, eyes 6, two arms of 4, two hands of 4: 25 each */
   block = malloc(bytes);
   action = calloc(actions, sizeof *action);
@@ -263,9 +250,9 @@ static void check_own(void) {
   CHECK_OK(mimo_env_get(env, MIMO_AGENT_FACE, NULL, 0, faces, 2));
   CHECK(faces[0] == find(env, MIMO_FACE, "neutral") && faces[1] == fear);
   for (i = 0; i < 2; ++i) {
-    CHECK_OK(mimo_env_touch_sensors(env, i, NULL, NULL, NULL, NULL, 0, &count));
-    CHECK(field_named(env, i == 0 ? "anna/touch/force" : "ben/touch/force").shape[0] == count);
-    CHECK(i == 0 ? count == 5685 : count < 2000);
+    const mimo_field touch = field_of(env, i == 0 ? "anna/touch/force" : "ben/touch/force");
+    CHECK(touch.shape[0] == touch.receptors);
+    CHECK(i == 0 ? touch.receptors == 5685 : touch.receptors < 2000);
   }
   mimo_env_destroy(env);
   free(block);
@@ -342,7 +329,7 @@ static void check_threads(void) {
     CHECK_OK(mimo_batch_create(scene, NULL, &batch_config, &batch));
     mimo_scene_destroy(scene);
     CHECK_OK(mimo_batch_world(batch, 0, &env));
-    CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+    bytes = sizes_of(env).block_bytes;
     blocks[run] = malloc(WORLDS * bytes);
     CHECK_OK(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), NULL, 0));
     for (step = 0; step < STEPS; ++step) {
@@ -395,7 +382,7 @@ static void check_ten_run(mimo_env* env) {
   unsigned char* block;
   uint32_t state = 5;
   int i, step;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(bytes);
   for (step = 0; step < 100; ++step) {
     for (i = 0; i < TEN * MOTORS; ++i) action[i] = (float)noise(&state);

@@ -23,7 +23,7 @@ static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* mome
   if (mimo_env_reset(env, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
   if (mimo_env_step(env, NULL, 0, NULL, 0, NULL) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
   mimo_env_destroy(env); /* does nothing now */
-  if (mimo_env_agent_count(env, &count) != MIMO_OK || count != 1) return MIMO_E_INTERNAL;
+  if (mimo_env_count(env, MIMO_AGENT, &count) != MIMO_OK || count != 1) return MIMO_E_INTERNAL;
   if (mimo_env_random(env, &share, 1) != MIMO_OK) return MIMO_E_INTERNAL;
   it->target = -share;
   if (mimo_env_set(env, MIMO_JOINT_POSITION, &rule->joint, 1, &it->target, 1) != MIMO_OK) return MIMO_E_INTERNAL;

@@ -49,8 +49,8 @@ static void check_results_of_a_batch(int32_t autoreset) {
   config.autoreset = autoreset;
   CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
   CHECK_OK(mimo_batch_world(batch, 1, &view));
-  CHECK_OK(mimo_env_observation_size(view, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(view, &actions));
+  bytes = sizes_of(view).block_bytes;
+  actions = sizes_of(view).actions;
   CHECK(WORLDS * actions <= MOST);
   blocks = malloc(WORLDS * bytes);
   if (blocks == NULL) exit(1);
@@ -151,7 +151,7 @@ static void check_limits(void) {
   limits.gain = limits.noise = FLT_MAX;
   CHECK_OK(mimo_scene_limit_sense(scene, 0, "proprioception", &limits));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   CHECK(bytes <= sizeof block);
   for (seed = 0; seed < 50; ++seed) {
     CHECK_OK(mimo_env_reset(env, SEED(seed), block, bytes));
@@ -170,8 +170,8 @@ static void check_struct_size(void) {
   mimo_env* env = blind_env("free", NULL);
   mimo_field field;
   memset(&field, 0, sizeof field);
-  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "field: struct_size is 0, expected 104, the struct's sizeof",
-              mimo_env_observation_field(env, 0, &field));
+  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "field: struct_size is 0, expected 112, the struct's sizeof",
+              mimo_layout_field(layout_of(env), 0, &field));
   CHECK(strstr(mimo_last_error(), "_init") == NULL);
   mimo_env_destroy(env);
 }

@@ -96,10 +96,10 @@ static mimo_env* make(const char* scene) {
 
 static outcome play(const char* scene, int fill) {
   mimo_env* env = make(scene);
-  size_t bytes = 0, fields = 0, count = 0, step, i;
+  size_t bytes = 0, count = 0, step, i;
   outcome all = {UINT64_C(14695981039346656037), 0};
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
-  CHECK_OK(mimo_env_action_size(env, &count));
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
   uint8_t* block = malloc(bytes);
   float* actions = malloc(count * sizeof *actions);
   memset(block, fill, bytes);

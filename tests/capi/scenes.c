@@ -151,7 +151,7 @@ static void check_agents(void) {
   CHECK_OK(mimo_scene_add_agent(scene, &config, &agent));
   CHECK(agent == 1);
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  CHECK_OK(mimo_env_agent_count(env, &count));
+  count = sizes_of(env).agents;
   CHECK(count == 2);
   info.struct_size = sizeof info;
   CHECK_OK(mimo_env_agent(env, 1, &info));
@@ -171,7 +171,7 @@ static void check_agents(void) {
   config.body = "scene";
   CHECK_OK(mimo_scene_add_agent(scene, &config, NULL));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  CHECK_OK(mimo_env_action_size(env, &count));
+  count = sizes_of(env).actions;
   CHECK(count == 44);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);

@@ -52,7 +52,7 @@ static void check_infant(const char* name, const char* renderer) {
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_OK(mimo_env_create(scene, &config, &env));
   if (env == NULL) exit(failures());
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(2 * bytes);
   CHECK_OK(mimo_env_reset(env, NULL, block, bytes));
   CHECK_OK(mimo_env_step(env, NULL, 0, block, bytes, NULL));

@@ -58,7 +58,7 @@
   } while (0)
 
 static mimo_scene* scene;
-static mimo_env* env;
+static mimo_env *env, *rewarded;
 
 static mimo_status create_scene(const mimo_scene_config* config) {
   mimo_scene* made = NULL;
@@ -105,13 +105,17 @@ static mimo_status add_camera(mimo_camera_config* config) {
 }
 
 static mimo_status describe_agent(mimo_agent_info* info) { return mimo_env_agent(env, 0, info); }
-static mimo_status describe_field(mimo_field* field) { return mimo_env_observation_field(env, 0, field); }
+static mimo_status describe_field(mimo_field* field) { return mimo_layout_field(layout_of(env), 0, field); }
+static mimo_status describe_layout(mimo_layout_info* info) { return mimo_layout_describe(layout_of(env), info); }
+static mimo_status describe_action(mimo_action* action) { return mimo_layout_action(layout_of(env), 0, action); }
+static mimo_status describe_term(mimo_term* term) { return mimo_layout_term(layout_of(rewarded), 0, term); }
 static mimo_status describe_gaze(mimo_gaze* gaze) { return mimo_env_gaze(env, 0, gaze); }
 static mimo_status describe_timing(mimo_timing* timing) { return mimo_env_timing(env, timing); }
 
 int main(void) {
   scene = blind_scene("free");
   env = blind_env("free", NULL);
+  rewarded = blind_env("standup", NULL);
   CHECK_INIT(mimo_scene_config, mimo_scene_config_init);
   CHECK_INIT(mimo_agent_config, mimo_agent_config_init);
   CHECK_INIT(mimo_object_config, mimo_object_config_init);
@@ -125,8 +129,12 @@ int main(void) {
   CHECK_READ(mimo_camera_config, mimo_camera_config_init, add_camera);
   CHECK_DESCRIBED(mimo_agent_info, "info", describe_agent);
   CHECK_DESCRIBED(mimo_field, "field", describe_field);
+  CHECK_DESCRIBED(mimo_layout_info, "info", describe_layout);
+  CHECK_DESCRIBED(mimo_action, "action", describe_action);
+  CHECK_DESCRIBED(mimo_term, "term", describe_term);
   CHECK_DESCRIBED(mimo_timing, "timing", describe_timing);
   CHECK_DESCRIBED(mimo_gaze, "gaze", describe_gaze);
+  mimo_env_destroy(rewarded);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   return failures();

@@ -62,10 +62,10 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
   CHECK_TEXT(name, task);
   CHECK_OK(mimo_env_frame_skip(env, &skip));
   CHECK(skip == (uint32_t)frame_skip);
-  CHECK_OK(mimo_env_action_size(env, &action_count));
+  action_count = sizes_of(env).actions;
   CHECK(action_count == (size_t)actions);
   CHECK_OK(mimo_env_reset(env, SEED(4), NULL, 0));
-  CHECK_OK(mimo_env_reward_term_count(env, 0, &terms));
+  terms = sizes_of(env).terms;
   while (!terminated && !truncated) {
     size_t i;
     CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0,
@@ -84,13 +84,14 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
 
 static void check_term_names(void) {
   mimo_env* env = NULL;
-  const char* name = NULL;
+  mimo_term term = {0};
   CHECK_OK(mimo_env_make("reach", &env));
-  CHECK_OK(mimo_env_reward_term_name(env, 0, 0, &name));
-  CHECK_TEXT("distance", name);
-  CHECK_OK(mimo_env_reward_term_name(env, 0, 1, &name));
-  CHECK_TEXT("success", name);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 2 terms", mimo_env_reward_term_name(env, 0, 2, &name));
+  CHECK(sizes_of(env).terms == 2);
+  CHECK_TEXT("distance", term_name(env, 0));
+  CHECK_TEXT("success", term_name(env, 1));
+  term.struct_size = sizeof term;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 2, but there are 2 terms",
+              mimo_layout_term(layout_of(env), 2, &term));
   mimo_env_destroy(env);
 }
 
@@ -103,8 +104,6 @@ static void check_agents(void) {
   mimo_scene* scene = scene_named("standup");
   mimo_agent_config agent;
   mimo_env* env;
-  size_t count = 0;
-  float low[8], high[8];
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
   CHECK(agent.vision == 0 && agent.vestibular == 3 && agent.proprioception == kUsualProprioception);
   CHECK(agent.acts == 0 && agent.actuation == MIMO_ACTUATION_TORQUE && agent.normalize_actions == 0);
@@ -117,10 +116,8 @@ static void check_agents(void) {
   agent.normalize_actions = 1;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   env = env_of(scene);
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 8);
-  CHECK_OK(mimo_env_action_bounds(env, low, high, 8));
-  CHECK(low[3] == -1 && high[3] == 1);
+  CHECK(sizes_of(env).actions == 8);
+  CHECK(action_at(env, 3).low == -1 && action_at(env, 3).high == 1 && strcmp(action_at(env, 3).unit, "") == 0);
   mimo_env_destroy(env);
 
   scene = scene_named("catch");
@@ -130,8 +127,7 @@ static void check_agents(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "made for fingers only", mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_OK(mimo_scene_add_agent(scene, NULL, NULL));
   env = env_of(scene);
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 40);
+  CHECK(sizes_of(env).actions == 40);
   mimo_env_destroy(env);
 
   scene = scene_named("free");
@@ -141,8 +137,7 @@ static void check_agents(void) {
   agent.acts = MIMO_ACT_NONE;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   env = env_of(scene);
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 0);
+  CHECK(sizes_of(env).actions == 0);
   mimo_env_destroy(env);
 }
 

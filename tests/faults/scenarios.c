@@ -63,6 +63,8 @@ static mimo_status attach_to(mimo_senses** made) {
 }
 
 static void begin_host(void) {
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
   mimo_agent_config agent;
   mimo_limits limits;
   char error[200] = "";
@@ -85,7 +87,9 @@ static void begin_host(void) {
   limits.delay = limits.noise = 0.1;
   CHECK_OK(mimo_scene_limit_sense(gripper_scene, 0, "proprioception", &limits));
   CHECK_OK(attach_to(&senses));
-  CHECK_OK(mimo_senses_observation_size(senses, &senses_bytes, NULL));
+  CHECK_OK(mimo_senses_layout(senses, &layout));
+  CHECK_OK(mimo_layout_describe(layout, &info));
+  senses_bytes = info.block_bytes;
   CHECK(senses_bytes <= ROOM);
 }
 
@@ -100,7 +104,7 @@ void scenarios_begin(void) {
   CHECK_OK(mimo_env_create(infant_scene, NULL, &infant));
   make_batch_of(infant_scene, &batch);
   if (infant == NULL || batch == NULL) exit(1);
-  CHECK_OK(mimo_env_observation_size(infant, &block_bytes, NULL));
+  block_bytes = sizes_of(infant).block_bytes;
   CHECK_OK(mimo_env_state_size(infant, &state_bytes));
   batch_bytes = WORLDS * block_bytes;
   CHECK(batch_bytes <= ROOM && state_bytes <= ROOM);

@@ -52,7 +52,7 @@ static void add_object(input* in, mimo_scene* scene) {
 static void use(mimo_env* env) {
   size_t bytes = 0;
   void* block;
-  CALL(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(bytes > 0 ? bytes : 1);
   if (block == NULL) return;
   if (CALL(mimo_env_reset(env, NULL, block, bytes)) == MIMO_OK) {

@@ -23,8 +23,9 @@ static void make_world(void) {
   PROMISE(mimo_scene_add_agent(scene, &agent, NULL) == MIMO_OK);
   PROMISE(mimo_env_create(scene, NULL, &env) == MIMO_OK);
   mimo_scene_destroy(scene);
-  PROMISE(mimo_env_observation_size(env, &block_bytes, NULL) == MIMO_OK && block_bytes <= BLOCK);
-  PROMISE(mimo_env_action_size(env, &actions) == MIMO_OK && actions <= ACTIONS);
+  block_bytes = sizes_of(env).block_bytes;
+  actions = sizes_of(env).actions;
+  PROMISE(block_bytes <= BLOCK && actions <= ACTIONS);
   block = malloc(BLOCK);
   PROMISE(block != NULL);
 }
@@ -91,7 +92,7 @@ static void ask(input* in) {
   CALL(mimo_env_random(env, numbers, 4));
   CALL(mimo_env_count(env, MIMO_CONTACT, &contacts));
   CALL(mimo_env_name(env, take_byte(in), take_byte(in), &text));
-  CALL(mimo_env_observation_label(env, take_byte(in), take_byte(in), &text));
+  CALL(mimo_layout_label(layout_of(env), take_byte(in), take_byte(in), &text));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

@@ -21,12 +21,11 @@ Bytes block;
 
 void make_world() {
   PROMISE(mimo_env_make("selfbody", &env) == MIMO_OK);
-  std::size_t bytes = 0;
-  CALL(mimo_env_observation_size(env, &bytes, nullptr));
-  block.resize(bytes);
+  block.resize(sizes_of(env).block_bytes);
   const mimo_reset_config seeded = {sizeof seeded, 1, 5};
   PROMISE(mimo_env_reset(env, &seeded, nullptr, 0) == MIMO_OK);
   PROMISE(mimo_env_physics_step(env, 20) == MIMO_OK);
+  std::size_t bytes = 0;
   CALL(mimo_env_state_size(env, &bytes));
   good.resize(bytes);
   PROMISE(mimo_env_state_save(env, good.data(), good.size()) == MIMO_OK);

@@ -58,8 +58,8 @@ static void check_refused(const char* name, mimo_scene* scene, mimo_env* env, mi
   const float ones[200] = {1, 1, 1};
   mimo_env* other = NULL;
   size_t bytes = 0, count = 0, size;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(env, &count));
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
   CHECK(bytes <= sizeof block && count <= 200);
   size = state_of(env, before);
   asked = 0;
@@ -151,6 +151,8 @@ static void check_senses(void) {
   mimo_agent_config config;
   mimo_senses_config attached;
   mimo_scene* scene = NULL;
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
   mimo_senses* senses = NULL;
   size_t bytes = 0;
   mjModel* model;
@@ -169,7 +171,9 @@ static void check_senses(void) {
   CHECK_OK(mimo_senses_config_init(&attached, sizeof attached));
   attached.mujoco_version = mj_version();
   CHECK_OK(mimo_senses_attach(scene, model, &attached, &senses));
-  CHECK_OK(mimo_senses_observation_size(senses, &bytes, NULL));
+  CHECK_OK(mimo_senses_layout(senses, &layout));
+  CHECK_OK(mimo_layout_describe(layout, &info));
+  bytes = info.block_bytes;
   asked = 0;
   mj_step(model, data);
   CHECK(asked == 1);

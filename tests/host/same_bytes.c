@@ -99,13 +99,11 @@ static void limit(mimo_scene* scene) {
 
 /* Which field differs, for people. */
 static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t* actual, int step) {
-  size_t bytes = 0, fields = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  const size_t bytes = sizes_of(env).block_bytes, fields = sizes_of(env).fields;
+  size_t i;
   if (memcmp(expected, actual, bytes) == 0) return;
   for (i = 0; i < fields; ++i) {
-    mimo_field field;
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, i, &field));
+    const mimo_field field = field_at(layout_of(env), i);
     if (memcmp(expected + field.offset, actual + field.offset, field.bytes) == 0) continue;
     fprintf(stderr, "step %d: %s\n", step, field.name);
     check(0, "a field differs", __LINE__);
@@ -113,20 +111,21 @@ static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t*
 }
 
 static void check_layouts(const mimo_env* env, const mimo_senses* senses) {
-  size_t bytes = 0, fields = 0, own_bytes = 0, own_fields = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
-  CHECK_OK(mimo_senses_observation_size(senses, &own_bytes, &own_fields));
-  CHECK(bytes == own_bytes && fields == own_fields && fields > 10);
-  for (i = 0; i < fields; ++i) {
-    mimo_field a, b;
+  const mimo_layout *worlds = layout_of(env), *own = NULL;
+  const mimo_layout_info sizes = sizes_of(env);
+  mimo_layout_info own_sizes = {sizeof own_sizes, 0, 0, 0, 0, 0, 0};
+  size_t i;
+  CHECK_OK(mimo_senses_layout(senses, &own));
+  CHECK_OK(mimo_layout_describe(own, &own_sizes));
+  CHECK(sizes.block_bytes == own_sizes.block_bytes && sizes.fields == own_sizes.fields && sizes.fields > 10);
+  for (i = 0; i < sizes.fields; ++i) {
+    const mimo_field a = field_at(worlds, i), b = field_at(own, i);
     const char *label_a = NULL, *label_b = NULL;
-    a.struct_size = b.struct_size = sizeof a;
-    CHECK_OK(mimo_env_observation_field(env, i, &a));
-    CHECK_OK(mimo_senses_observation_field(senses, i, &b));
     CHECK_TEXT(a.name, b.name);
-    CHECK(a.offset == b.offset && a.bytes == b.bytes && a.dtype == b.dtype && a.time == b.time);
-    CHECK_OK(mimo_env_observation_label(env, i, 1, &label_a));
-    CHECK_OK(mimo_senses_observation_label(senses, i, 1, &label_b));
+    CHECK(a.offset == b.offset && a.bytes == b.bytes && a.dtype == b.dtype && a.receptors == b.receptors);
+    CHECK(a.start == b.start && a.end == b.end && a.period == b.period);
+    CHECK_OK(mimo_layout_label(worlds, i, 1, &label_a));
+    CHECK_OK(mimo_layout_label(own, i, 1, &label_b));
     CHECK_TEXT(label_a, label_b);
   }
 }
@@ -180,9 +179,13 @@ static void run(const char* name, uint32_t vision, int limited) {
   CHECK_OK(mimo_senses_attach(scene, model, &attached, &senses));
   if (env == NULL || senses == NULL) exit(failures());
   check_layouts(env, senses);
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(env, &actions));
-  CHECK_OK(mimo_env_action_bounds(env, low, high, 64));
+  bytes = sizes_of(env).block_bytes;
+  actions = sizes_of(env).actions;
+  CHECK(actions <= 64);
+  for (i = 0; i < actions; ++i) {
+    low[i] = (float)action_at(env, i).low;
+    high[i] = (float)action_at(env, i).high;
+  }
   expected = new_block(bytes);
   actual = new_block(bytes);
   before = new_block((size_t)data->nbuffer);

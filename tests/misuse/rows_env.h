@@ -3,21 +3,8 @@
 ROW(mimo_env_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_env(a), NONE)
 ROW(mimo_env_task, ON_ENV, mimo_env_task(a->env, a->string), NO_NULL(string, "name"))
 ROW(mimo_env_frame_skip, ON_ENV, mimo_env_frame_skip(a->env, a->u32_out), NO_NULL(u32_out, "frame_skip"))
-ROW(mimo_env_agent_count, ON_ENV, mimo_env_agent_count(a->env, a->count), NO_NULL(count, "count"))
 ROW(mimo_env_agent, ON_ENV, mimo_env_agent(a->env, a->index, a->info), BAD_SIZE(index, 1, "index"),
     BAD_INDEX(index, "index"), DESCRIPTION(info, mimo_agent_info, "info"))
-
-ROW(mimo_env_observation_size, ON_ENV, mimo_env_observation_size(a->env, a->count, a->count2), NULL_OK(count),
-    NULL_OK(count2))
-ROW(mimo_env_observation_field, ON_ENV, mimo_env_observation_field(a->env, a->index, a->field),
-    BAD_INDEX(index, "index"), DESCRIPTION(field, mimo_field, "field"))
-ROW(mimo_env_observation_label, ON_ENV, mimo_env_observation_label(a->env, a->index, a->element, a->string),
-    BAD_INDEX(index, "index"), BAD_INDEX(element, "element"), NO_NULL(string, "label"))
-ROW(mimo_env_action_size, ON_ENV, mimo_env_action_size(a->env, a->count), NO_NULL(count, "count"))
-ROW(mimo_env_action_bounds, ON_ENV, mimo_env_action_bounds(a->env, a->low, a->high, a->actions_known), NULL_OK(low),
-    NULL_OK(high), SHORT(actions_known, "count"))
-ROW(mimo_env_action_name, ON_ENV, mimo_env_action_name(a->env, a->index, a->string), BAD_INDEX(index, "index"),
-    NO_NULL(string, "name"))
 
 #define SEEDED                                                                                               \
   NULL_OK(reset_config), CONFIG(reset_config, mimo_reset_config, "config"),                                  \
@@ -69,11 +56,6 @@ ROW(mimo_env_set, ON_ENV | SIMULATES,
     NO_NULL(to_write, "values"), VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
 ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
-ROW(mimo_env_touch_sensors, ON_ENV,
-    mimo_env_touch_sensors(a->env, a->agent_index, a->bodies, a->geoms, a->positions, a->frames, a->touch_capacity,
-                           a->count),
-    BAD_INDEX(agent_index, "agent"), NULL_OK(bodies), NULL_OK(geoms), NULL_OK(positions), NULL_OK(frames),
-    NULL_OK(count), BAD_SIZE(touch_capacity, -1, "capacity"), DO(few_sensors, MIMO_E_BUFFER_TOO_SMALL, "capacity"))
 
 #define VIEW(f, n) BAD_FIELD(picture_config, mimo_picture_config, f, n, #f)
 #define VIEW_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
@@ -112,10 +94,6 @@ ROW(mimo_env_look_at, ON_ENV | SIMULATES, mimo_env_look_at(a->env, a->agent_inde
 
 ROW(mimo_env_timing, ON_ENV, mimo_env_timing(a->env, a->timing), DESCRIPTION(timing, mimo_timing, "timing"))
 ROW(mimo_env_timing_reset, ON_ENV, mimo_env_timing_reset(a->env), NONE)
-ROW(mimo_env_reward_term_count, ON_ENV, mimo_env_reward_term_count(a->env, a->agent_index, a->count),
-    BAD_INDEX(agent_index, "agent"), NO_NULL(count, "count"))
-ROW(mimo_env_reward_term_name, ON_ENV, mimo_env_reward_term_name(a->env, a->agent_index, a->index, a->string),
-    BAD_INDEX(agent_index, "agent"), BAD_INDEX(index, "index"), NO_NULL(string, "name"))
 
 ROW(mimo_env_state_size, ON_ENV, mimo_env_state_size(a->env, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->state_out, a->state_bytes),

@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20, LOOK_JOINTS = 8 };
 
 static struct {
   unsigned char *bytes, *kept;
@@ -17,6 +17,7 @@ static mimo_scene *dead_scene, *spare_scene;
 static mimo_env* dead_env;
 static mimo_batch* dead_batch;
 static mimo_senses* dead_senses;
+static const mimo_layout* dead_layout;
 static mjModel* host_model;
 static mjData* host_data;
 static unsigned char not_a_handle[256];
@@ -118,6 +119,7 @@ static mimo_senses* make_senses(void) {
 static void make_dead_handles(void) {
   dead_scene = make_scene("free", NULL);
   CHECK_OK(mimo_env_create(dead_scene, NULL, &dead_env));
+  CHECK_OK(mimo_env_layout(dead_env, &dead_layout));
   dead_batch = make_batch(dead_scene, MIMO_AUTORESET_NONE);
   mimo_scene_destroy(dead_scene);
   mimo_env_destroy(dead_env);
@@ -156,16 +158,17 @@ static void find_things(void) {
 
 static void make_arrays(void) {
   const size_t worlds = WORLDS_IN_BATCH;
-  size_t actions = 0, sensors = 0, state = 0, text = 0;
-  CHECK_OK(mimo_env_action_size(good.env, &actions));
-  CHECK_OK(mimo_env_observation_size(good.env, &good.block_bytes, NULL));
+  size_t actions = 0, state = 0, text = 0;
+  actions = sizes_of(good.env).actions;
+  good.block_bytes = sizes_of(good.env).block_bytes;
   CHECK_OK(mimo_env_state_size(good.env, &state));
-  CHECK_OK(mimo_env_touch_sensors(good.env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
-  CHECK_OK(mimo_env_reward_term_count(good.env, 0, &good.term_count));
+  CHECK_OK(mimo_layout_find(good.layout, "touch/force", &good.field_index));
+  CHECK_OK(mimo_layout_receptor_width(good.layout, good.field_index, MIMO_RECEPTOR_FRAME, &good.receptor_count));
+  good.term_count = sizes_of(good.env).terms;
   CHECK_OK(mimo_scene_xml(spare_scene, NULL, 0, &text));
-  CHECK(actions > 1 && sensors > 0 && good.term_count > 0);
+  CHECK(actions > 1 && good.receptor_count > 0 && good.term_count > 0);
   good.blocks_bytes = worlds * good.block_bytes;
-  good.action_count = good.actions_known = actions;
+  good.action_count = actions;
   good.actions_count = worlds * actions;
   good.state_bytes = state;
   good.states_bytes = worlds * state;
@@ -173,7 +176,6 @@ static void make_arrays(void) {
   good.agents = AGENTS;
   good.value_count = VALUES_PER_WORLD;
   good.values_count = worlds * VALUES_PER_WORLD;
-  good.touch_capacity = sensors;
   good.number_count = 4;
   good.point_count = 2;
   good.capacity = text + 1;
@@ -205,18 +207,13 @@ static void make_arrays(void) {
   good.outcome = region(worlds * AGENTS * sizeof(int32_t));
   good.pixels = region(3 * good.point_count * sizeof(double));
   good.statuses = region(worlds * sizeof(mimo_status));
-  good.positions = region(3 * sensors * sizeof(double));
-  good.frames = region(MIMO_TOUCH_FRAME_VALUES * sensors * sizeof(double));
-  good.bodies = region(sensors * sizeof(int32_t));
-  good.look_capacity = MIMO_LOOK_JOINTS;
-  good.look_joints = region(MIMO_LOOK_JOINTS * sizeof(int32_t));
-  good.look_angles = region(MIMO_LOOK_JOINTS * sizeof(double));
-  good.geoms = region(sensors * sizeof(int32_t));
+  good.receptors = region(good.receptor_count * sizeof(double));
+  good.look_capacity = LOOK_JOINTS;
+  good.look_joints = region(LOOK_JOINTS * sizeof(int32_t));
+  good.look_angles = region(LOOK_JOINTS * sizeof(double));
   good.terminated = region(AGENTS);
   good.truncated = region(AGENTS);
   good.rgb = region(good.rgb_bytes);
-  good.low = region(actions * sizeof(float));
-  good.high = region(actions * sizeof(float));
   good.depth = region(good.depth_count * sizeof(float));
   good.segmentation = region(good.segmentation_count * sizeof(int32_t));
 }
@@ -235,6 +232,7 @@ static void make_single_results(void) {
   good.made_env = region(sizeof(mimo_env*));
   good.made_batch = region(sizeof(mimo_batch*));
   good.made_senses = region(sizeof(mimo_senses*));
+  good.layout_out = region(sizeof(mimo_layout*));
 }
 
 static void make_structs(void) {
@@ -253,7 +251,10 @@ static void make_structs(void) {
   good.picture = region(sizeof *good.picture + TAIL);
   good.parameter = region(sizeof *good.parameter + TAIL);
   good.info = region(sizeof *good.info + TAIL);
+  good.layout_info = region(sizeof *good.layout_info + TAIL);
   good.field = region(sizeof *good.field + TAIL);
+  good.described_action = region(sizeof *good.described_action + TAIL);
+  good.term = region(sizeof *good.term + TAIL);
   good.timing = region(sizeof *good.timing + TAIL);
   good.camera_config = region(sizeof *good.camera_config + TAIL);
   good.model_config = region(sizeof *good.model_config + TAIL);
@@ -274,6 +275,7 @@ void make_everything(void) {
   CHECK_OK(mimo_env_create(spare_scene, NULL, &good.env));
   good.batch = make_batch(spare_scene, MIMO_AUTORESET_SAME_STEP);
   if (good.env == NULL || good.batch == NULL) exit(failures());
+  good.layout = layout_of(good.env);
   find_things();
   make_arrays();
   make_single_results();
@@ -330,7 +332,10 @@ static void fill_configs(void) {
   good.task_field->high = 8;
   good.parameter->struct_size = sizeof *good.parameter;
   good.info->struct_size = sizeof *good.info;
+  good.layout_info->struct_size = sizeof *good.layout_info;
   good.field->struct_size = sizeof *good.field;
+  good.described_action->struct_size = sizeof *good.described_action;
+  good.term->struct_size = sizeof *good.term;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
   good.report->struct_size = sizeof *good.report;
@@ -441,6 +446,7 @@ args good_args(int uses) {
   *good.made_senses = NULL;
   good.kind = MIMO_BODY;
   good.quantity = MIMO_JOINT_POSITION;
+  good.receptor_quantity = MIMO_RECEPTOR_FRAME;
   good.steps = 1;
   good.name = "toy";
   good.scene_name = "free";
@@ -450,6 +456,7 @@ args good_args(int uses) {
   good.folder = "misuse_saved_scene";
   good.joint_name = "robot:head_tilt";
   good.path = "touch";
+  good.field_name = "touch/force";
   good.motor_path = "right_arm";
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
@@ -494,6 +501,7 @@ mimo_scene* retired_scene(void) { return dead_scene; }
 mimo_env* retired_env(void) { return dead_env; }
 mimo_batch* retired_batch(void) { return dead_batch; }
 mimo_senses* retired_senses(void) { return dead_senses; }
+mimo_layout* retired_layout(void) { return (mimo_layout*)dead_layout; }
 void* no_handle(void) { return not_a_handle; }
 const void* foreign_state(void) { return foreign; }
 

@@ -35,7 +35,7 @@ static mimo_env* env_of(const char* name) {
 static void step(mimo_env* env, int count) {
   float action[256];
   size_t actions = 0, i;
-  CHECK_OK(mimo_env_action_size(env, &actions));
+  actions = sizes_of(env).actions;
   while (count-- > 0) {
     for (i = 0; i < actions; ++i) action[i] = 0.3f * (float)((int)(i * 7 + (size_t)count * 3) % 5 - 2);
     CHECK_OK(mimo_env_step(env, action, actions, NULL, 0, NULL));
@@ -53,7 +53,7 @@ static size_t look(mimo_env* env, double* numbers) {
   CHECK(width + 3 <= NUMBERS);
   CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, ids, joints, numbers, width));
   CHECK_OK(mimo_env_time(env, &numbers[width]));
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(bytes);
   if (block == NULL) exit(1);
   CHECK_OK(mimo_env_observe(env, block, bytes));

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "observation.hpp"
-#include "results.hpp"
+#include "layout.hpp"
 #include "scene.hpp"
 
 namespace mimo {
@@ -51,14 +50,11 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return seconds;
   }
 
-  std::size_t agent_count() const {
-    std::size_t count = 0;
-    check(mimo_env_agent_count(get(), &count));
-    return count;
-  }
+  /// What it observes, acts with and is rewarded for.
+  Layout layout() const { return detail::layout_of<mimo_env>(get(), mimo_env_layout); }
   /// Their names live as long as the environment.
   std::vector<mimo_agent_info> agents() const {
-    std::vector<mimo_agent_info> all(agent_count());
+    std::vector<mimo_agent_info> all(layout().info().agents);
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i].struct_size = sizeof(mimo_agent_info);
       check(mimo_env_agent(get(), i, &all[i]));
@@ -66,39 +62,13 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return all;
   }
 
-  std::size_t action_size() const {
-    std::size_t count = 0;
-    check(mimo_env_action_size(get(), &count));
-    return count;
-  }
-  std::vector<std::string> action_names() const {
-    std::vector<std::string> names(action_size());
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const char *name = nullptr;
-      check(mimo_env_action_name(get(), i, &name));
-      names[i] = name;
-    }
-    return names;
-  }
-  Bounds action_bounds() const {
-    const std::size_t count = action_size();
-    Bounds bounds = {std::vector<float>(count), std::vector<float>(count)};
-    check(mimo_env_action_bounds(get(), bounds.low.data(), bounds.high.data(), count));
-    return bounds;
-  }
-
-  Block make_block() const { return detail::block_of<mimo_env>(get(), mimo_env_observation_size); }
+  Block make_block() const { return layout().make_block(); }
   Results make_results() const {
-    const std::size_t count = agent_count();
+    const mimo_layout_info sizes = layout().info();
+    const std::size_t count = sizes.agents;
     return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count),
-                   std::vector<std::int32_t>(count), std::vector<double>(term_names().size())};
+                   std::vector<std::int32_t>(count), std::vector<double>(sizes.terms)};
   }
-  /// Their strings live as long as the environment.
-  std::vector<mimo_field> fields() const {
-    return detail::fields_of<mimo_env>(get(), mimo_env_observation_size, mimo_env_observation_field);
-  }
-  /// The field of that name; throws std::out_of_range when there is none.
-  mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
 
   void reset(std::uint64_t seed, Block &block) {
     const mimo_reset_config config = detail::seeded(seed);
@@ -138,20 +108,6 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     std::vector<double> values(count);
     check(mimo_env_random(get(), values.data(), values.size()));
     return values;
-  }
-  /// Names of the terms of all agents' rewards, in the order of Results::terms.
-  std::vector<std::string> term_names() const {
-    std::vector<std::string> names;
-    for (std::size_t agent = 0; agent < agent_count(); ++agent) {
-      std::size_t count = 0;
-      check(mimo_env_reward_term_count(get(), agent, &count));
-      for (std::size_t i = 0; i < count; ++i) {
-        const char *name = nullptr;
-        check(mimo_env_reward_term_name(get(), agent, i, &name));
-        names.push_back(name);
-      }
-    }
-    return names;
   }
 
   /// How many of a kind (MIMO_BODY ...) there are.
@@ -271,30 +227,6 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   /// How many physics steps had a warning (MIMO_WARNING_...) since the world was made.
   std::uint64_t warning_count(std::int32_t kind) const {
     return static_cast<std::uint64_t>(get_values(MIMO_WARNING_COUNT, {kind})[0]);
-  }
-
-  std::size_t touch_sensor_count(std::size_t agent = 0) const {
-    std::size_t count = 0;
-    check(mimo_env_touch_sensors(get(), agent, nullptr, nullptr, nullptr, nullptr, 0, &count));
-    return count;
-  }
-  /// The touch sensors of an agent, in the order of its touch fields.
-  std::vector<TouchSensor> touch_sensors(std::size_t agent = 0) const {
-    const std::size_t count = touch_sensor_count(agent);
-    std::vector<std::int32_t> bodies(count), geoms(count);
-    std::vector<double> positions(3 * count), frames(MIMO_TOUCH_FRAME_VALUES * count);
-    check(mimo_env_touch_sensors(get(), agent, bodies.data(), geoms.data(), positions.data(), frames.data(), count,
-                                 nullptr));
-    std::vector<TouchSensor> all;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double *frame = &frames[MIMO_TOUCH_FRAME_VALUES * i];
-      all.push_back(TouchSensor{bodies[i],
-                                geoms[i],
-                                detail::vector_at(&positions[3 * i]),
-                                detail::vector_at(frame),
-                                {detail::vector_at(frame + 3), detail::vector_at(frame + 6)}});
-    }
-    return all;
   }
 
   /// Draws the current state; MIMO_VISION_ bits say what of it. Colour has three bytes a pixel here: for

@@ -1,6 +1,6 @@
 /**
  * @file mimo/hpp/results.hpp
- * What worlds tell: results of steps, contacts, touch sensors, pictures. Part of mimo.hpp, which programs include.
+ * What worlds tell: results of steps, contacts, receptors, pictures. Part of mimo.hpp, which programs include.
  * MIT licence, see LICENSE.
  */
 #ifndef MIMO_HPP_RESULTS
@@ -54,11 +54,6 @@ struct Results {
   }
 };
 
-/// Bounds of all actions.
-struct Bounds {
-  std::vector<float> low, high;
-};
-
 /// A point or direction.
 using Vector = std::array<double, 3>;
 static_assert(sizeof(Vector) == 3 * sizeof(double), "vectors stand one after the other in memory");
@@ -85,8 +80,8 @@ struct StepContact {
   Vector peak_position;    ///< Of the strongest contact then, metres.
 };
 
-/// A touch sensor. Metres, in the frame of its body.
-struct TouchSensor {
+/// A receptor of the skin. Metres, in the frame of its body.
+struct Receptor {
   std::int32_t body;
   std::int32_t geom;
   Vector position;
