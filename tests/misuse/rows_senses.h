@@ -14,10 +14,10 @@ ROW(mimo_senses_attach, ON_CART, mimo_senses_attach(a->scene, a->model, a->sense
     SENSES_FIELD(FAULT_FIELD_SIZE, data_size, -1, MIMO_E_UNSUPPORTED, "data_size"),
     SENSES_FIELD(FAULT_FIELD_SIZE, model_size, 0, MIMO_OK, NULL),
     SENSES_FIELD(FAULT_FIELD_SIZE, data_size, 0, MIMO_OK, NULL), SENSES_REAL(-1), SENSES_REAL(NAN),
-    SENSES_REAL(INFINITY), BAD_FIELD(senses_config, mimo_senses_config, render, 0x40, "render"),
+    SENSES_REAL(INFINITY), UNKNOWN_FIELD(senses_config, mimo_senses_config, render, 0x40, "render"),
     BAD_FIELD(senses_config, mimo_senses_config, samples, 3, "samples"),
     BAD_FIELD(senses_config, mimo_senses_config, render_threads, 65, "render_threads"),
-    BAD_FIELD(senses_config, mimo_senses_config, reserved, 1, "reserved"), DO(no_model, E_ARG, "model"),
+    UNKNOWN_FIELD(senses_config, mimo_senses_config, reserved, 1, "reserved"), DO(no_model, E_ARG, "model"),
     DO(unknown_renderer, E_ARG, "crayons"))
 ROW(mimo_senses_destroy, ON_SCENE | ON_ENV | ON_BATCH | ON_SENSES | DESTROYS, check_destroy_senses(a), NONE)
 ROW(mimo_senses_observation_size, ON_SENSES, mimo_senses_observation_size(a->senses, a->count, a->count2),
