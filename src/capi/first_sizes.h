@@ -1,4 +1,4 @@
-// Sizes of structs in the first version of this ABI, written by ./dev freeze. They are those of 64-bit machines.
+// Sizes that structs had in their first version, written by ./dev freeze. They are those of 64-bit machines.
 MIMO_FIRST_SIZE(mimo_log_record, 40);
 MIMO_FIRST_SIZE(mimo_scene_config, 120);
 MIMO_FIRST_SIZE(mimo_agent_config, 184);

@@ -9,8 +9,8 @@
 
 namespace mimo::capi {
 
-// The size that a struct had in the first version of the interface that is kept; smaller ones never existed. For
-// structs of that version it stands in first_sizes.h, so that they may grow; later ones name theirs there when they do.
+// The size that a struct had in its first version; smaller ones never existed. ./dev freeze writes it into
+// first_sizes.h, so that the struct may grow.
 template <typename T>
 struct FirstSize {
   static constexpr std::size_t kBytes = sizeof(T);

@@ -1,23 +1,9 @@
-// Tasks: parameters, terms of rewards.
-#include <algorithm>
-
+// Tasks and their parameters.
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "tasks/task.h"
-
-namespace mimo::capi {
-namespace {
-
-const tasks::Task& task_of(const mimo_env* env, std::size_t agent) {
-  const auto& agents = open(env).world.agents();
-  check_agent(agents, agent);
-  return *agents[agent].task;
-}
-
-}  // namespace
-}  // namespace mimo::capi
 
 using namespace mimo;
 using namespace mimo::capi;

@@ -14,8 +14,8 @@ uint32_t mimo_abi_version(void) noexcept { return MIMO_ABI_VERSION; }
 uint32_t mimo_api_version(void) noexcept { return MIMO_API_VERSION; }
 
 int32_t mimo_supports(const char* name) noexcept {
-  return name != nullptr && std::binary_search(mimo::capi::kNames, mimo::capi::kNames + mimo::capi::kNameCount,
-                                               std::string_view(name));
+  return name != nullptr &&
+         std::binary_search(mimo::capi::kNames, mimo::capi::kNames + mimo::capi::kNameCount, std::string_view(name));
 }
 
 const char* mimo_version(void) noexcept {

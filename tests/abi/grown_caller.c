@@ -13,7 +13,7 @@ static int grown;
     if (grown)                                                                \
       CHECK_OK(call);                                                         \
     else                                                                      \
-      CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs an interface newer than ", call); \
+      CHECK_FAILS(MIMO_E_UNSUPPORTED, " an interface newer than ", call); \
   } while (0)
 
 static void check_version(void) {

@@ -248,6 +248,7 @@ void check_steps_without_observation() {
   emptied.reward.clear();  // though it has room
   emptied.terminated.clear();
   emptied.truncated.clear();
+  emptied.outcome.clear();
   env.step(actions, block, results);
   twin.step(actions, other, emptied);
   CHECK(std::memcmp(block.data(), other.data(), block.bytes()) == 0);

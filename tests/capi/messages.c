@@ -92,7 +92,7 @@ static void check_batch(void) {
 
 static void check_fail(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "status is 0, expected a MIMO_E_ constant, -12 to -1", mimo_fail(MIMO_OK, ""));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "status is -13", mimo_fail(-13, ""));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "status is -13, which needs an interface newer", mimo_fail(-13, ""));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "message is NULL", mimo_fail(MIMO_E_INTERNAL, NULL));
   CHECK(mimo_fail(MIMO_E_FORKED, "split") == MIMO_E_FORKED);
   CHECK_TEXT("split", mimo_last_error());

@@ -112,7 +112,8 @@ static void check_agents(void) {
   mimo_agent_info info;
   size_t agent = 99;
   size_t count = 0;
-  const uint32_t defaults = MIMO_PROPRIOCEPTION_DEFAULT;
+  const uint32_t defaults = MIMO_PROPRIOCEPTION_ACTUATION | MIMO_PROPRIOCEPTION_VELOCITY | MIMO_PROPRIOCEPTION_TORQUE |
+                            MIMO_PROPRIOCEPTION_LIMIT | MIMO_PROPRIOCEPTION_POSITION;
   CHECK_OK(mimo_agent_config_init(&config, sizeof config));
   CHECK(config.proprioception == defaults && config.vestibular == 3 && config.vision == MIMO_VISION_RGB);
   CHECK(config.vision_width == 256 && config.vision_height == 256 && config.limit_threshold == 0.035);

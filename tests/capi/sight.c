@@ -187,7 +187,8 @@ static void check_quality(const mimo_scene* scene) {
   mimo_env_config config;
   mimo_env* env = NULL;
   CHECK_OK(mimo_env_config_init(&config, sizeof config));
-  CHECK(config.render == MIMO_RENDER_DEFAULT && config.samples == 0 && config.render_threads == 1);
+  CHECK(config.render == (MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE));
+  CHECK(config.samples == 0 && config.render_threads == 1);
   config.render = 0x20;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "render is 0x20", mimo_env_create(scene, &config, &env));
   config.render = 0;

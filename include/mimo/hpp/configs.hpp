@@ -83,6 +83,10 @@ inline std::vector<mimo_parameter> parameters() {
 /// Versions of the library that is loaded, and of the MuJoCo that it runs on.
 inline std::string version() { return mimo_version(); }
 inline std::string mujoco_version() { return mimo_mujoco_version(); }
+/// Whether the library that is loaded knows a function, a constant, a struct or a member of one: "mimo_field.offset".
+inline bool supports(const std::string &name) { return mimo_supports(name.c_str()) != 0; }
+/// MIMO_API_VERSION of that library.
+inline std::uint32_t api_version() { return mimo_api_version(); }
 /// Other than MIMO_ABI_VERSION if the program was built with headers that do not belong to the library.
 inline std::uint32_t abi_version() { return mimo_abi_version(); }
 
