@@ -12,6 +12,19 @@ static void check(mimo_status status) {
   exit(1);
 }
 
+/* A field that no sense gives: where the left hand is, as the head sees it. */
+static void watch_hand(mimo_scene* scene) {
+  const char* hand = "left_hand";
+  mimo_field_config field;
+  check(mimo_field_config_init(&field, sizeof field));
+  field.name = "hand/position";
+  field.quantity = MIMO_BODY_POSITION;
+  field.elements = &hand;
+  field.element_count = 1;
+  field.relative_to = "head";
+  check(mimo_scene_add_field(scene, &field));
+}
+
 /* A scene with one infant. The eyes are off here: the example then also runs where there is no OSMesa. */
 static mimo_env* make_world(void) {
   mimo_scene_config scene_config;
@@ -26,6 +39,7 @@ static mimo_env* make_world(void) {
   check(mimo_agent_config_init(&agent_config, sizeof agent_config));
   agent_config.vision = 0;
   check(mimo_scene_add_agent(scene, &agent_config, NULL));
+  watch_hand(scene);
 
   check(mimo_env_create(scene, NULL, &env));
   mimo_scene_destroy(scene); /* the environment does not need it any more */

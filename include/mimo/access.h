@@ -184,8 +184,8 @@ MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, int32_t quantity, c
  * Masses cost about as much as several physics steps, however many are given at once.
  * @param ids NULL with id_count 0: all of the quantity's kind.
  * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its
- *         range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;
- *         for a light that follows a body; for the face of an agent without faces. Nothing is written then.
+ *         range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position
+ *         control; for a light that follows a body; for the face of an agent without faces. Nothing is written then.
  */
 MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
                                   const double *values, size_t value_count) MIMO_NOEXCEPT;

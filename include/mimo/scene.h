@@ -189,7 +189,7 @@ MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_
 /**
  * A further field of the observation, of MIMO_F32: a quantity of parts of the scene, where a world is asked for it with
  * mimo_env_get otherwise. Its shape is elements x values of each; elements alone where they have one value each; and
- * one number, all values, where they differ in that.
+ * one axis of all values where they differ in that. Of the world it is its values.
  */
 typedef struct mimo_field_config {
   uint32_t struct_size;        /**< sizeof(mimo_field_config), set by mimo_field_config_init. */

@@ -173,7 +173,10 @@ static_assert(same(MIMO_STEP_CONTACT_PEAK_POSITION, env::Quantity::kStepContactP
 static_assert(same(MIMO_AGENT_FACE, env::Quantity::kAgentFace));
 static_assert(same(MIMO_WORLD_GRAVITY, env::Quantity::kWorldGravity));
 static_assert(same(MIMO_WARNING_COUNT, env::Quantity::kWarningCount));
-static_assert(same(MIMO_WARNING_COUNT, env::kQuantities));
+static_assert(same(MIMO_SITE_VELOCITY, env::Quantity::kSiteVelocity));
+static_assert(same(MIMO_AGENT_GOAL, env::Quantity::kAgentGoal));
+static_assert(same(MIMO_AGENT_ACHIEVED, env::Quantity::kAgentAchieved));
+static_assert(same(MIMO_AGENT_ACHIEVED, env::kQuantities));
 static_assert(same(MIMO_WARNING, env::kKinds));
 
 static_assert(same(MIMO_AUTORESET_NONE, batch::Autoreset::kNone));

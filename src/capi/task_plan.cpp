@@ -57,7 +57,7 @@ observation::Field field_of(const mimo_task_field& field, const std::string& arg
   require(field.low < field.high, "{}: low is {} and high is {}, expected low < high", argument, field.low, field.high);
   ours.low = field.low;
   ours.high = field.high;
-  ours.told = true;
+  ours.exempt = true;
   return ours;
 }
 

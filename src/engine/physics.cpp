@@ -184,10 +184,22 @@ std::array<double, 6> contact_force(const mjModel& model, const mjData& data, in
   return force;
 }
 
-std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body) {
+namespace {
+
+std::array<double, 6> velocity_of(const mjModel& model, const mjData& data, int object, int id) {
   std::array<double, 6> spatial{};  // angular, then linear
-  mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, spatial.data(), 0);
+  mj_objectVelocity(&model, &data, object, id, spatial.data(), 0);
   return {spatial[3], spatial[4], spatial[5], spatial[0], spatial[1], spatial[2]};
+}
+
+}  // namespace
+
+std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body) {
+  return velocity_of(model, data, mjOBJ_XBODY, body);
+}
+
+std::array<double, 6> site_velocity(const mjModel& model, const mjData& data, int site) {
+  return velocity_of(model, data, mjOBJ_SITE, site);
 }
 
 std::array<double, 4> quaternion(const double* matrix) {

@@ -138,6 +138,7 @@ std::array<double, 6> contact_force(const mjModel& model, const mjData& data, in
 
 // Velocity of a body's origin in the world frame: linear, then angular.
 std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body);
+std::array<double, 6> site_velocity(const mjModel& model, const mjData& data, int site);
 
 // w x y z of a rotation matrix (row-major).
 std::array<double, 4> quaternion(const double* matrix);

@@ -242,7 +242,7 @@ void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     check_element(world, quantity, ids[i], from);
-    from += width(world.model(), quantity, ids[i]);
+    from += width(world.model(), &world, quantity, ids[i]);
   }
 }
 
@@ -253,7 +253,7 @@ void set(World& world, Quantity quantity, const Ids& ids, Span<const double> val
   if (quantity == Quantity::kBodyMass) return write_masses(physics, ids, values);
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const int count = width(physics.model(), quantity, ids[i]);
+    const int count = width(physics.model(), &world, quantity, ids[i]);
     const int quaternion = quaternion_at(physics.model(), quantity, ids[i]);
     double element[kWidest];
     std::copy_n(from, count, element);

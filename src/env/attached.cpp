@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "engine/fingerprint.h"
+#include "env/requested_fields.h"
 
 namespace mimo::env {
 
@@ -16,6 +17,9 @@ Attached::Attached(const Kit& kit, double step)
   }
   for (const CameraOptions& camera : kit.options.cameras) {
     observer_.add(make_camera(*model_, camera, renderer_.get()));
+  }
+  if (!kit.options.fields.empty()) {
+    observer_.add(std::make_unique<RequestedFields>(*model_, nullptr, kit.options.fields));
   }
   for (const AgentOptions& agent : kit.agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds_);
   limits_.make_room(layout());

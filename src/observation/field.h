@@ -26,7 +26,7 @@ struct Field {
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> labels;  // one per element of the flattened field; empty for pictures
   Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it
-  bool told = false;                // by a task of the user's own: limits of senses do not concern it
+  bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
   double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else
   std::size_t offset = 0;           // in the block; set by the layout
 

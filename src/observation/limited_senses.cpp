@@ -40,7 +40,7 @@ void LimitedSenses::add(const Layout& layout, const std::string& prefix, const s
     bool found = false;
     for (std::size_t i = 0; i < layout.size(); ++i) {
       if (!leads_to(path, layout[i].name)) continue;
-      require(!layout[i].told, "limits: \"{}\" is a field of the task, which limits of senses do not concern",
+      require(!layout[i].exempt, "limits: \"{}\" is a field of the task or the scene, which limits do not concern",
               layout[i].name);
       chosen[i] = meant_for(layout[i], path, entry.limits);
       found = true;

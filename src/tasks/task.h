@@ -50,6 +50,11 @@ class Task {
   virtual void evaluate(const engine::Physics&) {}
   // After the evaluation: what the task itself moves.
   virtual void follow(engine::Physics&) {}
+  // What is wanted of the infant and what is so far, in as many numbers, of the data; none where a task has no such
+  // thing.
+  virtual int goal_size() const { return 0; }
+  virtual void goal(const mjData&, double*) const {}
+  virtual void achieved(const mjData&, double*) const {}
   // What it adds to the observation. The task outlives them.
   virtual std::vector<observation::Signal> signals(const mjModel&) const { return {}; }
 

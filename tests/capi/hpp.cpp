@@ -84,8 +84,19 @@ void check_blocks() {
   }
 }
 
+// With fields on request, one of which looks at the end of the step.
+mimo::Env make_watched() {
+  mimo_scene_config config = mimo::scene_config();
+  config.name = "reach";
+  mimo::Scene scene(config);
+  scene.add_agents();
+  scene.add_field("hand", MIMO_BODY_POSE | MIMO_NOW, {"right_hand"}, "head");
+  scene.add_field("goal", MIMO_AGENT_GOAL, {""});
+  return mimo::Env(scene);
+}
+
 void check_steps_that_allocate_nothing() {
-  mimo::Env env = mimo::make("reach"), twin = mimo::make("reach");
+  mimo::Env env = make_watched(), twin = make_watched();
   mimo::Block block = env.make_block(), other = env.make_block();
   mimo::Results results = env.make_results();
   const std::vector<float> actions(env.layout().info().actions, 0.3F);
@@ -99,6 +110,7 @@ void check_steps_that_allocate_nothing() {
   for (int i = 0; i < 11; ++i) last = twin.step(actions, other)[0];
   CHECK(allocations > before);
   CHECK(std::memcmp(block.data(), other.data(), block.bytes()) == 0);
+  CHECK(block.view<float>(env.layout().field("hand")).size() == 7);
   CHECK(results.reward[0] == last.reward && (results.terminated[0] != 0) == last.terminated);
   results.truncated.clear();
   try {

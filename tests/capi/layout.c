@@ -46,7 +46,8 @@ static void check_times(void) {
   mimo_env_destroy(env);
 }
 
-/* Anna's actions are angles, Ben's shares; hips bend from -61 to 34 degrees (the original's model). */
+/* Anna's actions are angles, Ben's shares; the lower of the two joints that bend the hip goes from -17 to 30.5 degrees, as in the
+ * original's model. */
 static void check_actions(void) {
   mimo_scene_config room;
   mimo_agent_config infant;
@@ -76,8 +77,8 @@ static void check_actions(void) {
   CHECK_TEXT("anna/act:hip_bend", first.name);
   CHECK_TEXT("rad", first.unit);
   CHECK(first.agent == 0 && last.agent == 1);
-  CHECK_NEAR(-61 * 3.14159265358979 / 180, first.low, 1e-6);
-  CHECK_NEAR(34 * 3.14159265358979 / 180, first.high, 1e-6);
+  CHECK_NEAR(-17 * 3.14159265358979 / 180, first.low, 1e-6);
+  CHECK_NEAR(30.5 * 3.14159265358979 / 180, first.high, 1e-6);
   CHECK_TEXT("", last.unit);
   mimo_env_destroy(env);
 }

@@ -104,6 +104,15 @@ static mimo_status add_camera(mimo_camera_config* config) {
   return status;
 }
 
+static mimo_status add_field(mimo_field_config* config) {
+  static int number = 0;
+  char name[16];
+  sprintf(name, "pull%d", ++number);
+  config->name = name;
+  config->quantity = MIMO_WORLD_GRAVITY;
+  return mimo_scene_add_field(scene, config);
+}
+
 static mimo_status describe_agent(mimo_agent_info* info) { return mimo_env_agent(env, 0, info); }
 static mimo_status describe_field(mimo_field* field) { return mimo_layout_field(layout_of(env), 0, field); }
 static mimo_status describe_layout(mimo_layout_info* info) { return mimo_layout_describe(layout_of(env), info); }
@@ -122,11 +131,13 @@ int main(void) {
   CHECK_INIT(mimo_env_config, mimo_env_config_init);
   CHECK_INIT(mimo_picture_config, mimo_picture_config_init);
   CHECK_INIT(mimo_camera_config, mimo_camera_config_init);
+  CHECK_INIT(mimo_field_config, mimo_field_config_init);
   CHECK_READ(mimo_scene_config, mimo_scene_config_init, create_scene);
   CHECK_READ(mimo_agent_config, mimo_agent_config_init, add_agent);
   CHECK_READ(mimo_object_config, mimo_object_config_init, add_object);
   CHECK_READ(mimo_env_config, mimo_env_config_init, create_env);
   CHECK_READ(mimo_camera_config, mimo_camera_config_init, add_camera);
+  CHECK_READ(mimo_field_config, mimo_field_config_init, add_field);
   CHECK_DESCRIBED(mimo_agent_info, "info", describe_agent);
   CHECK_DESCRIBED(mimo_field, "field", describe_field);
   CHECK_DESCRIBED(mimo_layout_info, "info", describe_layout);

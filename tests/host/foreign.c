@@ -77,7 +77,7 @@ static const float* values(const mimo_senses* senses, const char* name) {
 static void observe(mimo_senses* senses, host h) {
   mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
   CHECK_OK(mimo_layout_describe(of_senses(senses), &info));
-  CHECK(info.block_bytes <= sizeof block && info.actions == 0 && info.terms == 0 && info.agents == 1);
+  CHECK(info.block_bytes <= sizeof block && info.actions == 0 && info.terms == 0);
   CHECK_OK(mimo_senses_observe(senses, h.data, block, sizeof block));
 }
 
@@ -222,6 +222,37 @@ static void check_lacks(void) {
   unload(h);
 }
 
+/* Fields on request that a host's model and data can fill, and those that only worlds can. */
+static void check_requested(void) {
+  static const char* const knees[] = {"knee_left", "knee_right"};
+  static const char* const sole[] = {""};
+  host h = load("humanoid");
+  mimo_scene* scene = NULL;
+  mimo_senses* senses = NULL;
+  mimo_field_config field;
+  const int knee = mj_name2id(h.model, mjOBJ_JOINT, "knee_right");
+  CHECK_OK(mimo_scene_create(NULL, &scene));
+  CHECK_OK(mimo_field_config_init(&field, sizeof field));
+  field.name = "knees";
+  field.quantity = MIMO_JOINT_POSITION;
+  field.elements = knees;
+  field.element_count = 2;
+  CHECK_OK(mimo_scene_add_field(scene, &field));
+  CHECK_OK(attach(scene, h, &senses));
+  while (h.data->time < 0.5) mj_step(h.model, h.data);
+  observe(senses, h);
+  CHECK(values(senses, "knees")[1] == (float)h.data->qpos[h.model->jnt_qposadr[knee]]);
+  mimo_senses_destroy(senses);
+  field.name = "goal";
+  field.quantity = MIMO_AGENT_GOAL;
+  field.elements = sole;
+  field.element_count = 1;
+  CHECK_OK(mimo_scene_add_field(scene, &field));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "field \"goal\": attached senses know of no agent", attach(scene, h, &senses));
+  mimo_scene_destroy(scene);
+  unload(h);
+}
+
 static void check_foreign_memory(void) {
   host h = load("humanoid"), other = load("rubble");
   mimo_agent_config config = part_of("world");
@@ -265,5 +296,6 @@ int main(void) {
   check_gripper();
   check_lacks();
   check_foreign_memory();
+  check_requested();
   return failures();
 }

@@ -12,6 +12,17 @@ static float random_share(uint32_t* state) {
 }
 
 /* An infant that senses all that there is, with a second vestibular organ by another agent in its trunk. */
+static void request(mimo_scene* scene, const char* name, int32_t quantity, const char* element, const char* body) {
+  mimo_field_config config;
+  CHECK_OK(mimo_field_config_init(&config, sizeof config));
+  config.name = name;
+  config.quantity = quantity;
+  config.elements = &element;
+  config.element_count = 1;
+  config.relative_to = body;
+  CHECK_OK(mimo_scene_add_field(scene, &config));
+}
+
 static mimo_scene* make_scene(const char* name, uint32_t vision) {
   mimo_scene_config room;
   mimo_agent_config agent;
@@ -42,6 +53,9 @@ static mimo_scene* make_scene(const char* name, uint32_t vision) {
   camera.outputs = MIMO_VISION_DEPTH;
   camera.width = camera.height = 16;
   if (vision != 0) CHECK_OK(mimo_scene_add_camera(scene, &camera));
+  request(scene, "hand/now", MIMO_BODY_POSE | MIMO_NOW, "anna/left_hand", "anna/head");
+  request(scene, "hand/velocity", MIMO_BODY_VELOCITY, "anna/left_hand", "anna/head");
+  request(scene, "elbow", MIMO_JOINT_VELOCITY, "anna/robot:left_elbow", NULL);
   return scene;
 }
 
@@ -124,8 +138,8 @@ static void check_layouts(const mimo_env* env, const mimo_senses* senses) {
     CHECK_TEXT(a.name, b.name);
     CHECK(a.offset == b.offset && a.bytes == b.bytes && a.dtype == b.dtype && a.receptors == b.receptors);
     CHECK(a.start == b.start && a.end == b.end && a.period == b.period);
-    CHECK_OK(mimo_layout_label(worlds, i, 1, &label_a));
-    CHECK_OK(mimo_layout_label(own, i, 1, &label_b));
+    CHECK_OK(mimo_layout_label(worlds, i, 0, &label_a));
+    CHECK_OK(mimo_layout_label(own, i, 0, &label_b));
     CHECK_TEXT(label_a, label_b);
   }
 }

@@ -187,6 +187,8 @@ static void no_data(args* a) { a->data = not_a_model(); }
 static void unknown_field(args* a) { a->field_name = "smell"; }
 static void unknown_camera(args* a) { a->picture_config->camera = "nobody's"; }
 static void no_camera_body(args* a) { a->camera_config->body = "ghost"; }
+static void requested_already(args* a) { CHECK_OK(mimo_scene_add_field(a->scene, a->field_config)); }
+static void no_frame(args* a) { a->field_config->quantity = MIMO_BODY_MASS, a->field_config->relative_to = "head"; }
 static void watched_already(args* a) { CHECK_OK(mimo_scene_add_camera(a->scene, a->camera_config)); }
 static void nan_point(args* a) { ((double*)a->points)[0] = NAN; }
 

@@ -29,7 +29,7 @@ ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(num
 
 #define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
 #define QUANTITIES                                                                          \
-  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_WARNING_COUNT + 1, "quantity"), \
+  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_AGENT_ACHIEVED + 1, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")

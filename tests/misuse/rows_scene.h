@@ -141,6 +141,24 @@ ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_c
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(camera_config), FIELD(mimo_camera_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
+ROW(mimo_field_config_init, 0, mimo_field_config_init(a->field_config, sizeof *a->field_config + a->more_bytes),
+    INIT(field_config, mimo_field_config, "config"))
+#define QUANTITY_FIELD(n, status) \
+  { FAULT_FIELD_I32, "quantity is " #n, MEMBER(field_config), FIELD(mimo_field_config, quantity), n, 0, NULL, status, \
+    "quantity" }
+ROW(mimo_scene_add_field, ON_SCENE, mimo_scene_add_field(a->scene, a->field_config), NO_NULL(field_config, "config"),
+    CONFIG(field_config, mimo_field_config, "config"), QUANTITY_FIELD(0, MIMO_E_UNSUPPORTED),
+    QUANTITY_FIELD(-1, MIMO_E_UNSUPPORTED), QUANTITY_FIELD(999, MIMO_E_UNSUPPORTED),
+    QUANTITY_FIELD(MIMO_CONTACT_FORCE, E_ARG), QUANTITY_FIELD(MIMO_SENSOR_VALUE | MIMO_NOW, E_ARG),
+    {FAULT_FIELD_NULL, "name is NULL", MEMBER(field_config), FIELD(mimo_field_config, name), 0, 0, NULL, E_ARG, "name"},
+    {FAULT_FIELD_NULL, "elements is NULL", MEMBER(field_config), FIELD(mimo_field_config, elements), 0, 0, NULL, E_ARG,
+     "elements"},
+    {FAULT_FIELD_SIZE, "no elements", MEMBER(field_config), FIELD(mimo_field_config, element_count), 0, 0, NULL, E_ARG,
+     "element_count"},
+    {FAULT_FIELD_SIZE, "huge elements", MEMBER(field_config), FIELD(mimo_field_config, element_count), -1, 0, NULL,
+     E_ARG, "elements"},
+    DO(requested_already, E_ARG, "toy/place"), DO(no_frame, E_ARG, "relative_to"))
+#undef QUANTITY_FIELD
 ROW(mimo_scene_xml, ON_SCENE, mimo_scene_xml(a->scene, a->text, a->capacity, a->count), NULL_OK(count),
     NO_NULL(text, "text"), SHORT(capacity, "text"), DO(no_text, MIMO_OK, NULL))
 ROW(mimo_scene_save, ON_SCENE, mimo_scene_save(a->scene, a->folder), NO_NULL(folder, "folder"),

@@ -36,6 +36,7 @@ typedef struct args {
   mimo_term* term;
   mimo_timing* timing;
   mimo_camera_config* camera_config;
+  mimo_field_config* field_config;
   mimo_model_config* model_config;
   mimo_gaze* gaze;
   mimo_limits* limits;

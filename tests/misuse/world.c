@@ -140,6 +140,7 @@ static void make_foreign_state(void) {
   mimo_scene_destroy(scene);
 }
 
+static const char* const toys[1] = {"toy"};
 static const char* const task_terms[1] = {"one"};
 static const size_t task_shape[1] = {3};
 
@@ -257,6 +258,7 @@ static void make_structs(void) {
   good.term = region(sizeof *good.term + TAIL);
   good.timing = region(sizeof *good.timing + TAIL);
   good.camera_config = region(sizeof *good.camera_config + TAIL);
+  good.field_config = region(sizeof *good.field_config + TAIL);
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
@@ -310,6 +312,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_task_field_init(good.task_field, sizeof *good.task_field));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
+  CHECK_OK(mimo_field_config_init(good.field_config, sizeof *good.field_config));
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   CHECK_OK(mimo_senses_config_init(good.senses_config, sizeof *good.senses_config));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
@@ -346,6 +349,9 @@ static void fill_configs(void) {
   good.model_config->xml = "<mujoco><worldbody><body><geom size='0.1'/></body></worldbody></mujoco>";
   good.camera_config->name = "watcher";
   good.camera_config->placed = 1;
+  good.field_config->name = "toy/place";
+  good.field_config->elements = toys;
+  good.field_config->element_count = 1;
 }
 
 static void fill_results(void) {

@@ -49,6 +49,7 @@ inline mimo_agent_config agent_config() { return detail::defaults(mimo_agent_con
 inline mimo_object_config object_config() { return detail::defaults(mimo_object_config_init); }
 inline mimo_model_config model_config() { return detail::defaults(mimo_model_config_init); }
 inline mimo_camera_config camera_config() { return detail::defaults(mimo_camera_config_init); }
+inline mimo_field_config field_config() { return detail::defaults(mimo_field_config_init); }
 inline mimo_env_config env_config() { return detail::defaults(mimo_env_config_init); }
 inline mimo_batch_config batch_config() { return detail::defaults(mimo_batch_config_init); }
 inline mimo_picture_config picture_config() { return detail::defaults(mimo_picture_config_init); }
