@@ -189,9 +189,6 @@ MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) M
 /** Starts counting anew. */
 MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
 
-/* Terms of rewards. */
-
-
 #ifdef __cplusplus
 }
 #endif

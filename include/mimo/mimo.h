@@ -36,9 +36,14 @@
  *               is said where it is declared.
  *     Structs   Versioned structs start with struct_size and are filled by their _init function, called as
  *               mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to
- *               0. They only ever grow at the end. Reserved fields are 0.
- *     Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
- *               of a free joint is linear in the world frame, then angular in the body's own frame.
+ *               0. They only ever grow at the end. What a caller of an older version does not have counts as
+ *               0, and in what came after 1.0 that means what 1.0 did. Reserved fields are 0. Descriptions that the
+ *               library fills in say in struct_size how much of them it knows.
+ *     Newer     A bit, constant or quantity that the library does not know is MIMO_E_UNSUPPORTED, and the message says
+ *               its version; see mimo_api_version and mimo_supports.
+ *     Units     SI units and radians; degrees only for what cameras see and how sharply, where it is said.
+ *               Quaternions are w x y z. Frames: x forward, y left, z up. The velocity of a free joint is linear in
+ *               the world frame, then angular in the body's own frame.
  */
 #ifndef MIMO_H
 #define MIMO_H
