@@ -139,8 +139,8 @@ typedef struct mimo_env_results {
  * @param results NULL: not wanted.
  * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);
  *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
- *         world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,
- *         sense, draw, write values, save or clone answers MIMO_E_SIMULATION.
+ *         world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be
+ *         written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;

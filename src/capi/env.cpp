@@ -54,8 +54,8 @@ engine::PhysicsOptions physics(const mimo_env_config& config) {
 
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
-  require(config.frame_skip <= 1000, "frame_skip is {}, expected 1 to 1000, or 0 for the scene's own",
-          config.frame_skip);
+  require(config.frame_skip <= env::kMostFrameSkip, "frame_skip is {}, expected 1 to {}, or 0 for the scene's own",
+          config.frame_skip, env::kMostFrameSkip);
   options.frame_skip = static_cast<int>(config.frame_skip);
   options.physics = physics(config);
   options.renderer = env::renderer_from(text(config.renderer));

@@ -1,4 +1,4 @@
-// Opaque handles. A handle points to a small control block that is never given back to the system, so that a
+// Opaque handles. A handle points to a small control block that is never given back, so that a
 // destroyed or wrong-type handle is recognised instead of crashing the host.
 #pragma once
 

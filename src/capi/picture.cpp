@@ -5,6 +5,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/vision.h"
 #include "engine/present.h"
 #include "render/format.h"
 #include "render/projection.h"
@@ -27,10 +28,7 @@ mimo_picture_config default_picture_config() {
 }
 
 void check_picture_config(const mimo_picture_config& config) {
-  require(config.width >= 1 && config.width <= 4096, "width is {}, expected 1 to 4096", config.width);
-  require(config.height >= 1 && config.height <= 4096, "height is {}, expected 1 to 4096", config.height);
-  require(config.fovy == 0 || (config.fovy >= 1 && config.fovy <= 170),
-          "fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.fovy);
+  check_view({"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
   check_bits(config.format, MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP, "format");
   if (config.camera != nullptr) return;
   check_finite(config.look_at, 3, "look_at");

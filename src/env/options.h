@@ -57,8 +57,10 @@ enum class RendererChoice { kAuto, kRay, kOsmesa, kNone };
 // By its name, "auto", "ray", "osmesa" or "none"; throws for another one.
 RendererChoice renderer_from(const std::string& name);
 
+constexpr int kMostFrameSkip = 1000;
+
 struct EnvOptions {
-  int frame_skip = 0;  // 0: the scene's own
+  int frame_skip = 0;  // up to kMostFrameSkip; 0: the scene's own
   engine::PhysicsOptions physics;
   RendererChoice renderer = RendererChoice::kAuto;
   render::Quality quality;

@@ -412,8 +412,7 @@ TEST(Batch, SavesAndLoadsManyStates) {
   EXPECT_EQ(failure([&] {
               rig.batch.load(nullptr, {states.data(), 2 * bytes});
             }),
-            "state_bytes is " + std::to_string(2 * bytes) + ", expected " + std::to_string(bytes) + " or " +
-                std::to_string(3 * bytes));
+            "state_bytes is " + std::to_string(2 * bytes) + ", expected " + std::to_string(bytes) + " or 3 times that");
 
   states[bytes + 100] ^= 1;
   EXPECT_EQ(failure([&] { rig.batch.load(nullptr, Span<const std::uint8_t>(states)); }),
