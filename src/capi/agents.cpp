@@ -32,7 +32,8 @@ std::uint32_t proprioception_bits(const mimo_agent_config& config) {
 // scene::Group bits.
 std::uint32_t acts(const mimo_agent_config& config) {
   if ((config.acts & MIMO_ACT_NONE) == 0) return resolve(config.acts, MIMO_ACT_ALL, scene::kAllGroups, "acts");
-  require(config.acts == MIMO_ACT_NONE, "acts is {:#x}, expected MIMO_ACT_NONE alone or parts of the body", config.acts);
+  require(config.acts == MIMO_ACT_NONE, "acts is {:#x}, expected MIMO_ACT_NONE alone or parts of the body",
+          config.acts);
   return scene::kNoGroup;
 }
 

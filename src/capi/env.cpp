@@ -21,8 +21,8 @@ mimo_env_config default_env_config() {
 namespace {
 
 render::Quality quality(const mimo_env_config& config) {
-  constexpr std::uint32_t kKnown = MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE |
-                                   MIMO_RENDER_FOG;
+  constexpr std::uint32_t kKnown =
+      MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE | MIMO_RENDER_FOG;
   check_bits(config.render, kKnown, "render");
   const auto has = [&](std::uint32_t bit) { return (config.render & bit) != 0; };
   render::require_samples(config.samples);

@@ -81,7 +81,8 @@ void World::adopt_scene_choices() {
   if (options_.task.empty()) options_.task = "none";
   if (options_.frame_skip > 0) return;
   const Span<const double> own = engine::custom_numbers(model(), names::kFrameSkip);
-  options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= kMostFrameSkip ? static_cast<int>(own[0]) : kFrameSkip;
+  options_.frame_skip =
+      own.size() == 1 && own[0] >= 1 && own[0] <= kMostFrameSkip ? static_cast<int>(own[0]) : kFrameSkip;
 }
 
 TaskMaker World::task_maker(const Identity& identity) const {

@@ -8,11 +8,11 @@
 static int grown;
 
 /* What the library says where the caller uses something new. */
-#define NEW(call)                                                             \
-  do {                                                                        \
-    if (grown)                                                                \
-      CHECK_OK(call);                                                         \
-    else                                                                      \
+#define NEW(call)                                                         \
+  do {                                                                    \
+    if (grown)                                                            \
+      CHECK_OK(call);                                                     \
+    else                                                                  \
       CHECK_FAILS(MIMO_E_UNSUPPORTED, " an interface newer than ", call); \
   } while (0)
 

@@ -319,13 +319,13 @@ static void check_selfbody(void) {
 static void check_catch(void) {
   mimo_env* env = env_of(task_scene("catch", sole));
   double terms[4] = {0, 0, 0, 0};
+  const size_t term_count = sizes_of(env).terms;
   int n, row = 0, most = 0;
   reset(env, 1);
   CHECK(values(env, "goal")[0] == 100 && values(env, "achieved")[0] == 0);
   CHECK_TEXT("contact", term_name(env, 0));
   for (n = 0; n < 80; ++n) {
-    step(env);
-    CHECK_OK(mimo_env_reward_terms(env, 0, terms, 4));
+    CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, RESULTS(.terms = terms, .term_count = term_count)));
     row = terms[0] > 0 ? row + 1 : 0;
     most = row > most ? row : most;
     CHECK(values(env, "achieved")[0] == (float)row);

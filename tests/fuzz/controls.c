@@ -36,7 +36,7 @@ static void step(input* in) {
   uint8_t terminated = 77, truncated = 77;
   int32_t outcome = 77;
   double terms[2] = {0, 0};
-  mimo_env_results results = {sizeof results, 0, &reward, &terminated, &truncated, &outcome, 1, terms, take_byte(in)};
+  mimo_env_results results = {sizeof results, 0, &reward, &terminated, &truncated, &outcome, 1, terms, 2};
   take(in, action, actions * sizeof *action);
   if (CALL(mimo_env_step(env, action, actions, block, block_bytes, &results)) == MIMO_OK) {
     PROMISE(terminated <= 1 && truncated <= 1 && outcome >= MIMO_OUTCOME_FAILURE && outcome <= MIMO_OUTCOME_SUCCESS);
@@ -90,6 +90,7 @@ static void ask(input* in) {
   size_t contacts;
   const char* text;
   CALL(mimo_env_random(env, numbers, 4));
+  CALL(mimo_env_reward_term_name(env, take_byte(in), take_byte(in), &text));
   CALL(mimo_env_count(env, MIMO_CONTACT, &contacts));
   CALL(mimo_env_name(env, take_byte(in), take_byte(in), &text));
   CALL(mimo_layout_label(layout_of(env), take_byte(in), take_byte(in), &text));

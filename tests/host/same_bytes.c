@@ -34,7 +34,7 @@ static mimo_scene* make_scene(const char* name, uint32_t vision) {
   CHECK_OK(mimo_scene_create(&room, &scene));
   CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
   agent.name = "anna";
-  agent.proprioception = MIMO_PROPRIOCEPTION_ALL & ~MIMO_PROPRIOCEPTION_EFFORT; /* of commands, which the host gives */
+  agent.proprioception |= MIMO_PROPRIOCEPTION_JOINT_TORQUE; /* all but the effort of commands, which the host gives */
   agent.touch = MIMO_TOUCH_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
   agent.vision = vision;
   agent.vision_width = agent.vision_height = 32;

@@ -19,11 +19,11 @@ ROW(mimo_batch_world_error, ON_BATCH, mimo_batch_world_error(a->batch, a->world,
 #define BLOCKS NO_NULL(blocks, "blocks"), SHORT(blocks_bytes, "blocks")
 #define ACTIONS NO_NULL(actions, "actions"), EXACT(actions_count, "action_count")
 #define RESULT(f, names) SHORT_FIELD(results, mimo_batch_results, f, names)
-#define BATCH_RESULTS                                                                                      \
-  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                  \
-      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"), \
-      RESULT(term_count, "term_count"), \
-      RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), DO(no_final_blocks, E_ARG, "final_blocks")
+#define BATCH_RESULTS                                                                                  \
+  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                    \
+      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"),   \
+      RESULT(term_count, "term_count"), RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), \
+      DO(no_final_blocks, E_ARG, "final_blocks")
 #define RESET_FIELD(kind, what, f, status, names) \
   { kind, what, MEMBER(batch_reset), FIELD(mimo_batch_reset_config, f), 1, 0, NULL, status, names }
 ROW(mimo_batch_reset, ON_BATCH | HEALS, mimo_batch_reset(a->batch, a->batch_reset, a->blocks, a->blocks_bytes),

@@ -6,9 +6,9 @@ ROW(mimo_env_frame_skip, ON_ENV, mimo_env_frame_skip(a->env, a->u32_out), NO_NUL
 ROW(mimo_env_agent, ON_ENV, mimo_env_agent(a->env, a->index, a->info), BAD_SIZE(index, 1, "index"),
     BAD_INDEX(index, "index"), DESCRIPTION(info, mimo_agent_info, "info"))
 
-#define SEEDED                                                                                               \
-  NULL_OK(reset_config), CONFIG(reset_config, mimo_reset_config, "config"),                                  \
-      UNKNOWN_FIELD(reset_config, mimo_reset_config, seeded, 2, "seeded"),                                   \
+#define SEEDED                                                              \
+  NULL_OK(reset_config), CONFIG(reset_config, mimo_reset_config, "config"), \
+      UNKNOWN_FIELD(reset_config, mimo_reset_config, seeded, 2, "seeded"),  \
       BAD_FIELD(reset_config, mimo_reset_config, seeded, 0, "seed is 5, but seeded is 0")
 ROW(mimo_env_reset, ON_ENV | HEALS, mimo_env_reset(a->env, a->reset_config, a->block, a->block_bytes), SEEDED,
     NO_NULL(block, "block"), SHORT(block_bytes, "block"))
@@ -61,23 +61,23 @@ ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
 #define VIEW_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
 #define VIEW_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
 #define VIEW_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
-#define VIEWS                                                                                                      \
-  CONFIG(picture_config, mimo_picture_config, "config"), VIEW(width, 0), VIEW(width, 4097), VIEW(width, -1), \
-      VIEW(height, 0), VIEW(height, 4097), VIEW_UNKNOWN(format, 4), VIEW_UNREAL(look_at[2]),              \
-      VIEW_UNREAL(distance), VIEW_REAL(distance, 0), VIEW_REAL(distance, -1), VIEW_UNREAL(azimuth),       \
-      VIEW_UNREAL(elevation), VIEW_UNREAL(fovy), VIEW_REAL(fovy, -1), VIEW_REAL(fovy, 171),               \
+#define VIEWS                                                                                                       \
+  CONFIG(picture_config, mimo_picture_config, "config"), VIEW(width, 0), VIEW(width, 4097), VIEW(width, -1),        \
+      VIEW(height, 0), VIEW(height, 4097), VIEW_UNKNOWN(format, 4), VIEW_UNREAL(look_at[2]), VIEW_UNREAL(distance), \
+      VIEW_REAL(distance, 0), VIEW_REAL(distance, -1), VIEW_UNREAL(azimuth), VIEW_UNREAL(elevation),                \
+      VIEW_UNREAL(fovy), VIEW_REAL(fovy, -1), VIEW_REAL(fovy, 171),                                                 \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
-#define CHANNEL(f, count)                                                                              \
+#define CHANNEL(f, count)                                                                            \
   {FAULT_FIELD_NULL, #f " is NULL", MEMBER(picture), FIELD(mimo_picture, f), 0, 0, NULL, E_ARG, #f}, \
       SHORT_FIELD(picture, mimo_picture, count, #f)
 ROW(mimo_env_render, ON_ENV | SIMULATES, mimo_env_render(a->env, a->picture_config, a->picture), VIEWS,
     NO_NULL(picture, "picture"), CONFIG(picture, mimo_picture, "picture"),
-    UNKNOWN_FIELD(picture, mimo_picture, reserved, 1, "reserved"), CHANNEL(rgb, rgb_bytes),
-    CHANNEL(depth, depth_count), CHANNEL(segmentation, segmentation_count),
+    UNKNOWN_FIELD(picture, mimo_picture, reserved, 1, "reserved"), CHANNEL(rgb, rgb_bytes), CHANNEL(depth, depth_count),
+    CHANNEL(segmentation, segmentation_count),
     {FAULT_NULL, "the picture is 640 x 480", MEMBER(picture_config), 0, 0, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "rgb"})
 ROW(mimo_env_project, ON_ENV | SIMULATES,
-    mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels), VIEWS,
-    NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"), BAD_SIZE(point_count, -1, "count"),
+    mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels), VIEWS, NULL_OK(picture_config),
+    NO_NULL(points, "points"), NO_NULL(pixels, "pixels"), BAD_SIZE(point_count, -1, "count"),
     BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"), SIZE_IS(point_count, 0, MIMO_OK, NULL),
     DO(nan_point, E_ARG, "points[0]"))
 

@@ -2,8 +2,8 @@
 
 ROW(mimo_abi_version, 0, CHECKED(mimo_abi_version() == MIMO_ABI_VERSION), NONE)
 ROW(mimo_api_version, 0, CHECKED(mimo_api_version() == MIMO_API_VERSION), NONE)
-ROW(mimo_supports, 0, CHECKED(mimo_supports(NULL) == 0 && mimo_supports("") == 0 && mimo_supports("mimo_supports") == 1),
-    NONE)
+ROW(mimo_supports, 0,
+    CHECKED(mimo_supports(NULL) == 0 && mimo_supports("") == 0 && mimo_supports("mimo_supports") == 1), NONE)
 ROW(mimo_version, 0, CHECKED(is_version(mimo_version())), NONE)
 ROW(mimo_mujoco_version, 0, CHECKED(is_version(mimo_mujoco_version())), NONE)
 ROW(mimo_status_name, 0, check_status_names(), NONE)
@@ -64,11 +64,11 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(limit_threshold, 0, "limit"), AGENT_UNKNOWN(vision, 8), AGENT(vision_width, 0),
     AGENT(vision_width, 4097), AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097),
     AGENT_UNKNOWN(actuation, 4), UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"),
-    AGENT_REAL(vision_fovy, 171, "vision_fovy"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001), AGENT_UNKNOWN(acts, 0x80000800),
-    AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 16), AGENT(touch, 3), AGENT_UNKNOWN(touch_response, 0),
-    AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0), AGENT_UNKNOWN(touch_frame, -1),
-    AGENT_UNKNOWN(touch_reserved, 1), UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"),
-    AGENT_REAL(touch_scale, -1, "touch_scale"),
+    AGENT_REAL(vision_fovy, 171, "vision_fovy"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
+    AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 16), AGENT(touch, 3),
+    AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
+    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(touch_reserved, 1),
+    UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"), AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
