@@ -68,7 +68,7 @@ MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
 /** Number of worlds and of threads; either may be NULL. */
 MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, size_t *threads) MIMO_NOEXCEPT;
 
-/** What each of the worlds observes, acts with and is rewarded for. */
+/** What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. */
 MIMO_API mimo_status mimo_batch_layout(const mimo_batch *batch, const mimo_layout **layout) MIMO_NOEXCEPT;
 
 /**
