@@ -54,10 +54,10 @@ static const float* values(const mimo_env* env, const char* name) {
   return (const float*)(const void*)((const char*)block + field_of(env, name).offset);
 }
 
-static void reset(mimo_env* env, uint64_t seed) { CHECK_OK(mimo_env_reset(env, &seed, block, sizeof block)); }
+static void reset(mimo_env* env, uint64_t seed) { CHECK_OK(mimo_env_reset(env, SEED(seed), block, sizeof block)); }
 
 static void step(mimo_env* env) {
-  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, NULL));
 }
 
 static void check_values(const mimo_env* env, const char* name, const double* expected, size_t count) {
@@ -192,7 +192,7 @@ static void check_finite_differences(void) {
     memcpy(place, values(env, "hand/position"), sizeof place);
     CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, NULL, 0, then, joints));
     for (i = 0; i < 44; ++i) action[i] = (float)sin(0.05 * n + i);
-    CHECK_OK(mimo_env_step(env, action, 44, block, sizeof block, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, 44, block, sizeof block, NULL));
     for (i = 0; i < 3; ++i) place[i] = values(env, "hand/position")[i] - place[i];
     memcpy(velocity, values(env, "hand/velocity"), sizeof velocity);
     CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, NULL, 0, now, joints));
@@ -258,7 +258,7 @@ static void check_reach(void) {
     check_place(env, values(env, "achieved"), "right_fingers");
     check_read(env, "goal", MIMO_AGENT_GOAL);
     check_read(env, "achieved", MIMO_AGENT_ACHIEVED);
-    CHECK_OK(mimo_env_step(env, action, 8, block, sizeof block, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, 8, block, sizeof block, NULL));
   }
   CHECK_OK(mimo_env_observe(env, block, sizeof block));
   check_place(env, values(env, "achieved"), "right_fingers");
@@ -292,7 +292,7 @@ static void check_told(mimo_env* env, int felt) {
   CHECK_TEXT(label, name);
   CHECK(values(env, "achieved")[0] == -1);
   CHECK_OK(mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, felt ? place : away, 3));
-  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, NULL, &ended, NULL, 1));
+  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, RESULTS(.terminated = &ended, .agents = 1)));
   check_place(env, goal + 1, label);
   check_place(env, values(env, "achieved") + 1, "right_fingers");
   CHECK(ended == felt && values(env, "achieved")[0] == (felt ? goal[0] : -1));
