@@ -46,21 +46,21 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
 pub const MIMO_LOG_INFO: u32 = 2;
-#[doc = "More contacts than the model has room for."]
+#[doc = "More contacts than the model's nconmax: some are missing."]
 pub const MIMO_WARNING_CONTACTS_DROPPED: u32 = 1;
-#[doc = "More constraints than the model has room for."]
+#[doc = "More constraints than the model's njmax: some are missing."]
 pub const MIMO_WARNING_CONSTRAINTS_DROPPED: u32 = 2;
-#[doc = "Not finite, or unrealistically large."]
+#[doc = "A position that is no number, or huge: the world has failed."]
 pub const MIMO_WARNING_BAD_POSITION: u32 = 3;
-#[doc = "The same."]
+#[doc = "The same of a velocity."]
 pub const MIMO_WARNING_BAD_VELOCITY: u32 = 4;
-#[doc = "The same."]
+#[doc = "The same of an acceleration."]
 pub const MIMO_WARNING_BAD_ACCELERATION: u32 = 5;
-#[doc = "The same."]
+#[doc = "A control that is no number, or huge: the step took all as 0."]
 pub const MIMO_WARNING_BAD_CONTROL: u32 = 6;
-#[doc = "An inertia matrix that cannot be inverted."]
+#[doc = "The inertia matrix is nearly singular."]
 pub const MIMO_WARNING_INERTIA: u32 = 7;
-#[doc = "The solver took all its iterations."]
+#[doc = "The solver stopped at its last iteration; counted, not told."]
 pub const MIMO_WARNING_NOT_CONVERGED: u32 = 8;
 #[doc = "size: radius."]
 pub const MIMO_SHAPE_SPHERE: u32 = 1;
@@ -230,10 +230,8 @@ pub const MIMO_AGENT: u32 = 11;
 pub const MIMO_FACE: u32 = 12;
 #[doc = "The world itself: id 0, without a name."]
 pub const MIMO_WORLD: u32 = 13;
-#[doc = "Kinds of warnings, by the ids below."]
+#[doc = "Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one."]
 pub const MIMO_WARNING: u32 = 14;
-#[doc = "Any other one."]
-pub const MIMO_WARNING_OTHER: u32 = 0;
 #[doc = "Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."]
 pub const MIMO_JOINT_POSITION: u32 = 1;
 #[doc = "Joint: 1, 3 or 6. Writable."]
@@ -671,7 +669,7 @@ extern "C" {
 }
 #[doc = "A further field of the observation, of MIMO_F32: a quantity of parts of the scene, where a world is asked for it with"]
 #[doc = "mimo_env_get otherwise. Its shape is elements x values of each; elements alone where they have one value each; and"]
-#[doc = "one number, all values, where they differ in that."]
+#[doc = "one axis of all values where they differ in that. Of the world it is its values."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_field_config {
@@ -1258,8 +1256,8 @@ extern "C" {
     #[doc = "@param results NULL: not wanted."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
     #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
-    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
-    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
+    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be"]
+    #[doc = "        written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
@@ -1403,8 +1401,8 @@ extern "C" {
     #[doc = "Masses cost about as much as several physics steps, however many are given at once."]
     #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its"]
-    #[doc = "        range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;"]
-    #[doc = "        for a light that follows a body; for the face of an agent without faces. Nothing is written then."]
+    #[doc = "        range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position"]
+    #[doc = "        control; for a light that follows a body; for the face of an agent without faces. Nothing is written then."]
     pub fn mimo_env_set(
         env: *mut mimo_env,
         quantity: i32,
@@ -1665,7 +1663,7 @@ extern "C" {
     pub fn mimo_batch_size(batch: *const mimo_batch, worlds: *mut usize, threads: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "What each of the worlds observes, acts with and is rewarded for."]
+    #[doc = "What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive."]
     pub fn mimo_batch_layout(batch: *const mimo_batch, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
