@@ -67,15 +67,22 @@ static void put(mxArray* array, size_t place, double value) {
   }
 }
 
+/* Row by row: within one of C's rows all places are equally far apart. */
+static void fill(mxArray* array, size_t first, const mimo_field* field, const void* data) {
+  const size_t count = mimo_elements(field), row = field->shape[field->ndim - 1];
+  size_t i, j;
+  for (i = 0; i < count; i += row) {
+    const size_t place = first + mimo_place_of(field, i), stride = count / row;
+    for (j = 0; j < row; ++j) put(array, place + j * stride, element(data, field->dtype, i + j));
+  }
+}
+
 mxArray* mimo_array_of(const mimo_field* field, stack blocks, int single) {
   mxArray* array = mxCreateNumericArray(dimensions_of(field, blocks.count), shape_of(field, blocks.count),
                                         class_of(field, single), mxREAL);
-  const size_t count = mimo_elements(field);
-  size_t block, i;
-  for (block = 0; block < blocks.count; ++block) {
-    const char* data = (const char*)blocks.data + block * blocks.bytes + field->offset;
-    for (i = 0; i < count; ++i) put(array, block * count + mimo_place_of(field, i), element(data, field->dtype, i));
-  }
+  size_t i;
+  for (i = 0; i < blocks.count; ++i)
+    fill(array, i * mimo_elements(field), field, (const char*)blocks.data + i * blocks.bytes + field->offset);
   return array;
 }
 
