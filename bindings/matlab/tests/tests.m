@@ -65,6 +65,7 @@ function errors_have_identifiers()
   refused(@() mimo_gaze(world, 2), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'visoin', 1), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'vision', 0.5), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'touch', 2 ^ 20), 'mimo:UNSUPPORTED');  % a bit that the library does not know
   refused(@() mimo_create('reach', 'vision'), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'face', 'boredom'), 'mimo:NOT_FOUND');
   refused(@() mimo_create('reach', 'cameras', struct('nmae', 'wall')), 'mimo:INVALID_ARGUMENT');
@@ -107,6 +108,10 @@ function options_reach_the_world()
   [~, ~, ~, first] = mimo_step(world, []);
   [~, ~, ~, second] = mimo_step(world, []);
   assert(~first && second);
+  mimo_close(world);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'proprioception', 2 ^ 31);  % MIMO_PROPRIOCEPTION_ALL
+  seen = mimo_reset(world, 1);
+  assert(all(isfield(seen, {'proprioception_joint_torque', 'proprioception_effort'})));  % which are not by default
   mimo_close(world);
   world = mimo_create('reach', 'parameters', {'reach/episode_steps', 1});
   mimo_reset(world, 1);
