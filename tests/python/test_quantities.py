@@ -72,6 +72,17 @@ def test_contacts_within_a_step_carry_the_change_of_momentum(world):
     assert set(world.warnings().values()) == {0}
 
 
+def test_a_site_moves_with_its_body(world):
+    # What turns with w about z goes at w r across the radius r: 3 rad/s, 0.1 m.
+    spinning = BALL.replace("<freejoint/>", '<joint name="turn"/><site name="rim" pos="0.1 0 0"/>')
+    with mimo.World(mimo.Scene(xml=spinning)) as spun:
+        spun.joints("turn").velocity = 3
+        spun.update()
+        assert spun.sites("rim").velocity[0] == pytest.approx([0, 0.3, 0, 0, 0, 3])
+    with pytest.raises(ValueError, match="velocity of sites cannot be written"):
+        world.sites().velocity = 0
+
+
 def test_a_batch_of_masses_is_as_many_single_worlds():
     masses = np.array([0.5, 1.0, 2.0, 4.0])
     push = [3, 0, 0, 0, 0, 0]
