@@ -70,7 +70,7 @@ def set_gravity(value):
         (
             lambda: scene().add_field("x", "body_place", "head"),
             ValueError,
-            "quantity is 'body_place', expected mimo.Qu",
+            "quantity is 'body_place', expected mimo",
         ),
         (lambda: scene().add_field("x", "body_mass", 3), TypeError, "elements is 3, expected names"),
         (lambda: scene().add_field("x", "body_mass", ["head", 3]), TypeError, "elements is ['head', 3], expected na"),

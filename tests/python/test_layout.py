@@ -62,14 +62,12 @@ def test_receptors_lie_on_the_skin():
         assert field.receptors == field.shape[0] == len(skin.bodies) > 50
         assert set(skin.bodies) == {world.find("body", "box")}
         assert set(skin.geoms) == {world.find("geom", "shell")}
-    # On a cube of half length 0.1 m one coordinate is 0.1 m, and the normal points that way.
+    # Every face of a cube of half length 0.1 m is 0.1 m from its centre, along its normal.
+    normal, first, second = skin.frame.transpose(1, 0, 2)
     np.testing.assert_allclose(np.abs(skin.position).max(axis=1), 0.1, atol=1e-9)
-    along = np.take_along_axis(skin.position, np.abs(skin.frame[:, 0]).argmax(axis=1)[:, None], axis=1)
-    np.testing.assert_allclose(np.abs(along), 0.1, atol=1e-9)
-    np.testing.assert_allclose(
-        skin.frame @ skin.frame.transpose(0, 2, 1), np.broadcast_to(np.eye(3), (len(along), 3, 3))
-    )
-    np.testing.assert_allclose(np.cross(skin.frame[:, 0], skin.frame[:, 1]), skin.frame[:, 2], atol=1e-12)
+    np.testing.assert_allclose((skin.position * normal).sum(axis=1), 0.1, atol=1e-9)
+    np.testing.assert_allclose((normal * first).sum(axis=1), 0, atol=1e-9)
+    np.testing.assert_allclose(np.cross(normal, first), second, atol=1e-9)
 
 
 def test_what_is_not_of_skin_has_no_receptors(reach):
