@@ -62,10 +62,12 @@ def test_receptors_lie_on_the_skin():
         assert field.receptors == field.shape[0] == len(skin.bodies) > 50
         assert set(skin.bodies) == {world.find("body", "box")}
         assert set(skin.geoms) == {world.find("geom", "shell")}
-    # Every face of a cube of half length 0.1 m is 0.1 m from its centre, along its normal.
+    # From the centre of a cube of half length 0.1 m it is 0.1 m to a face, sqrt 2 times as far to an edge, sqrt 3 times
+    # to a corner, each along its normal.
     normal, first, second = skin.frame.transpose(1, 0, 2)
-    np.testing.assert_allclose(np.abs(skin.position).max(axis=1), 0.1, atol=1e-9)
-    np.testing.assert_allclose((skin.position * normal).sum(axis=1), 0.1, atol=1e-9)
+    faces = (np.abs(np.abs(skin.position) - 0.1) < 1e-9).sum(axis=1)
+    assert set(faces) == {1, 2, 3}
+    np.testing.assert_allclose((skin.position * normal).sum(axis=1), 0.1 * np.sqrt(faces), atol=1e-9)
     np.testing.assert_allclose((normal * first).sum(axis=1), 0, atol=1e-9)
     np.testing.assert_allclose(np.cross(normal, first), second, atol=1e-9)
 

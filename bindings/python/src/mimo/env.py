@@ -144,10 +144,10 @@ def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: 
 
 def world_info(world: World, agent: int = 0) -> Dict[str, Any]:
     """What the world's task tells of an infant's step."""
-    outcome = world.outcome[agent]
+    outcome = world.outcome.item(agent)
     return {
-        "is_success": bool(outcome == SUCCESS),
-        "is_failure": bool(outcome == FAILURE),
+        "is_success": outcome == SUCCESS,
+        "is_failure": outcome == FAILURE,
         "reward_terms": world.reward_terms(agent),
     }
 

@@ -116,10 +116,11 @@ class Layout:
 
     def receptors(self, name: str) -> Receptors:
         """Where a field's receptors are; none where it is not of skin."""
-        owner, index = self._owner(), ctypes.c_size_t()  # no other thread destroys the owner meanwhile
+        wanted, index = utf8(name), ctypes.c_size_t()
+        owner = self._owner()  # which no other thread destroys from here on
         if owner is None:
             raise ClosedError("what this layout describes is closed")
-        check(LIB.mimo_layout_find(self._handle, utf8(name), index))
+        check(LIB.mimo_layout_find(self._handle, wanted, index))
         return Receptors(
             bodies=self._of_receptors(index.value, Receptor.BODY).astype(np.int32),
             geoms=self._of_receptors(index.value, Receptor.GEOM).astype(np.int32),
