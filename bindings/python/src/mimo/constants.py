@@ -157,7 +157,6 @@ class Receptor(IntEnum):
 class WarningCode(IntEnum):
     """What physics warns of."""
 
-    OTHER = 0
     CONTACTS_DROPPED = 1
     CONSTRAINTS_DROPPED = 2
     BAD_POSITION = 3
