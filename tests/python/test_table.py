@@ -89,6 +89,11 @@ def test_every_function_has_the_header_s_types(header):
         assert returned is None if result == "void" else fits(result, returned), name
 
 
+def test_the_table_is_what_the_library_exports(root):
+    exported = re.findall(r"^ *(mimo_\w+);$", (root / "src/capi/exports.map").read_text(), re.MULTILINE)
+    assert sorted(_abi.FUNCTIONS) == sorted(name for name in exported if name.startswith("mimo_"))
+
+
 @pytest.mark.parametrize("name", STRUCTS)
 def test_every_struct_has_the_header_s_members(header, name):
     body = re.search(rf"typedef struct {name} {{(.*?)}} {name};", header, flags=re.DOTALL).group(1)
