@@ -13,15 +13,21 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
 endif()
 
 # Articles and examples, beside each other as in the repository: they refer to each other (tests/readme/check_links).
-set(articles abi benchmark coming-from-mimo differences learning python tasks vision zoo)
+set(articles abi benchmark bindings coming-from-mimo differences engines learning python tasks vision zoo)
 list(TRANSFORM articles REPLACE ".+" "docs/\\0.md")
 install(FILES ${articles} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents)
 install(DIRECTORY docs/guide docs/adr DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents
         FILES_MATCHING PATTERN *.md)
 install(DIRECTORY docs/data DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.csv)
 install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)
-install(DIRECTORY examples/c examples/cpp examples/python DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
-        COMPONENT documents PATTERN __pycache__ EXCLUDE)
+foreach(language c cpp csharp matlab python rust)
+  install(DIRECTORY examples/${language} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
+          COMPONENT documents PATTERN __pycache__ EXCLUDE)
+endforeach()
+foreach(language csharp matlab rust)
+  install(FILES bindings/${language}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/bindings/${language}
+          COMPONENT documents)
+endforeach()
 install(FILES models/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/models COMPONENT documents)
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT documents)

@@ -42,19 +42,22 @@ static mimo_batch* make_batch(void) {
 
 int main(void) {
   mimo_batch* batch = make_batch();
-  mimo_env* first;
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   mimo_batch_results results;
   uint64_t seeds[WORLDS];
+  mimo_batch_reset_config start;
   double reward[WORLDS], sum = 0;
   uint8_t terminated[WORLDS], truncated[WORLDS], *blocks;
   float* actions;
   size_t block_bytes, action_count, threads, i;
   int step, episodes = 0;
 
-  /* What the worlds observe and do is asked of one of them: they are all alike. */
-  check(mimo_batch_world(batch, 0, &first));
-  check(mimo_env_observation_size(first, &block_bytes, NULL));
-  check(mimo_env_action_size(first, &action_count));
+  check(mimo_batch_layout(batch, &layout)); /* what each of the worlds observes and does */
+  sizes.struct_size = sizeof sizes;
+  check(mimo_layout_describe(layout, &sizes));
+  block_bytes = sizes.block_bytes;
+  action_count = sizes.actions;
   check(mimo_batch_size(batch, NULL, &threads));
   blocks = malloc(WORLDS * block_bytes);
   actions = malloc(WORLDS * action_count * sizeof *actions);
@@ -68,7 +71,11 @@ int main(void) {
   results.agents = WORLDS;
 
   for (i = 0; i < WORLDS; ++i) seeds[i] = i;
-  check(mimo_batch_reset(batch, seeds, NULL, WORLDS, blocks, WORLDS * block_bytes));
+  memset(&start, 0, sizeof start);
+  start.struct_size = sizeof start;
+  start.seeds = seeds;
+  start.worlds = WORLDS;
+  check(mimo_batch_reset(batch, &start, blocks, WORLDS * block_bytes));
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < WORLDS * action_count; ++i) actions[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
     check(mimo_batch_step(batch, actions, WORLDS * action_count, blocks, WORLDS * block_bytes, &results));

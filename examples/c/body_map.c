@@ -9,7 +9,6 @@
 #include <mimo/mimo.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define MAX_BODIES 256
 #define STEPS 300 /* of 10 ms */
@@ -20,7 +19,7 @@ static void check(mimo_status status) {
   exit(1);
 }
 
-/* One infant whose sensors give the normal force alone; the whole eyeballs are left out. */
+/* One infant whose skin gives the normal force alone; the whole eyeballs are left out. */
 static mimo_env* make_world(void) {
   mimo_scene_config scene_config;
   mimo_agent_config agent;
@@ -42,23 +41,10 @@ static mimo_env* make_world(void) {
   return env;
 }
 
-static mimo_field find_field(const mimo_env* env, const char* name) {
-  mimo_field field;
-  size_t count, i;
-  check(mimo_env_observation_size(env, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    field.struct_size = sizeof field;
-    check(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "no field %s\n", name);
-  exit(1);
-}
-
 /* Adds the forces of this moment, times its length, to the parts that felt them. */
-static void add_up(const float* force, const int32_t* bodies, size_t sensors, double* impulse) {
+static void add_up(const float* force, const double* bodies, size_t receptors, double* impulse) {
   size_t i;
-  for (i = 0; i < sensors; ++i) impulse[bodies[i]] += (double)force[i] * 0.01;
+  for (i = 0; i < receptors; ++i) impulse[(int)bodies[i]] += (double)force[i] * 0.01;
 }
 
 static char shade(const mimo_env* env, const double* impulse, double most, const char* body) {
@@ -120,34 +106,38 @@ static void print_bars(const mimo_env* env, const double* impulse, double most) 
 
 int main(void) {
   mimo_env* env = make_world();
-  const uint64_t seed = 1;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
   double impulse[MAX_BODIES] = {0}, most = 0;
-  size_t block_bytes, sensors, actions, i;
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
+  size_t touch, i;
   unsigned char* block;
-  int32_t* bodies;
+  double* bodies;
   float* action;
   mimo_field force;
   int step;
 
-  check(mimo_env_observation_size(env, &block_bytes, NULL));
-  check(mimo_env_action_size(env, &actions));
-  check(mimo_env_touch_sensors(env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
-  block = malloc(block_bytes);
-  bodies = malloc(sensors * sizeof *bodies);
-  action = malloc(actions * sizeof *action);
+  sizes.struct_size = sizeof sizes;
+  force.struct_size = sizeof force;
+  check(mimo_env_layout(env, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  check(mimo_layout_find(layout, "touch/force", &touch));
+  check(mimo_layout_field(layout, touch, &force));
+  block = malloc(sizes.block_bytes);
+  bodies = malloc(force.receptors * sizeof *bodies);
+  action = malloc(sizes.actions * sizeof *action);
   if (block == NULL || bodies == NULL || action == NULL) return 1;
-  check(mimo_env_touch_sensors(env, 0, bodies, NULL, NULL, NULL, sensors, NULL));
-  force = find_field(env, "touch/force");
+  check(mimo_layout_receptors(layout, touch, MIMO_RECEPTOR_BODY, bodies, force.receptors));
 
-  check(mimo_env_reset(env, &seed, block, block_bytes));
+  check(mimo_env_reset(env, &seeded, block, sizes.block_bytes));
   for (step = 0; step < STEPS; ++step) {
-    for (i = 0; i < actions; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
-    check(mimo_env_step(env, action, actions, block, block_bytes, NULL, NULL, NULL, 0));
-    add_up((const float*)(const void*)(block + force.offset), bodies, sensors, impulse);
+    for (i = 0; i < sizes.actions; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
+    check(mimo_env_step(env, action, sizes.actions, block, sizes.block_bytes, NULL));
+    add_up((const float*)(const void*)(block + force.offset), bodies, force.receptors, impulse);
   }
   for (i = 0; i < MAX_BODIES; ++i) most = fmax(most, impulse[i]);
 
-  printf("%zu sensors; what they felt in %.1f s:\n\n", sensors, STEPS * 0.01);
+  printf("%zu receptors; what they felt in %.1f s:\n\n", force.receptors, STEPS * 0.01);
   print_bars(env, impulse, most);
   putchar('\n');
   print_map(env, impulse, most);

@@ -32,19 +32,19 @@ int main(void) {
 
   action[7] = (float)NAN;
   explain("An action that is not a number is refused, and nothing happens:",
-          mimo_env_step(env, action, 44, NULL, 0, NULL, NULL, NULL, 0));
+          mimo_env_step(env, action, 44, NULL, 0, NULL));
   action[7] = 0;
 
   /* A push of a hundred thousand tons: the simulation diverges, which is reported and not hidden. */
   if (mimo_env_find(env, MIMO_BODY, "head", &head) != MIMO_OK) return 1;
   push[0] = 1e12;
   mimo_env_set(env, MIMO_BODY_FORCE, &head, 1, push, 6);
-  status = mimo_env_step(env, action, 44, NULL, 0, NULL, NULL, NULL, 0);
+  status = mimo_env_step(env, action, 44, NULL, 0, NULL);
   explain("A simulation that diverges:", status);
   if (status != MIMO_E_SIMULATION) return 1;
-  explain("The world then wants a reset:", mimo_env_step(env, action, 44, NULL, 0, NULL, NULL, NULL, 0));
+  explain("The world then wants a reset:", mimo_env_step(env, action, 44, NULL, 0, NULL));
   explain("Reset:", mimo_env_reset(env, NULL, NULL, 0));
-  explain("And all is well:", mimo_env_step(env, action, 44, NULL, 0, NULL, NULL, NULL, 0));
+  explain("And all is well:", mimo_env_step(env, action, 44, NULL, 0, NULL));
 
   mimo_env_destroy(env);
   explain("A handle that was destroyed is recognised:", mimo_env_reset(env, NULL, NULL, 0));

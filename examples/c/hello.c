@@ -12,6 +12,19 @@ static void check(mimo_status status) {
   exit(1);
 }
 
+/* A field that no sense gives: where the left hand is, as the head sees it. */
+static void watch_hand(mimo_scene* scene) {
+  const char* hand = "left_hand";
+  mimo_field_config field;
+  check(mimo_field_config_init(&field, sizeof field));
+  field.name = "hand/position";
+  field.quantity = MIMO_BODY_POSITION;
+  field.elements = &hand;
+  field.element_count = 1;
+  field.relative_to = "head";
+  check(mimo_scene_add_field(scene, &field));
+}
+
 /* A scene with one infant. The eyes are off here: the example then also runs where there is no OSMesa. */
 static mimo_env* make_world(void) {
   mimo_scene_config scene_config;
@@ -26,6 +39,7 @@ static mimo_env* make_world(void) {
   check(mimo_agent_config_init(&agent_config, sizeof agent_config));
   agent_config.vision = 0;
   check(mimo_scene_add_agent(scene, &agent_config, NULL));
+  watch_hand(scene);
 
   check(mimo_env_create(scene, NULL, &env));
   mimo_scene_destroy(scene); /* the environment does not need it any more */
@@ -34,31 +48,34 @@ static mimo_env* make_world(void) {
 
 int main(void) {
   mimo_env* env = make_world();
-  const uint64_t seed = 42;
-  size_t block_bytes, field_count, action_count, i;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 42};
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
+  size_t i;
   unsigned char* block;
   float* action;
   double seconds;
   int step;
 
-  check(mimo_env_observation_size(env, &block_bytes, &field_count));
-  check(mimo_env_action_size(env, &action_count));
-  block = malloc(block_bytes);
-  action = malloc(action_count * sizeof *action);
+  sizes.struct_size = sizeof sizes;
+  check(mimo_env_layout(env, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  block = malloc(sizes.block_bytes);
+  action = malloc(sizes.actions * sizeof *action);
   if (block == NULL || action == NULL) return 1;
 
-  check(mimo_env_reset(env, &seed, block, block_bytes));
+  check(mimo_env_reset(env, &seeded, block, sizes.block_bytes));
   for (step = 0; step < 100; ++step) { /* 100 steps of 10 ms */
-    for (i = 0; i < action_count; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
-    check(mimo_env_step(env, action, action_count, block, block_bytes, NULL, NULL, NULL, 0));
+    for (i = 0; i < sizes.actions; ++i) action[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
+    check(mimo_env_step(env, action, sizes.actions, block, sizes.block_bytes, NULL));
   }
 
   check(mimo_env_time(env, &seconds));
   printf("after %.2f s:\n", seconds);
-  for (i = 0; i < field_count; ++i) {
+  for (i = 0; i < sizes.fields; ++i) {
     mimo_field field;
     field.struct_size = sizeof field;
-    check(mimo_env_observation_field(env, i, &field));
+    check(mimo_layout_field(layout, i, &field));
     if (field.dtype == MIMO_F32) {
       printf("%-32s %4zu values, the first is %g %s\n", field.name, field.bytes / sizeof(float),
              (double)*(const float*)(const void*)(block + field.offset), field.unit);

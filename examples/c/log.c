@@ -3,9 +3,10 @@
 #include <stdio.h>
 
 /* `user` is what the config says; here it counts. */
-static void on_message(void* user, int32_t level, const char* message) {
+static void on_message(void* user, const mimo_log_record* record) {
   ++*(int*)user;
-  printf("%s: %s\n", level == MIMO_LOG_WARNING ? "warning" : "info", message);
+  printf("%s: %s\n", record->level == MIMO_LOG_WARNING ? "warning" : "info", record->text);
+  if (record->in_world) printf("  in world %zu after %g s\n", record->world, record->time);
 }
 
 int main(void) {
@@ -29,7 +30,7 @@ int main(void) {
     fprintf(stderr, "%s\n", mimo_last_error());
     return 1;
   }
-  for (step = 0; step < 10; ++step) mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0);
+  for (step = 0; step < 10; ++step) mimo_env_step(env, NULL, 0, NULL, 0, NULL);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   return messages > 0 ? 0 : 1;

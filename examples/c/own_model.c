@@ -8,7 +8,6 @@
 #include <mujoco/mujoco.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static void check(mimo_status status) {
   if (status == MIMO_OK) return;
@@ -37,19 +36,14 @@ static mimo_scene* describe(const char* root) {
 }
 
 /* Where a field starts in the block. */
-static const float* find(const mimo_senses* senses, const void* block, const char* name, size_t* count) {
-  size_t fields, i;
-  check(mimo_senses_observation_size(senses, NULL, &fields));
-  for (i = 0; i < fields; ++i) {
-    mimo_field field;
-    field.struct_size = sizeof field;
-    check(mimo_senses_observation_field(senses, i, &field));
-    if (strcmp(field.name, name) != 0) continue;
-    *count = field.bytes / sizeof(float);
-    return (const float*)(const void*)((const char*)block + field.offset);
-  }
-  fprintf(stderr, "there is no %s here\n", name);
-  exit(1);
+static const float* find(const mimo_layout* layout, const void* block, const char* name, size_t* count) {
+  mimo_field field;
+  size_t index;
+  field.struct_size = sizeof field;
+  check(mimo_layout_find(layout, name, &index));
+  check(mimo_layout_field(layout, index, &field));
+  *count = field.bytes / sizeof(float);
+  return (const float*)(const void*)((const char*)block + field.offset);
 }
 
 int main(int argc, char** argv) {
@@ -59,9 +53,11 @@ int main(int argc, char** argv) {
   mimo_scene* scene;
   mimo_senses_config config;
   mimo_senses* senses;
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   void* block;
   const float *force, *acceleration;
-  size_t bytes, forces, axes, i;
+  size_t forces, axes, i;
   int step;
 
   if (argc != 3) {
@@ -82,11 +78,13 @@ int main(int argc, char** argv) {
   config.data_size = sizeof(mjData);
   check(mimo_senses_attach(scene, model, &config, &senses));
   mimo_scene_destroy(scene);
-  check(mimo_senses_observation_size(senses, &bytes, NULL));
-  block = malloc(bytes);
+  check(mimo_senses_layout(senses, &layout));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_layout_describe(layout, &sizes));
+  block = malloc(sizes.block_bytes);
   if (block == NULL) return 1;
-  force = find(senses, block, "touch/force", &forces);
-  acceleration = find(senses, block, "vestibular/acceleration", &axes);
+  force = find(layout, block, "touch/force", &forces);
+  acceleration = find(layout, block, "vestibular/acceleration", &axes);
 
   mj_forward(model, data);
   check(mimo_senses_reset(senses, data, NULL)); /* an episode starts: nothing was felt before this */
@@ -94,7 +92,7 @@ int main(int argc, char** argv) {
     mj_step(model, data);                     /* the simulation is ours */
     check(mimo_senses_advance(senses, data)); /* once a step: what is late takes this in */
     if (step % 20 != 19) continue;
-    check(mimo_senses_observe(senses, data, block, bytes)); /* and stays as it is */
+    check(mimo_senses_observe(senses, data, block, sizes.block_bytes)); /* and stays as it is */
     {
       size_t pressed = 0;
       for (i = 0; i < forces; i += 3) pressed += force[i] != 0 || force[i + 1] != 0 || force[i + 2] != 0;

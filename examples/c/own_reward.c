@@ -55,12 +55,12 @@ static double reward(const mimo_env* env, const int32_t bodies[2]) {
 
 /* The return of a second towards one posture of the arm. */
 static double try_posture(mimo_env* env, const int32_t bodies[2], const float* posture, size_t count) {
-  const uint64_t seed = 1;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
   double sum = 0;
   int step;
-  check(mimo_env_reset(env, &seed, NULL, 0));
+  check(mimo_env_reset(env, &seeded, NULL, 0));
   for (step = 0; step < 100; ++step) {
-    check(mimo_env_step(env, posture, count, NULL, 0, NULL, NULL, NULL, 0));
+    check(mimo_env_step(env, posture, count, NULL, 0, NULL));
     sum += reward(env, bodies);
   }
   return sum;
@@ -72,10 +72,15 @@ int main(void) {
   float best[4] = {0, 0, 0, 0}, trial[4];
   double best_sum, first_sum;
   int32_t bodies[2];
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   size_t count, i;
   int round;
 
-  check(mimo_env_action_size(env, &count));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_env_layout(env, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  count = sizes.actions;
   if (count != 4) return 1;
   check(mimo_env_find(env, MIMO_BODY, "right_fingers", &bodies[0]));
   check(mimo_env_find(env, MIMO_BODY, "head", &bodies[1]));

@@ -25,7 +25,7 @@ static double distance(mimo_env* env, const int32_t bodies[2]) {
 }
 
 static void act(mimo_env* env, const float* action, size_t count, int steps) {
-  while (steps-- > 0) check(mimo_env_step(env, action, count, NULL, 0, NULL, NULL, NULL, 0));
+  while (steps-- > 0) check(mimo_env_step(env, action, count, NULL, 0, NULL));
 }
 
 int main(void) {
@@ -35,14 +35,19 @@ int main(void) {
   size_t count, bytes, i;
   int32_t hand_and_ball[2];
   double nearest, first, reached;
-  const uint64_t seed = 1;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   int decision, future;
 
   check(mimo_env_make("reach", &env));
-  check(mimo_env_reset(env, &seed, NULL, 0));
+  check(mimo_env_reset(env, &seeded, NULL, 0));
   check(mimo_env_find(env, MIMO_BODY, "right_fingers", &hand_and_ball[0]));
   check(mimo_env_find(env, MIMO_BODY, "target", &hand_and_ball[1]));
-  check(mimo_env_action_size(env, &count));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_env_layout(env, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  count = sizes.actions;
   check(mimo_env_state_size(env, &bytes));
   present = malloc(bytes);
   actions = malloc(FUTURES * count * sizeof *actions);

@@ -14,7 +14,7 @@
 
 #define PIXELS (128 * 128)
 #define PARTS 2
-#define MAX_SENSORS 8192
+#define MAX_RECEPTORS 8192
 
 enum { ANNA, BEN };
 static const char* const names[] = {"anna", "ben"};
@@ -22,6 +22,7 @@ static const char* const hands[] = {"right", "left"}; /* across the toy from eac
 
 typedef struct {
   mimo_env* env;
+  const mimo_layout* layout;
   unsigned char* block;
   size_t bytes;
 } world;
@@ -43,6 +44,7 @@ static world make_world(void) {
   mimo_scene_config room;
   mimo_agent_config infant;
   mimo_scene* scene;
+  mimo_layout_info sizes;
   world w;
 
   check(mimo_scene_config_init(&room, sizeof room));
@@ -55,23 +57,26 @@ static world make_world(void) {
   check(mimo_scene_add_agents(scene, &infant, NULL));
   check(mimo_env_create(scene, NULL, &w.env));
   mimo_scene_destroy(scene);
-  check(mimo_env_observation_size(w.env, &w.bytes, NULL));
+  check(mimo_env_layout(w.env, &w.layout));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_layout_describe(w.layout, &sizes));
+  w.bytes = sizes.block_bytes;
   w.block = malloc(w.bytes);
   return w;
+}
+
+static size_t index_of(const world* w, const char* field) {
+  size_t index;
+  check(mimo_layout_find(w->layout, field, &index));
+  return index;
 }
 
 /* Where a field of the observation starts. */
 static const void* field(const world* w, const char* name) {
   mimo_field f;
-  size_t count, i;
-  check(mimo_env_observation_size(w->env, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    f.struct_size = sizeof f;
-    check(mimo_env_observation_field(w->env, i, &f));
-    if (strcmp(f.name, name) == 0) return w->block + f.offset;
-  }
-  fprintf(stderr, "no field %s\n", name);
-  exit(1);
+  f.struct_size = sizeof f;
+  check(mimo_layout_field(w->layout, index_of(w, name), &f));
+  return w->block + f.offset;
 }
 
 static int32_t find(const world* w, int32_t kind, const char* name) {
@@ -114,23 +119,25 @@ static void smile(world* w) {
 
 /* ---- A touch ---- */
 
-/* What an infant's hand and fingers feel, all sensors together, N. */
+/* What an infant's hand and fingers feel, all receptors together, N. */
 static void felt_by_hand(const world* w, int infant, double* sum) {
-  static int32_t bodies[MAX_SENSORS];
+  static double bodies[MAX_RECEPTORS];
   int32_t parts[PARTS];
   char name[64];
   const float* force;
-  size_t sensors, i;
+  size_t receptors, i;
   snprintf(name, sizeof name, "%s/%s_hand", names[infant], hands[infant]);
   parts[0] = find(w, MIMO_BODY, name);
   snprintf(name, sizeof name, "%s/%s_fingers", names[infant], hands[infant]);
   parts[1] = find(w, MIMO_BODY, name);
   snprintf(name, sizeof name, "%s/touch/force", names[infant]);
   force = field(w, name);
-  check(mimo_env_touch_sensors(w->env, (size_t)infant, bodies, NULL, NULL, NULL, MAX_SENSORS, &sensors));
+  check(mimo_layout_receptor_width(w->layout, index_of(w, name), MIMO_RECEPTOR_BODY, &receptors));
+  insist(receptors <= MAX_RECEPTORS, "there is room for all receptors");
+  check(mimo_layout_receptors(w->layout, index_of(w, name), MIMO_RECEPTOR_BODY, bodies, receptors));
   sum[0] = sum[1] = sum[2] = 0;
-  for (i = 0; i < sensors; ++i) {
-    if (bodies[i] != parts[0] && bodies[i] != parts[1]) continue;
+  for (i = 0; i < receptors; ++i) {
+    if ((int32_t)bodies[i] != parts[0] && (int32_t)bodies[i] != parts[1]) continue;
     sum[0] += force[3 * i], sum[1] += force[3 * i + 1], sum[2] += force[3 * i + 2];
   }
 }
@@ -170,7 +177,7 @@ static void touch(world* w) {
         check(mimo_env_set(w->env, MIMO_JOINT_LOCK, &joints[infant][j], 1, lock, 2));
       }
     }
-    check(mimo_env_step(w->env, NULL, 0, w->block, w->bytes, NULL, NULL, NULL, 0));
+    check(mimo_env_step(w->env, NULL, 0, w->block, w->bytes, NULL));
   }
   felt_by_hand(w, ANNA, anna);
   felt_by_hand(w, BEN, ben);
@@ -184,8 +191,8 @@ static void touch(world* w) {
 
 int main(void) {
   world w = make_world();
-  const uint64_t seed = 1;
-  check(mimo_env_reset(w.env, &seed, w.block, w.bytes));
+  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  check(mimo_env_reset(w.env, &seeded, w.block, w.bytes));
   smile(&w);
   touch(&w);
   mimo_env_destroy(w.env);

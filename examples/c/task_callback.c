@@ -102,14 +102,20 @@ int main(void) {
   mimo_batch_results results;
   mimo_env* first;
   uint64_t seeds[WORLDS];
+  mimo_batch_reset_config start;
   uint8_t terminated[WORLDS], truncated[WORLDS];
+  const mimo_layout* layout;
+  mimo_layout_info sizes;
   float* actions;
   size_t count, i;
   int step, successes = 0, time_outs = 0;
 
   check(mimo_batch_world(batch, 0, &first));
   check(mimo_env_find(first, MIMO_BODY, "left_hand", &user.hand));
-  check(mimo_env_action_size(first, &count));
+  sizes.struct_size = sizeof sizes;
+  check(mimo_batch_layout(batch, &layout));
+  check(mimo_layout_describe(layout, &sizes));
+  count = sizes.actions;
   actions = malloc(WORLDS * count * sizeof *actions);
   if (actions == NULL) return 1;
   memset(&results, 0, sizeof results);
@@ -119,7 +125,11 @@ int main(void) {
   results.agents = WORLDS;
 
   for (i = 0; i < WORLDS; ++i) seeds[i] = i;
-  check(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+  memset(&start, 0, sizeof start);
+  start.struct_size = sizeof start;
+  start.seeds = seeds;
+  start.worlds = WORLDS;
+  check(mimo_batch_reset(batch, &start, NULL, 0));
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < WORLDS * count; ++i) actions[i] = (float)rand() / (float)RAND_MAX * 2 - 1;
     check(mimo_batch_step(batch, actions, WORLDS * count, NULL, 0, &results));

@@ -22,7 +22,7 @@ int main(int argc, char** argv) try {
   mimo::Block block = env.make_block();
   env.reset(42, block);
 
-  const mimo_field eye = env.field("vision/eye_left");
+  const mimo_field eye = env.layout().field("vision/eye_left");
   write_png(path, block.view<std::uint8_t>(eye), eye.shape[0], eye.shape[1]);
   std::printf("%s: %zu x %zu pixels\n", path, eye.shape[1], eye.shape[0]);
   return 0;

@@ -44,20 +44,22 @@ int main() try {
   mimo::Block block = env.make_block();
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  std::vector<float> action(env.action_size());
+  std::vector<float> action(env.layout().info().actions);
+  mimo::Results results = env.make_results();
   double sum = 0;
   int steps = 0;
   env.reset(1, block);
   for (bool ended = false; !ended && steps < 500; ++steps) {
     for (float& value : action) value = uniform(random);
-    const auto result = env.step(action, block).front();
-    sum += result.reward;
-    ended = result.terminated;
+    env.step(action, block, results);
+    sum += results.reward[0];
+    ended = results.terminated[0] != 0;
   }
-  const float height = block.view<float>(env.field("head_height"))[0];
+  const float height = block.view<float>(env.layout().field("head_height"))[0];
   std::printf("after %d steps the head is at %.2f m; return %.2f\n", steps, height, sum);
-  for (const auto& term : env.reward_terms())
-    std::printf("  %s: %.3f in the last step\n", term.first.c_str(), term.second);
+  const auto names = env.term_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    std::printf("  %s: %.3f in the last step\n", names[i].c_str(), results.terms[i]);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

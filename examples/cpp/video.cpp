@@ -125,9 +125,9 @@ int main(int argc, char** argv) try {
 
   mimo::Env env = make_world();
   mimo::Block block = env.make_block();
-  const mimo_field pictures[] = {env.field("vision/eye_left"), env.field("vision/eye_right"),
-                                 env.field("vision/outside")};
-  std::vector<float> actions(env.action_size());
+  const mimo_field pictures[] = {env.layout().field("vision/eye_left"), env.layout().field("vision/eye_right"),
+                                 env.layout().field("vision/outside")};
+  std::vector<float> actions(env.layout().info().actions);
   std::vector<std::uint8_t> frame(3 * kWidth * kSide);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> share(-0.2f, 0.2f);

@@ -114,6 +114,13 @@ extern "C" {
  * 0, to count anew.
  */
 #define MIMO_WARNING_COUNT 50
+#define MIMO_SITE_VELOCITY 51 /**< Site: 6, linear (m/s) of its position and angular (rad/s), world frame. */
+/**
+ * Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
+ * docs/tasks.md. None where a task has no such thing.
+ */
+#define MIMO_AGENT_GOAL 52
+#define MIMO_AGENT_ACHIEVED 53 /**< Agent: see MIMO_AGENT_GOAL. */
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by
@@ -154,7 +161,7 @@ MIMO_API mimo_status mimo_env_width(const mimo_env *env, int32_t quantity, const
  * Reads a quantity of many at once, one after the other.
  * What is never computed (positions and velocities of joints, controls, forces that you apply, and all of W) is
  * current. Poses, positions, orientations, centres of mass and velocities of bodies belong to where the last physics
- * step started (MIMO_AT_LAST_START), or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or
+ * step started, or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or
  * set position, if that came later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and
  * contacts are computed by physics steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and
  * mimo_env_look_angles look at the current positions and change none of these values.
@@ -176,9 +183,9 @@ MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, int32_t quantity, c
  * A lock holds its joint softly, from the next step on; the angle lies within the joint's range.
  * Masses cost about as much as several physics steps, however many are given at once.
  * @param ids NULL with id_count 0: all of the quantity's kind.
- * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its range;
- *         MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;
- *         for a light that follows a body; for the face of an agent without faces. Nothing is written then.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its
+ *         range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position
+ *         control; for a light that follows a body; for the face of an agent without faces. Nothing is written then.
  */
 MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
                                   const double *values, size_t value_count) MIMO_NOEXCEPT;
@@ -188,25 +195,6 @@ MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t
  * until the next step. The trajectory stays as it was.
  */
 MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;
-
-#define MIMO_TOUCH_FRAME_VALUES 9 /**< Per sensor: outward normal 3, first tangent 3, second tangent 3; body frame. */
-
-/**
- * The touch sensors of an agent, in the order of its touch fields. A sensor that stands for a whole small geom sits in
- * its middle and counts as looking along the body's x axis. The first tangent is the body's x axis projected on the
- * skin, or its y axis where x is within 10 degrees of the normal; the second is the normal x the first.
- * @param agent     index of the agent.
- * @param bodies    n ids; may be NULL.
- * @param geoms     n ids; may be NULL.
- * @param positions n x 3, metres, in the frame of the sensor's body, C order; may be NULL.
- * @param frames    n x MIMO_TOUCH_FRAME_VALUES; may be NULL.
- * @param capacity  how many sensors the arrays have room for.
- * @param count     receives how many there are, 0 where touch is off; may be NULL.
- * Errors: MIMO_E_BUFFER_TOO_SMALL when there are more than capacity and an array is given; count is set all the same.
- */
-MIMO_API mimo_status mimo_env_touch_sensors(const mimo_env *env, size_t agent, int32_t *bodies, int32_t *geoms,
-                                            double *positions, double *frames, size_t capacity,
-                                            size_t *count) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -18,8 +18,7 @@ extern "C" {
 #define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
 #define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
 #define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, 0 to 1: see docs/guide/muscles.md. */
-#define MIMO_PROPRIOCEPTION_DEFAULT 0x2fu      /**< All but JOINT_TORQUE and EFFORT, as the original. */
-#define MIMO_PROPRIOCEPTION_ALL 0x7fu          /**< Everything. */
+#define MIMO_PROPRIOCEPTION_ALL 0x80000000u    /**< All that the loaded library has. */
 
 #define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
@@ -60,21 +59,21 @@ extern "C" {
 #define MIMO_ACT_LEFT_LEG 0x100u   /**< The same on the left. */
 #define MIMO_ACT_RIGHT_FOOT 0x200u /**< Ankle (three) and toes; a big toe has a motor of its own. */
 #define MIMO_ACT_LEFT_FOOT 0x400u  /**< The same on the left. */
-#define MIMO_ACT_ALL 0x7ffu        /**< Everything. */
-#define MIMO_ACT_NONE 0x80000000u  /**< No motor at all; excludes the other bits. */
+#define MIMO_ACT_ALL 0x80000000u   /**< All that the loaded library has. */
+#define MIMO_ACT_NONE 0x40000000u  /**< No motor at all; excludes the other bits. */
 
 #define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */
 #define MIMO_TOUCH_NORMAL_FORCE 0x2u /**< touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE. */
 #define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: how it slides over the skin, along its tangents, m/s. */
 #define MIMO_TOUCH_FRICTION_USE 0x8u /**< touch/friction_use, N x 1: share of the possible friction in use; 1: all. */
 
-#define MIMO_TOUCH_NEAREST 1  /**< The nearest sensor feels all of a touch. */
-#define MIMO_TOUCH_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to 0 at twice the spacing. */
-#define MIMO_TOUCH_GAUSSIAN 3 /**< Weights fall as a bell of deviation 2/3 spacing, cut off at twice the spacing. */
+#define MIMO_RESPONSE_NEAREST 1  /**< The nearest sensor feels all of a touch. */
+#define MIMO_RESPONSE_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to 0 at 2 spacings. */
+#define MIMO_RESPONSE_GAUSSIAN 3 /**< Weights fall as a bell of deviation 2/3 spacing, cut off at 2 spacings. */
 
 #define MIMO_FRAME_BODY 1  /**< The frame of the body that the sensor sits on. */
 #define MIMO_FRAME_WORLD 2 /**< The frame of the world. */
-#define MIMO_FRAME_SKIN 3  /**< Of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors. */
+#define MIMO_FRAME_SKIN 3  /**< Of the skin at the sensor: outward normal, two tangents; see MIMO_RECEPTOR_FRAME. */
 
 /**
  * Name of the index-th face of the built-in bodies, or NULL past the last: "neutral", "enjoyment", "sadness",
@@ -101,7 +100,8 @@ typedef struct mimo_agent_config {
                                     body is part of the scene's MJCF. */
   double position[3];          /**< Of the point that place says, m, world frame; without meaning with PLACE_SCENE. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
-  uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. */
+  uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:
+                                    all but JOINT_TORQUE and EFFORT. */
   uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both. */
   double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
   uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
@@ -112,7 +112,7 @@ typedef struct mimo_agent_config {
   uint32_t acts;               /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
   uint32_t normalize_actions;  /**< 1: actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
   uint32_t touch;              /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
-  int32_t touch_response;      /**< MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much. */
+  int32_t touch_response;      /**< MIMO_RESPONSE_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much. */
   int32_t touch_frame;         /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
   uint32_t touch_reserved;     /**< 0. */
   double touch_scale;          /**< Divides the usual distances between sensors: 2 makes 4 times as many. Default 1. */
@@ -131,8 +131,8 @@ MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t si
 
 /**
  * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and
- * orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach, standup,
- * selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as
+ * orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach,
+ * standup, selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as
  * mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
@@ -232,9 +232,9 @@ MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, size_t agent, con
  * before. A task sees the controls that arrive.
  * @param path   a motor by its name, "act:left_elbow", or one of its muscles, "act:left_elbow/negative"; a part of the
  *               body, as MIMO_ACT_ names it: "trunk", "head", "eyes", "right_arm", "left_arm", "right_hand",
- *               "left_hand", "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls concern an
- *               action, the last one counts.
- * @param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0.
+ *               "left_hand", "right_leg", "left_leg", "right_foot", "left_foot"; or "", all. Where several calls
+ *               concern an action, the last one counts.
+ * @param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur is 0.
  * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent
  *         has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of
  *         motors with MIMO_E_UNSUPPORTED: the host commands them.

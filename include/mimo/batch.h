@@ -2,7 +2,7 @@
  * @file mimo/batch.h
  * Batches: many worlds of one scene, stepped by a pool of threads. World i does exactly what a single
  * environment does that is reset with the i-th seed and given the i-th actions, for any number of threads.
- * Arrays stack the worlds along their first axis: blocks lie at i * mimo_env_observation_size.
+ * Arrays stack the worlds along their first axis: blocks lie at i * block_bytes of mimo_layout_info.
  *
  * What one world cannot do (its simulation failed, its actions are not numbers) stops none of the others. The
  * call then returns the status of the first such world, mimo_last_error() names it, and
@@ -23,8 +23,8 @@ typedef struct mimo_batch mimo_batch;
 
 #define MIMO_AUTORESET_NONE 0 /**< Worlds go on when an episode has ended, until mimo_batch_reset. */
 /**
- * The step after the end of an episode starts a new one instead of acting: its reward is 0, both flags are 0, its block
- * is that of the reset.
+ * The step after the end of an episode starts a new one instead of acting: its reward, its flags, outcome and terms are
+ * 0, its block is that of the reset.
  */
 #define MIMO_AUTORESET_NEXT_STEP 1
 /**
@@ -68,9 +68,12 @@ MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
 /** Number of worlds and of threads; either may be NULL. */
 MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, size_t *threads) MIMO_NOEXCEPT;
 
+/** What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. */
+MIMO_API mimo_status mimo_batch_layout(const mimo_batch *batch, const mimo_layout **layout) MIMO_NOEXCEPT;
+
 /**
- * One world as an environment. All functions of environments work on it, between the batch's own calls: what its
- * observations and actions are (the same for all worlds), names, contacts, pictures, state, single steps.
+ * One world as an environment. All functions of environments work on it, between the batch's own calls: names,
+ * contacts, pictures, state, single steps.
  * Different worlds may then be used by different threads, or by tasks of other batches.
  * @param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between
  *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT.
@@ -85,21 +88,28 @@ MIMO_API mimo_status mimo_batch_world(mimo_batch *batch, size_t world, mimo_env 
 MIMO_API mimo_status mimo_batch_world_error(const mimo_batch *batch, size_t world, mimo_status *status,
                                             const char **message) MIMO_NOEXCEPT;
 
+/** Which worlds start an episode, and how. Who sets nothing but struct_size gets what NULL gives. */
+typedef struct mimo_batch_reset_config {
+  uint32_t struct_size;  /**< sizeof(mimo_batch_reset_config), set by the caller. */
+  uint32_t reserved;     /**< 0. */
+  const uint64_t *seeds; /**< One for each world; NULL: every world goes on with its own random numbers. */
+  const uint8_t *mask;   /**< Which worlds; NULL: all. */
+  size_t worlds;         /**< Length of seeds and mask; 0 if both are NULL. */
+} mimo_batch_reset_config;
+
 /**
  * Starts episodes.
- * @param seeds  one for each world; NULL: every world goes on with its own random numbers.
- * @param mask   which worlds; NULL: all.
- * @param worlds length of seeds and mask; 0 if both are NULL.
+ * @param config NULL: in all worlds, with their own random numbers.
  * @param blocks receives the observations of the worlds that were reset; may be NULL with block_bytes 0.
  */
-MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const uint64_t *seeds, const uint8_t *mask, size_t worlds,
-                                      void *blocks, size_t block_bytes) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const mimo_batch_reset_config *config, void *blocks,
+                                      size_t block_bytes) MIMO_NOEXCEPT;
 
 /**
  * Where the results of a step go, beside the observations. All are optional: NULL is not written.
  * A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,
- * terminated 0 and truncated 1; one whose actions are refused (see mimo_env_step) does not move, and only its status
- * is written.
+ * terminated 0, truncated 1, outcome and terms 0; one whose actions are refused (see mimo_env_step) does not move, and
+ * only its status is written.
  */
 typedef struct mimo_batch_results {
   uint32_t struct_size;   /**< sizeof(mimo_batch_results), set by the caller. */
@@ -107,7 +117,10 @@ typedef struct mimo_batch_results {
   double *reward;         /**< worlds x agents. */
   uint8_t *terminated;    /**< worlds x agents. */
   uint8_t *truncated;     /**< worlds x agents. */
-  size_t agents;          /**< Length of the three arrays above. */
+  int32_t *outcome;       /**< worlds x agents, MIMO_OUTCOME_ constants. */
+  size_t agents;          /**< Length of the four arrays above: worlds x agents. */
+  double *terms;          /**< worlds x terms, as in mimo_env_results. */
+  size_t term_count;      /**< Length of terms: worlds x terms. */
   mimo_status *status;    /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
   uint8_t *was_reset;     /**< Per world: 1 when this step started a new episode: the block is its first. */
   uint8_t *final_written; /**< Per world: 1 when its final block was written. */
@@ -119,7 +132,7 @@ typedef struct mimo_batch_results {
 
 /**
  * Goes one step on in all worlds.
- * @param actions worlds x mimo_env_action_size; NULL with action_count 0 leaves all controls as they are.
+ * @param actions worlds x actions of mimo_layout_info; NULL with action_count 0 leaves all controls as they are.
  * @param blocks  receives the observations; NULL with block_bytes 0 skips the senses.
  * @param results NULL: not wanted.
  * Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on.
@@ -128,9 +141,9 @@ MIMO_API mimo_status mimo_batch_step(mimo_batch *batch, const float *actions, si
                                      size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;
 
 /**
- * Starts a step and returns at once, so that the caller can do something else meanwhile. The arrays belong to the
- * batch until mimo_batch_receive; the results struct itself does not. Nothing but mimo_batch_receive and
- * mimo_batch_destroy can be called in between.
+ * Starts a step and returns at once, so that the caller can do something else meanwhile. Until mimo_batch_receive the
+ * actions are read, and the blocks and what results points to are written: they have to stay where they are. The struct
+ * results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between.
  */
 MIMO_API mimo_status mimo_batch_send(mimo_batch *batch, const float *actions, size_t action_count, void *blocks,
                                      size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;

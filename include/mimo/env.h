@@ -5,6 +5,7 @@
 #ifndef MIMO_ENV_H
 #define MIMO_ENV_H
 
+#include "observation.h"
 #include "scene.h"
 
 #ifdef __cplusplus
@@ -27,7 +28,6 @@ typedef struct mimo_env mimo_env;
 #define MIMO_RENDER_SKY 0x04u         /**< The scene's sky; without it the background is black. */
 #define MIMO_RENDER_HAZE 0x08u        /**< Haze at the horizon of an endless floor. */
 #define MIMO_RENDER_FOG 0x10u         /**< Fog, as the scene's MJCF describes it. */
-#define MIMO_RENDER_DEFAULT 0x0fu     /**< Everything but fog. */
 
 /** How a world is simulated. */
 typedef struct mimo_env_config {
@@ -43,7 +43,8 @@ typedef struct mimo_env_config {
   mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
   void *log_user;          /**< Passed to log. */
   const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
-  uint32_t render;         /**< MIMO_RENDER_ bits (_DEFAULT): what pictures show. What is left out costs nothing. */
+  uint32_t render;         /**< MIMO_RENDER_ bits: what pictures show; what is left out costs nothing. Default: all but
+                                fog. */
   uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or
                                 what the model tells OSMesa. */
   uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
@@ -87,54 +88,75 @@ typedef struct mimo_agent_info {
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
 
+/** What it observes, acts with and is rewarded for. */
+MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **layout) MIMO_NOEXCEPT;
+
 /** Name of the task. The string is owned by the environment. */
 MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
 
 /** Physics steps per environment step. */
 MIMO_API mimo_status mimo_env_frame_skip(const mimo_env *env, uint32_t *frame_skip) MIMO_NOEXCEPT;
 
-/** Number of agents; also the length of the reward, terminated and truncated arrays of a step. */
-MIMO_API mimo_status mimo_env_agent_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
-
 /** Describes the index-th agent. Set info->struct_size first. */
 MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agent_info *info) MIMO_NOEXCEPT;
 
+/** How an episode starts. Who sets nothing but struct_size gets what NULL gives. */
+typedef struct mimo_reset_config {
+  uint32_t struct_size; /**< sizeof(mimo_reset_config), set by the caller. */
+  uint32_t seeded;      /**< 1: the random numbers start anew from seed; 0: they go on. */
+  uint64_t seed;        /**< Any number; 0 where seeded is 0. */
+} mimo_reset_config;
+
 /**
  * Starts an episode: from the scene's stored state, as its task wants it.
- * @param seed  points to the seed of the world's random numbers; NULL goes on with its own stream.
- * @param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
+ * @param config NULL: the world's random numbers go on.
+ * @param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
  */
-MIMO_API mimo_status mimo_env_reset(mimo_env *env, const uint64_t *seed, void *block,
+MIMO_API mimo_status mimo_env_reset(mimo_env *env, const mimo_reset_config *config, void *block,
                                     size_t block_bytes) MIMO_NOEXCEPT;
+
+#define MIMO_OUTCOME_NONE 0     /**< Neither. */
+#define MIMO_OUTCOME_SUCCESS 1  /**< The agent has done what its task wants. */
+#define MIMO_OUTCOME_FAILURE -1 /**< It has failed. */
+
+/** Where the results of a step go, beside the observation. All are optional: NULL is not written. */
+typedef struct mimo_env_results {
+  uint32_t struct_size; /**< sizeof(mimo_env_results), set by the caller. */
+  uint32_t reserved;    /**< 0. */
+  double *reward;       /**< One per agent. */
+  uint8_t *terminated;  /**< One per agent, 1 when its episode has ended by success or failure. */
+  uint8_t *truncated;   /**< One per agent, 1 when its episode is cut off: by its step limit, or by its task. */
+  int32_t *outcome;     /**< One per agent, a MIMO_OUTCOME_ constant, also where that does not end the episode. */
+  size_t agents;        /**< Length of the four arrays above, as mimo_layout_info says. */
+  double *terms;        /**< The terms that rewards are the sums of, of all agents, as mimo_layout_term names them. */
+  size_t term_count;    /**< Length of terms, as mimo_layout_info says. */
+} mimo_env_results;
 
 /**
  * Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards.
- * @param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the
- *                     controls as they are (0 after a reset, or as set by mimo_env_set).
- * @param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
- * @param reward       one per agent; may be NULL.
- * @param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL.
- * @param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL.
- * @param agents       length of the last three arrays, 0 if all are NULL.
+ * @param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the
+ *                controls as they are (0 after a reset, or as set by mimo_env_set).
+ * @param block   receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
+ * @param results NULL: not wanted.
  * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);
  *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
- *         world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,
- *         sense, draw, write values, save or clone answers MIMO_E_SIMULATION.
+ *         world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be
+ *         written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
-                                   size_t block_bytes, double *reward, uint8_t *terminated, uint8_t *truncated,
-                                   size_t agents) MIMO_NOEXCEPT;
+                                   size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;
 
 /**
  * The observation of the current state, without changing the trajectory. All its fields belong to the current
- * state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next
+ * state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next
  * step mimo_env_get gives values of the current state, too.
  */
 MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
 
 /**
- * Bare physics: count physics steps with the controls as they are, without actuation, senses or task.
- * What MuJoCo alone costs; also for hosts that bring senses and control of their own.
+ * Bare physics: count physics steps with the controls as they are, without senses and task. Muscles pull on and adapt
+ * their activation; no action is on its way. What MuJoCo alone costs; also for hosts that bring senses and control of
+ * their own.
  * @param count 0 to 1000000.
  * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world.
  */
@@ -166,23 +188,6 @@ MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) M
 
 /** Starts counting anew. */
 MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
-
-/* Rewards and outcomes, more closely than mimo_env_step tells. */
-
-/** Number of terms of an agent's reward, which is their sum. */
-MIMO_API mimo_status mimo_env_reward_term_count(const mimo_env *env, size_t agent, size_t *count) MIMO_NOEXCEPT;
-
-/** Name of the index-th term, "distance". The string is owned by the environment. */
-MIMO_API mimo_status mimo_env_reward_term_name(const mimo_env *env, size_t agent, size_t index,
-                                               const char **name) MIMO_NOEXCEPT;
-
-/** The terms of the last step's reward, 0 after a reset. @param count length of values. */
-MIMO_API mimo_status mimo_env_reward_terms(const mimo_env *env, size_t agent, double *values,
-                                           size_t count) MIMO_NOEXCEPT;
-
-/** Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode. */
-MIMO_API mimo_status mimo_env_outcome(const mimo_env *env, size_t agent, uint8_t *success,
-                                      uint8_t *failure) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

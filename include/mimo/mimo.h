@@ -8,8 +8,8 @@
  *     log.h          messages
  *     scene.h        rooms, objects, models, cameras, as a description
  *     agent.h        infants: where they are, what they sense, what of them acts
+ *     observation.h  what a block of observations, an array of actions and a reward consist of
  *     env.h          a world: making it, steps, rewards, timing
- *     observation.h  what a block of observations and an array of actions consist of
  *     access.h       joints, bodies, contacts by name; what differs from world to world
  *     sight.h        where infants look; pictures for people
  *     state.h        save, load, clone
@@ -22,9 +22,10 @@
  *     Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
  *               mimo_last_error() then holds one line that names the argument, its value and what was
  *               expected. When an argument is refused, nothing is written anywhere.
- *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque. Destroy accepts NULL; a destroyed handle is
- *               refused by every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made
- *               before fork() answers MIMO_E_FORKED in the child.
+ *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque, and so is mimo_layout, which belongs to
+ *               one of them. Destroy accepts NULL; a destroyed handle is refused by every function
+ *               (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before fork() answers
+ *               MIMO_E_FORKED in the child.
  *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
  *               take a handle without const need it for themselves; different handles are independent.
  *               Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
@@ -35,9 +36,14 @@
  *               is said where it is declared.
  *     Structs   Versioned structs start with struct_size and are filled by their _init function, called as
  *               mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to
- *               0. They only ever grow at the end. Reserved fields are 0.
- *     Units     SI units and radians. Quaternions are w x y z. Frames: x forward, y left, z up. The velocity
- *               of a free joint is linear in the world frame, then angular in the body's own frame.
+ *               0. They only ever grow at the end. What a caller of an older version does not have counts as
+ *               0, and in what came after 1.0 that means what 1.0 did. Reserved fields are 0. Descriptions that the
+ *               library fills in say in struct_size how much of them it knows.
+ *     Newer     A bit, constant or quantity that the library does not know is MIMO_E_UNSUPPORTED, and the message says
+ *               its version; see mimo_api_version and mimo_supports.
+ *     Units     SI units and radians; degrees only for what cameras see and how sharply, where it is said.
+ *               Quaternions are w x y z. Frames: x forward, y left, z up. The velocity of a free joint is linear in
+ *               the world frame, then angular in the body's own frame.
  */
 #ifndef MIMO_H
 #define MIMO_H
@@ -47,8 +53,8 @@
 #include "log.h"
 #include "scene.h"
 #include "agent.h"
-#include "env.h"
 #include "observation.h"
+#include "env.h"
 #include "access.h"
 #include "sight.h"
 #include "state.h"

@@ -7,7 +7,7 @@
  *     mimo::Block block = env.make_block();
  *     env.reset(42, block);
  *     env.step(actions, block);
- *     mimo::View<const float> angles = block.view<float>(env.field("proprioception/position"));
+ *     mimo::View<const float> angles = block.view<float>(env.layout().field("proprioception/position"));
  *
  * Everything that mimo.h says holds here; its functions take env.get(). A failed call throws mimo::Exception.
  * This is the one header to include; its chapters lie in mimo/hpp.
@@ -19,6 +19,7 @@
 #include "hpp/configs.hpp"
 #include "hpp/env.hpp"
 #include "hpp/handles.hpp"
+#include "hpp/layout.hpp"
 #include "hpp/observation.hpp"
 #include "hpp/results.hpp"
 #include "hpp/scene.hpp"

@@ -139,8 +139,8 @@ MIMO_API mimo_status mimo_scene_weld(mimo_scene *scene, const char *body, const 
                                      const double *pose) MIMO_NOEXCEPT;
 
 /**
- * Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control takes over the
- * locks of the joints that it moves.
+ * Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control
+ * takes over the locks of the joints that it moves.
  * @param joint name of a joint in the scene, "anna/robot:left_knee".
  * @param value rad or m, within the joint's range.
  * Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has.
@@ -185,6 +185,39 @@ MIMO_API mimo_status mimo_camera_config_init(mimo_camera_config *config, size_t 
  *         is in use.
  */
 MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_config *config) MIMO_NOEXCEPT;
+
+/**
+ * A further field of the observation, of MIMO_F32: a quantity of parts of the scene, where a world is asked for it with
+ * mimo_env_get otherwise. Its shape is elements x values of each; elements alone where they have one value each; and
+ * one axis of all values where they differ in that. Of the world it is its values.
+ */
+typedef struct mimo_field_config {
+  uint32_t struct_size;        /**< sizeof(mimo_field_config), set by mimo_field_config_init. */
+  int32_t quantity;            /**< A quantity of access.h that every world has as many of: not of contacts. Poses and
+                                    velocities of bodies are those of the start of the last physics step, with MIMO_NOW
+                                    those of the step's end. */
+  const char *name;            /**< Of the field, "toys/position"; needed; no other field has it. */
+  const char *const *elements; /**< Names of bodies, joints, sites, sensors...; of agents "" for a sole one. */
+  size_t element_count;        /**< Length of elements, at least 1. Not for MIMO_WORLD_: 0. */
+  const char *relative_to;     /**< Of positions, orientations, poses and velocities: the body in whose frame they are,
+                                    moving along with it; NULL: in the world's. */
+} mimo_field_config;
+
+/**
+ * Fills a config with defaults: MIMO_BODY_POSITION in the world's frame, without name and elements.
+ * @param size sizeof(mimo_field_config) as the caller knows it.
+ */
+MIMO_API mimo_status mimo_field_config_init(mimo_field_config *config, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * Has something observed. Its field comes after those of all agents and cameras and belongs to the scene; limits of
+ * senses do not concern it.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a name in use, a quantity that is not observed, relative_to where nothing has a
+ *         frame; MIMO_E_UNSUPPORTED for an unknown quantity. From mimo_env_create and mimo_senses_attach:
+ *         MIMO_E_NOT_FOUND for what the model does not have, with a list of what it has; MIMO_E_UNSUPPORTED for what
+ *         attached senses cannot know, such as goals.
+ */
+MIMO_API mimo_status mimo_scene_add_field(mimo_scene *scene, const mimo_field_config *config) MIMO_NOEXCEPT;
 
 /**
  * The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it

@@ -9,7 +9,6 @@
 #ifndef MIMO_SENSES_H
 #define MIMO_SENSES_H
 
-#include "observation.h"
 #include "state.h"
 
 #ifdef __cplusplus
@@ -62,30 +61,17 @@ MIMO_API mimo_status mimo_senses_attach(const mimo_scene *scene, const void *mod
 /** Detaches senses. NULL and destroyed handles are ignored. */
 MIMO_API void mimo_senses_destroy(mimo_senses *senses) MIMO_NOEXCEPT;
 
-/** Size of an observation block, as mimo_env_observation_size. */
-MIMO_API mimo_status mimo_senses_observation_size(const mimo_senses *senses, size_t *bytes,
-                                                  size_t *fields) MIMO_NOEXCEPT;
-
-/** Describes the index-th field, as mimo_env_observation_field. Its strings are owned by the senses. */
-MIMO_API mimo_status mimo_senses_observation_field(const mimo_senses *senses, size_t index,
-                                                   mimo_field *field) MIMO_NOEXCEPT;
-
-/** What one element of a field is, as mimo_env_observation_label. The string is owned by the senses. */
-MIMO_API mimo_status mimo_senses_observation_label(const mimo_senses *senses, size_t index, size_t element,
-                                                   const char **label) MIMO_NOEXCEPT;
-
-/** The touch sensors of an agent, as mimo_env_touch_sensors. */
-MIMO_API mimo_status mimo_senses_touch_sensors(const mimo_senses *senses, size_t agent, int32_t *bodies, int32_t *geoms,
-                                               double *positions, double *frames, size_t capacity,
-                                               size_t *count) MIMO_NOEXCEPT;
+/** What is observed. There are no actions and no terms in it. */
+MIMO_API mimo_status mimo_senses_layout(const mimo_senses *senses, const mimo_layout **layout) MIMO_NOEXCEPT;
 
 /**
  * Starts an episode: nothing was sensed before what the data hold. Noise and memory start anew. Who never calls it
  * begins with the first mimo_senses_advance, as with seed 0.
  * @param data as in mimo_senses_observe; after mj_forward, as an environment's reset gives it.
- * @param seed points to the seed of the noise, that of an environment's reset; NULL goes on from the last episode's.
+ * @param config the seed of the noise, as in an environment's reset; NULL goes on from the last episode's.
  */
-MIMO_API mimo_status mimo_senses_reset(mimo_senses *senses, const void *data, const uint64_t *seed) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_senses_reset(mimo_senses *senses, const void *data,
+                                       const mimo_reset_config *config) MIMO_NOEXCEPT;
 
 /**
  * Goes one step on: what senses remember takes in what the data hold now, and noise is drawn anew. To be called once

@@ -33,8 +33,6 @@ MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze 
 #define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
 #define MIMO_LOOK_HEAD 1 /**< The head turns first, so that the eyes have to turn little. */
 
-#define MIMO_LOOK_JOINTS 8 /**< As many joints as looking takes at most. */
-
 /**
  * Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position
  * control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0.
@@ -43,7 +41,7 @@ MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze 
  * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD
  *                 swivel and tilt of the head before them. May be NULL.
  * @param angles   receives their angles, rad, cut to the joints' ranges; may be NULL.
- * @param capacity how many joints the arrays have room for.
+ * @param capacity how many joints the arrays have room for; 0 where both are NULL, to learn the count.
  * @param count    receives how many there are; may be NULL.
  * @param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;
  *                 may be NULL.
@@ -84,15 +82,25 @@ typedef struct mimo_picture_config {
  */
 MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_t size) MIMO_NOEXCEPT;
 
+/** Where a picture goes. What is NULL is not drawn. */
+typedef struct mimo_picture {
+  uint32_t struct_size;      /**< sizeof(mimo_picture), set by the caller. */
+  uint32_t reserved;         /**< 0. */
+  uint8_t *rgb;              /**< height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA. */
+  size_t rgb_bytes;          /**< Length of rgb. */
+  float *depth;              /**< height x width, metres along the camera's axis. */
+  size_t depth_count;        /**< Length of depth. */
+  int32_t *segmentation;     /**< height x width geom ids, -1 is background. */
+  size_t segmentation_count; /**< Length of segmentation. */
+} mimo_picture;
+
 /**
  * Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays.
- * @param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted.
- * @param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted.
- * @param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted.
+ * @param config  NULL means defaults.
+ * @param picture says where it goes.
  */
-MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *config, uint8_t *rgb, size_t rgb_bytes,
-                                     float *depth, size_t depth_count, int32_t *segmentation,
-                                     size_t segmentation_count) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *config,
+                                     const mimo_picture *picture) MIMO_NOEXCEPT;
 
 /**
  * Where points of the world lie in the picture that mimo_env_render draws, of the current positions as well; for

@@ -10,6 +10,10 @@
 
 #include "mimo_export.h"
 
+#if UINTPTR_MAX != UINT64_MAX
+#error "This interface is for 64-bit platforms: the structs of others would have other sizes."
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -19,7 +23,10 @@ extern "C" {
 #define MIMO_VERSION_PATCH 0 /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_ABI_VERSION 0   /**< Changes when old callers would break; equals the SONAME's number. */
 #define MIMO_API_MAJOR 0     /**< Version of what is declared here, 0.10; docs/abi.md says what may change. */
-#define MIMO_API_MINOR 10    /**< Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`. */
+#define MIMO_API_MINOR 10    /**< Grows when something is added. */
+
+/** Both in one number, for `#if MIMO_API_VERSION >= 1002`: 1.2 or newer. */
+#define MIMO_API_VERSION (MIMO_API_MAJOR * 1000 + MIMO_API_MINOR)
 
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
 typedef int32_t mimo_status;
@@ -33,13 +40,24 @@ typedef int32_t mimo_status;
 #define MIMO_E_MODEL -6            /**< A model does not compile, or asks for too much; see docs/guide/errors.md. */
 #define MIMO_E_SIMULATION -7       /**< The simulation failed or diverged; reset makes the world usable again. */
 #define MIMO_E_RENDER -8           /**< The renderer failed. */
-#define MIMO_E_UNSUPPORTED -9      /**< Not possible here, for example no OSMesa on this machine. */
+#define MIMO_E_UNSUPPORTED -9      /**< Not possible here, or not known to this version: the message says which. */
 #define MIMO_E_OUT_OF_MEMORY -10   /**< An allocation failed. */
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;
+
+/** MIMO_API_VERSION of the header that the loaded library was built with. Never fails. */
+MIMO_API uint32_t mimo_api_version(void) MIMO_NOEXCEPT;
+
+/**
+ * Whether the loaded library knows a name of this interface: a function ("mimo_env_step"), a constant
+ * ("MIMO_BODY_MASS"), a struct ("mimo_field") or a member of one ("mimo_field.period"); for programs that load the
+ * library at run time.
+ * @return 1 or 0; 0 for NULL.
+ */
+MIMO_API int32_t mimo_supports(const char *name) MIMO_NOEXCEPT;
 
 /** Version of the loaded library, "major.minor.patch". Static string. */
 MIMO_API const char *mimo_version(void) MIMO_NOEXCEPT;

@@ -40,10 +40,6 @@ MIMO_API mimo_status mimo_scene_set_parameter(mimo_scene *scene, const char *nam
 /** The value that a parameter has in this scene. */
 MIMO_API mimo_status mimo_scene_get_parameter(const mimo_scene *scene, const char *name, double *value) MIMO_NOEXCEPT;
 
-#define MIMO_OUTCOME_NONE 0     /**< Neither. */
-#define MIMO_OUTCOME_SUCCESS 1  /**< The agent has done it: its episode ends well, unless the verdict says it goes on. */
-#define MIMO_OUTCOME_FAILURE -1 /**< It has failed: its episode ends badly, unless the verdict says it goes on. */
-
 #define MIMO_TASK_MEMORY_LIMIT 1048576 /**< Largest memory_bytes of a task, and most bytes of its fields together. */
 
 /** What a function of a task is told: of whom it is asked, and what happened. It lasts until the function returns. */
@@ -70,7 +66,7 @@ typedef struct mimo_task_moment {
 /** What a task says of a step of one agent. All is zero unless set. */
 typedef struct mimo_task_verdict {
   uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
-  int32_t outcome;      /**< MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE. */
+  int32_t outcome;      /**< MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE; the latter two end the episode. */
   double reward;        /**< Of a task without terms. Of one with terms it stays 0: the reward is their sum. */
   double *terms;        /**< One for each of the task's terms. NULL where it declares none. */
   uint32_t goes_on;     /**< 1: success or failure does not end the episode. */
@@ -124,7 +120,7 @@ typedef struct mimo_task {
   size_t memory_bytes;            /**< Memory for each world and agent, up to MIMO_TASK_MEMORY_LIMIT. */
   mimo_task_reset_fn reset;       /**< May be NULL. */
   mimo_task_evaluate_fn evaluate; /**< Needed. */
-  const char *const *terms;       /**< Names of the terms that the reward is the sum of (mimo_env_reward_term_name).
+  const char *const *terms;       /**< Names of the terms that the reward is the sum of (mimo_layout_term).
                                        NULL: it is one number, the term "reward". */
   size_t term_count;              /**< Length of terms, up to 1000. */
   const mimo_task_field *fields;  /**< Further fields of the observation. NULL: none. */

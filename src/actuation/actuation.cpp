@@ -10,11 +10,12 @@
 
 namespace mimo::actuation {
 
-void Actuation::add(std::string name, double low, double high) {
+void Actuation::add(std::string name, double low, double high, const char* unit) {
   ranges_.push_back({low, high});
   low_.push_back(normalize_ ? -1.0f : static_cast<float>(low));
   high_.push_back(normalize_ ? 1.0f : static_cast<float>(high));
   names_.push_back(std::move(name));
+  units_.push_back(normalize_ ? "" : unit);
 }
 
 void Actuation::apply(Span<const float> actions, engine::Physics& physics) {

@@ -34,6 +34,7 @@ class Actuation {
   const std::vector<float>& low() const { return low_; }
   const std::vector<float>& high() const { return high_; }
   const std::vector<std::string>& names() const { return names_; }
+  const std::vector<const char*>& units() const { return units_; }  // static strings
 
   // Whether its actions move this lock.
   virtual bool holds(int) const { return false; }
@@ -56,8 +57,8 @@ class Actuation {
 
  protected:
   explicit Actuation(bool normalize) : normalize_(normalize) {}
-  // One action after the other: its name and the range of its command.
-  void add(std::string name, double low, double high);
+  // One action after the other: its name, the range of its command, and its unit, "" for a share.
+  void add(std::string name, double low, double high, const char* unit = "");
 
  private:
   // All that there is to feel, of all actuators of a body: also of those that are left to others.
@@ -71,6 +72,7 @@ class Actuation {
   std::vector<Range> ranges_;
   std::vector<float> low_, high_;
   std::vector<std::string> names_;
+  std::vector<const char*> units_;
 };
 
 std::unique_ptr<Actuation> make_actuation(const mjModel& model, const body::Body& body, const Options& options);

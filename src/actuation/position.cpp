@@ -31,7 +31,7 @@ Position::Position(const mjModel& model, const body::Body& body, bool normalize)
       fail(Status::kUnsupported, "position control: joint {} of {} has no range",
            engine::name(model, Kind::kJoint, motor.joint.id), name);
     }
-    add(name, motor.joint.low, motor.joint.high);
+    add(name, motor.joint.low, motor.joint.high, body::units_of(model, {motor.joint}).position);
   }
 }
 

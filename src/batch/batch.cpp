@@ -30,7 +30,7 @@ Batch::Batch(const env::Kit& kit, const Options& options, HostOf host_of)
   env::Services services = kit.services;
   services.renderer = &studio_;
   for (std::size_t i = 0; i < options.worlds; ++i) {
-    mailboxes_.emplace_back(kit.services.log, i, this);
+    mailboxes_.emplace_back(kit.services.log, this);
     services.log = mailboxes_.back().slot();
     const std::uint64_t seed = i;  // worlds that nobody seeds are not all alike
     const env::Identity identity{seed, i, host_of ? host_of(i) : nullptr};

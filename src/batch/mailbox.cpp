@@ -1,26 +1,22 @@
 #include "batch/mailbox.h"
 
-#include "base/format.h"
 #include "batch/workplace.h"
 
 namespace mimo::batch {
 
 LogSink Mailbox::slot() {
-  if (user_.write == nullptr) return {};
-  const auto write = [](void* self, std::int32_t level, const char* text) {
-    static_cast<Mailbox*>(self)->keep(static_cast<LogLevel>(level), text);
-  };
-  return {write, this};
+  if (!user_) return {};
+  return LogSink([this](const LogRecord& record) { keep(record); });
 }
 
-void Mailbox::keep(LogLevel level, const char* text) {
-  messages_.emplace_back(level, format("world {}: {}", world_, text));
+void Mailbox::keep(const LogRecord& record) {
+  records_.push_back(record);
   if (workplace().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
 }
 
 void Mailbox::deliver() {
-  for (const auto& [level, text] : messages_) user_(level, text);
-  messages_.clear();
+  for (const LogRecord& record : records_) user_(record);
+  records_.clear();
 }
 
 }  // namespace mimo::batch

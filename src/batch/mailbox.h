@@ -1,8 +1,6 @@
 // What worlds have to say while other threads step them, kept for the thread that called.
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "base/log.h"
@@ -12,7 +10,7 @@ namespace mimo::batch {
 class Mailbox {
  public:
   // Of a world of this batch.
-  Mailbox(LogSink user, std::size_t world, const void* batch) : user_(user), world_(world), batch_(batch) {}
+  Mailbox(LogSink user, const void* batch) : user_(std::move(user)), batch_(batch) {}
 
   // The sink that the world gets.
   LogSink slot();
@@ -20,12 +18,11 @@ class Mailbox {
   void deliver();
 
  private:
-  void keep(LogLevel level, const char* text);
+  void keep(const LogRecord& record);
 
   LogSink user_;
-  std::size_t world_;
   const void* batch_;
-  std::vector<std::pair<LogLevel, std::string>> messages_;
+  std::vector<LogRecord> records_;
 };
 
 }  // namespace mimo::batch

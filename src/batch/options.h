@@ -24,6 +24,8 @@ struct Output {
   double* reward = nullptr;            // worlds x agents
   std::uint8_t* terminated = nullptr;  // worlds x agents
   std::uint8_t* truncated = nullptr;   // worlds x agents
+  std::int32_t* outcome = nullptr;     // worlds x agents
+  double* terms = nullptr;             // worlds x terms
   std::int32_t* status = nullptr;
   std::uint8_t* was_reset = nullptr;
   std::uint8_t* final_blocks = nullptr;

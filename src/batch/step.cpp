@@ -70,6 +70,8 @@ void Step::blank(std::size_t world, bool cut_off) const {
   std::fill(results.reward.begin(), results.reward.end(), 0.0);
   std::fill(results.terminated.begin(), results.terminated.end(), std::uint8_t{0});
   std::fill(results.truncated.begin(), results.truncated.end(), static_cast<std::uint8_t>(cut_off));
+  std::fill(results.outcome.begin(), results.outcome.end(), std::int32_t{0});
+  std::fill(results.terms.begin(), results.terms.end(), 0.0);
 }
 
 Span<const float> Step::actions_of(std::size_t world) const {
@@ -82,10 +84,11 @@ Span<const float> Step::actions_of(std::size_t world) const {
 
 env::Results Step::results_of(std::size_t world) const {
   const std::size_t agents = worlds_[world]->agents().size();
-  const auto row = [world, agents](auto* first) {
-    return first == nullptr ? decltype(Span(first, 0))() : Span(first + world * agents, agents);
+  const auto row = [world](auto* first, std::size_t length) {
+    return first == nullptr ? decltype(Span(first, 0))() : Span(first + world * length, length);
   };
-  return {row(output_.reward), row(output_.terminated), row(output_.truncated)};
+  return {row(output_.reward, agents), row(output_.terminated, agents), row(output_.truncated, agents),
+          row(output_.outcome, agents), row(output_.terms, worlds_[world]->term_count())};
 }
 
 }  // namespace mimo::batch

@@ -17,6 +17,7 @@ env::Kit Blueprint::around(engine::ModelPtr model, const env::EnvOptions& option
   env::Kit kit{std::move(model), draft_.agents.all(), options, {}};
   kit.options.parameters = draft_.parameters;
   kit.options.cameras = draft_.cameras.all();
+  kit.options.fields = draft_.fields.all();
   kit.options.custom_task = draft_.task;
   kit.services.shelf = render::make_shelf();
   kit.services.log = log;

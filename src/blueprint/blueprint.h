@@ -8,6 +8,7 @@
 
 #include "blueprint/agents.h"
 #include "blueprint/cameras.h"
+#include "blueprint/fields.h"
 #include "env/kit.h"
 #include "env/world.h"
 #include "scene/scene.h"
@@ -19,6 +20,7 @@ struct Draft {
   scene::Scene scene;
   Agents agents;
   Cameras cameras;
+  Fields fields;
   tasks::Settings parameters;
   env::CustomTask task;  // the user's own; empty: the scene's
 
@@ -31,7 +33,8 @@ using KitPtr = std::shared_ptr<const env::Kit>;
 
 class Blueprint {
  public:
-  explicit Blueprint(const scene::Source& source) : draft_{scene::Scene(source), {}, {}, {}, {}}, log_(source.log) {}
+  explicit Blueprint(const scene::Source& source)
+      : draft_{scene::Scene(source), {}, {}, {}, {}, {}}, log_(source.log) {}
 
   // Of its last edit.
   const Draft& draft() const { return draft_; }

@@ -10,15 +10,38 @@
 #include "capi/pose.h"
 #include "capi/structs.h"
 #include "capi/vision.h"
+#include "scene/groups.h"
 
 namespace mimo::capi {
 namespace {
 
+// Bits of which one stands for all that there are.
+std::uint32_t resolve(std::uint32_t bits, std::uint32_t all_bit, std::uint32_t known, const char* argument) {
+  check_bits(bits, known | all_bit, argument);
+  return (bits & all_bit) != 0 ? known : bits;
+}
+
+std::uint32_t proprioception_bits(const mimo_agent_config& config) {
+  constexpr std::uint32_t kKnown = MIMO_PROPRIOCEPTION_ACTUATION | MIMO_PROPRIOCEPTION_VELOCITY |
+                                   MIMO_PROPRIOCEPTION_TORQUE | MIMO_PROPRIOCEPTION_LIMIT |
+                                   MIMO_PROPRIOCEPTION_JOINT_TORQUE | MIMO_PROPRIOCEPTION_POSITION |
+                                   MIMO_PROPRIOCEPTION_EFFORT;
+  return resolve(config.proprioception, MIMO_PROPRIOCEPTION_ALL, kKnown, "proprioception");
+}
+
+// scene::Group bits.
+std::uint32_t acts(const mimo_agent_config& config) {
+  if ((config.acts & MIMO_ACT_NONE) == 0) return resolve(config.acts, MIMO_ACT_ALL, scene::kAllGroups, "acts");
+  require(config.acts == MIMO_ACT_NONE, "acts is {:#x}, expected MIMO_ACT_NONE alone or parts of the body",
+          config.acts);
+  return scene::kNoGroup;
+}
+
 senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
-  check_bits(config.proprioception, MIMO_PROPRIOCEPTION_ALL, "proprioception");
   require(config.limit_threshold > 0 && config.limit_threshold <= 10,
           "limit_threshold is {}, expected radians above 0 and up to 10", config.limit_threshold);
-  const auto has = [&](std::uint32_t bit) { return (config.proprioception & bit) != 0; };
+  const std::uint32_t wanted = proprioception_bits(config);
+  const auto has = [wanted](std::uint32_t bit) { return (wanted & bit) != 0; };
   senses::ProprioceptionOptions options;
   options.position = has(MIMO_PROPRIOCEPTION_POSITION);
   options.velocity = has(MIMO_PROPRIOCEPTION_VELOCITY);
@@ -41,7 +64,7 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
   options.friction_use = has(MIMO_TOUCH_FRICTION_USE);
   senses::check_outputs(options);
   if (!options.any()) return options;
-  check_choice(config.touch_response, MIMO_TOUCH_NEAREST, MIMO_TOUCH_GAUSSIAN, "touch_response");
+  check_choice(config.touch_response, MIMO_RESPONSE_NEAREST, MIMO_RESPONSE_GAUSSIAN, "touch_response");
   check_choice(config.touch_frame, MIMO_FRAME_BODY, MIMO_FRAME_SKIN, "touch_frame");
   require(config.touch_scale >= 0.001 && config.touch_scale <= 1000, "touch_scale is {}, expected 0.001 to 1000",
           config.touch_scale);
@@ -61,8 +84,9 @@ actuation::Options actuation(const mimo_agent_config& config) {
   actuation::Options options;
   options.mode = static_cast<actuation::Mode>(config.actuation);
   options.normalize = config.normalize_actions != 0;
-  options.felt = (config.proprioception & MIMO_PROPRIOCEPTION_ACTUATION) != 0;
-  options.effort = (config.proprioception & MIMO_PROPRIOCEPTION_EFFORT) != 0;
+  const std::uint32_t felt = proprioception_bits(config);
+  options.felt = (felt & MIMO_PROPRIOCEPTION_ACTUATION) != 0;
+  options.effort = (felt & MIMO_PROPRIOCEPTION_EFFORT) != 0;
   return options;
 }
 
@@ -166,8 +190,7 @@ blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
   if (config.place != MIMO_PLACE_SCENE) {
     plan.place = {pose(config.position, config.orientation), static_cast<scene::Anchor>(config.place)};
   }
-  if (config.acts != MIMO_ACT_NONE) check_bits(config.acts, MIMO_ACT_ALL, "acts");
-  plan.acts = config.acts;
+  plan.acts = acts(config);
   return plan;
 }
 

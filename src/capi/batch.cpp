@@ -11,6 +11,7 @@ BatchObject::BatchObject(blueprint::KitPtr of, const batch::Options& options)
     : kit(std::move(of)),
       views(options.worlds),
       batch(*kit, options, [this](std::size_t world) { return &views.handles[world]; }) {
+  layout = own_layout(describe(batch.world(0)));
   // The functions of a user's task get their world's handle; they run where making one would come too late.
   for (std::size_t i = 0; kit->options.custom_task && i < options.worlds; ++i) view(i);
 }
@@ -23,7 +24,7 @@ Views::~Views() {
 
 mimo_env* BatchObject::view(std::size_t world) {
   mimo_env*& handle = views.handles[world];
-  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(kit, batch, world));
+  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(kit, batch, world, layout.get()));
   return handle;
 }
 
@@ -98,6 +99,10 @@ mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* thr
   });
 }
 
+mimo_status mimo_batch_layout(const mimo_batch* batch, const mimo_layout** layout) noexcept {
+  return guard(batch, [&] { out(layout, "layout") = open(batch).layout.get(); });
+}
+
 mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) noexcept {
   return guard(batch, [&] {
     BatchObject& object = open(batch);
@@ -119,12 +124,14 @@ mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_s
   });
 }
 
-mimo_status mimo_batch_reset(mimo_batch* batch, const uint64_t* seeds, const uint8_t* mask, size_t worlds, void* blocks,
+mimo_status mimo_batch_reset(mimo_batch* batch, const mimo_batch_reset_config* config, void* blocks,
                              size_t block_bytes) noexcept {
   return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
-    check_per_world(inner, worlds, seeds != nullptr || mask != nullptr);
-    inner.reset(seeds, mask, blocks_of(inner, blocks, block_bytes, "blocks"));
+    const mimo_batch_reset_config ours = read_struct(config, mimo_batch_reset_config{}, "config");
+    check_reserved(ours.reserved, "config: reserved");
+    check_per_world(inner, ours.worlds, ours.seeds != nullptr || ours.mask != nullptr);
+    inner.reset(ours.seeds, ours.mask, blocks_of(inner, blocks, block_bytes, "blocks"));
   });
 }
 

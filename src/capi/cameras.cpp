@@ -60,7 +60,7 @@ mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* c
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a camera needs at least a name");
-    const blueprint::CameraPlan plan = plan_from(read_struct(config, default_camera_config(), "config"));
+    const blueprint::CameraPlan plan = plan_from(read_struct(config, "config"));
     blueprint.edit([&](blueprint::Draft& draft) { draft.add_camera(plan); });
   });
 }

@@ -122,16 +122,16 @@ void CustomTask::evaluate(const engine::Physics&) {
 }
 
 void CustomTask::check_terms(const mimo_task_verdict& verdict) const {
-  if (verdict.outcome < MIMO_OUTCOME_FAILURE || verdict.outcome > MIMO_OUTCOME_SUCCESS) {
+  const auto check_known = [this](std::int64_t value, std::int64_t low, const char* name) {
+    if (value >= low && value <= 1) return;
     fail(Status::kUnsupported,
-         "the task's function evaluate gave agent {} the outcome {}, which this library does not know", agent_,
-         verdict.outcome);
-  }
-  const auto check_switch = [this](std::uint32_t value, const char* name) {
-    require(value <= 1, "the task's function evaluate gave agent {} {} as {}, expected 0 or 1", agent_, name, value);
+         "the task's function evaluate gave agent {} {} as {}, which needs an interface newer than {}.{}: this one "
+         "knows {} to 1",
+         agent_, name, value, MIMO_API_MAJOR, MIMO_API_MINOR, low);
   };
-  check_switch(verdict.goes_on, "goes_on");
-  check_switch(verdict.truncated, "truncated");
+  check_known(verdict.outcome, MIMO_OUTCOME_FAILURE, "outcome");
+  check_known(verdict.goes_on, 0, "goes_on");
+  check_known(verdict.truncated, 0, "truncated");
   require(new_terms_.empty() || verdict.reward == 0,
           "the task's function evaluate gave agent {} the reward {} beside terms, expected 0: it is their sum", agent_,
           verdict.reward);
@@ -204,7 +204,7 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     env::CustomTask own;
-    if (task != nullptr) own = maker(task_plan(read_struct(task, empty_task(), "task")));
+    if (task != nullptr) own = maker(task_plan(read_struct(task, "task")));
     blueprint.edit([&](blueprint::Draft& draft) { draft.task = std::move(own); });
   });
 }

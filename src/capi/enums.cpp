@@ -13,6 +13,7 @@
 #include "scene/scene.h"
 #include "senses/touch/options.h"
 #include "senses/touch/spread.h"
+#include "tasks/task.h"
 
 namespace mimo {
 namespace {
@@ -38,6 +39,20 @@ static_assert(same(MIMO_E_INTERNAL, Status::kInternal));
 
 static_assert(same(MIMO_LOG_WARNING, LogLevel::kWarning));
 static_assert(same(MIMO_LOG_INFO, LogLevel::kInfo));
+
+static_assert(same(MIMO_WARNING_CONTACTS_DROPPED, engine::Warning::kContactsDropped));
+static_assert(same(MIMO_WARNING_CONSTRAINTS_DROPPED, engine::Warning::kConstraintsDropped));
+static_assert(same(MIMO_WARNING_BAD_POSITION, engine::Warning::kBadPosition));
+static_assert(same(MIMO_WARNING_BAD_VELOCITY, engine::Warning::kBadVelocity));
+static_assert(same(MIMO_WARNING_BAD_ACCELERATION, engine::Warning::kBadAcceleration));
+static_assert(same(MIMO_WARNING_BAD_CONTROL, engine::Warning::kBadControl));
+static_assert(same(MIMO_WARNING_INERTIA, engine::Warning::kInertia));
+static_assert(same(MIMO_WARNING_NOT_CONVERGED, engine::Warning::kNotConverged));
+static_assert(same(MIMO_WARNING_NOT_CONVERGED + 1, engine::kWarnings));
+
+static_assert(same(MIMO_OUTCOME_NONE, tasks::Outcome::kNone));
+static_assert(same(MIMO_OUTCOME_SUCCESS, tasks::Outcome::kSuccess));
+static_assert(same(MIMO_OUTCOME_FAILURE, tasks::Outcome::kFailure));
 
 static_assert(same(MIMO_BODY, env::Kind::kBody));
 static_assert(same(MIMO_JOINT, env::Kind::kJoint));
@@ -83,17 +98,15 @@ static_assert(same(MIMO_ACT_RIGHT_LEG, scene::Group::kRightLeg));
 static_assert(same(MIMO_ACT_LEFT_LEG, scene::Group::kLeftLeg));
 static_assert(same(MIMO_ACT_RIGHT_FOOT, scene::Group::kRightFoot));
 static_assert(same(MIMO_ACT_LEFT_FOOT, scene::Group::kLeftFoot));
-static_assert(same(MIMO_ACT_ALL, scene::Group::kAllGroups));
-static_assert(same(MIMO_ACT_NONE, scene::Group::kNoGroup));
 
 static_assert(same(MIMO_ACTUATION_TORQUE, actuation::Mode::kTorque));
 static_assert(same(MIMO_ACTUATION_POSITION, actuation::Mode::kPosition));
 static_assert(same(MIMO_ACTUATION_MUSCLE, actuation::Mode::kMuscle));
 static_assert(same(MIMO_ACTUATION_MUJOCO_MUSCLE, actuation::Mode::kMujocoMuscle));
 
-static_assert(same(MIMO_TOUCH_NEAREST, senses::touch::Response::kNearest));
-static_assert(same(MIMO_TOUCH_LINEAR, senses::touch::Response::kLinear));
-static_assert(same(MIMO_TOUCH_GAUSSIAN, senses::touch::Response::kGaussian));
+static_assert(same(MIMO_RESPONSE_NEAREST, senses::touch::Response::kNearest));
+static_assert(same(MIMO_RESPONSE_LINEAR, senses::touch::Response::kLinear));
+static_assert(same(MIMO_RESPONSE_GAUSSIAN, senses::touch::Response::kGaussian));
 
 static_assert(same(MIMO_FRAME_BODY, senses::TouchFrame::kBody));
 static_assert(same(MIMO_FRAME_WORLD, senses::TouchFrame::kWorld));
@@ -104,8 +117,11 @@ static_assert(same(MIMO_I32, observation::Type::kI32));
 static_assert(same(MIMO_F32, observation::Type::kF32));
 static_assert(same(MIMO_F64, observation::Type::kF64));
 
-static_assert(same(MIMO_AT_END, observation::Time::kEnd));
-static_assert(same(MIMO_AT_LAST_START, observation::Time::kLastStart));
+static_assert(same(MIMO_RECEPTOR_BODY, observation::ReceptorQuantity::kBody));
+static_assert(same(MIMO_RECEPTOR_GEOM, observation::ReceptorQuantity::kGeom));
+static_assert(same(MIMO_RECEPTOR_POSITION, observation::ReceptorQuantity::kPosition));
+static_assert(same(MIMO_RECEPTOR_FRAME, observation::ReceptorQuantity::kFrame));
+static_assert(same(MIMO_RECEPTOR_FRAME, observation::kReceptorQuantities));
 
 static_assert(same(MIMO_JOINT_POSITION, env::Quantity::kJointPosition));
 static_assert(same(MIMO_JOINT_VELOCITY, env::Quantity::kJointVelocity));
@@ -157,7 +173,10 @@ static_assert(same(MIMO_STEP_CONTACT_PEAK_POSITION, env::Quantity::kStepContactP
 static_assert(same(MIMO_AGENT_FACE, env::Quantity::kAgentFace));
 static_assert(same(MIMO_WORLD_GRAVITY, env::Quantity::kWorldGravity));
 static_assert(same(MIMO_WARNING_COUNT, env::Quantity::kWarningCount));
-static_assert(same(MIMO_WARNING_COUNT, env::kQuantities));
+static_assert(same(MIMO_SITE_VELOCITY, env::Quantity::kSiteVelocity));
+static_assert(same(MIMO_AGENT_GOAL, env::Quantity::kAgentGoal));
+static_assert(same(MIMO_AGENT_ACHIEVED, env::Quantity::kAgentAchieved));
+static_assert(same(MIMO_AGENT_ACHIEVED, env::kQuantities));
 static_assert(same(MIMO_WARNING, env::kKinds));
 
 static_assert(same(MIMO_AUTORESET_NONE, batch::Autoreset::kNone));

@@ -2,6 +2,7 @@
 
 #include "capi/check.h"
 #include "capi/guard.h"
+#include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 
@@ -12,7 +13,7 @@ mimo_env_config default_env_config() {
   config.struct_size = sizeof config;
   config.jacobian = MIMO_JACOBIAN_MODEL;
   config.renderer = "auto";
-  config.render = MIMO_RENDER_DEFAULT;
+  config.render = MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE;
   config.render_threads = 1;
   return config;
 }
@@ -20,7 +21,9 @@ mimo_env_config default_env_config() {
 namespace {
 
 render::Quality quality(const mimo_env_config& config) {
-  check_bits(config.render, MIMO_RENDER_DEFAULT | MIMO_RENDER_FOG, "render");
+  constexpr std::uint32_t kKnown =
+      MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE | MIMO_RENDER_FOG;
+  check_bits(config.render, kKnown, "render");
   const auto has = [&](std::uint32_t bit) { return (config.render & bit) != 0; };
   render::require_samples(config.samples);
   require(config.render_threads >= 1 && config.render_threads <= 64, "render_threads is {}, expected 1 to 64",
@@ -51,8 +54,8 @@ engine::PhysicsOptions physics(const mimo_env_config& config) {
 
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
-  require(config.frame_skip <= 1000, "frame_skip is {}, expected 1 to 1000, or 0 for the scene's own",
-          config.frame_skip);
+  require(config.frame_skip <= env::kMostFrameSkip, "frame_skip is {}, expected 1 to {}, or 0 for the scene's own",
+          config.frame_skip, env::kMostFrameSkip);
   options.frame_skip = static_cast<int>(config.frame_skip);
   options.physics = physics(config);
   options.renderer = env::renderer_from(text(config.renderer));
@@ -67,16 +70,22 @@ env::EnvOptions env_options(const mimo_env_config& config) {
 }
 
 blueprint::KitPtr make_kit(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
-  return blueprint.compile(env_options(config), log_of(config));
+  return blueprint.compile(env_options(config), log_sink(config.log, config.log_user));
 }
 
 EnvObject::EnvObject(blueprint::KitPtr of)
     : kit(std::move(of)),
       owned(std::make_unique<env::World>(kit->model, kit->agents, kit->options, kit->services, identity())),
-      world(*owned) {}
+      world(*owned),
+      own(own_layout(describe(world))),
+      layout(own.get()) {}
 
 EnvObject::EnvObject(blueprint::KitPtr of, const env::World& original)
-    : kit(std::move(of)), owned(blueprint::clone(*kit, original, identity())), world(*owned) {}
+    : kit(std::move(of)),
+      owned(blueprint::clone(*kit, original, identity())),
+      world(*owned),
+      own(own_layout(describe(world))),
+      layout(own.get()) {}
 
 mimo_env* make_env(blueprint::KitPtr kit) { return wrap_env(std::make_unique<EnvObject>(std::move(kit))); }
 
@@ -131,8 +140,8 @@ mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
 
 void mimo_env_destroy(mimo_env* env) noexcept { destroy(env); }
 
-mimo_status mimo_env_agent_count(const mimo_env* env, size_t* count) noexcept {
-  return guard(env, [&] { out(count, "count") = open(env).world.agents().size(); });
+mimo_status mimo_env_layout(const mimo_env* env, const mimo_layout** layout) noexcept {
+  return guard(env, [&] { out(layout, "layout") = open(env).layout; });
 }
 
 mimo_status mimo_env_agent(const mimo_env* env, size_t index, mimo_agent_info* info) noexcept {

@@ -7,7 +7,6 @@ namespace mimo::capi {
 
 mimo_env_config default_env_config();
 env::EnvOptions env_options(const mimo_env_config& config);
-inline LogSink log_of(const mimo_env_config& config) { return {config.log, config.log_user}; }
 
 blueprint::KitPtr make_kit(const blueprint::Blueprint& blueprint, const mimo_env_config& config);
 

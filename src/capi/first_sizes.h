@@ -1,4 +1,5 @@
-// Sizes of structs in the first version of this ABI, written by ./dev freeze. They are those of 64-bit machines.
+// Sizes that structs had in their first version, written by ./dev freeze. They are those of 64-bit machines.
+MIMO_FIRST_SIZE(mimo_log_record, 40);
 MIMO_FIRST_SIZE(mimo_scene_config, 120);
 MIMO_FIRST_SIZE(mimo_agent_config, 184);
 MIMO_FIRST_SIZE(mimo_limits, 40);
@@ -8,12 +9,20 @@ MIMO_FIRST_SIZE(mimo_camera_config, 96);
 MIMO_FIRST_SIZE(mimo_parameter, 48);
 MIMO_FIRST_SIZE(mimo_env_config, 72);
 MIMO_FIRST_SIZE(mimo_agent_info, 40);
-MIMO_FIRST_SIZE(mimo_field, 104);
+MIMO_FIRST_SIZE(mimo_reset_config, 16);
+MIMO_FIRST_SIZE(mimo_env_results, 64);
+MIMO_FIRST_SIZE(mimo_layout_info, 48);
+MIMO_FIRST_SIZE(mimo_field, 112);
+MIMO_FIRST_SIZE(mimo_action, 48);
+MIMO_FIRST_SIZE(mimo_term, 24);
+MIMO_FIRST_SIZE(mimo_field_config, 40);
 MIMO_FIRST_SIZE(mimo_gaze, 144);
 MIMO_FIRST_SIZE(mimo_picture_config, 80);
+MIMO_FIRST_SIZE(mimo_picture, 56);
 MIMO_FIRST_SIZE(mimo_timing, 64);
 MIMO_FIRST_SIZE(mimo_batch_config, 24);
-MIMO_FIRST_SIZE(mimo_batch_results, 88);
+MIMO_FIRST_SIZE(mimo_batch_reset_config, 32);
+MIMO_FIRST_SIZE(mimo_batch_results, 112);
 MIMO_FIRST_SIZE(mimo_load_report, 40);
 MIMO_FIRST_SIZE(mimo_senses_config, 72);
 MIMO_FIRST_SIZE(mimo_task, 72);

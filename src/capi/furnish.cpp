@@ -111,7 +111,7 @@ mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* c
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but an object needs at least a name");
-    const scene::Object object = object_from(read_struct(config, default_object_config(), "config"));
+    const scene::Object object = object_from(read_struct(config, "config"));
     blueprint.edit([&](blueprint::Draft& draft) { draft.scene.add_object(object); });
   });
 }
@@ -120,7 +120,7 @@ mimo_status mimo_scene_add_model(mimo_scene* scene, const mimo_model_config* con
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a model needs at least a name and a document");
-    const scene::Model model = model_from(read_struct(config, default_model_config(), "config"));
+    const scene::Model model = model_from(read_struct(config, "config"));
     blueprint.edit([&](blueprint::Draft& draft) { draft.scene.add_model(model); });
   });
 }

@@ -4,6 +4,8 @@
 #include <sched.h>
 
 #include <atomic>
+#include <cstddef>
+#include <new>
 #include <utility>
 
 namespace mimo::capi {
@@ -16,7 +18,6 @@ struct Control {
   HandleType type;
   unsigned generation;                       // of forks, when it was made
   std::atomic<void*> object;                 // null once retired
-  Control* next;                             // all control blocks, so that leak checkers see them
   std::atomic_flag busy = ATOMIC_FLAG_INIT;  // a thread is at the message
   std::unique_ptr<Message> message = {};     // of the last failed call; null once retired
 };
@@ -36,7 +37,34 @@ class AtMessage {
   std::atomic_flag& busy_;
 };
 
-std::atomic<Control*> all_controls{nullptr};
+// Room for many control blocks. They stay for good: each by itself would lie among the large blocks of a world that
+// goes, and no later world of that size would fit into the gap.
+struct Drawer {
+  static constexpr std::size_t kPlaces = 256;
+
+  explicit Drawer(Drawer* full) : before(full) {}
+  // Null where it is full.
+  void* take() {
+    const std::size_t place = taken.fetch_add(1);
+    return place < kPlaces ? room + place * sizeof(Control) : nullptr;
+  }
+
+  Drawer* before;  // so that leak checkers see them all
+  std::atomic<std::size_t> taken{0};
+  alignas(Control) std::byte room[kPlaces * sizeof(Control)];
+};
+
+std::atomic<Drawer*> open_drawer{nullptr};
+
+// Takes no lock, which a child could inherit from a thread that it does not have.
+void* room_for_control() {
+  for (;;) {
+    Drawer* drawer = open_drawer.load();
+    if (void* place = drawer == nullptr ? nullptr : drawer->take()) return place;
+    auto next = std::make_unique<Drawer>(drawer);
+    if (open_drawer.compare_exchange_strong(drawer, next.get())) next.release();
+  }
+}
 
 // Counts forks on the child's side: handles of the parent have an older number.
 std::atomic<unsigned> fork_generation{0};
@@ -49,6 +77,7 @@ const char* word(HandleType type) {
     case HandleType::kEnv: return "mimo_env";
     case HandleType::kBatch: return "mimo_batch";
     case HandleType::kSenses: return "mimo_senses";
+    case HandleType::kLayout: return "mimo_layout";
   }
   return "handle";
 }
@@ -78,10 +107,8 @@ void check_generation(const Control& control, const char* argument) {
 
 void* make_handle(HandleType type, void* object) {
   auto message = std::make_unique<Message>();
-  auto* control = new Control{kMagic, type, fork_generation.load(), {object}, all_controls.load()};
+  auto* control = new (room_for_control()) Control{kMagic, type, fork_generation.load(), {object}};
   control->message = std::move(message);
-  while (!all_controls.compare_exchange_weak(control->next, control)) {
-  }
   return control;
 }
 

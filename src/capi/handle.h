@@ -1,4 +1,4 @@
-// Opaque handles. A handle points to a small control block that is never given back to the system, so that a
+// Opaque handles. A handle points to a small control block that is never given back, so that a
 // destroyed or wrong-type handle is recognised instead of crashing the host.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace mimo::capi {
 
-enum class HandleType : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4 };
+enum class HandleType : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4, kLayout = 5 };
 
 // Makes a handle that owns the object.
 void* make_handle(HandleType type, void* object);

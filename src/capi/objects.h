@@ -10,6 +10,7 @@
 #include "capi/handle.h"
 #include "capi/report.h"
 #include "env/attached.h"
+#include "env/description.h"
 #include "env/world.h"
 #include "mimo/mimo.h"
 
@@ -19,18 +20,31 @@ struct SceneObject {
   blueprint::Blueprint blueprint;
 };
 
-// A world of its own, or the view of one in a batch.
+struct LayoutObject {
+  env::Description description;
+};
+
+// A layout's handle belongs to what it describes: no call destroys it, and it is retired when that goes.
+struct RetireLayout {
+  void operator()(mimo_layout* layout) const noexcept;
+};
+using OwnLayout = std::unique_ptr<mimo_layout, RetireLayout>;
+OwnLayout own_layout(env::Description description);
+
+// A world of its own, or the view of one in a batch, which answers with the batch's layout.
 struct EnvObject {
   explicit EnvObject(blueprint::KitPtr of);
   // In the state that a world of this kit is in.
   EnvObject(blueprint::KitPtr of, const env::World& original);
-  EnvObject(blueprint::KitPtr of, batch::Batch& all, std::size_t which)
-      : kit(std::move(of)), world(all.world(which)), batch(&all), number(which) {}
+  EnvObject(blueprint::KitPtr of, batch::Batch& all, std::size_t which, const mimo_layout* of_all)
+      : kit(std::move(of)), world(all.world(which)), layout(of_all), batch(&all), number(which) {}
 
   blueprint::KitPtr kit;
   mimo_env* handle = nullptr;
   std::unique_ptr<env::World> owned;
   env::World& world;
+  OwnLayout own;  // of a world of its own
+  const mimo_layout* layout;
   const batch::Batch* batch = nullptr;
   std::size_t number = 0;
   env::LoadReport loaded;
@@ -39,7 +53,7 @@ struct EnvObject {
   env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
 };
 
-// For a number that is none of a world's or of attached senses' agents.
+// For a number that is none of a world's agents.
 template <typename Agents>
 void check_agent(const Agents& agents, std::size_t agent) {
   require(agent < agents.size(), "agent is {}, but there are {} agents", agent, agents.size());
@@ -63,15 +77,18 @@ struct BatchObject {
   mimo_env* view(std::size_t world);
 
   blueprint::KitPtr kit;
-  Views views;  // before the batch, which waits for its work when it goes: tasks may be at work with them until then
+  // Before the batch, which waits for its work when it goes: tasks may be at work with them until then.
+  Views views;
+  OwnLayout layout;
   batch::Batch batch;
   env::LoadReport loaded;
 };
 
 struct SensesObject {
-  SensesObject(const env::Kit& kit, double step) : attached(kit, step) {}
+  SensesObject(const env::Kit& kit, double step) : attached(kit, step), layout(own_layout(describe(attached))) {}
 
   env::Attached attached;
+  OwnLayout layout;
   env::LoadReport loaded;
 };
 
@@ -82,6 +99,7 @@ inline void require_access(const EnvObject& env) {
 }
 inline void require_access(const BatchObject&) {}  // the batch itself knows which calls it takes
 inline void require_access(const SensesObject&) {}
+inline void require_access(const LayoutObject&) {}  // it never changes
 
 // Views belong to their batch; a task must not pull away the world that it is at work in.
 inline bool is_destructible(const SceneObject&) { return true; }
@@ -108,6 +126,13 @@ struct HandleTraits<mimo_senses> {
   using Type = SensesObject;
   static constexpr HandleType kType = HandleType::kSenses;
   static constexpr const char* kName = "senses";
+};
+
+template <>
+struct HandleTraits<mimo_layout> {
+  using Type = LayoutObject;
+  static constexpr HandleType kType = HandleType::kLayout;
+  static constexpr const char* kName = "layout";
 };
 
 template <>

@@ -5,6 +5,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/vision.h"
 #include "engine/present.h"
 #include "render/format.h"
 #include "render/projection.h"
@@ -27,10 +28,7 @@ mimo_picture_config default_picture_config() {
 }
 
 void check_picture_config(const mimo_picture_config& config) {
-  require(config.width >= 1 && config.width <= 4096, "width is {}, expected 1 to 4096", config.width);
-  require(config.height >= 1 && config.height <= 4096, "height is {}, expected 1 to 4096", config.height);
-  require(config.fovy == 0 || (config.fovy >= 1 && config.fovy <= 170),
-          "fovy is {}, expected 1 to 170 degrees, or 0 for the camera's own", config.fovy);
+  check_view({"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
   check_bits(config.format, MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP, "format");
   if (config.camera != nullptr) return;
   check_finite(config.look_at, 3, "look_at");
@@ -61,14 +59,21 @@ render::Format format_of(const mimo_picture_config& config) {
   return {(config.format & MIMO_PICTURE_RGBA) != 0, (config.format & MIMO_PICTURE_BOTTOM_UP) != 0};
 }
 
-render::Picture picture_for(const mimo_picture_config& config, std::uint8_t* rgb, float* depth,
-                            std::int32_t* segmentation) {
+void check_picture(const mimo_picture_config& config, const mimo_picture& to) {
+  check_reserved(to.reserved, "picture: reserved");
+  const std::size_t pixels = std::size_t{config.width} * config.height;
+  check_buffer(to.rgb, to.rgb_bytes, static_cast<std::size_t>(format_of(config).colors()) * pixels, "picture: rgb");
+  check_buffer(to.depth, to.depth_count, pixels, "picture: depth");
+  check_buffer(to.segmentation, to.segmentation_count, pixels, "picture: segmentation");
+}
+
+render::Picture picture_for(const mimo_picture_config& config, const mimo_picture& to) {
   render::Picture picture;
   picture.width = static_cast<int>(config.width);
   picture.height = static_cast<int>(config.height);
-  picture.rgb = rgb;
-  picture.depth = depth;
-  picture.segmentation = segmentation;
+  picture.rgb = to.rgb;
+  picture.depth = to.depth;
+  picture.segmentation = to.segmentation;
   return picture;
 }
 
@@ -84,21 +89,17 @@ mimo_status mimo_picture_config_init(mimo_picture_config* config, size_t size) n
   return guard([&] { write_struct(config, size, default_picture_config(), "config"); });
 }
 
-mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, uint8_t* rgb, size_t rgb_bytes,
-                            float* depth, size_t depth_count, int32_t* segmentation,
-                            size_t segmentation_count) noexcept {
+mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, const mimo_picture* picture) noexcept {
   return guard(env, [&] {
     env::World& world = open(env).world;
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
-    const render::Format wanted = format_of(ours);
-    const std::size_t pixels = std::size_t{ours.width} * ours.height;
-    check_buffer(rgb, rgb_bytes, static_cast<std::size_t>(wanted.colors()) * pixels, "rgb");
-    check_buffer(depth, depth_count, pixels, "depth");
-    check_buffer(segmentation, segmentation_count, pixels, "segmentation");
-    const render::Picture picture = picture_for(ours, rgb, depth, segmentation);
-    world.draw(viewpoint(world, ours), picture);
-    render::deliver(picture, wanted);
+    require(picture != nullptr, "picture is NULL");
+    const mimo_picture to = read_struct(picture, "picture");
+    check_picture(ours, to);
+    const render::Picture drawn = picture_for(ours, to);
+    world.draw(viewpoint(world, ours), drawn);
+    render::deliver(drawn, format_of(ours));
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "capi/check.h"
 #include "capi/guard.h"
+#include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 
@@ -29,7 +30,7 @@ scene::Limits limits(const mimo_scene_config& config) {
 scene::Source source(const mimo_scene_config& config) {
   check_reserved(config.reserved, "config: reserved");
   return {text(config.name),      text(config.file), text(config.xml),
-          text(config.model_dir), limits(config),    LogSink{config.log, config.log_user}};
+          text(config.model_dir), limits(config),    log_sink(config.log, config.log_user)};
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // Senses on a host's own simulation.
 #include <cmath>
 
+#include "capi/block.h"
 #include "capi/check.h"
 #include "capi/env.h"
-#include "capi/fields.h"
 #include "capi/guard.h"
+#include "capi/log.h"
 #include "capi/objects.h"
+#include "capi/reset.h"
 #include "capi/structs.h"
 #include "engine/host_model.h"
 
@@ -50,39 +52,21 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const
     mimo_senses*& result = out(senses, "senses");
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, expected one that says the host's mujoco_version");
-    const mimo_senses_config ours = read_struct(config, default_senses_config(), "config");
+    const mimo_senses_config ours = read_struct(config, "config");
     check_reserved(ours.reserved, "reserved");
     require(ours.step >= 0 && std::isfinite(ours.step), "step is {}, expected seconds above 0, or 0 for the model's",
             ours.step);
     const env::EnvOptions options = picture_options(ours);
     engine::ModelPtr theirs = engine::adopt({model, ours.mujoco_version, ours.model_size, ours.data_size});
-    const env::Kit kit = blueprint.around(std::move(theirs), options, LogSink{ours.log, ours.log_user});
+    const env::Kit kit = blueprint.around(std::move(theirs), options, log_sink(ours.log, ours.log_user));
     result = wrap<mimo_senses>(std::make_unique<SensesObject>(kit, ours.step));
   });
 }
 
 void mimo_senses_destroy(mimo_senses* senses) noexcept { destroy(senses); }
 
-mimo_status mimo_senses_observation_size(const mimo_senses* senses, size_t* bytes, size_t* fields) noexcept {
-  return guard(senses, [&] { describe_size(open(senses).attached.layout(), bytes, fields); });
-}
-
-mimo_status mimo_senses_observation_field(const mimo_senses* senses, size_t index, mimo_field* field) noexcept {
-  return guard(senses, [&] { describe_field(open(senses).attached.layout(), index, field); });
-}
-
-mimo_status mimo_senses_observation_label(const mimo_senses* senses, size_t index, size_t element,
-                                          const char** label) noexcept {
-  return guard(senses, [&] { out(label, "label") = label_of(open(senses).attached.layout(), index, element); });
-}
-
-mimo_status mimo_senses_touch_sensors(const mimo_senses* senses, size_t agent, int32_t* bodies, int32_t* geoms,
-                                      double* positions, double* frames, size_t capacity, size_t* count) noexcept {
-  return guard(senses, [&] {
-    const auto& agents = open(senses).attached.agents();
-    check_agent(agents, agent);
-    describe_skin(agents[agent].skin.get(), {bodies, geoms, positions, frames}, capacity, count);
-  });
+mimo_status mimo_senses_layout(const mimo_senses* senses, const mimo_layout** layout) noexcept {
+  return guard(senses, [&] { out(layout, "layout") = open(senses).layout.get(); });
 }
 
 mimo_status mimo_senses_observe(mimo_senses* senses, const void* data, void* block, size_t block_bytes) noexcept {
@@ -94,10 +78,11 @@ mimo_status mimo_senses_observe(mimo_senses* senses, const void* data, void* blo
   });
 }
 
-mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const uint64_t* seed) noexcept {
+mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const mimo_reset_config* config) noexcept {
   return guard(senses, [&] {
     env::Attached& attached = open(senses).attached;
-    attached.reset(engine::adopt_data(attached.model(), data), seed);
+    const Seed seed = seed_of(config);
+    attached.reset(engine::adopt_data(attached.model(), data), seed.pointer());
   });
 }
 

@@ -1,8 +1,10 @@
 // Stepping and observations.
+#include "capi/block.h"
 #include "capi/check.h"
-#include "capi/fields.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/reset.h"
+#include "capi/structs.h"
 
 namespace mimo::capi {
 namespace {
@@ -19,12 +21,29 @@ Span<T> optional(T* values, std::size_t count) {
   return values == nullptr ? Span<T>() : Span<T>(values, count);
 }
 
-void check_agents(const env::World& world, std::size_t agents, bool any) {
-  check_length<double>(agents, "agents");
-  const std::size_t expected = any ? world.agents().size() : 0;
-  if (any && agents < expected) {
-    fail(Status::kBufferTooSmall, "agents is {}, but reward, terminated and truncated need {}", agents, expected);
+void check_results(const env::World& world, const mimo_env_results& theirs) {
+  check_reserved(theirs.reserved, "results: reserved");
+  check_length<double>(theirs.agents, "results: agents");
+  check_length<double>(theirs.term_count, "results: term_count");
+  const bool any = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr ||
+                   theirs.outcome != nullptr;
+  if (any && theirs.agents < world.agents().size()) {
+    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated, truncated and outcome need {}",
+         theirs.agents, world.agents().size());
   }
+  if (theirs.terms != nullptr && theirs.term_count < world.term_count()) {
+    fail(Status::kBufferTooSmall, "results: term_count is {}, but terms needs {}", theirs.term_count,
+         world.term_count());
+  }
+}
+
+env::Results results_of(const env::World& world, const mimo_env_results* results) {
+  if (results == nullptr) return {};
+  const mimo_env_results theirs = read_struct(results, "results");
+  check_results(world, theirs);
+  const std::size_t agents = world.agents().size();
+  return {optional(theirs.reward, agents), optional(theirs.terminated, agents), optional(theirs.truncated, agents),
+          optional(theirs.outcome, agents), optional(theirs.terms, world.term_count())};
 }
 
 }  // namespace
@@ -35,57 +54,22 @@ using namespace mimo::capi;
 
 extern "C" {
 
-mimo_status mimo_env_observation_size(const mimo_env* env, size_t* bytes, size_t* fields) noexcept {
-  return guard(env, [&] { describe_size(open(env).world.layout(), bytes, fields); });
-}
-
-mimo_status mimo_env_observation_field(const mimo_env* env, size_t index, mimo_field* field) noexcept {
-  return guard(env, [&] { describe_field(open(env).world.layout(), index, field); });
-}
-
-mimo_status mimo_env_observation_label(const mimo_env* env, size_t index, size_t element, const char** label) noexcept {
-  return guard(env, [&] { out(label, "label") = label_of(open(env).world.layout(), index, element); });
-}
-
-mimo_status mimo_env_action_size(const mimo_env* env, size_t* count) noexcept {
-  return guard(env, [&] { out(count, "count") = open(env).world.action_size(); });
-}
-
-mimo_status mimo_env_action_bounds(const mimo_env* env, float* low, float* high, size_t count) noexcept {
-  return guard(env, [&] {
-    const env::World& world = open(env).world;
-    check_length<float>(count, "count");
-    if (count < world.action_size()) {
-      fail(Status::kBufferTooSmall, "count is {}, but there are {} actions", count, world.action_size());
-    }
-    world.action_bounds(optional(low, world.action_size()), optional(high, world.action_size()));
-  });
-}
-
-mimo_status mimo_env_action_name(const mimo_env* env, size_t index, const char** name) noexcept {
-  return guard(env, [&] {
-    const auto [agent, local] = open(env).world.action(index);
-    out(name, "name") = agent->actuation->names()[local].c_str();
-  });
-}
-
-mimo_status mimo_env_reset(mimo_env* env, const uint64_t* seed, void* block, size_t block_bytes) noexcept {
+mimo_status mimo_env_reset(mimo_env* env, const mimo_reset_config* config, void* block, size_t block_bytes) noexcept {
   return guard(env, [&] {
     env::World& world = open(env).world;
-    world.reset(seed, block_of(world.layout(), block, block_bytes));
+    const Seed seed = seed_of(config);
+    world.reset(seed.pointer(), block_of(world.layout(), block, block_bytes));
   });
 }
 
 mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_count, void* block, size_t block_bytes,
-                          double* reward, uint8_t* terminated, uint8_t* truncated, size_t agents) noexcept {
+                          const mimo_env_results* results) noexcept {
   return guard(env, [&] {
     env::World& world = open(env).world;
     const Span<const float> actions = array(action, action_count, "action");
     check_actions(world, actions);
-    check_agents(world, agents, reward != nullptr || terminated != nullptr || truncated != nullptr);
-    std::uint8_t* start = block_of(world.layout(), block, block_bytes);
-    const std::size_t count = world.agents().size();
-    world.step(actions, start, {optional(reward, count), optional(terminated, count), optional(truncated, count)});
+    const env::Results to = results_of(world, results);
+    world.step(actions, block_of(world.layout(), block, block_bytes), to);
   });
 }
 

@@ -9,8 +9,8 @@
 
 namespace mimo::capi {
 
-// The size that a struct had in the first version of the interface that is kept; smaller ones never existed. For
-// structs of that version it stands in first_sizes.h, so that they may grow; later ones name theirs there when they do.
+// The size that a struct had in its first version; smaller ones never existed. ./dev freeze writes it into
+// first_sizes.h, so that the struct may grow.
 template <typename T>
 struct FirstSize {
   static constexpr std::size_t kBytes = sizeof(T);
@@ -32,41 +32,59 @@ void check_struct_size(std::size_t size, const char* argument) {
   }
 }
 
-// A caller's struct over our defaults. What we do not know of it must be zero.
+// What a caller of a newer interface has beyond our struct must be zero, which means what we do.
 template <typename T>
-T read_struct(const T* theirs, const T& defaults, const char* argument) {
-  if (theirs == nullptr) return defaults;
+void check_tail(const T* theirs, std::size_t size, const char* argument) {
+  if (size <= sizeof(T)) return;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(theirs);
+  if (std::all_of(bytes + sizeof(T), bytes + size, [](unsigned char byte) { return byte == 0; })) return;
+  fail(Status::kUnsupported, "{}: it has members beyond its first {} bytes that need an interface newer than {}.{}",
+       argument, sizeof(T), MIMO_API_MAJOR, MIMO_API_MINOR);
+}
+
+// A caller's struct. What it lacks of ours counts as zero: that is what its version did.
+template <typename T>
+T read_struct(const T* theirs, const char* argument) {
   const std::size_t size = theirs->struct_size;
   check_struct_size<T>(size, argument);
-  const auto* bytes = reinterpret_cast<const unsigned char*>(theirs);
-  const std::size_t known = std::min(size, sizeof(T));
-  if (std::any_of(bytes + known, bytes + size, [](unsigned char byte) { return byte != 0; })) {
-    fail(Status::kStructSize, "{}: it has fields that this version ({} bytes) does not know, and they are not zero",
-         argument, sizeof(T));
-  }
-  T ours = defaults;
-  std::memcpy(&ours, bytes, known);
+  check_tail(theirs, size, argument);
+  T ours{};
+  std::memcpy(&ours, theirs, std::min(size, sizeof(T)));
   ours.struct_size = sizeof(T);
   return ours;
 }
 
-// Fills a caller's struct of `size` bytes; a tail that we do not know becomes zero.
+// The same for one that may be NULL, which means the defaults.
 template <typename T>
-void write_struct(T* theirs, std::size_t size, const T& ours, const char* argument) {
+T read_struct(const T* theirs, const T& defaults, const char* argument) {
+  return theirs == nullptr ? defaults : read_struct(theirs, argument);
+}
+
+// Fills the first `size` bytes of a caller's struct, as much as we know of it, and zeros beyond.
+template <typename T>
+void fill_struct(T* theirs, std::size_t size, const T& ours, const char* argument) {
   require(theirs != nullptr, "{} is NULL", argument);
   check_struct_size<T>(size, argument);
   auto* bytes = reinterpret_cast<unsigned char*>(theirs);
   const std::size_t known = std::min(size, sizeof(T));
   std::memcpy(bytes, &ours, known);
   std::fill(bytes + known, bytes + size, static_cast<unsigned char>(0));
+}
+
+// A config with its defaults. It keeps the caller's size, so that what they set beyond ours is seen and refused.
+template <typename T>
+void write_struct(T* theirs, std::size_t size, const T& ours, const char* argument) {
+  fill_struct(theirs, size, ours, argument);
   theirs->struct_size = static_cast<std::uint32_t>(size);
 }
 
-// The same for descriptions, whose size the caller has put into struct_size.
+// A description, whose size the caller has put into struct_size. It says afterwards how much of it was filled.
 template <typename T>
 void write_described(T* theirs, const T& ours, const char* argument) {
   require(theirs != nullptr, "{} is NULL", argument);
-  write_struct(theirs, theirs->struct_size, ours, argument);
+  const std::size_t size = theirs->struct_size;
+  fill_struct(theirs, size, ours, argument);
+  theirs->struct_size = static_cast<std::uint32_t>(std::min(size, sizeof(T)));
 }
 
 }  // namespace mimo::capi

@@ -57,7 +57,7 @@ observation::Field field_of(const mimo_task_field& field, const std::string& arg
   require(field.low < field.high, "{}: low is {} and high is {}, expected low < high", argument, field.low, field.high);
   ours.low = field.low;
   ours.high = field.high;
-  ours.told = true;
+  ours.exempt = true;
   return ours;
 }
 
@@ -69,7 +69,7 @@ std::vector<observation::Field> fields_of(const mimo_task& task) {
   for (std::size_t i = 0; i < task.field_count; ++i) {
     const auto* theirs = reinterpret_cast<const mimo_task_field*>(next);
     const std::string argument = format("task: fields[{}]", i);
-    const mimo_task_field ours = read_struct(theirs, empty_field(), argument.c_str());
+    const mimo_task_field ours = read_struct(theirs, argument.c_str());
     next += theirs->struct_size;
     observation::Field field = field_of(ours, argument);
     for (const observation::Field& other : fields) {

@@ -1,23 +1,9 @@
-// Tasks: parameters, rewards, outcomes.
-#include <algorithm>
-
+// Tasks and their parameters.
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "tasks/task.h"
-
-namespace mimo::capi {
-namespace {
-
-const tasks::Task& task_of(const mimo_env* env, std::size_t agent) {
-  const auto& agents = open(env).world.agents();
-  check_agent(agents, agent);
-  return *agents[agent].task;
-}
-
-}  // namespace
-}  // namespace mimo::capi
 
 using namespace mimo;
 using namespace mimo::capi;
@@ -61,34 +47,6 @@ mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, 
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
     out(value, "value") = blueprint.draft().parameters[name];
-  });
-}
-
-mimo_status mimo_env_reward_term_count(const mimo_env* env, size_t agent, size_t* count) noexcept {
-  return guard(env, [&] { out(count, "count") = task_of(env, agent).terms().size(); });
-}
-
-mimo_status mimo_env_reward_term_name(const mimo_env* env, size_t agent, size_t index, const char** name) noexcept {
-  return guard(env, [&] {
-    const auto terms = task_of(env, agent).terms();
-    require(index < terms.size(), "index is {}, but there are {} terms", index, terms.size());
-    out(name, "name") = terms[index].name;
-  });
-}
-
-mimo_status mimo_env_reward_terms(const mimo_env* env, size_t agent, double* values, size_t count) noexcept {
-  return guard(env, [&] {
-    const auto terms = task_of(env, agent).terms();
-    check_buffer(values, count, terms.size(), "values");
-    for (std::size_t i = 0; values != nullptr && i < terms.size(); ++i) values[i] = terms[i].value;
-  });
-}
-
-mimo_status mimo_env_outcome(const mimo_env* env, size_t agent, uint8_t* success, uint8_t* failure) noexcept {
-  return guard(env, [&] {
-    const tasks::Task& task = task_of(env, agent);
-    if (success != nullptr) *success = task.success() ? 1 : 0;
-    if (failure != nullptr) *failure = task.failure() ? 1 : 0;
   });
 }
 

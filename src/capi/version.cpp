@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "capi/names.h"
 #include "engine/physics.h"
 #include "mimo/mimo.h"
 
@@ -7,6 +10,13 @@
 extern "C" {
 
 uint32_t mimo_abi_version(void) noexcept { return MIMO_ABI_VERSION; }
+
+uint32_t mimo_api_version(void) noexcept { return MIMO_API_VERSION; }
+
+int32_t mimo_supports(const char* name) noexcept {
+  return name != nullptr &&
+         std::binary_search(mimo::capi::kNames, mimo::capi::kNames + mimo::capi::kNameCount, std::string_view(name));
+}
 
 const char* mimo_version(void) noexcept {
   return MIMO_TEXT(MIMO_VERSION_MAJOR) "." MIMO_TEXT(MIMO_VERSION_MINOR) "." MIMO_TEXT(MIMO_VERSION_PATCH);

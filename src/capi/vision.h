@@ -1,4 +1,4 @@
-// What configs of eyes and of other cameras have in common.
+// What configs of eyes, of other cameras and of pictures have in common.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,15 @@ struct Entry {
   T value;
 };
 
+inline void check_view(Entry<std::uint32_t> width, Entry<std::uint32_t> height, Entry<double> fovy) {
+  for (const Entry<std::uint32_t>& size : {width, height}) {
+    require(size.value >= 1 && size.value <= kLargestPicture, "{} is {}, expected 1 to {}", size.name, size.value,
+            kLargestPicture);
+  }
+  require(fovy.value == 0 || (fovy.value >= 1 && fovy.value <= 170),
+          "{} is {}, expected 1 to 170 degrees, or 0 for the camera's own", fovy.name, fovy.value);
+}
+
 inline senses::VisionOptions vision(Entry<std::uint32_t> outputs, Entry<std::uint32_t> width,
                                     Entry<std::uint32_t> height, Entry<double> fovy) {
   check_bits(outputs.value, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, outputs.name);
@@ -26,12 +35,7 @@ inline senses::VisionOptions vision(Entry<std::uint32_t> outputs, Entry<std::uin
   options.depth = (outputs.value & MIMO_VISION_DEPTH) != 0;
   options.segmentation = (outputs.value & MIMO_VISION_SEGMENTATION) != 0;
   if (!options.any()) return options;
-  for (const Entry<std::uint32_t>& size : {width, height}) {
-    require(size.value >= 1 && size.value <= kLargestPicture, "{} is {}, expected 1 to {}", size.name, size.value,
-            kLargestPicture);
-  }
-  require(fovy.value == 0 || (fovy.value >= 1 && fovy.value <= 170),
-          "{} is {}, expected 1 to 170 degrees, or 0 for the camera's own", fovy.name, fovy.value);
+  check_view(width, height, fovy);
   options.width = static_cast<int>(width.value);
   options.height = static_cast<int>(height.value);
   options.fovy = fovy.value;

@@ -23,7 +23,9 @@ Actions draw(RandomActions& random, std::size_t count) {
 BareWorld::BareWorld(const WorldOptions& world, std::int32_t jacobian, std::size_t steps)
     : env_(open_bare_world(world, bare_config(jacobian))), motors_(world.actuation == "torque"), times_(steps) {
   if (motors_) {
-    for (const std::string& name : env_.action_names()) actuators_.push_back(env_.find(MIMO_ACTUATOR, name));
+    for (const mimo_action& action : env_.layout().actions()) {
+      actuators_.push_back(env_.find(MIMO_ACTUATOR, action.name));
+    }
   }
   env_.reset(world.seed, nothing_);
 }

@@ -89,7 +89,7 @@ Json microseconds(const Samples& samples, double (Samples::*average)() const) {
 
 std::size_t pixels(const mimo::Env& env) {
   std::size_t count = 0;
-  for (const mimo_field& field : env.fields()) {
+  for (const mimo_field& field : env.layout().fields()) {
     if (std::string(field.name).find("vision/") != std::string::npos) count += field.shape[0] * field.shape[1];
   }
   return count;
@@ -107,7 +107,7 @@ Json Bench::result() const {
           {"realtime_factor", simulated / full.sum()},
           {"ms_per_step", step_ms},
           {"split_ms", split_of(full_.env(), step_ms)},
-          {"agents", full_.env().agent_count()},
+          {"agents", full_.env().layout().info().agents},
           {"degrees_of_freedom", full_.env().width(MIMO_JOINT_VELOCITY, full_.env().ids(MIMO_JOINT))},
           {"frame_skip", full_.env().frame_skip()},
           {"pixels", pixels(full_.env())},

@@ -1,5 +1,7 @@
 #include "facts.h"
 
+#include <algorithm>
+
 namespace cli {
 
 std::vector<std::int32_t> infants(const mimo::Env& env) {
@@ -13,9 +15,17 @@ std::vector<std::int32_t> infants(const mimo::Env& env) {
   return bodies;
 }
 
+std::string prefix(const mimo_agent_info& agent) { return *agent.name == '\0' ? "" : agent.name + std::string("/"); }
+
 std::size_t touch_sensors(const mimo::Env& env) {
   std::size_t sum = 0;
-  for (std::size_t agent = 0; agent < env.agent_count(); ++agent) sum += env.touch_sensor_count(agent);
+  const auto fields = env.layout().fields();
+  for (const mimo_agent_info& agent : env.agents()) {
+    const std::string path = prefix(agent) + "touch/";
+    const auto of_touch = [&](const mimo_field& field) { return std::string(field.name).find(path) == 0; };
+    const auto first = std::find_if(fields.begin(), fields.end(), of_touch);
+    if (first != fields.end()) sum += first->receptors;  // all fields of an agent's touch have the same
+  }
   return sum;
 }
 

@@ -14,22 +14,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* time_name(const mimo_field& field) { return field.time == MIMO_AT_END ? "end" : "last_start"; }
+// Milliseconds after the step's end.
+std::string time_text(const mimo_field& field) {
+  const std::string start = text("%g", 1000 * field.start), end = text("%g", 1000 * field.end);
+  return start == end ? end : start + " to " + end;
+}
 
 // Infinite bounds become null: JSON has no infinity.
 Json describe(const mimo_field& field) {
-  return {{"name", field.name}, {"dtype", dtype_name(field)}, {"shape", shape(field)},
-          {"unit", field.unit}, {"frame", field.frame},       {"time", time_name(field)},
-          {"low", field.low},   {"high", field.high},         {"offset", field.offset}};
+  return {{"name", field.name},     {"dtype", dtype_name(field)}, {"shape", shape(field)}, {"unit", field.unit},
+          {"frame", field.frame},   {"start", field.start},       {"end", field.end},      {"period", field.period},
+          {"low", field.low},       {"high", field.high},         {"offset", field.offset},
+          {"receptors", field.receptors}};
 }
 
 // What each action is and may be.
 Json describe_actions(const mimo::Env& env) {
-  const auto names = env.action_names();
-  const mimo::Bounds bounds = env.action_bounds();
   Json actions = Json::array();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    actions.push_back({{"name", names[i]}, {"low", bounds.low[i]}, {"high", bounds.high[i]}});
+  for (const mimo_action& action : env.layout().actions()) {
+    actions.push_back({{"name", action.name},
+                       {"unit", action.unit},
+                       {"agent", action.agent},
+                       {"low", action.low},
+                       {"high", action.high}});
   }
   return actions;
 }
@@ -52,9 +59,9 @@ Json describe(const mimo::Env& env) {
   info["timestep_s"] = env.timestep();
   info["frame_skip"] = env.frame_skip();
   info["versions"] = {{"libmimo", mimo_version()}, {"abi", mimo_abi_version()}, {"mujoco", mimo_mujoco_version()}};
-  info["observation_bytes"] = env.make_block().bytes();
+  info["observation_bytes"] = env.layout().info().block_bytes;
   info["observation_fields"] = Json::array();
-  for (const mimo_field& field : env.fields()) info["observation_fields"].push_back(describe(field));
+  for (const mimo_field& field : env.layout().fields()) info["observation_fields"].push_back(describe(field));
   info["actions"] = describe_actions(env);
   return info;
 }
@@ -72,19 +79,19 @@ void print_for_people(const Json& info, const std::vector<mimo_field>& fields) {
 
   std::cout << "\nobservation fields\n";
   Table table(8);
-  table.add({"field", "type", "shape", "unit", "frame", "time", "low", "high", "offset"});
+  table.add({"field", "type", "shape", "unit", "frame", "time, ms", "low", "high", "offset"});
   for (const mimo_field& f : fields) {
-    table.add({f.name, dtype_name(f), shape_text(f), or_dash(f.unit), or_dash(f.frame), time_name(f), text("%g", f.low),
+    table.add({f.name, dtype_name(f), shape_text(f), or_dash(f.unit), or_dash(f.frame), time_text(f), text("%g", f.low),
                text("%g", f.high), std::to_string(f.offset)});
   }
   table.print(std::cout);
 
   std::cout << "\nactions\n";
   Table actions(1);
-  actions.add({"action", "low", "high"});
+  actions.add({"action", "low", "high", "unit"});
   for (const Json& it : info["actions"]) {
-    actions.add(
-        {it["name"].get<std::string>(), text("%g", it["low"].get<double>()), text("%g", it["high"].get<double>())});
+    actions.add({it["name"].get<std::string>(), text("%g", it["low"].get<double>()),
+                 text("%g", it["high"].get<double>()), or_dash(it["unit"].get<std::string>())});
   }
   actions.print(std::cout);
 }
@@ -107,8 +114,8 @@ void add_info(CLI::App& program) {
   command->footer(
       "The world is the one that mimo_env_make(scene) and mimo.make(scene) give, but for what options change.\n"
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
-      "motors. mass_kg and height_m are the first agent's. Fields of time 'end' belong to the end of a step, those of\n"
-      "time 'last_start' to the start of its last physics step.\n"
+      "motors. mass_kg and height_m are the first agent's. The time of a field is when it is true, from the\n"
+      "end of a step: 0 is that end, -5 the start of its last physics step, more where senses are late.\n"
       "Examples:\n"
       "  mimo info\n"
       "  mimo info --scene my_room.xml --json");
@@ -118,7 +125,7 @@ void add_info(CLI::App& program) {
     if (options->json) {
       std::cout << info.dump(2) << '\n';
     } else {
-      print_for_people(info, env.fields());
+      print_for_people(info, env.layout().fields());
     }
   });
 }

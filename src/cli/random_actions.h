@@ -13,8 +13,12 @@ class RandomActions {
   std::vector<float> draw();
 
  private:
+  struct Bounds {
+    double low, high;
+  };
+
   std::mt19937_64 generator_;
-  mimo::Bounds bounds_;
+  std::vector<Bounds> bounds_;
 };
 
 }  // namespace cli

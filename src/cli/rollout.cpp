@@ -155,9 +155,9 @@ class Motors {
 class Actions {
  public:
   Actions(const mimo::Env& env, const ControlTable& controls, const std::string& path)
-      : names_(env.action_names()),
+      : actions_(env.layout().actions()),
         columns_(find_columns(controls, path, [&](const auto& name) { return index(name); })),
-        action_(names_.size()) {}
+        action_(actions_.size()) {}
 
   void step(mimo::Env& env, const std::vector<double>& row) {
     for (std::size_t i = 0; i < row.size(); ++i) action_[columns_[i]] = static_cast<float>(row[i]);
@@ -166,12 +166,13 @@ class Actions {
 
  private:
   std::size_t index(const std::string& name) const {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    if (found == names_.end()) throw Failure("no action is called '" + name + "'");
-    return static_cast<std::size_t>(found - names_.begin());
+    const auto named = [&](const mimo_action& action) { return action.name == name; };
+    const auto found = std::find_if(actions_.begin(), actions_.end(), named);
+    if (found == actions_.end()) throw Failure("no action is called '" + name + "'");
+    return static_cast<std::size_t>(found - actions_.begin());
   }
 
-  std::vector<std::string> names_;
+  std::vector<mimo_action> actions_;
   std::vector<std::size_t> columns_;
   std::vector<float> action_;
   mimo::Block nothing_;  // nothing is sensed, nothing rewarded

@@ -70,7 +70,7 @@ Run::Run(const RunOptions& options)
       env_(open_world(options.world, config())),
       block_(env_.make_block()),
       results_(env_.make_results()) {
-  for (const mimo_field& field : env_.fields()) statistics_.emplace_back(field);
+  for (const mimo_field& field : env_.layout().fields()) statistics_.emplace_back(field);
   std::filesystem::create_directories(options.out);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "canvas.h"
+#include "facts.h"
 
 namespace cli {
 namespace {
@@ -64,19 +65,19 @@ Spot spot(const Vector& pixel) { return {pixel[0], pixel[1]}; }
 }  // namespace
 
 TouchPicture::TouchPicture(const mimo::Env& env) {
+  const mimo::Layout layout = env.layout();
   const auto agents = env.agents();
-  for (const mimo_field& field : env.fields()) {
-    for (std::size_t i = 0; i < agents.size(); ++i) {
-      const std::string name = agents[i].name;
-      if (field.name == (name.empty() ? "" : name + "/") + "touch/force" && field.shape[1] == 3) add(env, i, field);
+  for (const mimo_field& field : layout.fields()) {
+    for (const mimo_agent_info& agent : agents) {
+      if (field.name == prefix(agent) + "touch/force" && field.shape[1] == 3) add(layout, field);
     }
   }
 }
 
-void TouchPicture::add(const mimo::Env& env, std::size_t agent, const mimo_field& field) {
+void TouchPicture::add(const mimo::Layout& layout, const mimo_field& field) {
   std::size_t force = field.offset;
-  for (const mimo::TouchSensor& sensor : env.touch_sensors(agent)) {
-    sensors_.push_back({sensor.body, sensor.position, sensor.normal, force});
+  for (const mimo::Receptor& receptor : layout.receptors(field.name)) {
+    sensors_.push_back({receptor.body, receptor.position, receptor.normal, force});
     force += 3 * sizeof(float);
   }
 }

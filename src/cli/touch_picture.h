@@ -35,7 +35,7 @@ class TouchPicture {
     Vector position, normal, force;
   };
 
-  void add(const mimo::Env& env, std::size_t agent, const mimo_field& field);
+  void add(const mimo::Layout& layout, const mimo_field& field);
   static std::size_t strongest_of(const std::vector<Feeling>& felt);
   std::vector<Feeling> feelings(const mimo::Env& env, const mimo::Block& block) const;
 

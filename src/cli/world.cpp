@@ -12,8 +12,8 @@ namespace cli {
 namespace {
 
 // Goes into the `log` member of configs.
-void print_message(void*, std::int32_t level, const char* message) {
-  std::fprintf(stderr, "mimo: %s: %s\n", level == MIMO_LOG_WARNING ? "warning" : "note", message);
+void print_message(void*, const mimo_log_record* record) {
+  std::fprintf(stderr, "mimo: %s: %s\n", record->level == MIMO_LOG_WARNING ? "warning" : "note", record->text);
 }
 
 bool is_builtin(const std::string& scene) {
@@ -263,7 +263,7 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config) {
   config.renderer = options.renderer.c_str();
   config.samples = options.samples;
   config.render_threads = options.render_threads;
-  if (!options.effects.empty()) config.render = effect_bits(options.effects).value_or(MIMO_RENDER_DEFAULT);
+  if (!options.effects.empty()) config.render = effect_bits(options.effects).value_or(config.render);
 }
 
 mimo::Env open_world(const WorldOptions& options, mimo_env_config config) {

@@ -145,18 +145,14 @@ void Physics::require_usable() const {
   if (failed_) fail(Status::kSimulation, "this world has failed before and needs a reset first");
 }
 
-std::string Physics::take_warnings() {
-  std::string text;
+std::vector<Note> Physics::take_warnings() {
+  std::vector<Note> notes;
   for (const mjtWarning kind : kSurvivable) {
     const mjWarningStat& stat = data_->warning[kind];
-    if (stat.number <= warned_[kind]) continue;
-    if (warned_[kind] == 0) {  // once an episode is enough
-      if (!text.empty()) text += "; ";
-      text += text_of(kind, stat);
-    }
+    if (stat.number > 0 && warned_[kind] == 0) notes.push_back({kind_of(kind), text_of(kind, stat)});
     warned_[kind] = stat.number;
   }
-  return text;
+  return notes;
 }
 
 void Physics::fail_world(const std::string& why) {
@@ -188,10 +184,22 @@ std::array<double, 6> contact_force(const mjModel& model, const mjData& data, in
   return force;
 }
 
-std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body) {
+namespace {
+
+std::array<double, 6> velocity_of(const mjModel& model, const mjData& data, int object, int id) {
   std::array<double, 6> spatial{};  // angular, then linear
-  mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, spatial.data(), 0);
+  mj_objectVelocity(&model, &data, object, id, spatial.data(), 0);
   return {spatial[3], spatial[4], spatial[5], spatial[0], spatial[1], spatial[2]};
+}
+
+}  // namespace
+
+std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body) {
+  return velocity_of(model, data, mjOBJ_XBODY, body);
+}
+
+std::array<double, 6> site_velocity(const mjModel& model, const mjData& data, int site) {
+  return velocity_of(model, data, mjOBJ_SITE, site);
 }
 
 std::array<double, 4> quaternion(const double* matrix) {

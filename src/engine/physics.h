@@ -101,8 +101,8 @@ class Physics {
   void check(ByteReader& from) const;
   void load(ByteReader& from);
 
-  // Warnings that are not failures (contact or constraint buffers full, ...) since the last call; "" for none.
-  std::string take_warnings();
+  // Warnings that are not failures (contact or constraint buffers full, ...) since the last call, each once an episode.
+  std::vector<Note> take_warnings();
   // How often each happened in a physics step, since this was made; and failures.
   const WarningCounts& warnings() const { return counts_; }
   void forget_warnings(int kind) { counts_[static_cast<std::size_t>(kind)] = 0; }
@@ -138,6 +138,7 @@ std::array<double, 6> contact_force(const mjModel& model, const mjData& data, in
 
 // Velocity of a body's origin in the world frame: linear, then angular.
 std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body);
+std::array<double, 6> site_velocity(const mjModel& model, const mjData& data, int site);
 
 // w x y z of a rotation matrix (row-major).
 std::array<double, 4> quaternion(const double* matrix);

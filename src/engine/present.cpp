@@ -50,12 +50,15 @@ void Present::make_room(const mjModel& model) {
 
 const mjData& Present::of(const Physics& physics) {
   physics.require_usable();
-  const mjModel& model = physics.model();
+  return of(physics.model(), physics.data());
+}
+
+const mjData& Present::of(const mjModel& model, const mjData& data) {
   make_room(model);
-  *data_ = physics.data();
+  *data_ = data;
   double* next = numbers_.data();
   visit_poses(model, [&](auto array, int count) {
-    std::copy_n(physics.data().*array, count, next);
+    std::copy_n(data.*array, count, next);
     (*data_).*array = next;
     next += count;
   });

@@ -14,9 +14,12 @@ class Present {
   // The world's data, but with poses, and velocities of bodies, of the current positions; until the next look. Throws
   // Status::kSimulation for a world that has failed. Allocates the first time.
   const mjData& of(const Physics& physics);
+  // The same of somebody else's.
+  const mjData& of(const mjModel& model, const mjData& data);
+  // For a first look that allocates nothing.
+  void make_room(const mjModel& model);
 
  private:
-  void make_room(const mjModel& model);
 
   std::vector<double> numbers_;
   std::unique_ptr<mjData> data_;  // MuJoCo's struct, whose poses and stack are our own

@@ -3,19 +3,6 @@
 namespace mimo::engine {
 namespace {
 
-Warning kind_of(int warning) {
-  switch (warning) {
-    case mjWARN_INERTIA: return Warning::kInertia;
-    case mjWARN_CONTACTFULL: return Warning::kContactsDropped;
-    case mjWARN_CNSTRFULL: return Warning::kConstraintsDropped;
-    case mjWARN_BADQPOS: return Warning::kBadPosition;
-    case mjWARN_BADQVEL: return Warning::kBadVelocity;
-    case mjWARN_BADQACC: return Warning::kBadAcceleration;
-    case mjWARN_BADCTRL: return Warning::kBadControl;
-    default: return Warning::kOther;
-  }
-}
-
 void add(Warning kind, WarningCounts& counts) { ++counts[static_cast<std::size_t>(kind)]; }
 
 }  // namespace
@@ -35,6 +22,19 @@ const char* word(Warning kind) {
   return "other";
 }
 
+Warning kind_of(mjtWarning warning) {
+  switch (warning) {
+    case mjWARN_INERTIA: return Warning::kInertia;
+    case mjWARN_CONTACTFULL: return Warning::kContactsDropped;
+    case mjWARN_CNSTRFULL: return Warning::kConstraintsDropped;
+    case mjWARN_BADQPOS: return Warning::kBadPosition;
+    case mjWARN_BADQVEL: return Warning::kBadVelocity;
+    case mjWARN_BADQACC: return Warning::kBadAcceleration;
+    case mjWARN_BADCTRL: return Warning::kBadControl;
+    default: return Warning::kOther;
+  }
+}
+
 WarningWatch::WarningWatch(const mjData& data) : before_{} {
   for (int i = 0; i < mjNWARNING; ++i) before_[i] = data.warning[i].number;
 }
@@ -43,7 +43,7 @@ WarningWatch::WarningWatch(const mjData& data) : before_{} {
 void WarningWatch::count(const mjModel& model, const mjData& data, WarningCounts& counts) const {
   for (int i = 0; i < mjNWARNING; ++i) {
     const int now = data.warning[i].number;
-    if (now != 0 && now != before_[i]) add(kind_of(i), counts);
+    if (now != 0 && now != before_[i]) add(kind_of(static_cast<mjtWarning>(i)), counts);
   }
   if (data.nefc > 0 && data.solver_iter >= model.opt.iterations) add(Warning::kNotConverged, counts);
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace mimo::engine {
 
@@ -26,6 +27,13 @@ constexpr int kWarnings = 9;
 using WarningCounts = std::array<std::uint64_t, kWarnings>;
 
 const char* word(Warning kind);  // "contacts dropped"
+Warning kind_of(mjtWarning warning);
+
+// One to tell the user of.
+struct Note {
+  Warning kind;
+  std::string text;
+};
 
 // Adds one for each kind that a physics step has just met, and that MuJoCo had not noted before it.
 class WarningWatch {

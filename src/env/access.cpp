@@ -96,13 +96,27 @@ void of_step_contact(const StepContact& contact, Quantity quantity, Out out) {
   }
 }
 
-void compute(const World& world, const mjData& data, Quantity quantity, int id, Out out) {
-  const mjModel& model = world.model();
+// What only worlds have.
+void of_world(const World& world, const mjData& data, Quantity quantity, int id, double* to) {
+  const auto index = static_cast<std::size_t>(id);
+  switch (quantity) {
+    case Quantity::kAgentFace: *to = world.face(index); break;
+    case Quantity::kAgentGoal: world.agents()[index].task->goal(data, to); break;
+    case Quantity::kAgentAchieved: world.agents()[index].task->achieved(data, to); break;
+    case Quantity::kWarningCount: *to = static_cast<double>(world.physics().warnings()[index]); break;
+    default: of_step_contact(world.step_contacts().all()[index], quantity, Out(to)); break;
+  }
+}
+
+void compute(const Source& source, Quantity quantity, int id, double* to) {
+  const auto& [model, data, world] = source;
+  Out out(to);
   const auto contact = [&]() -> const mjContact& { return data.contact[id]; };
   switch (quantity) {
     case Quantity::kJointRange: range(model, id, out); break;
     case Quantity::kJointLock: lock(model, id, out); break;
     case Quantity::kBodyVelocity: out.put_all(engine::body_velocity(model, data, id)); break;
+    case Quantity::kSiteVelocity: out.put_all(engine::site_velocity(model, data, id)); break;
     case Quantity::kBodyPose: out.put(data.xpos + 3 * id, 3).put(data.xquat + 4 * id, 4); break;
     case Quantity::kGeomOrientation: out.put_all(engine::quaternion(data.geom_xmat + 9 * id)); break;
     case Quantity::kGeomPose: pose(data.geom_xpos, data.geom_xmat, id, out); break;
@@ -118,24 +132,19 @@ void compute(const World& world, const mjData& data, Quantity quantity, int id, 
       break;
     case Quantity::kContactForce: out.put(engine::contact_force(model, data, id).data(), 3); break;
     case Quantity::kContactTorque: out.put(engine::contact_force(model, data, id).data() + 3, 3); break;
-    case Quantity::kAgentFace: out.put(world.face(static_cast<std::size_t>(id))); break;
-    case Quantity::kWarningCount:
-      out.put(static_cast<double>(world.physics().warnings()[static_cast<std::size_t>(id)]));
-      break;
-    default: of_step_contact(world.step_contacts().all()[static_cast<std::size_t>(id)], quantity, out); break;
+    default: of_world(*world, data, quantity, id, to); break;
   }
 }
 
 template <typename T>
-void read(const World& world, const mjData& data, Quantity quantity, const Ids& ids, Span<T> values) {
-  const mjModel& model = world.model();
+void read_all(const Source& source, Quantity quantity, const Ids& ids, Span<T> values) {
   T* to = values.data();
   double computed[kWidest];
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const int count = width(model, quantity, ids[i]);
-    const double* from = stored(model, data, quantity, ids[i]);
+    const int count = width(source.model, source.world, quantity, ids[i]);
+    const double* from = stored(source.model, source.data, quantity, ids[i]);
     if (from == nullptr) {
-      compute(world, data, quantity, ids[i], Out(computed));
+      compute(source, quantity, ids[i], computed);
       from = computed;
     }
     to = std::transform(from, from + count, to, [](double value) { return static_cast<T>(value); });
@@ -145,12 +154,16 @@ void read(const World& world, const mjData& data, Quantity quantity, const Ids& 
 template <typename T>
 void read_at(const World& world, Quantity quantity, const Ids& ids, bool now, Span<T> values) {
   if (now) require_known_now(quantity);
-  if (!now || traits(quantity).moment == Moment::kAlways) return read(world, world.data(), quantity, ids, values);
+  if (!now || traits(quantity).moment == Moment::kAlways) return read_all({world.model(), world.data(), &world}, quantity, ids, values);
   engine::Present present;
-  read(world, present.of(world.physics()), quantity, ids, values);
+  read_all({world.model(), present.of(world.physics()), &world}, quantity, ids, values);
 }
 
 }  // namespace
+
+void read(const Source& source, Quantity quantity, const Ids& ids, Span<double> values) {
+  read_all(source, quantity, ids, values);
+}
 
 void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values) {
   read_at(world, quantity, ids, now, values);

@@ -9,6 +9,15 @@ namespace mimo::env {
 // what a physics step computes cannot be had; else all belongs to the last physics step, reset or update.
 void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<double> values);
 void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<float> values);
+// Where values are read: a world's data, or somebody else's, of which nothing more is known.
+struct Source {
+  const mjModel& model;
+  const mjData& data;
+  const World* world;  // null: somebody else's
+};
+
+// From data as they are.
+void read(const Source& source, Quantity quantity, const Ids& ids, Span<double> values);
 // Throws Status::kInvalidArgument for a quantity that physics steps compute.
 void require_known_now(Quantity quantity);
 

@@ -26,6 +26,25 @@ bool moves_bodies(Quantity quantity) {
          quantity == Quantity::kLightPosition || quantity == Quantity::kLightDirection;
 }
 
+// A reset does not take these back: who made a world fail with one of them has to be able to do so.
+bool outlives_resets(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kBodyMass:
+    case Quantity::kGeomSize:
+    case Quantity::kGeomFriction:
+    case Quantity::kGeomColor:
+    case Quantity::kJointDamping:
+    case Quantity::kJointLock:
+    case Quantity::kActuatorGear:
+    case Quantity::kLightPosition:
+    case Quantity::kLightDirection:
+    case Quantity::kLightColor:
+    case Quantity::kAgentFace:
+    case Quantity::kWorldGravity: return true;
+    default: return false;
+  }
+}
+
 double norm(const double* numbers, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += numbers[i] * numbers[i];
@@ -223,18 +242,18 @@ void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     check_element(world, quantity, ids[i], from);
-    from += width(world.model(), quantity, ids[i]);
+    from += width(world.model(), &world, quantity, ids[i]);
   }
 }
 
 void set(World& world, Quantity quantity, const Ids& ids, Span<const double> values) {
   engine::Physics& physics = world.physics();
-  physics.require_usable();
+  if (!outlives_resets(quantity)) physics.require_usable();
   check_settable(world, quantity, ids, values);
   if (quantity == Quantity::kBodyMass) return write_masses(physics, ids, values);
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const int count = width(physics.model(), quantity, ids[i]);
+    const int count = width(physics.model(), &world, quantity, ids[i]);
     const int quaternion = quaternion_at(physics.model(), quantity, ids[i]);
     double element[kWidest];
     std::copy_n(from, count, element);
@@ -243,7 +262,7 @@ void set(World& world, Quantity quantity, const Ids& ids, Span<const double> val
     write(world, quantity, ids[i], element, count);
     from += count;
   }
-  if (moves_bodies(quantity)) physics.update_poses();
+  if (moves_bodies(quantity) && !physics.failed()) physics.update_poses();
 }
 
 }  // namespace mimo::env

@@ -4,10 +4,12 @@
 
 #include "base/fail.h"
 #include "engine/fingerprint.h"
+#include "env/requested_fields.h"
 
 namespace mimo::env {
 
-Attached::Attached(const Kit& kit, double step) : model_(kit.model) {
+Attached::Attached(const Kit& kit, double step)
+    : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep) {
   if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
   for (const AgentOptions& agent : kit.agents) add_agent(agent);
   for (const Perception& agent : agents_) {
@@ -16,8 +18,10 @@ Attached::Attached(const Kit& kit, double step) : model_(kit.model) {
   for (const CameraOptions& camera : kit.options.cameras) {
     observer_.add(make_camera(*model_, camera, renderer_.get()));
   }
-  const double seconds = step > 0 ? step : model_->opt.timestep;
-  for (const AgentOptions& agent : kit.agents) limits_.add(layout(), agent.prefix(), agent.limits, seconds);
+  if (!kit.options.fields.empty()) {
+    observer_.add(std::make_unique<RequestedFields>(*model_, nullptr, kit.options.fields));
+  }
+  for (const AgentOptions& agent : kit.agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds_);
   limits_.make_room(layout());
   episode_.start(random_, true);
   archive_ = Archive(engine::shape(*model_), sections());

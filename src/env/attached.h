@@ -22,6 +22,9 @@ class Attached {
 
   const mjModel& model() const { return *model_; }
   const observation::Layout& layout() const { return observer_.layout(); }
+  const observation::LimitedSenses& limits() const { return limits_; }
+  // What the host calls a step.
+  double step_seconds() const { return step_seconds_; }
   const std::vector<Perception>& agents() const { return agents_; }
 
   // Data are of the model, as they are: of the last step that their owner made.
@@ -44,6 +47,7 @@ class Attached {
   std::vector<Section> sections();
 
   engine::ModelPtr model_;
+  double step_seconds_;
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Perception> agents_;
   observation::Observer observer_;

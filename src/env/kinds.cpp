@@ -53,6 +53,13 @@ int find_or_fail(const World& world, Kind kind, const std::string& wanted) {
   fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", word(kind), wanted, some_names(world, kind));
 }
 
+int find_or_fail(const mjModel& model, const World* world, Kind kind, const std::string& name) {
+  if (in_model(kind)) return engine::find_or_fail(model, of_model(kind), name);
+  if (world == nullptr) fail(Status::kUnsupported, "attached senses know of no {}, which only worlds have", word(kind));
+  if (kind == Kind::kAgent && name.empty() && world->agents().size() == 1 && world->agents()[0].name.empty()) return 0;
+  return find_or_fail(*world, kind, name);
+}
+
 const char* name(const World& world, Kind kind, int id) {
   switch (kind) {
     case Kind::kAgent: return world.agents()[static_cast<std::size_t>(id)].name.c_str();

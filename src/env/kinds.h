@@ -32,6 +32,9 @@ const char* word(Kind kind);  // "joint"
 int count(const World& world, Kind kind);
 // Throws Status::kNotFound with some of the names that are there.
 int find_or_fail(const World& world, Kind kind, const std::string& name);
+// The same where there may be no world, but only a model: throws Status::kUnsupported for what only worlds have. The
+// name "" is that of an agent without one.
+int find_or_fail(const mjModel& model, const World* world, Kind kind, const std::string& name);
 const char* name(const World& world, Kind kind, int id);  // "" for what has none
 
 // The body that an element belongs to; of a body its parent. Throws Status::kInvalidArgument for other kinds.

@@ -41,6 +41,17 @@ struct CameraOptions {
   senses::VisionOptions vision;
 };
 
+enum class Quantity : int;
+
+// A quantity of some elements as a field of the observation.
+struct FieldOptions {
+  std::string name;
+  Quantity quantity;
+  bool now = false;                   // at the step's end, of what else belongs to the start of its last physics step
+  std::vector<std::string> elements;  // their names; none of the world
+  std::string relative_to;            // the body in whose frame it is; "": the world's
+};
+
 // What one world has to itself among those of its kind.
 struct Identity {
   std::uint64_t seed = 0;      // of the random stream, until a reset gives another
@@ -57,12 +68,15 @@ enum class RendererChoice { kAuto, kRay, kOsmesa, kNone };
 // By its name, "auto", "ray", "osmesa" or "none"; throws for another one.
 RendererChoice renderer_from(const std::string& name);
 
+constexpr int kMostFrameSkip = 1000;
+
 struct EnvOptions {
-  int frame_skip = 0;  // 0: the scene's own
+  int frame_skip = 0;  // up to kMostFrameSkip; 0: the scene's own
   engine::PhysicsOptions physics;
   RendererChoice renderer = RendererChoice::kAuto;
   render::Quality quality;
   std::vector<CameraOptions> cameras;
+  std::vector<FieldOptions> fields;
   std::uint32_t max_steps = 0;  // 0: the task's own
   std::string task;             // "": the scene's own
   tasks::Settings parameters;

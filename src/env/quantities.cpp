@@ -11,37 +11,37 @@ const Traits& traits(Quantity quantity) {
   constexpr bool kRead = false, kWrite = true;
   constexpr Moment kAlways = Moment::kAlways, kPose = Moment::kPose, kStep = Moment::kStep;
   static constexpr std::array<Traits, kQuantities> kTraits = {{
-      {"joint position", Kind::kJoint, 0, kWrite, kAlways},
-      {"joint velocity", Kind::kJoint, 0, kWrite, kAlways},
-      {"joint force", Kind::kJoint, 0, kWrite, kAlways},
-      {"joint acceleration", Kind::kJoint, 0, kRead, kStep},
-      {"joint range", Kind::kJoint, 2, kRead, kAlways},
-      {"body position", Kind::kBody, 3, kWrite, kPose},
-      {"body orientation", Kind::kBody, 4, kWrite, kPose},
-      {"body velocity", Kind::kBody, 6, kRead, kPose},
+      {"joint position", Kind::kJoint, 0, kWrite, kAlways, "rad", Spatial::kNone, "m"},
+      {"joint velocity", Kind::kJoint, 0, kWrite, kAlways, "rad/s", Spatial::kNone, "m/s"},
+      {"joint force", Kind::kJoint, 0, kWrite, kAlways, "Nm", Spatial::kNone, "N"},
+      {"joint acceleration", Kind::kJoint, 0, kRead, kStep, "rad/s^2", Spatial::kNone, "m/s^2"},
+      {"joint range", Kind::kJoint, 2, kRead, kAlways, "rad", Spatial::kNone, "m"},
+      {"body position", Kind::kBody, 3, kWrite, kPose, "m", Spatial::kPosition},
+      {"body orientation", Kind::kBody, 4, kWrite, kPose, "", Spatial::kOrientation},
+      {"body velocity", Kind::kBody, 6, kRead, kPose, "", Spatial::kVelocity},
       {"body force", Kind::kBody, 6, kWrite, kAlways},
-      {"body mass", Kind::kBody, 1, kWrite, kAlways},
-      {"body center of mass", Kind::kBody, 3, kRead, kPose},
-      {"geom position", Kind::kGeom, 3, kRead, kPose},
-      {"geom orientation", Kind::kGeom, 4, kRead, kPose},
-      {"geom size", Kind::kGeom, 3, kWrite, kAlways},
-      {"site position", Kind::kSite, 3, kRead, kPose},
-      {"site orientation", Kind::kSite, 4, kRead, kPose},
-      {"camera position", Kind::kCamera, 3, kRead, kPose},
-      {"camera orientation", Kind::kCamera, 4, kRead, kPose},
+      {"body mass", Kind::kBody, 1, kWrite, kAlways, "kg"},
+      {"body center of mass", Kind::kBody, 3, kRead, kPose, "m", Spatial::kPosition},
+      {"geom position", Kind::kGeom, 3, kRead, kPose, "m", Spatial::kPosition},
+      {"geom orientation", Kind::kGeom, 4, kRead, kPose, "", Spatial::kOrientation},
+      {"geom size", Kind::kGeom, 3, kWrite, kAlways, "m"},
+      {"site position", Kind::kSite, 3, kRead, kPose, "m", Spatial::kPosition},
+      {"site orientation", Kind::kSite, 4, kRead, kPose, "", Spatial::kOrientation},
+      {"camera position", Kind::kCamera, 3, kRead, kPose, "m", Spatial::kPosition},
+      {"camera orientation", Kind::kCamera, 4, kRead, kPose, "", Spatial::kOrientation},
       {"actuator control", Kind::kActuator, 1, kWrite, kAlways},
       {"actuator force", Kind::kActuator, 1, kRead, kStep},
       {"sensor value", Kind::kSensor, 0, kRead, kStep},
       {"actuator gear", Kind::kActuator, 1, kWrite, kAlways},
-      {"body pose", Kind::kBody, 7, kWrite, kPose},
-      {"geom pose", Kind::kGeom, 7, kRead, kPose},
-      {"site pose", Kind::kSite, 7, kRead, kPose},
-      {"camera pose", Kind::kCamera, 7, kRead, kPose},
+      {"body pose", Kind::kBody, 7, kWrite, kPose, "", Spatial::kPose},
+      {"geom pose", Kind::kGeom, 7, kRead, kPose, "", Spatial::kPose},
+      {"site pose", Kind::kSite, 7, kRead, kPose, "", Spatial::kPose},
+      {"camera pose", Kind::kCamera, 7, kRead, kPose, "", Spatial::kPose},
       {"geom friction", Kind::kGeom, 3, kWrite, kAlways},
       {"geom color", Kind::kGeom, 4, kWrite, kAlways},
-      {"joint damping", Kind::kJoint, 1, kWrite, kAlways},
+      {"joint damping", Kind::kJoint, 1, kWrite, kAlways, "Nms/rad", Spatial::kNone, "Ns/m"},
       {"joint lock", Kind::kJoint, 2, kWrite, kAlways},
-      {"light position", Kind::kLight, 3, kWrite, kAlways},
+      {"light position", Kind::kLight, 3, kWrite, kAlways, "m"},
       {"light direction", Kind::kLight, 3, kWrite, kAlways},
       {"light color", Kind::kLight, 3, kWrite, kAlways},
       {"contact geoms", Kind::kContact, 2, kRead, kStep},
@@ -59,17 +59,22 @@ const Traits& traits(Quantity quantity) {
       {"step contact peak force", Kind::kStepContact, 3, kRead, kStep},
       {"step contact peak position", Kind::kStepContact, 3, kRead, kStep},
       {"agent face", Kind::kAgent, 1, kWrite, kAlways},
-      {"world gravity", Kind::kWorld, 3, kWrite, kAlways},
+      {"world gravity", Kind::kWorld, 3, kWrite, kAlways, "m/s^2"},
       {"warning count", Kind::kWarning, 1, kWrite, kAlways},
+      {"site velocity", Kind::kSite, 6, kRead, kPose, "", Spatial::kVelocity},
+      {"agent goal", Kind::kAgent, 0, kRead, kStep},
+      {"agent achieved", Kind::kAgent, 0, kRead, kStep},
   }};
   return kTraits[static_cast<std::size_t>(quantity) - 1];
 }
 
-int width(const mjModel& model, Quantity quantity, int id) {
-  if (quantity == Quantity::kJointPosition) return engine::position_count(model.jnt_type[id]);
+int width(const mjModel& model, const World* world, Quantity quantity, int id) {
+  const Traits& what = traits(quantity);
+  if (what.width > 0) return what.width;
+  if (what.kind == Kind::kAgent) return world->agents()[static_cast<std::size_t>(id)].task->goal_size();
   if (quantity == Quantity::kSensorValue) return model.sensor_dim[id];
-  const int fixed = traits(quantity).width;
-  return fixed > 0 ? fixed : engine::velocity_count(model.jnt_type[id]);
+  const int type = model.jnt_type[id];
+  return quantity == Quantity::kJointPosition ? engine::position_count(type) : engine::velocity_count(type);
 }
 
 bool is_alike(Kind kind) { return kind != Kind::kContact && kind != Kind::kStepContact; }
@@ -81,7 +86,7 @@ std::size_t width(const World& world, Quantity quantity, const Ids& ids) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     require(ids[i] >= 0 && ids[i] < limit, "ids[{}] is {}, expected a {} id from 0 to {}", i, ids[i], word(kind),
             limit - 1);
-    sum += static_cast<std::size_t>(width(world.model(), quantity, ids[i]));
+    sum += static_cast<std::size_t>(width(world.model(), &world, quantity, ids[i]));
   }
   return sum;
 }

@@ -60,8 +60,11 @@ enum class Quantity : int {
   kAgentFace,
   kWorldGravity,
   kWarningCount,
+  kSiteVelocity,
+  kAgentGoal,
+  kAgentAchieved,
 };
-constexpr int kQuantities = 50;
+constexpr int kQuantities = 53;
 constexpr int kWidest = 9;  // of those with a width of their own
 
 // When a quantity is true.
@@ -71,17 +74,23 @@ enum class Moment {
   kStep,    // physics steps compute it
 };
 
+// What it is in space, so that it can be seen from another frame than the world's.
+enum class Spatial { kNone, kPosition, kOrientation, kPose, kVelocity };
+
 struct Traits {
   const char* name;
   Kind kind;
   int width;  // 0: depends on the element
   bool writable;
   Moment moment;
+  const char* unit = "";        // of all values; "" where they differ
+  Spatial spatial = Spatial::kNone;
+  const char* slide_unit = "";  // of joints that slide; `unit` is that of hinges
 };
 const Traits& traits(Quantity quantity);
 
-// How many values one element has.
-int width(const mjModel& model, Quantity quantity, int id);
+// How many values one element has; the world is null where there is only a model, which has no agents.
+int width(const mjModel& model, const World* world, Quantity quantity, int id);
 
 // Whether other worlds of the same model have as many elements.
 bool is_alike(Kind kind);

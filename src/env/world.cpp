@@ -8,6 +8,7 @@
 #include "body/stored_pose.h"
 #include "engine/custom.h"
 #include "engine/fingerprint.h"
+#include "env/requested_fields.h"
 #include "format/names.h"
 
 namespace mimo::env {
@@ -38,13 +39,15 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       physics_(shared_model_, options.physics),
       faces_(body::faces_of(physics_.model())),
       step_contacts_(options.step_contacts),
-      random_(identity.seed) {
+      random_(identity.seed),
+      number_(identity.number) {
   adopt_scene_choices();
   body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker(identity);
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
+  if (!options_.fields.empty()) observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
   for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds());
   limits_.make_room(layout());
   bounded_.resize(action_size_);
@@ -78,7 +81,8 @@ void World::adopt_scene_choices() {
   if (options_.task.empty()) options_.task = "none";
   if (options_.frame_skip > 0) return;
   const Span<const double> own = engine::custom_numbers(model(), names::kFrameSkip);
-  options_.frame_skip = own.size() == 1 && own[0] >= 1 && own[0] <= 1000 ? static_cast<int>(own[0]) : kFrameSkip;
+  options_.frame_skip =
+      own.size() == 1 && own[0] >= 1 && own[0] <= kMostFrameSkip ? static_cast<int>(own[0]) : kFrameSkip;
 }
 
 TaskMaker World::task_maker(const Identity& identity) const {
@@ -113,21 +117,6 @@ bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
   const auto sees = [](const AgentOptions& agent) { return agent.vision.any(); };
   return options.renderer != RendererChoice::kNone &&
          (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
-}
-
-std::pair<const Agent*, std::size_t> World::action(std::size_t index) const {
-  for (const Agent& agent : agents_) {
-    if (index < agent.action_offset + agent.actuation->size()) return {&agent, index - agent.action_offset};
-  }
-  fail(Status::kInvalidArgument, "action index {}: there are {} actions", index, action_size_);
-}
-
-void World::action_bounds(Span<float> low, Span<float> high) const {
-  for (const Agent& agent : agents_) {
-    const std::vector<float>&own_low = agent.actuation->low(), &own_high = agent.actuation->high();
-    if (!low.empty()) std::copy(own_low.begin(), own_low.end(), low.begin() + agent.action_offset);
-    if (!high.empty()) std::copy(own_high.begin(), own_high.end(), high.begin() + agent.action_offset);
-  }
 }
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
@@ -269,12 +258,22 @@ void World::check_reward(std::size_t agent) {
        agent, reward);
 }
 
+std::size_t World::term_count() const {
+  std::size_t count = 0;
+  for (const Agent& agent : agents_) count += agent.task->terms().size();
+  return count;
+}
+
 void World::report(const Results& results) const {
+  std::size_t next_term = 0;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const tasks::Task& task = *agents_[i].task;
     if (!results.reward.empty()) results.reward[i] = task.reward();
     if (!results.terminated.empty()) results.terminated[i] = task.over() ? 1 : 0;
     if (!results.truncated.empty()) results.truncated[i] = cut_off(agents_[i]) ? 1 : 0;
+    if (!results.outcome.empty()) results.outcome[i] = static_cast<std::int32_t>(task.outcome());
+    if (results.terms.empty()) continue;
+    for (const tasks::Term& term : task.terms()) results.terms[next_term++] = term.value;
   }
 }
 
@@ -319,9 +318,10 @@ LoadReport World::load(Span<const std::uint8_t> state) {
 }
 
 void World::report_warnings() {
-  if (services_.log.write == nullptr) return;
-  const std::string text = physics_.take_warnings();
-  if (!text.empty()) services_.log(LogLevel::kWarning, text);
+  if (!services_.log) return;
+  for (const engine::Note& note : physics_.take_warnings()) {
+    services_.log({LogLevel::kWarning, note.text, static_cast<int>(note.kind), true, number_, data().time});
+  }
 }
 
 }  // namespace mimo::env

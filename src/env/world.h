@@ -18,11 +18,13 @@
 
 namespace mimo::env {
 
-// Per-agent results of a step, each as long as there are agents or empty.
+// Results of a step, for each agent and each term; empty where they are not wanted.
 struct Results {
   Span<double> reward;
   Span<std::uint8_t> terminated;
   Span<std::uint8_t> truncated;
+  Span<std::int32_t> outcome{};  // as tasks::Outcome
+  Span<double> terms{};          // of all agents, one after the other
 };
 
 class World {
@@ -36,15 +38,15 @@ class World {
   const engine::Physics& physics() const { return physics_; }
   const std::vector<Agent>& agents() const { return agents_; }
   const observation::Layout& layout() const { return observer_.layout(); }
+  const observation::LimitedSenses& limits() const { return limits_; }
   std::size_t action_size() const { return action_size_; }
-  // Agent and index in its actuation of an action.
-  std::pair<const Agent*, std::size_t> action(std::size_t index) const;
-  // The bounds of all actions, each as long as there are actions or empty.
-  void action_bounds(Span<float> low, Span<float> high) const;
+  // Terms of the rewards of all agents.
+  std::size_t term_count() const;
   const Timing& timing() const { return timing_; }
   void reset_timing() { timing_ = {}; }
 
   int frame_skip() const { return options_.frame_skip; }
+  double step_seconds() const { return options_.frame_skip * model().opt.timestep; }
   const std::string& task_name() const { return options_.task; }
 
   // The stream that all of the world's random numbers come from.
@@ -102,7 +104,6 @@ class World {
   void require_outside_task() const;
   bool cut_off(const Agent& agent) const;
   void report_warnings();
-  double step_seconds() const { return options_.frame_skip * model().opt.timestep; }
   void act(Span<const float> actions);
   std::vector<Section> sections();
   void add_sections(Agent& agent, std::vector<Section>& sections);
@@ -119,6 +120,7 @@ class World {
   observation::Observer observer_;
   observation::LimitedSenses limits_;
   Random random_;
+  std::size_t number_;  // in its batch
   std::size_t action_size_ = 0;
   std::vector<float> bounded_;  // actions of a step, for tasks
   Episode episode_;

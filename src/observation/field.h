@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "observation/receptor.h"
+
 namespace mimo::observation {
 
 enum class Type : int { kU8 = 1, kI32 = 2, kF32 = 3, kF64 = 4 };
@@ -23,7 +25,8 @@ struct Field {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> labels;  // one per element of the flattened field; empty for pictures
-  bool told = false;                // by a task of the user's own: limits of senses do not concern it
+  Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it
+  bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
   double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else
   std::size_t offset = 0;           // in the block; set by the layout
 

@@ -40,7 +40,7 @@ void LimitedSenses::add(const Layout& layout, const std::string& prefix, const s
     bool found = false;
     for (std::size_t i = 0; i < layout.size(); ++i) {
       if (!leads_to(path, layout[i].name)) continue;
-      require(!layout[i].told, "limits: \"{}\" is a field of the task, which limits of senses do not concern",
+      require(!layout[i].exempt, "limits: \"{}\" is a field of the task or the scene, which limits do not concern",
               layout[i].name);
       chosen[i] = meant_for(layout[i], path, entry.limits);
       found = true;
@@ -59,6 +59,13 @@ void LimitedSenses::make_room(const Layout& layout) {
   if (std::any_of(fields_.begin(), fields_.end(), [](const LimitedField& field) { return field.late(); })) {
     room_.resize(layout.bytes());
   }
+}
+
+std::size_t LimitedSenses::delay(const Field& field) const {
+  for (const LimitedField& limited : fields_) {
+    if (&limited.field() == &field) return limited.delay();
+  }
+  return 0;
 }
 
 void LimitedSenses::weaken(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {

@@ -23,6 +23,8 @@ class LimitedSenses {
   // After all were added.
   void make_room(const Layout& layout);
 
+  // How many steps late a field of the layout is.
+  std::size_t delay(const Field& field) const;
   // Whether senses are late: then every step has to be sensed, into the room here if nobody gives any.
   bool late() const { return !room_.empty(); }
   std::uint8_t* room() { return room_.data(); }

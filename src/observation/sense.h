@@ -12,8 +12,8 @@ typedef struct mjData_ mjData;
 namespace mimo::observation {
 
 // The share of a step's time that a sense counts for.
-enum class Share { kTouch, kVision, kProprioception, kVestibular, kTask };
-constexpr std::size_t kShares = 5;
+enum class Share { kTouch, kVision, kProprioception, kVestibular, kTask, kRequest };
+constexpr std::size_t kShares = 6;
 
 class Sense {
  public:

@@ -47,7 +47,7 @@ void PaintMirror(const Frame& frame, const Tile& tile, const std::int32_t* shown
   // Of a box, only the upper face mirrors.
   const Solid& solid = frame.solids[frame.mirror.solid];
   const Aspect& aspect = frame.camera.aspects[mirror];
-  const V upper = Set(solid.kind == Kind::kBox ? solid.size[2] * 0.9999F : -kMiss);
+  const V upper = Set(solid.kind == Form::kBox ? solid.size[2] * 0.9999F : -kMiss);
   for (int i = 0; i < kRays; i += lanes) {
     const V z = Set(aspect.o[2]) + Load(tile.t + i) * (Set(aspect.a[2]) + Set(aspect.by[2]) * Set(tile.y[i / kTile]) +
                                                        Set(aspect.bx[2]) * Load(tile.x + i % kTile));

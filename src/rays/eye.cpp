@@ -82,25 +82,25 @@ Vec away_from(const Solid& solid, const Vec& eye) {
   const double s2 = solid.size[2];
   const Vec none = Vec::Zero();
   switch (solid.kind) {
-    case Kind::kPlane: return none;
-    case Kind::kSphere: return dot(eye, eye) > s0 * s0 ? eye : none;
-    case Kind::kEllipsoid: {
+    case Form::kPlane: return none;
+    case Form::kSphere: return dot(eye, eye) > s0 * s0 ? eye : none;
+    case Form::kEllipsoid: {
       const Vec n = {eye[0] / (s0 * s0), eye[1] / (s1 * s1), eye[2] / (s2 * s2)};
       return dot(eye, n) > 1 ? n : none;
     }
-    case Kind::kCapsule: {
+    case Form::kCapsule: {
       const Vec n = {eye[0], eye[1], eye[2] - std::clamp(eye[2], -s1, s1)};
       return dot(n, n) > s0 * s0 ? n : none;
     }
-    case Kind::kCylinder: {
+    case Form::kCylinder: {
       const double r = std::hypot(eye[0], eye[1]);
       const double aside = r > s0 ? 1 - s0 / r : 0;
       return {eye[0] * aside, eye[1] * aside, eye[2] - std::clamp(eye[2], -s1, s1)};
     }
-    case Kind::kBox:
+    case Form::kBox:
       return {eye[0] - std::clamp(eye[0], -s0, s0), eye[1] - std::clamp(eye[1], -s1, s1),
               eye[2] - std::clamp(eye[2], -s2, s2)};
-    case Kind::kMesh: return none;
+    case Form::kMesh: return none;
   }
   return none;
 }
@@ -112,7 +112,7 @@ void add_bounds(const Solid& solid, const Vec& c, const Eigen::Matrix3d& axis, B
   const double s2 = solid.size[2];
   const auto ball = [&](const Vec& at, double r) { bounds.add(at, r * r, r * r, r * r, 0, 0); };
   switch (solid.kind) {
-    case Kind::kPlane:
+    case Form::kPlane:
       if (s0 > 0 && s1 > 0) {
         for (int k = 0; k < 4; ++k) {
           bounds.add(c + (k & 1 ? s0 : -s0) * axis.col(0) + (k & 2 ? s1 : -s1) * axis.col(1), 0, 0, 0, 0, 0);
@@ -121,12 +121,12 @@ void add_bounds(const Solid& solid, const Vec& c, const Eigen::Matrix3d& axis, B
         bounds.add_everything();
       }
       break;
-    case Kind::kSphere: ball(c, s0); break;
-    case Kind::kCapsule:
+    case Form::kSphere: ball(c, s0); break;
+    case Form::kCapsule:
       ball(c + s1 * axis.col(2), s0);
       ball(c + -s1 * axis.col(2), s0);
       break;
-    case Kind::kEllipsoid: {
+    case Form::kEllipsoid: {
       double m[5] = {0, 0, 0, 0, 0};
       for (int k = 0; k < 3; ++k) {
         const double square = solid.size[k] * static_cast<double>(solid.size[k]);
@@ -139,7 +139,7 @@ void add_bounds(const Solid& solid, const Vec& c, const Eigen::Matrix3d& axis, B
       bounds.add(c, m[0], m[1], m[2], m[3], m[4]);
       break;
     }
-    case Kind::kCylinder: {
+    case Form::kCylinder: {
       const Vec z = axis.col(2);
       const double r = s0 * s0;
       for (int side = -1; side <= 1; side += 2) {
@@ -148,8 +148,8 @@ void add_bounds(const Solid& solid, const Vec& c, const Eigen::Matrix3d& axis, B
       }
       break;
     }
-    case Kind::kBox:
-    case Kind::kMesh:
+    case Form::kBox:
+    case Form::kMesh:
       for (int k = 0; k < 8; ++k) {
         const Vec corner =
             c + (k & 1 ? s0 : -s0) * axis.col(0) + (k & 2 ? s1 : -s1) * axis.col(1) + (k & 4 ? s2 : -s2) * axis.col(2);
@@ -179,7 +179,7 @@ void Eye::look_at(const Solid& solid, int index, double near_depth) {
   aspect.top = static_cast<float>(bounds.high(1) + slack(bounds.high(1)));
   aspect.nearest = static_cast<float>(std::max(bounds.nearest() - slack(bounds.nearest()), -kEverywhere));
   aspect.center = narrow(c);
-  aspect.radius = static_cast<float>(solid.kind == Kind::kPlane ? kEverywhere : solid.radius);
+  aspect.radius = static_cast<float>(solid.kind == Form::kPlane ? kEverywhere : solid.radius);
 
   if (directed && (aspect.left > wide || aspect.right < -wide || aspect.bottom > high || aspect.top < -high)) {
     return;
@@ -189,7 +189,7 @@ void Eye::look_at(const Solid& solid, int index, double near_depth) {
   const Vec right = to_local(solid, axes.col(0));
   const Vec up = to_local(solid, axes.col(1));
   const Vec ahead = to_local(solid, axes.col(2));
-  if (rays == Rays::kPerspective && bounds.cut() && solid.kind != Kind::kPlane && solid.kind != Kind::kMesh) {
+  if (rays == Rays::kPerspective && bounds.cut() && solid.kind != Form::kPlane && solid.kind != Form::kMesh) {
     const Vec away = away_from(solid, from_solid);
     if (dot(away, away) == 0) return;  // seen from inside: not at all
     const double middle = dot(away, ahead);

@@ -18,22 +18,22 @@ namespace HWY_NAMESPACE {
 // Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids but meshes are
 // convex, and what is seen from inside is not drawn: the entry is all there is to know. Of a mesh it is where it is met
 // first, from either side.
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
   const V miss = Set(kMiss);
-  if (kKind == Kind::kMesh) return MeetMesh<true>(*solid.mesh, ray, Set(-kMiss), miss).t;
+  if (kKind == Form::kMesh) return MeetMesh<true>(*solid.mesh, ray, Set(-kMiss), miss).t;
   V3 o = ray.o;
   V3 d = ray.d;
-  if (kKind == Kind::kPlane) {
+  if (kKind == Form::kPlane) {
     const V t = (Zero() - o.z) / d.z;
     M hit = hn::Gt(t, Zero());
     if (solid.size[0] > 0) hit = hn::And(hit, hn::Le(hn::Abs(o.x + t * d.x), Set(solid.size[0])));
     if (solid.size[1] > 0) hit = hn::And(hit, hn::Le(hn::Abs(o.y + t * d.y), Set(solid.size[1])));
     return Pick(hit, t, miss);
   }
-  if (kKind == Kind::kSphere || kKind == Kind::kEllipsoid) {
+  if (kKind == Form::kSphere || kKind == Form::kEllipsoid) {
     V r2 = Set(solid.size[0] * solid.size[0]);
-    if (kKind == Kind::kEllipsoid) {
+    if (kKind == Form::kEllipsoid) {
       const V3 shrink = {Set(1 / solid.size[0]), Set(1 / solid.size[1]), Set(1 / solid.size[2])};
       o = {o.x * shrink.x, o.y * shrink.y, o.z * shrink.z};
       d = {d.x * shrink.x, d.y * shrink.y, d.z * shrink.z};
@@ -47,7 +47,7 @@ HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
     if (None(hit)) return miss;
     return Pick(hit, (Zero() - Dot(o, d) - hn::Sqrt(hn::Max(h, Zero()))) / a, miss);
   }
-  if (kKind == Kind::kCapsule) {
+  if (kKind == Form::kCapsule) {
     const V r2 = Set(solid.size[0] * solid.size[0]);
     const V length = Set(solid.size[1]);
     const V k = o.x * d.y - o.y * d.x;
@@ -71,7 +71,7 @@ HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
     }
     return t;
   }
-  if (kKind == Kind::kCylinder) {
+  if (kKind == Form::kCylinder) {
     const V k = o.x * d.y - o.y * d.x;
     const V a = hn::Max(d.x * d.x + d.y * d.y, Set(1e-30F));
     const V h = Set(solid.size[0] * solid.size[0]) * a - k * k;

@@ -23,9 +23,9 @@ namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // The part of v along the normal n.
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE V Along(const V3& n, const V3& v) {
-  return kKind == Kind::kPlane ? v.z : Dot(n, v);
+  return kKind == Form::kPlane ? v.z : Dot(n, v);
 }
 
 // A colour behind so much fog.
@@ -70,23 +70,23 @@ HWY_INLINE VI FaceAt(const Subject& subject, int i) {
 }
 
 // The normal of a solid at a point of its surface, in its frame.
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE V3 Normal(const Solid& solid, const V3& p) {
   const V one = Set(1.0F);
   switch (kKind) {
-    case Kind::kPlane: return {Zero(), Zero(), one};
-    case Kind::kSphere: return p * Set(1 / solid.size[0]);
-    case Kind::kCapsule: {
+    case Form::kPlane: return {Zero(), Zero(), one};
+    case Form::kSphere: return p * Set(1 / solid.size[0]);
+    case Form::kCapsule: {
       const V length = Set(solid.size[1]);
       const V z = hn::Min(hn::Max(p.z, Zero() - length), length);
       return V3{p.x, p.y, p.z - z} * Set(1 / solid.size[0]);
     }
-    case Kind::kEllipsoid: {
+    case Form::kEllipsoid: {
       const V3 n = {p.x * Set(1 / (solid.size[0] * solid.size[0])), p.y * Set(1 / (solid.size[1] * solid.size[1])),
                     p.z * Set(1 / (solid.size[2] * solid.size[2]))};
       return n * Rsqrt(Dot(n, n));
     }
-    case Kind::kCylinder: {
+    case Form::kCylinder: {
       // How far p lies beyond the end, against how far beyond the side.
       const V beyond = hn::Abs(p.z) - Set(solid.size[1]);
       const V aside = (p.x * p.x + p.y * p.y) * Set(0.5F / solid.size[0]) - Set(0.5F * solid.size[0]);
@@ -112,7 +112,7 @@ struct Spot {
   V along_eye;  // the part of that along the normal
 };
 
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE Spot SpotAt(const Material& material, const V3& ray, const V3& p, const V3& n) {
   V3 to_eye = ray;
   if (material.specular > 0) to_eye = ray * (Zero() - Rsqrt(Dot(ray, ray)));
@@ -127,7 +127,7 @@ struct Beam {
 };
 
 // Whether any point is within the light's cone; where not, there is no beam.
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE bool Shine(const Light& light, const LocalLight& place, const Material& material, const Spot& at,
                       Beam& beam) {
   const V one = Set(1.0F);
@@ -184,7 +184,7 @@ HWY_INLINE V3 Reflected(const Light& light, const Beam& beam, const V3& rgb) {
 // The light that falls on a solid, scattered and mirrored towards the eye: its colour without the texture. A light
 // with shadows is added after what all others give is cut at white, and cut by itself, as OpenGL does, which draws
 // it in a pass of its own.
-template <Kind kKind, bool kGray>
+template <Form kKind, bool kGray>
 HWY_INLINE V3 Lit(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, int i) {
   const Frame& frame = *subject.frame;
   const Material& material = frame.solids[aspect.solid].material;
@@ -223,18 +223,18 @@ struct Steps {
   V3 x, y;
 };
 
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE Steps StepsAt(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& n, V t) {
   const V3 bx = Set(aspect.bx);
   const V3 by = Set(aspect.by);
   // (Of a plane, t says how far away it is across.)
-  const V over = kKind == Kind::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
+  const V over = kKind == Form::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
   return {(bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx)),
           (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy))};
 }
 
 // The square of the texels that a pixel spans, of a flat texture, and of a cube's in texture space.
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE V Spread(const Subject& subject, const Aspect& aspect, const Material& material, const V3& ray, const V3& n,
                     V t, bool cube) {
   const auto [along_x, along_y] = StepsAt<kKind>(subject, aspect, ray, n, t);
@@ -252,14 +252,14 @@ HWY_INLINE V Spread(const Subject& subject, const Aspect& aspect, const Material
 }
 
 // The colour of a solid's texture.
-template <Kind kKind>
+template <Form kKind>
 HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& p, const V3& n, V t,
                        int i) {
   const Frame& frame = *subject.frame;
   const Material& material = frame.solids[aspect.solid].material;
   const Texture& texture = *material.texture;
   const bool cube = material.mapping == Mapping::kCube;
-  if (kKind == Kind::kMesh && material.mapping == Mapping::kGiven) {
+  if (kKind == Form::kMesh && material.mapping == Mapping::kGiven) {
     const SurfaceAt surface(*frame.solids[aspect.solid].mesh, FaceAt(subject, i), p);
     const Steps steps = StepsAt<kKind>(subject, aspect, ray, n, t);
     const V wide = Set(static_cast<float>(texture.width));
@@ -276,7 +276,7 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
     const V u = Repeated(p.x * Set(material.scale[0]) - Set(0.5F));
     const V v = Repeated(p.y * Set(material.scale[1]) - Set(0.5F));
     // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
-    if (kKind == Kind::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
+    if (kKind == Form::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
       return SampleLarge<false>(frame.texels, texture, hn::Zero(DI()), u, v);
     }
     const V spread = Spread<kKind>(subject, aspect, material, ray, n, t, false);

@@ -50,7 +50,7 @@ void open_eye(const Light& light, double cutoff, Eye& eye) {
 
 // An unlimited opaque plane never comes between a light and what a camera on the same side sees.
 bool never_shades(const Solid& solid, const Eye& light, const Eye& camera) {
-  if (solid.kind != Kind::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
+  if (solid.kind != Form::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
   const Vec normal = solid.rotation.col(2);
   const double light_side =
       light.rays == Rays::kParallel ? -dot(light.axes.col(2), normal) : dot(light.position - solid.position, normal);

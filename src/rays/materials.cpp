@@ -15,9 +15,9 @@ void map_texture(const mjModel& model, int id, const Shape& shape, Material& mat
   const bool uniform = model.mat_texuniform[id] != 0;
   float scale[3];  // what the unit shape is scaled by
   switch (shape.kind) {
-    case Kind::kSphere: scale[0] = scale[1] = scale[2] = size[0]; break;
-    case Kind::kCapsule:
-    case Kind::kCylinder:
+    case Form::kSphere: scale[0] = scale[1] = scale[2] = size[0]; break;
+    case Form::kCapsule:
+    case Form::kCylinder:
       scale[0] = scale[1] = size[0];
       scale[2] = size[1];
       break;
@@ -45,7 +45,7 @@ void map_texture(const mjModel& model, int id, const Shape& shape, Material& mat
       material.scale[k] = shape.prescaled ? factor : over(factor, scale[k]);
     }
     material.fold = std::numeric_limits<float>::max();
-    if (shape.kind == Kind::kCapsule) {
+    if (shape.kind == Form::kCapsule) {
       material.fold = size[1];
       material.scale[3] = over(uniform ? scale[2] : 1.0F, size[0]);
     }

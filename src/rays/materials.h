@@ -10,7 +10,7 @@
 
 namespace mimo::rays {
 
-enum class Kind : std::int32_t { kPlane, kSphere, kCapsule, kEllipsoid, kCylinder, kBox, kMesh };
+enum class Form : std::int32_t { kPlane, kSphere, kCapsule, kEllipsoid, kCylinder, kBox, kMesh };
 
 enum class Mapping : std::int32_t { kNone, kFlat, kCube, kGiven };  // kGiven: coordinates of a mesh
 
@@ -40,7 +40,7 @@ Power power(double exponent);
 
 // What a texture is laid on.
 struct Shape {
-  Kind kind;
+  Form kind;
   std::array<float, 3> size;  // as the model has it
   bool prescaled;             // drawn at its size, not as a unit shape that is scaled: planes and meshes of the model
   bool given;                 // has texture coordinates of its own

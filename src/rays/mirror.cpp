@@ -11,7 +11,7 @@ void Mirror::hold(const Solids& solids, const Camera& camera, bool reflections) 
   const Solid& glass = solids[solids.mirror()];
   const Vec normal = glass.rotation.col(2);
   Vec point = glass.position;
-  if (glass.kind == Kind::kBox) point += static_cast<double>(glass.size[2]) * normal;
+  if (glass.kind == Form::kBox) point += static_cast<double>(glass.size[2]) * normal;
   const double height = dot(camera.position - point, normal);
   if (height < 0) return;
   solid = solids.mirror();
@@ -25,7 +25,7 @@ void Mirror::hold(const Solids& solids, const Camera& camera, bool reflections) 
     // Only what rises above the mirror shows in it.
     const Solid& other = solids[i];
     if (i == solid) continue;
-    if (other.kind != Kind::kPlane && dot(other.position - point, normal) < -other.radius) continue;
+    if (other.kind != Form::kPlane && dot(other.position - point, normal) < -other.radius) continue;
     eye.look_at(other, i, camera.near_plane);
   }
 }

@@ -35,13 +35,13 @@ HWY_INLINE void Put(const V3& color, M mine, float alpha, int i, Canvas& canvas)
   Store(Pick(mine, mixed.z, old.z), canvas.b + i);
 }
 
-template <Kind kKind, bool kGray, Brush kBrush>
+template <Form kKind, bool kGray, Brush kBrush>
 HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const Aspect& aspect = subject.eye->aspects[subject.index];
   const Frame& frame = *subject.frame;
   const Solid& solid = frame.solids[aspect.solid];
-  if (kKind == Kind::kPlane) subject.sharp = SharpUpTo(subject, aspect);
+  if (kKind == Form::kPlane) subject.sharp = SharpUpTo(subject, aspect);
   for (int row = w.row0; row <= w.row1; ++row) {
     for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
       const int i = row * kTile + column;
@@ -52,7 +52,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
           Set(aspect.a) + Set(aspect.by) * Set(subject.tile->y[row]) + Set(aspect.bx) * Load(subject.tile->x + column);
       const V3 p = Set(aspect.o) + ray * t;
       V3 n;
-      if constexpr (kKind == Kind::kMesh) {
+      if constexpr (kKind == Form::kMesh) {
         n = SurfaceAt(*solid.mesh, FaceAt(subject, i), p).normal();
       } else {
         n = Normal<kKind>(solid, p);
@@ -164,7 +164,7 @@ inline bool PaintSmoothPlane(const Subject& subject, const Window& w, Canvas& ca
   return true;
 }
 
-template <Kind kKind, Brush kBrush>
+template <Form kKind, Brush kBrush>
 HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& canvas) {
   if (subject.frame->lights.gray()) {
     PaintKind<kKind, true, kBrush>(subject, w, canvas);
@@ -176,16 +176,16 @@ HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& 
 template <Brush kBrush>
 void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
   switch (subject.frame->solids[subject.eye->aspects[subject.index].solid].kind) {
-    case Kind::kPlane:
+    case Form::kPlane:
       if (kBrush == Brush::kPut && PaintSmoothPlane(subject, w, canvas)) break;
-      PaintGrayOrNot<Kind::kPlane, kBrush>(subject, w, canvas);
+      PaintGrayOrNot<Form::kPlane, kBrush>(subject, w, canvas);
       break;
-    case Kind::kSphere: PaintGrayOrNot<Kind::kSphere, kBrush>(subject, w, canvas); break;
-    case Kind::kCapsule: PaintGrayOrNot<Kind::kCapsule, kBrush>(subject, w, canvas); break;
-    case Kind::kEllipsoid: PaintGrayOrNot<Kind::kEllipsoid, kBrush>(subject, w, canvas); break;
-    case Kind::kCylinder: PaintGrayOrNot<Kind::kCylinder, kBrush>(subject, w, canvas); break;
-    case Kind::kBox: PaintGrayOrNot<Kind::kBox, kBrush>(subject, w, canvas); break;
-    case Kind::kMesh: PaintGrayOrNot<Kind::kMesh, kBrush>(subject, w, canvas); break;
+    case Form::kSphere: PaintGrayOrNot<Form::kSphere, kBrush>(subject, w, canvas); break;
+    case Form::kCapsule: PaintGrayOrNot<Form::kCapsule, kBrush>(subject, w, canvas); break;
+    case Form::kEllipsoid: PaintGrayOrNot<Form::kEllipsoid, kBrush>(subject, w, canvas); break;
+    case Form::kCylinder: PaintGrayOrNot<Form::kCylinder, kBrush>(subject, w, canvas); break;
+    case Form::kBox: PaintGrayOrNot<Form::kBox, kBrush>(subject, w, canvas); break;
+    case Form::kMesh: PaintGrayOrNot<Form::kMesh, kBrush>(subject, w, canvas); break;
   }
 }
 

@@ -34,7 +34,7 @@ HWY_INLINE V LitAt(const Shade& shade, int i) { return shade.dark ? Load(shade.l
 constexpr float kMeshMargin = 1e-3F;
 
 // Whether anything is still lit.
-template <Kind kKind, Rays kRaysKind>
+template <Form kKind, Rays kRaysKind>
 HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile& tile, Shade& shade) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 a = Set(aspect.a);
@@ -72,7 +72,7 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
     // What is convex does not shade itself; a mesh may, where what is in the way is not the very point.
     V end = w;
     if (kRaysKind == Rays::kAround) end = Set(1.0F);
-    if (kKind == Kind::kMesh) {
+    if (kKind == Form::kMesh) {
       V margin = Set(kMeshMargin * solid.size[0]);
       if (kRaysKind == Rays::kAround) margin = margin * Rsqrt(hn::Max(Dot(ray.d, ray.d), Set(1e-20F)));
       end = end - hn::IfThenElseZero(own, margin);
@@ -83,7 +83,7 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
     } else {
       dark = hn::And(hn::Gt(t, Zero()), hn::Lt(t, end * Set(0.99998F)));
     }
-    if (kKind != Kind::kMesh) dark = hn::AndNot(own, dark);
+    if (kKind != Form::kMesh) dark = hn::AndNot(own, dark);
     const V left = hn::IfThenZeroElse(dark, lit);
     any = hn::Max(any, left);
     Store(left, shade.lit + i);
@@ -94,13 +94,13 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
 template <Rays kRaysKind>
 bool Shadow(const Solid& solid, const Aspect& aspect, const Tile& tile, Shade& shade) {
   switch (solid.kind) {
-    case Kind::kPlane: return ShadowAt<Kind::kPlane, kRaysKind>(solid, aspect, tile, shade);
-    case Kind::kSphere: return ShadowAt<Kind::kSphere, kRaysKind>(solid, aspect, tile, shade);
-    case Kind::kCapsule: return ShadowAt<Kind::kCapsule, kRaysKind>(solid, aspect, tile, shade);
-    case Kind::kEllipsoid: return ShadowAt<Kind::kEllipsoid, kRaysKind>(solid, aspect, tile, shade);
-    case Kind::kCylinder: return ShadowAt<Kind::kCylinder, kRaysKind>(solid, aspect, tile, shade);
-    case Kind::kBox: return ShadowAt<Kind::kBox, kRaysKind>(solid, aspect, tile, shade);
-    case Kind::kMesh: return ShadowAt<Kind::kMesh, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kPlane: return ShadowAt<Form::kPlane, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kSphere: return ShadowAt<Form::kSphere, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kCapsule: return ShadowAt<Form::kCapsule, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kEllipsoid: return ShadowAt<Form::kEllipsoid, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kCylinder: return ShadowAt<Form::kCylinder, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kBox: return ShadowAt<Form::kBox, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kMesh: return ShadowAt<Form::kMesh, kRaysKind>(solid, aspect, tile, shade);
   }
   return true;
 }

@@ -182,10 +182,10 @@ inline bool SmoothLight(const Subject& subject, const Aspect& aspect, const Prob
     for (int i = 0; i < kProbes; i += lanes) {
       const V3 ray = {Load(probes.dx + i), Load(probes.dy + i), Load(probes.dz + i)};
       const V3 p = {Load(probes.px + i), Load(probes.py + i), Zero()};
-      const Spot at = SpotAt<Kind::kPlane>(material, ray, p, {Zero(), Zero(), Set(1.0F)});
+      const Spot at = SpotAt<Form::kPlane>(material, ray, p, {Zero(), Zero(), Set(1.0F)});
       Beam beam;
       V3 reflected = {Zero(), Zero(), Zero()};
-      if (Shine<Kind::kPlane>(light, place, material, at, beam)) {
+      if (Shine<Form::kPlane>(light, place, material, at, beam)) {
         reached = reached || !separate || !None(hn::Gt(beam.facing, Zero()));
         reflected = Reflected<false>(light, beam, rgb);
       }
@@ -218,7 +218,7 @@ inline bool SmoothLevel(const Subject& subject, const Aspect& aspect, const Prob
   for (int i = 0; i < kProbes; i += lanes) {
     const V3 ray = {Load(probes.dx + i), Load(probes.dy + i), Load(probes.dz + i)};
     const V spread =
-        Spread<Kind::kPlane>(subject, aspect, material, ray, {Zero(), Zero(), Set(1.0F)}, Load(probes.t + i), false);
+        Spread<Form::kPlane>(subject, aspect, material, ray, {Zero(), Zero(), Set(1.0F)}, Load(probes.t + i), false);
     Store(Set(0.5F) * Log2(hn::Max(spread, Set(1e-12F))), level + i);
   }
   return Stretch(level, 0.02F, smooth.level);

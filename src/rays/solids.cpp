@@ -21,30 +21,30 @@ struct Solids::Element {
 
 namespace {
 
-bool kind_of(int type, Kind& kind) {
+bool kind_of(int type, Form& kind) {
   switch (type) {
-    case mjGEOM_PLANE: kind = Kind::kPlane; return true;
-    case mjGEOM_SPHERE: kind = Kind::kSphere; return true;
-    case mjGEOM_CAPSULE: kind = Kind::kCapsule; return true;
-    case mjGEOM_ELLIPSOID: kind = Kind::kEllipsoid; return true;
-    case mjGEOM_CYLINDER: kind = Kind::kCylinder; return true;
-    case mjGEOM_BOX: kind = Kind::kBox; return true;
+    case mjGEOM_PLANE: kind = Form::kPlane; return true;
+    case mjGEOM_SPHERE: kind = Form::kSphere; return true;
+    case mjGEOM_CAPSULE: kind = Form::kCapsule; return true;
+    case mjGEOM_ELLIPSOID: kind = Form::kEllipsoid; return true;
+    case mjGEOM_CYLINDER: kind = Form::kCylinder; return true;
+    case mjGEOM_BOX: kind = Form::kBox; return true;
     case mjGEOM_MESH:
     case mjGEOM_HFIELD:
-    case mjGEOM_SKIN: kind = Kind::kMesh; return true;
+    case mjGEOM_SKIN: kind = Form::kMesh; return true;
     default: return false;
   }
 }
 
-double bounding_radius(Kind kind, const std::array<float, 3>& size) {
+double bounding_radius(Form kind, const std::array<float, 3>& size) {
   switch (kind) {
-    case Kind::kPlane: return 0;
-    case Kind::kSphere: return size[0];
-    case Kind::kCapsule: return static_cast<double>(size[0]) + size[1];
-    case Kind::kEllipsoid: return std::max({size[0], size[1], size[2]});
-    case Kind::kCylinder: return std::hypot(size[0], size[1]);
-    case Kind::kBox:
-    case Kind::kMesh: return std::hypot(size[0], size[1], size[2]);
+    case Form::kPlane: return 0;
+    case Form::kSphere: return size[0];
+    case Form::kCapsule: return static_cast<double>(size[0]) + size[1];
+    case Form::kEllipsoid: return std::max({size[0], size[1], size[2]});
+    case Form::kCylinder: return std::hypot(size[0], size[1]);
+    case Form::kBox:
+    case Form::kMesh: return std::hypot(size[0], size[1], size[2]);
   }
   return 0;
 }
@@ -125,15 +125,15 @@ void Solids::add(const mjModel& model, const Element& element, const Vec& eye) {
   for (int k = 0; k < 3; ++k) solid.size[k] = static_cast<float>(std::min(element.size[k], kFarthest));
   solid.position = Eigen::Map<const Vec>(element.position);
   solid.rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(element.rotation);
-  const bool plane = solid.kind == Kind::kPlane;
-  const bool prescaled = element.is_geom && (plane || solid.kind == Kind::kMesh);
+  const bool plane = solid.kind == Form::kPlane;
+  const bool prescaled = element.is_geom && (plane || solid.kind == Form::kMesh);
   solid.mesh = element.mesh;
   const bool given = solid.mesh != nullptr && solid.mesh->textured;
   solid.material =
       material_of(model, element.material, element.rgba, {solid.kind, solid.size, prescaled, given}, assets_.textures);
   if (solid.material.alpha == 0) return;
   if (element.type == mjGEOM_SKIN && !given) solid.material.mapping = Mapping::kNone;
-  if (solid.kind == Kind::kMesh) {
+  if (solid.kind == Form::kMesh) {
     if (solid.mesh == nullptr || solid.mesh->nodes.empty()) return;
     solid.size = solid.mesh->half;
     meshes_ = true;
@@ -145,7 +145,7 @@ void Solids::add(const mjModel& model, const Element& element, const Vec& eye) {
   if (behind) solid.material.alpha *= 0.3F;
   if (solid.transparent) solid.order = plane ? 1e10 : std::sqrt(dot(offset, offset)) - solid.radius;
   if (std::isnan(solid.order)) solid.order = 0;  // the camera is nowhere; what is sorted needs an order
-  const bool flat = plane || solid.kind == Kind::kBox;
+  const bool flat = plane || solid.kind == Form::kBox;
   if (mirror_ < 0 && solid.material.reflectance > 0 && !solid.transparent && flat) mirror_ = count_;
   if (ground_ < 0 && plane && element.size[0] == 0 && element.size[1] == 0) ground_ = count_;
   solids_[count_++] = solid;

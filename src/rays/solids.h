@@ -23,7 +23,7 @@ struct Assets;
 class Extras;
 
 struct Solid {
-  Kind kind = Kind::kSphere;
+  Form kind = Form::kSphere;
   std::int32_t id = -1;         // what segmentation shows
   std::array<float, 3> size{};  // of a mesh: half of the box around it
   const Mesh* mesh = nullptr;

@@ -72,7 +72,7 @@ HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
 }
 
 // Casts the tile's rays at one solid. `from` is the depth from which on it is seen: for all rays, or for each.
-template <Kind kKind, bool kFromEach>
+template <Form kKind, bool kFromEach>
 HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, const Tile& tile, const Window& w,
                          const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id,
                          std::int32_t* HWY_RESTRICT face) {
@@ -93,7 +93,7 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
       const V start = kFromEach ? Load(from + i) : Set(*from);
       V t;
       VI triangle;
-      if constexpr (kKind == Kind::kMesh) {
+      if constexpr (kKind == Form::kMesh) {
         const Encounter met = MeetMesh<false>(*solid.mesh, ray, start, old);
         t = met.t;
         triangle = met.face;
@@ -102,7 +102,7 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
       }
       const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, start));
       if (None(seen)) continue;
-      if (kKind == Kind::kMesh) {
+      if (kKind == Form::kMesh) {
         const VI old_face = hn::Load(DI(), face + i);
         hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), triangle, old_face), DI(), face + i);
       }
@@ -119,17 +119,17 @@ void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, con
   const Aspect& aspect = eye.aspects[index];
   const Solid& solid = solids[aspect.solid];
   switch (solid.kind) {
-    case Kind::kPlane: CastAt<Kind::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Kind::kSphere: CastAt<Kind::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Kind::kCapsule: CastAt<Kind::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Kind::kEllipsoid:
-      CastAt<Kind::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
+    case Form::kPlane: CastAt<Form::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Form::kSphere: CastAt<Form::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Form::kCapsule: CastAt<Form::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Form::kEllipsoid:
+      CastAt<Form::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
       break;
-    case Kind::kCylinder:
-      CastAt<Kind::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
+    case Form::kCylinder:
+      CastAt<Form::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
       break;
-    case Kind::kBox: CastAt<Kind::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Kind::kMesh: CastAt<Kind::kMesh, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Form::kBox: CastAt<Form::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Form::kMesh: CastAt<Form::kMesh, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
   }
 }
 

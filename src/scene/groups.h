@@ -19,7 +19,7 @@ enum Group : unsigned {
   kRightFoot = 0x200,
   kLeftFoot = 0x400,
   kAllGroups = 0x7ff,
-  kNoGroup = 0x80000000,  // excludes the others
+  kNoGroup = 0x40000000,  // excludes the others
 };
 
 // The group of a motor, "act:left_elbow"; 0 for one that belongs to none.

@@ -402,7 +402,7 @@ pugi::xml_document Scene::shown() const {
 }
 
 void Scene::check_places(const engine::ModelPtr& model, const LogSink& log) const {
-  if (to_check_.empty() || log.write == nullptr) return;
+  if (to_check_.empty() || !log) return;
   const engine::Physics physics = at_start(model);
   for (const std::string& prefix : to_check_) warn_of_overlap(physics, prefix, log);
 }

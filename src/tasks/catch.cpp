@@ -45,6 +45,10 @@ class Catch : public Task {
   void watch(const engine::Physics& physics) override { touched_ = touched_ || touches(physics, skin_, ball_); }
   void evaluate(const engine::Physics& physics) override;
   void follow(engine::Physics& physics) override;
+  // Steps in a row in which the skin touches the ball: how many are a success, and how many there were.
+  int goal_size() const override { return 1; }
+  void goal(const mjData&, double* out) const override { *out = static_cast<double>(hold_steps_); }
+  void achieved(const mjData&, double* out) const override { *out = static_cast<double>(held_); }
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
   std::vector<observation::Signal> signals(const mjModel& model) const override;

@@ -36,6 +36,10 @@ class Reach : public Task {
   void watch(const engine::Physics& physics) override { touched_ = touched_ || touches(physics, arm_, target_); }
   void evaluate(const engine::Physics& physics) override;
   void follow(engine::Physics& physics) override;
+  // Where the target is, and where the right fingers are.
+  int goal_size() const override { return 3; }
+  void goal(const mjData& data, double* out) const override { put(position(data, target_), out); }
+  void achieved(const mjData& data, double* out) const override { put(center(data, fingers_), out); }
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
 

@@ -28,6 +28,10 @@ class Selfbody : public Task {
   void reset(engine::Physics& physics, Random& random) override;
   void watch(const engine::Physics& physics) override;
   void evaluate(const engine::Physics& physics) override;
+  // The target body and where it is; that body if it feels a force, else -1, and where the right fingers are.
+  int goal_size() const override { return 4; }
+  void goal(const mjData& data, double* out) const override;
+  void achieved(const mjData& data, double* out) const override;
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
   std::vector<observation::Signal> signals(const mjModel& model) const override;
@@ -89,6 +93,16 @@ std::vector<observation::Signal> Selfbody::signals(const mjModel& model) const {
              std::fill_n(out, skin_.size(), 0.0f);
              out[target_] = 1;
            }}};
+}
+
+void Selfbody::goal(const mjData& data, double* out) const {
+  out[0] = skin_[target_];
+  put(position(data, skin_[target_]), out + 1);
+}
+
+void Selfbody::achieved(const mjData& data, double* out) const {
+  out[0] = success_ ? skin_[target_] : -1;
+  put(center(data, fingers_), out + 1);
 }
 
 void Selfbody::save(ByteWriter& to) const {

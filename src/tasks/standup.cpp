@@ -24,6 +24,10 @@ class Standup : public Task {
   Standup(const mjModel& model, const body::Body& body, const Settings& settings);
   void reset(engine::Physics& physics, Random& random) override;
   void evaluate(const engine::Physics& physics) override;
+  // Heights of the head: where it is a success, and where it is.
+  int goal_size() const override { return 1; }
+  void goal(const mjData&, double* out) const override { *out = success_height_; }
+  void achieved(const mjData& data, double* out) const override { *out = position(data, head_).z(); }
 
  private:
   enum { kHeight, kControl };

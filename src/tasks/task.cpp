@@ -30,6 +30,11 @@ double Task::reward() const {
   return sum;
 }
 
+Outcome Task::outcome() const {
+  if (success_) return Outcome::kSuccess;
+  return failure_ ? Outcome::kFailure : Outcome::kNone;
+}
+
 void Task::clear() {
   withdraw();
   step_ = {};

@@ -28,6 +28,9 @@ struct Step {
   Span<const std::uint8_t> block;  // all that was sensed, of tasks that judge it; empty: nobody asked for it
 };
 
+// Whether a step was a success or a failure; as mimo.h numbers them (MIMO_OUTCOME_...).
+enum class Outcome : int { kNone = 0, kSuccess = 1, kFailure = -1 };
+
 class Task {
  public:
   virtual ~Task() = default;
@@ -47,6 +50,11 @@ class Task {
   virtual void evaluate(const engine::Physics&) {}
   // After the evaluation: what the task itself moves.
   virtual void follow(engine::Physics&) {}
+  // What is wanted of the infant and what is so far, in as many numbers, of the data; none where a task has no such
+  // thing.
+  virtual int goal_size() const { return 0; }
+  virtual void goal(const mjData&, double*) const {}
+  virtual void achieved(const mjData&, double*) const {}
   // What it adds to the observation. The task outlives them.
   virtual std::vector<observation::Signal> signals(const mjModel&) const { return {}; }
 
@@ -54,6 +62,7 @@ class Task {
   double reward() const;
   bool success() const { return success_; }
   bool failure() const { return failure_; }
+  Outcome outcome() const;
   // Whether success or failure ends the episode.
   bool over() const { return ends_ && (success_ || failure_); }
   // Whether the task cuts the episode off here.

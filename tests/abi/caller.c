@@ -22,8 +22,9 @@ static int failed = 0;
 
 static int messages = 0;
 
-static void count_message(void *user, int32_t level, const char *message) {
-  CHECK(user == &messages && level >= MIMO_LOG_WARNING && message != NULL);
+static void count_message(void *user, const mimo_log_record *record) {
+  CHECK(user == &messages && record->struct_size >= sizeof *record);
+  CHECK(record->level >= MIMO_LOG_WARNING && record->text != NULL && record->code >= 0);
   ++messages;
 }
 
@@ -63,7 +64,8 @@ static mimo_scene *make_scene(void) {
   OK(mimo_agent_config_init(&agent.config, sizeof agent.config));
   CHECK(agent.after == 0x1234567890abcdefu && agent.config.struct_size == sizeof agent.config);
   CHECK(agent.config.vision == MIMO_VISION_RGB && agent.config.vision_width == 256);
-  CHECK(agent.config.touch == MIMO_TOUCH_FORCE && agent.config.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
+  CHECK(agent.config.touch == MIMO_TOUCH_FORCE && agent.config.proprioception == 0x2f);
+  agent.config.proprioception = MIMO_PROPRIOCEPTION_ALL;
   OK(mimo_scene_default_agent(scene, &agent.config, sizeof agent.config));
   CHECK(agent.after == 0x1234567890abcdefu);
   agent.config.vision_width = agent.config.vision_height = 16;
@@ -101,18 +103,45 @@ static mimo_scene *make_scene(void) {
   return scene;
 }
 
+static const mimo_layout *layout_of(const mimo_env *env) {
+  const mimo_layout *layout = NULL;
+  OK(mimo_env_layout(env, &layout));
+  return layout;
+}
+
+static mimo_layout_info sizes_of(const mimo_env *env) {
+  mimo_layout_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  OK(mimo_layout_describe(layout_of(env), &info));
+  return info;
+}
+
 static mimo_field field_named(const mimo_env *env, const char *name) {
   mimo_field field;
-  size_t count = 0, i;
+  size_t index = 0;
   memset(&field, 0, sizeof field);
-  OK(mimo_env_observation_size(env, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    field.struct_size = sizeof field;
-    OK(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "there is no field %s\n", name);
-  exit(1);
+  field.struct_size = sizeof field;
+  OK(mimo_layout_find(layout_of(env), name, &index));
+  OK(mimo_layout_field(layout_of(env), index, &field));
+  return field;
+}
+
+/* A receptor lies on a body, and its normal is a unit vector. */
+static void check_receptors(const mimo_env *env) {
+  size_t index = 0, count = 0;
+  double *bodies, *frames;
+  OK(mimo_layout_find(layout_of(env), "touch/force", &index));
+  OK(mimo_layout_receptor_width(layout_of(env), index, MIMO_RECEPTOR_BODY, &count));
+  CHECK(count > 100 && count == field_named(env, "touch/force").receptors);
+  bodies = calloc(count, sizeof *bodies);
+  frames = calloc(9 * count, sizeof *frames);
+  OK(mimo_layout_receptors(layout_of(env), index, MIMO_RECEPTOR_BODY, bodies, count));
+  OK(mimo_layout_receptors(layout_of(env), index, MIMO_RECEPTOR_FRAME, frames, 9 * count));
+  CHECK(bodies[count - 1] > 0);
+  CHECK(fabs(frames[0] * frames[0] + frames[1] * frames[1] + frames[2] * frames[2] - 1) < 1e-9);
+  free(bodies);
+  free(frames);
 }
 
 static void check_fields(const mimo_env *env) {
@@ -122,15 +151,17 @@ static void check_fields(const mimo_env *env) {
   const char *label = NULL;
   CHECK(eye.dtype == MIMO_U8 && eye.ndim == 3 && eye.shape[0] == 16 && eye.shape[2] == 3 && eye.bytes == 768);
   CHECK(depth.dtype == MIMO_F32 && depth.ndim == 2 && strcmp(depth.unit, "m") == 0);
-  CHECK(joints.dtype == MIMO_F32 && joints.time == MIMO_AT_END && joints.offset % 64 == 0);
-  CHECK(touch.ndim == 2 && touch.shape[1] == 3 && touch.time == MIMO_AT_LAST_START);
+  CHECK(joints.dtype == MIMO_F32 && joints.start == 0 && joints.end == 0 && joints.period > 0 && joints.offset % 64 == 0);
+  CHECK(touch.ndim == 2 && touch.shape[1] == 3 && touch.end == -0.005);
   CHECK(wall.bytes == 8 * 8 * 3);
-  OK(mimo_env_observation_label(env, 0, 0, &label));
+  OK(mimo_layout_label(layout_of(env), 0, 0, &label));
 }
 
 /* Steps, states, names. A ball falls by g h^2 n (n + 1) / 2 in n steps of h = 5 ms. */
 static void live(mimo_env *env) {
-  const uint64_t seed = 7;
+  mimo_reset_config seed;
+  mimo_env_results results;
+  int32_t outcome = 9;
   size_t bytes = 0, count = 0, agents = 0, state_bytes = 0, i;
   double reward = 9, seconds = 0, place[3], xyz[3];
   uint8_t terminated = 9, truncated = 9;
@@ -139,12 +170,12 @@ static void live(mimo_env *env) {
   int32_t toy = -1, elbow = -1, body = -1;
   mimo_agent_info infant;
   uint8_t *block, *again, *state;
-  float *action, *low;
+  float *action;
+  mimo_action first;
   mimo_env *twin = NULL;
-  OK(mimo_env_observation_size(env, &bytes, NULL));
-  OK(mimo_env_action_size(env, &count));
-  OK(mimo_env_agent_count(env, &agents));
-  CHECK(agents == 1 && bytes % 64 == 0 && count > 0);
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
+  CHECK(sizes_of(env).agents == 1 && bytes % 64 == 0 && count > 0);
   memset(&infant, 0, sizeof infant);
   infant.struct_size = sizeof infant;
   OK(mimo_env_agent(env, 0, &infant));
@@ -152,17 +183,30 @@ static void live(mimo_env *env) {
   block = malloc(bytes);
   again = malloc(bytes);
   action = calloc(count, sizeof *action);
-  low = calloc(count, sizeof *low);
-  OK(mimo_env_action_bounds(env, low, NULL, count));
+  memset(&first, 0, sizeof first);
+  first.struct_size = sizeof first;
+  OK(mimo_layout_action(layout_of(env), 0, &first));
+  CHECK(first.agent == 0 && first.low < first.high);
+  memset(&seed, 0, sizeof seed);
+  seed.struct_size = sizeof seed;
+  seed.seeded = 1;
+  seed.seed = 7;
   OK(mimo_env_reset(env, &seed, block, bytes));
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.reward = &reward;
+  results.terminated = &terminated;
+  results.truncated = &truncated;
+  results.outcome = &outcome;
+  results.agents = 1;
   OK(mimo_env_state_size(env, &state_bytes));
   state = malloc(state_bytes);
   OK(mimo_env_state_save(env, state, state_bytes));
   for (i = 0; i < 10; ++i) {
     action[0] = 0.5f;
-    OK(mimo_env_step(env, action, count, block, bytes, &reward, &terminated, &truncated, 1));
+    OK(mimo_env_step(env, action, count, block, bytes, &results));
   }
-  CHECK(reward == 0 && terminated == 0 && truncated == 0);
+  CHECK(reward == 0 && terminated == 0 && truncated == 0 && outcome == MIMO_OUTCOME_NONE);
   OK(mimo_env_time(env, &seconds));
   CHECK(fabs(seconds - 0.1) < 1e-12);
 
@@ -172,7 +216,7 @@ static void live(mimo_env *env) {
   CHECK(fabs(place[2] - (2 - 9.81 * 0.005 * 0.005 * 20 * 21 / 2)) < 1e-12);
   OK(mimo_env_clone(env, &twin));
   OK(mimo_env_state_load(env, state, state_bytes, NULL));
-  for (i = 0; i < 10; ++i) OK(mimo_env_step(env, action, count, again, bytes, NULL, NULL, NULL, 0));
+  for (i = 0; i < 10; ++i) OK(mimo_env_step(env, action, count, again, bytes, NULL));
   CHECK(memcmp(block, again, bytes) == 0);
 
   OK(mimo_env_find(env, MIMO_JOINT, "robot:left_elbow", &elbow));
@@ -190,7 +234,6 @@ static void live(mimo_env *env) {
   mimo_env_destroy(twin);
   CHECK(mimo_env_time(twin, &seconds) == MIMO_E_BAD_HANDLE);
   free(state);
-  free(low);
   free(action);
   free(again);
   free(block);
@@ -203,10 +246,11 @@ static void see(mimo_env *env) {
   const char *name = NULL;
   double face = -1;
   int32_t fear = -1;
-  size_t sensors = 0, contacts = 0, terms = 9;
+  size_t contacts = 0;
   mimo_gaze gaze;
   mimo_timing timing;
   mimo_picture_config picture;
+  mimo_picture colors;
   OK(mimo_env_get(env, MIMO_AGENT_FACE, NULL, 0, &face, 1));
   OK(mimo_env_name(env, MIMO_FACE, (int32_t)face, &name));
   CHECK(strcmp(name, "enjoyment") == 0);
@@ -222,13 +266,15 @@ static void see(mimo_env *env) {
   picture.camera = "wall";
   picture.width = picture.height = 8;
   picture.format = MIMO_PICTURE_RGBA;
-  OK(mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0));
+  memset(&colors, 0, sizeof colors);
+  colors.struct_size = sizeof colors;
+  colors.rgb = rgb;
+  colors.rgb_bytes = sizeof rgb;
+  OK(mimo_env_render(env, &picture, &colors));
   CHECK(rgb[3] == 255);
   OK(mimo_env_project(env, &picture, point, 1, pixels));
-  OK(mimo_env_touch_sensors(env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
-  CHECK(sensors > 100);
+  check_receptors(env);
   OK(mimo_env_count(env, MIMO_CONTACT, &contacts));
-  OK(mimo_env_reward_term_count(env, 0, &terms));
   memset(&timing, 0, sizeof timing);
   timing.struct_size = sizeof timing;
   OK(mimo_env_timing(env, &timing));
@@ -254,7 +300,8 @@ static mimo_status evaluate(void *user, const mimo_env *env, const mimo_task_mom
 static void live_together(mimo_scene *scene) {
   static double thousand = 1000;
   const uint64_t seeds[2] = {1, 2};
-  double reward[2] = {0, 0};
+  double reward[2] = {0, 0}, parts[4] = {0, 0, 0, 0};
+  int32_t outcome[2] = {9, 9};
   uint8_t terminated[2] = {9, 9}, was_reset[2] = {9, 9};
   mimo_status status[2] = {9, 9};
   const double masses[2] = {0.25, 0.5};
@@ -264,10 +311,13 @@ static void live_together(mimo_scene *scene) {
   mimo_task task;
   mimo_batch_config config;
   mimo_batch_results results;
+  mimo_batch_reset_config start;
   mimo_batch *batch = NULL;
   mimo_task_field goal;
   const size_t two = 2;
-  const char *const terms[2] = {"steps", "thousand"}, *term = NULL;
+  const char *const terms[2] = {"steps", "thousand"};
+  const mimo_layout *layout = NULL;
+  mimo_term term;
   mimo_env *world = NULL;
   OK(mimo_task_field_init(&goal, sizeof goal));
   CHECK(goal.ndim == 0 && goal.low < -1e308 && goal.high > 1e308);
@@ -293,24 +343,36 @@ static void live_together(mimo_scene *scene) {
   OK(mimo_batch_size(batch, &worlds, NULL));
   CHECK(worlds == 2);
   OK(mimo_batch_world(batch, 0, &world));
-  OK(mimo_env_reward_term_name(world, 0, 1, &term));
-  CHECK(strcmp(term, "thousand") == 0 && field_named(world, "goal").bytes == 8);
+  OK(mimo_batch_layout(batch, &layout));
+  CHECK(layout == layout_of(world));
+  memset(&term, 0, sizeof term);
+  term.struct_size = sizeof term;
+  OK(mimo_layout_term(layout, 1, &term));
+  CHECK(strcmp(term.name, "thousand") == 0 && term.agent == 0 && field_named(world, "goal").bytes == 8);
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = reward;
   results.terminated = terminated;
+  results.outcome = outcome;
   results.agents = 2;
+  results.terms = parts;
+  results.term_count = 4;
   results.status = status;
   results.was_reset = was_reset;
   results.worlds = 2;
-  OK(mimo_batch_reset(batch, seeds, NULL, 2, NULL, 0));
+  memset(&start, 0, sizeof start);
+  start.struct_size = sizeof start;
+  start.seeds = seeds;
+  start.worlds = 2;
+  OK(mimo_batch_reset(batch, &start, NULL, 0));
   OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
   CHECK(reward[0] == 1001 && reward[1] == 1011 && terminated[1] == 0 && status[1] == MIMO_OK);
   OK(mimo_batch_send(batch, NULL, 0, NULL, 0, &results));
   OK(mimo_batch_receive(batch));
   CHECK(reward[1] == 1012 && terminated[1] == 1 && was_reset[1] == 0);
+  CHECK(parts[2] == 12 && parts[3] == 1000 && outcome[1] == MIMO_OUTCOME_SUCCESS);
   OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
-  CHECK(reward[1] == 0 && was_reset[1] == 1);
+  CHECK(reward[1] == 0 && was_reset[1] == 1 && outcome[1] == MIMO_OUTCOME_NONE && parts[3] == 0);
   OK(mimo_batch_world(batch, 0, &world));
   OK(mimo_env_find(world, MIMO_BODY, "toy", &toy));
   OK(mimo_batch_set(batch, MIMO_BODY_MASS, &toy, 1, NULL, 0, masses, 2));
@@ -327,7 +389,7 @@ int main(void) {
   scene = make_scene();
   OK(mimo_env_config_init(&config, sizeof config));
   CHECK(config.struct_size == sizeof config && config.jacobian == MIMO_JACOBIAN_MODEL);
-  CHECK(config.render == MIMO_RENDER_DEFAULT && config.render_threads == 1);
+  CHECK((config.render & MIMO_RENDER_SHADOWS) != 0 && config.render_threads == 1);
   config.timing = 1;
   OK(mimo_env_create(scene, &config, &env));
   if (env == NULL) return 1;

@@ -22,6 +22,15 @@ static void field(const char* name, size_t offset, size_t size) {
 int main(void) {
   printf("{\n");
 
+  BEGIN(mimo_log_record);
+  FIELD(mimo_log_record, struct_size);
+  FIELD(mimo_log_record, level);
+  FIELD(mimo_log_record, code);
+  FIELD(mimo_log_record, in_world);
+  FIELD(mimo_log_record, text);
+  FIELD(mimo_log_record, world);
+  FIELD(mimo_log_record, time);
+
   BEGIN(mimo_scene_config);
   FIELD(mimo_scene_config, struct_size);
   FIELD(mimo_scene_config, reserved);
@@ -144,6 +153,32 @@ int main(void) {
   FIELD(mimo_agent_info, mass);
   FIELD(mimo_agent_info, height);
 
+  BEGIN(mimo_reset_config);
+  FIELD(mimo_reset_config, struct_size);
+  FIELD(mimo_reset_config, seeded);
+  FIELD(mimo_reset_config, seed);
+
+  BEGIN(mimo_env_results);
+  FIELD(mimo_env_results, struct_size);
+  FIELD(mimo_env_results, reserved);
+  FIELD(mimo_env_results, reward);
+  FIELD(mimo_env_results, terminated);
+  FIELD(mimo_env_results, truncated);
+  FIELD(mimo_env_results, outcome);
+  FIELD(mimo_env_results, agents);
+  FIELD(mimo_env_results, terms);
+  FIELD(mimo_env_results, term_count);
+
+  BEGIN(mimo_layout_info);
+  FIELD(mimo_layout_info, struct_size);
+  FIELD(mimo_layout_info, reserved);
+  FIELD(mimo_layout_info, block_bytes);
+  FIELD(mimo_layout_info, fields);
+  FIELD(mimo_layout_info, actions);
+  FIELD(mimo_layout_info, agents);
+  FIELD(mimo_layout_info, terms);
+
+
   BEGIN(mimo_field);
   FIELD(mimo_field, struct_size);
   FIELD(mimo_field, dtype);
@@ -154,9 +189,35 @@ int main(void) {
   FIELD(mimo_field, bytes);
   FIELD(mimo_field, shape);
   FIELD(mimo_field, ndim);
-  FIELD(mimo_field, time);
   FIELD(mimo_field, low);
   FIELD(mimo_field, high);
+  FIELD(mimo_field, start);
+  FIELD(mimo_field, end);
+  FIELD(mimo_field, period);
+  FIELD(mimo_field, receptors);
+
+  BEGIN(mimo_action);
+  FIELD(mimo_action, struct_size);
+  FIELD(mimo_action, reserved);
+  FIELD(mimo_action, name);
+  FIELD(mimo_action, unit);
+  FIELD(mimo_action, agent);
+  FIELD(mimo_action, low);
+  FIELD(mimo_action, high);
+
+  BEGIN(mimo_term);
+  FIELD(mimo_term, struct_size);
+  FIELD(mimo_term, reserved);
+  FIELD(mimo_term, name);
+  FIELD(mimo_term, agent);
+
+  BEGIN(mimo_field_config);
+  FIELD(mimo_field_config, struct_size);
+  FIELD(mimo_field_config, quantity);
+  FIELD(mimo_field_config, name);
+  FIELD(mimo_field_config, elements);
+  FIELD(mimo_field_config, element_count);
+  FIELD(mimo_field_config, relative_to);
 
   BEGIN(mimo_gaze);
   FIELD(mimo_gaze, struct_size);
@@ -181,6 +242,16 @@ int main(void) {
   FIELD(mimo_picture_config, elevation);
   FIELD(mimo_picture_config, fovy);
 
+  BEGIN(mimo_picture);
+  FIELD(mimo_picture, struct_size);
+  FIELD(mimo_picture, reserved);
+  FIELD(mimo_picture, rgb);
+  FIELD(mimo_picture, rgb_bytes);
+  FIELD(mimo_picture, depth);
+  FIELD(mimo_picture, depth_count);
+  FIELD(mimo_picture, segmentation);
+  FIELD(mimo_picture, segmentation_count);
+
   BEGIN(mimo_timing);
   FIELD(mimo_timing, struct_size);
   FIELD(mimo_timing, reserved);
@@ -200,13 +271,23 @@ int main(void) {
   FIELD(mimo_batch_config, restart_failed);
   FIELD(mimo_batch_config, reserved);
 
+  BEGIN(mimo_batch_reset_config);
+  FIELD(mimo_batch_reset_config, struct_size);
+  FIELD(mimo_batch_reset_config, reserved);
+  FIELD(mimo_batch_reset_config, seeds);
+  FIELD(mimo_batch_reset_config, mask);
+  FIELD(mimo_batch_reset_config, worlds);
+
   BEGIN(mimo_batch_results);
   FIELD(mimo_batch_results, struct_size);
   FIELD(mimo_batch_results, reserved);
   FIELD(mimo_batch_results, reward);
   FIELD(mimo_batch_results, terminated);
   FIELD(mimo_batch_results, truncated);
+  FIELD(mimo_batch_results, outcome);
   FIELD(mimo_batch_results, agents);
+  FIELD(mimo_batch_results, terms);
+  FIELD(mimo_batch_results, term_count);
   FIELD(mimo_batch_results, status);
   FIELD(mimo_batch_results, was_reset);
   FIELD(mimo_batch_results, final_written);

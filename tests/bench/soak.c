@@ -72,11 +72,13 @@ int main(int argc, char** argv) {
   }
   const unsigned long long steps = strtoull(argv[2], NULL, 10);
   mimo_batch* batch = make_batch(argv[1], argc > 3 ? (unsigned)atoi(argv[3]) : 0);
-  mimo_env* first = NULL;
-  size_t bytes = 0, fields = 0, width = 0;
-  check(mimo_batch_world(batch, 0, &first), "world");
-  check(mimo_env_observation_size(first, &bytes, &fields), "size");
-  check(mimo_env_action_size(first, &width), "actions");
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  check(mimo_batch_layout(batch, &layout), "layout");
+  check(mimo_layout_describe(layout, &info), "sizes");
+  const size_t bytes = info.block_bytes, width = info.actions;
   void* blocks = malloc(kWorlds * bytes);
   float* actions = malloc(kWorlds * width * sizeof *actions);
   if (blocks == NULL || actions == NULL) return 1;
@@ -98,7 +100,7 @@ int main(int argc, char** argv) {
   counts all = {0, 0, 0, 0};
   unsigned random = 1;
   long settled_kb = 0;
-  check(mimo_batch_reset(batch, NULL, NULL, 0, blocks, kWorlds * bytes), "reset");
+  check(mimo_batch_reset(batch, NULL, blocks, kWorlds * bytes), "reset");
   for (unsigned long long report = 1; report <= kReports; ++report) {
     while (all.steps < steps * report / kReports) {
       for (size_t i = 0; i < kWorlds * width; ++i) actions[i] = random_action(&random);

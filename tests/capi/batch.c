@@ -67,10 +67,10 @@ static void check_views(mimo_batch* batch) {
   CHECK_OK(mimo_batch_world(batch, 2, &view));
   CHECK_OK(mimo_batch_world(batch, 2, &again));
   CHECK(view == again);
-  CHECK_OK(mimo_env_observation_size(view, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(view, &actions));
+  bytes = sizes_of(view).block_bytes;
+  actions = sizes_of(view).actions;
   mimo_env_destroy(view); /* is the batch's */
-  CHECK_OK(mimo_env_step(view, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(view, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_time(view, &time));
   CHECK_NEAR(0.01, time, 1e-12);
   CHECK_OK(mimo_env_clone(view, &twin));
@@ -91,11 +91,13 @@ static void check_arguments(mimo_batch* batch) {
   memset(&results, 0, sizeof results);
   memset(blocks, 0x77, WORLDS * bytes);
 
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "worlds is 3, expected 4", mimo_batch_reset(batch, seeds, NULL, 3, NULL, 0));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "worlds is 0, expected 4", mimo_batch_reset(batch, NULL, mask, 0, NULL, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "worlds is 3, expected 4",
+              mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = 3), NULL, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "worlds is 0, expected 4",
+              mimo_batch_reset(batch, SEEDS(.mask = mask), NULL, 0));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "blocks has a length",
-              mimo_batch_reset(batch, seeds, NULL, WORLDS, blocks, WORLDS * bytes - 1));
-  CHECK_OK(mimo_batch_reset(batch, seeds, mask, WORLDS, NULL, 0));
+              mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), blocks, WORLDS * bytes - 1));
+  CHECK_OK(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .mask = mask, .worlds = WORLDS), NULL, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action_count is 1, expected", mimo_batch_step(batch, action, 1, NULL, 0, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "actions is NULL", mimo_batch_step(batch, NULL, 1, NULL, 0, NULL));
   CHECK_FAILS(MIMO_E_STRUCT_SIZE, "results", mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
@@ -172,7 +174,7 @@ static void check_failures(mimo_batch* batch) {
   CHECK(status == MIMO_OK);
   CHECK_TEXT("", message);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "world is 4", mimo_batch_world_error(batch, WORLDS, &status, &message));
-  CHECK_OK(mimo_batch_reset(batch, NULL, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_batch_reset(batch, NULL, NULL, 0));
 }
 
 static void check_fork(mimo_batch* batch) {

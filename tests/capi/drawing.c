@@ -18,7 +18,7 @@ static void draw(painter* it, int round) {
   it->wrong += mimo_picture_config_init(&config, sizeof config) != MIMO_OK;
   config.width = config.height = SIDE;
   config.azimuth = 60.0 * round;
-  it->wrong += mimo_env_render(it->world, &config, it->pictures[round], PIXELS, NULL, 0, NULL, 0) != MIMO_OK;
+  it->wrong += mimo_env_render(it->world, &config, PICTURE(.rgb = it->pictures[round], .rgb_bytes = PIXELS)) != MIMO_OK;
 }
 
 /* Steps sense, too, which draws the eyes' pictures. */
@@ -27,13 +27,13 @@ static void* paint(void* argument) {
   size_t bytes = 0, i;
   uint8_t* block;
   int round;
-  it->wrong += mimo_env_observation_size(it->world, &bytes, NULL) != MIMO_OK;
+  bytes = sizes_of(it->world).block_bytes;
   block = malloc(bytes);
   if (block == NULL) exit(1);
-  it->wrong += mimo_env_reset(it->world, &it->seed, block, bytes) != MIMO_OK;
+  it->wrong += mimo_env_reset(it->world, SEED(it->seed), block, bytes) != MIMO_OK;
   for (round = 0; round < ROUNDS; ++round) {
     for (i = 0; i < 2; ++i) {
-      it->wrong += mimo_env_step(it->world, NULL, 0, block, bytes, NULL, NULL, NULL, 0) != MIMO_OK;
+      it->wrong += mimo_env_step(it->world, NULL, 0, block, bytes, NULL) != MIMO_OK;
     }
     draw(it, round);
   }
@@ -104,7 +104,7 @@ static void check_task(mimo_scene* scene) {
   mimo_task task;
   size_t i;
   int round;
-  CHECK_OK(mimo_batch_reset(drawn, NULL, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_batch_reset(drawn, NULL, NULL, 0));
   for (i = 0; i < WORLDS; ++i) {
     CHECK_OK(mimo_batch_world(drawn, i, &painters[i].world));
     draw(&painters[i], 0);

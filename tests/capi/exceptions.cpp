@@ -54,16 +54,16 @@ int main() {
   config.threads = 2;
   mimo_batch* batch = nullptr;
   CHECK_OK(mimo_batch_create(scene, nullptr, &config, &batch));
-  CHECK_OK(mimo_batch_reset(batch, nullptr, nullptr, 0, nullptr, 0));
+  CHECK_OK(mimo_batch_reset(batch, nullptr, nullptr, 0));
   expect(batch, MIMO_OK, "");
   throws = Throws::kStandard;
   expect(batch, MIMO_E_INTERNAL, "world 1: the task's function evaluate threw an exception: the ball left the table");
   throws = Throws::kForeign;
   expect(batch, MIMO_E_INTERNAL, "world 1: the task's function evaluate threw an unknown exception");
   CHECK_FAILS(MIMO_E_INTERNAL, "world 1: the task's function reset threw an unknown exception",
-              mimo_batch_reset(batch, nullptr, nullptr, 0, nullptr, 0));
+              mimo_batch_reset(batch, nullptr, nullptr, 0));
   throws = Throws::kNothing;
-  CHECK_OK(mimo_batch_reset(batch, nullptr, nullptr, 0, nullptr, 0));
+  CHECK_OK(mimo_batch_reset(batch, nullptr, nullptr, 0));
   expect(batch, MIMO_OK, "");
   mimo_batch_destroy(batch);
   mimo_scene_destroy(scene);

@@ -112,10 +112,9 @@ static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* mome
   return MIMO_OK;
 }
 
-static void say(void* user, int32_t level, const char* message) {
+static void say(void* user, const mimo_log_record* record) {
   (void)user;
-  (void)level;
-  (void)message;
+  (void)record;
   of_the_task();
 }
 
@@ -160,7 +159,6 @@ static void fill(float* actions, size_t count, size_t step) {
 /* One world, by itself. */
 static uint64_t run_single(const mimo_scene* scene, const char* renderer) {
   const mimo_env_config config = config_for(renderer);
-  const uint64_t seed = 3;
   uint64_t hash = UINT64_C(14695981039346656037);
   mimo_env* env = NULL;
   size_t bytes = 0, count = 0, step;
@@ -168,21 +166,21 @@ static uint64_t run_single(const mimo_scene* scene, const char* renderer) {
   mimo_picture_config view;
   AS_HOST(mimo_env_create(scene, &config, &env));
   if (env == NULL) exit(failures());
-  AS_HOST(mimo_env_observation_size(env, &bytes, NULL));
-  AS_HOST(mimo_env_action_size(env, &count));
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
   uint8_t* block = malloc(bytes);
   float* actions = malloc(count * sizeof *actions);
-  AS_HOST(mimo_env_reset(env, &seed, block, bytes));
+  AS_HOST(mimo_env_reset(env, SEED(3), block, bytes));
   hash = hash_of(hash, block, bytes);
   for (step = 0; step < STEPS; ++step) {
     double reward = 0;
     fill(actions, count, step);
-    AS_HOST(mimo_env_step(env, actions, count, block, bytes, &reward, NULL, NULL, 1));
+    AS_HOST(mimo_env_step(env, actions, count, block, bytes, RESULTS(.reward = &reward, .agents = 1)));
     hash = hash_of(hash_of(hash, block, bytes), &reward, sizeof reward);
   }
   AS_HOST(mimo_picture_config_init(&view, sizeof view));
   view.width = view.height = SIDE;
-  AS_HOST(mimo_env_render(env, &view, picture, sizeof picture, NULL, 0, NULL, 0));
+  AS_HOST(mimo_env_render(env, &view, PICTURE(.rgb = picture, .rgb_bytes = sizeof picture)));
   hash = hash_of(hash, picture, sizeof picture);
   AS_HOST(destroy_env(env));
   free(actions);
@@ -206,8 +204,8 @@ static uint64_t run_batch(const mimo_scene* scene, uint32_t threads, int sent) {
   AS_HOST(mimo_batch_create(scene, &config, &many, &batch));
   if (batch == NULL) exit(failures());
   AS_HOST(mimo_batch_world(batch, 0, &first));
-  AS_HOST(mimo_env_observation_size(first, &bytes, NULL));
-  AS_HOST(mimo_env_action_size(first, &count));
+  bytes = sizes_of(first).block_bytes;
+  count = sizes_of(first).actions;
   bytes *= WORLDS;
   count *= WORLDS;
   uint8_t* blocks = malloc(bytes);
@@ -215,7 +213,7 @@ static uint64_t run_batch(const mimo_scene* scene, uint32_t threads, int sent) {
   results.struct_size = sizeof results;
   results.reward = rewards;
   results.agents = WORLDS;
-  AS_HOST(mimo_batch_reset(batch, seeds, NULL, WORLDS, blocks, bytes));
+  AS_HOST(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), blocks, bytes));
   hash = hash_of(hash, blocks, bytes);
   for (step = 0; step < STEPS; ++step) {
     fill(actions, count, step);

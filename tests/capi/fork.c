@@ -19,15 +19,15 @@ static int status_of(pid_t child) {
 static void in_the_child(mimo_scene* scene, mimo_env* env) {
   mimo_env* own;
   size_t count = 77;
-  CHECK_FAILS(MIMO_E_FORKED, "env was made before fork()", mimo_env_agent_count(env, &count));
-  CHECK_FAILS(MIMO_E_FORKED, "env was made before fork()", mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_FORKED, "env was made before fork()", mimo_env_count(env, MIMO_AGENT, &count));
+  CHECK_FAILS(MIMO_E_FORKED, "env was made before fork()", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_FAILS(MIMO_E_FORKED, "scene was made before fork()", mimo_scene_xml(scene, NULL, 0, &count));
   CHECK(count == 77);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
-  CHECK_FAILS(MIMO_E_FORKED, "env was made before fork()", mimo_env_agent_count(env, &count));
+  CHECK_FAILS(MIMO_E_FORKED, "env was made before fork()", mimo_env_count(env, MIMO_AGENT, &count));
   own = blind_env("free", NULL);
-  CHECK_OK(mimo_env_step(own, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(own, NULL, 0, NULL, 0, NULL));
   mimo_env_destroy(own);
 }
 
@@ -40,7 +40,7 @@ static void check_handles(void) {
     _exit(failures());
   }
   CHECK(status_of(child) == 0);
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_scene_xml(scene, NULL, 0, NULL));
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
@@ -153,7 +153,7 @@ static int draw(void) {
   CHECK_OK(mimo_env_create(scene, &config, &env));
   CHECK_OK(mimo_picture_config_init(&picture, sizeof picture));
   picture.width = picture.height = 16;
-  status = mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0);
+  status = mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = sizeof rgb));
   CHECK(status == MIMO_OK || status == MIMO_E_UNSUPPORTED);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);

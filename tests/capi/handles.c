@@ -5,31 +5,25 @@
 
 /* Calls every function that takes an environment. */
 static void check_env(mimo_env* env, mimo_status status, const char* part) {
-  size_t size = GUARD, more = GUARD;
+  size_t size = GUARD;
   double value = GUARD, reward = GUARD;
-  float bound = GUARD, depth = GUARD;
+  float depth = GUARD;
   int32_t id = GUARD, segment = GUARD, joint = 0;
-  uint64_t seed = 1;
   uint8_t flag = 77, rgb = 77, block[8192];
   const char* text = NULL;
   mimo_agent_info info;
-  mimo_field field;
+  const mimo_layout* layout = NULL;
   mimo_timing timing;
   info.struct_size = sizeof info;
-  field.struct_size = sizeof field;
   timing.struct_size = sizeof timing;
   memset(block, 0xab, sizeof block);
 
-  CHECK_FAILS(status, part, mimo_env_agent_count(env, &size));
+  CHECK_FAILS(status, part, mimo_env_layout(env, &layout));
   CHECK_FAILS(status, part, mimo_env_agent(env, 0, &info));
-  CHECK_FAILS(status, part, mimo_env_observation_size(env, &size, &more));
-  CHECK_FAILS(status, part, mimo_env_observation_field(env, 0, &field));
-  CHECK_FAILS(status, part, mimo_env_observation_label(env, 0, 0, &text));
-  CHECK_FAILS(status, part, mimo_env_action_size(env, &size));
-  CHECK_FAILS(status, part, mimo_env_action_bounds(env, &bound, NULL, 1));
-  CHECK_FAILS(status, part, mimo_env_action_name(env, 0, &text));
-  CHECK_FAILS(status, part, mimo_env_reset(env, &seed, block, sizeof block));
-  CHECK_FAILS(status, part, mimo_env_step(env, NULL, 0, block, sizeof block, &reward, &flag, &flag, 1));
+  CHECK_FAILS(status, part, mimo_env_reset(env, SEED(1), block, sizeof block));
+  CHECK_FAILS(status, part,
+              mimo_env_step(env, NULL, 0, block, sizeof block,
+                            RESULTS(.reward = &reward, .terminated = &flag, .truncated = &flag, .agents = 1)));
   CHECK_FAILS(status, part, mimo_env_observe(env, block, sizeof block));
   CHECK_FAILS(status, part, mimo_env_physics_step(env, 1));
   CHECK_FAILS(status, part, mimo_env_time(env, &value));
@@ -43,13 +37,39 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
   CHECK_FAILS(status, part, mimo_env_set(env, MIMO_ACTUATOR_CONTROL, &joint, 1, &value, 1));
   CHECK_FAILS(status, part, mimo_env_update(env));
   CHECK_FAILS(status, part, mimo_env_get_float(env, MIMO_BODY_MASS, &joint, 1, &depth, 1));
-  CHECK_FAILS(status, part, mimo_env_render(env, NULL, &rgb, 1, &depth, 1, &segment, 1));
+  CHECK_FAILS(status, part,
+              mimo_env_render(env, NULL,
+                              PICTURE(.rgb = &rgb, .rgb_bytes = 1, .depth = &depth, .depth_count = 1,
+                                      .segmentation = &segment, .segmentation_count = 1)));
   CHECK_FAILS(status, part, mimo_env_timing(env, &timing));
   CHECK_FAILS(status, part, mimo_env_timing_reset(env));
 
-  CHECK(size == GUARD && more == GUARD && value == GUARD && reward == GUARD && bound == GUARD && depth == GUARD);
+  CHECK(size == GUARD && value == GUARD && reward == GUARD && depth == GUARD && layout == NULL);
   CHECK(id == GUARD && segment == GUARD && flag == 77 && rgb == 77 && text == NULL);
   CHECK(block[0] == 0xab && memcmp(block, block + 1, sizeof block - 1) == 0);
+}
+
+/* Calls every function that takes a layout. */
+static void check_layout(const mimo_layout* layout, mimo_status status, const char* part) {
+  mimo_layout_info info = {sizeof info, 0, GUARD, GUARD, GUARD, GUARD, GUARD};
+  mimo_field field;
+  mimo_action action;
+  mimo_term term;
+  size_t size = GUARD;
+  double value = GUARD;
+  const char* text = NULL;
+  field.struct_size = sizeof field;
+  action.struct_size = sizeof action;
+  term.struct_size = sizeof term;
+  CHECK_FAILS(status, part, mimo_layout_describe(layout, &info));
+  CHECK_FAILS(status, part, mimo_layout_field(layout, 0, &field));
+  CHECK_FAILS(status, part, mimo_layout_find(layout, "touch/force", &size));
+  CHECK_FAILS(status, part, mimo_layout_label(layout, 0, 0, &text));
+  CHECK_FAILS(status, part, mimo_layout_receptor_width(layout, 0, MIMO_RECEPTOR_BODY, &size));
+  CHECK_FAILS(status, part, mimo_layout_receptors(layout, 0, MIMO_RECEPTOR_BODY, &value, 1));
+  CHECK_FAILS(status, part, mimo_layout_action(layout, 0, &action));
+  CHECK_FAILS(status, part, mimo_layout_term(layout, 0, &term));
+  CHECK(info.block_bytes == GUARD && size == GUARD && value == GUARD && text == NULL);
 }
 
 /* Calls every function that takes a scene. */
@@ -72,6 +92,7 @@ static void check_scene(mimo_scene* scene, mimo_status status, const char* part)
 int main(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_env* env = blind_env("free", NULL);
+  const mimo_layout* layout = layout_of(env);
   size_t count = 0;
   char kept[256];
 
@@ -79,21 +100,25 @@ int main(void) {
   check_scene(NULL, MIMO_E_INVALID_ARGUMENT, "scene is NULL, expected a mimo_scene");
   check_env((mimo_env*)scene, MIMO_E_BAD_HANDLE, "env is not a mimo_env");
   check_scene((mimo_scene*)env, MIMO_E_BAD_HANDLE, "scene is not a mimo_scene");
+  check_layout(NULL, MIMO_E_INVALID_ARGUMENT, "layout is NULL, expected a mimo_layout");
+  check_layout((const mimo_layout*)env, MIMO_E_BAD_HANDLE, "layout is not a mimo_layout");
+  check_env((mimo_env*)layout, MIMO_E_BAD_HANDLE, "env is not a mimo_env");
 
   /* Destroy ignores what is not its own, and leaves the last error alone. */
   memset(kept, 0, sizeof kept);
   strncpy(kept, mimo_last_error(), sizeof kept - 1);
   mimo_env_destroy((mimo_env*)scene);
   mimo_scene_destroy((mimo_scene*)env);
+  mimo_env_destroy((mimo_env*)layout);
   mimo_env_destroy(NULL);
   mimo_scene_destroy(NULL);
   CHECK_TEXT(kept, mimo_last_error());
-  CHECK_OK(mimo_env_agent_count(env, &count));
-  CHECK(count == 1);
+  CHECK(sizes_of(env).agents == 1);
   CHECK_OK(mimo_scene_xml(scene, NULL, 0, &count));
 
   mimo_env_destroy(env);
   check_env(env, MIMO_E_BAD_HANDLE, "env is a mimo_env that has been destroyed");
+  check_layout(layout, MIMO_E_BAD_HANDLE, "layout is a mimo_layout that has been destroyed");
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   check_scene(scene, MIMO_E_BAD_HANDLE, "scene is a mimo_scene that has been destroyed");

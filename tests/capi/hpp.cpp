@@ -57,7 +57,7 @@ bool lies_outside(const mimo::Block& block, const mimo_field& field) {
 
 void check_blocks() {
   mimo::Env env = mimo::make("reach");
-  const mimo_field field = env.field("proprioception/velocity");
+  const mimo_field field = env.layout().field("proprioception/velocity");
   mimo::Block from = env.make_block();
   const std::size_t bytes = from.bytes();
   env.reset(1, from);
@@ -84,11 +84,22 @@ void check_blocks() {
   }
 }
 
+// With fields on request, one of which looks at the end of the step.
+mimo::Env make_watched() {
+  mimo_scene_config config = mimo::scene_config();
+  config.name = "reach";
+  mimo::Scene scene(config);
+  scene.add_agents();
+  scene.add_field("hand", MIMO_BODY_POSE | MIMO_NOW, {"right_hand"}, "head");
+  scene.add_field("goal", MIMO_AGENT_GOAL, {""});
+  return mimo::Env(scene);
+}
+
 void check_steps_that_allocate_nothing() {
-  mimo::Env env = mimo::make("reach"), twin = mimo::make("reach");
+  mimo::Env env = make_watched(), twin = make_watched();
   mimo::Block block = env.make_block(), other = env.make_block();
   mimo::Results results = env.make_results();
-  const std::vector<float> actions(env.action_size(), 0.3F);
+  const std::vector<float> actions(env.layout().info().actions, 0.3F);
   env.reset(4, block);
   twin.reset(4, other);
   env.step(actions, block, results);
@@ -99,6 +110,7 @@ void check_steps_that_allocate_nothing() {
   for (int i = 0; i < 11; ++i) last = twin.step(actions, other)[0];
   CHECK(allocations > before);
   CHECK(std::memcmp(block.data(), other.data(), block.bytes()) == 0);
+  CHECK(block.view<float>(env.layout().field("hand")).size() == 7);
   CHECK(results.reward[0] == last.reward && (results.terminated[0] != 0) == last.terminated);
   results.truncated.clear();
   try {
@@ -111,7 +123,7 @@ void check_steps_that_allocate_nothing() {
 void check_states() {
   mimo::Env env = mimo::make("reach");
   mimo::Block first = env.make_block(), second = env.make_block();
-  const std::vector<float> actions(env.action_size(), 0.5F);
+  const std::vector<float> actions(env.layout().info().actions, 0.5F);
   env.reset(3, first);
   const std::vector<std::uint8_t> state = env.save();
   mimo::Env twin = env.clone();
@@ -136,7 +148,7 @@ void check_batch() {
   mimo::Env single = mimo::make("reach");
   mimo::Block blocks = batch.make_blocks(), block = single.make_block(), again = batch.make_blocks();
   CHECK(batch.size() == 3 && blocks.bytes() == 3 * block.bytes());
-  const std::size_t count = single.action_size();
+  const std::size_t count = single.layout().info().actions;
   const std::vector<float> actions(3 * count, 0.3F);
   batch.reset({5, 6, 7}, blocks);
   const std::vector<std::uint8_t> states = batch.save();

@@ -51,22 +51,24 @@ mimo::Scene scene_with(mimo::Task& task) {
 
 void check_told(mimo::Env& env) {
   mimo::Block block = env.make_block();
-  const mimo_field goal = env.field("goal"), reached = env.field("reached");
+  const mimo_field goal = env.layout().field("goal"), reached = env.layout().field("reached");
   CHECK(goal.low == 0 && goal.high == 1 && goal.ndim == 1 && reached.ndim == 2 && reached.shape[1] == 3);
   CHECK_TEXT("rad", goal.unit);
   CHECK_TEXT("joint", goal.frame);
   env.reset(4, block);
   const float drawn = block.view<float>(goal)[0];
   CHECK(drawn > 0 && drawn < 1);
-  std::vector<float> action(env.action_size());
+  std::vector<float> action(env.layout().info().actions);
   action[0] = -7;  // the least is -1
   for (int step = 1; step <= 3; ++step) {
-    const mimo::Result result = env.step(action, block).at(0);
+    mimo::Results all = env.make_results();
+    env.step(action, block, all);
+    const mimo::Result result = {all.reward[0], all.terminated[0] != 0, all.truncated[0] != 0, all.outcome[0]};
     CHECK(result.reward == step + 1 && !result.terminated && result.truncated == (step == 3));
     CHECK(block.view<float>(goal)[0] == drawn && block.view<float>(reached)[5] == 5);
-    const auto terms = env.reward_terms();
-    CHECK(terms.size() == 2 && terms[0].first == "near" && terms[0].second == step && terms[1].second == 1);
-    CHECK(env.outcome() == MIMO_OUTCOME_NONE);
+    const std::vector<std::string> names = env.term_names();
+    CHECK(names.size() == 2 && names[0] == "near" && all.terms[0] == step && all.terms[1] == 1);
+    CHECK(result.outcome == MIMO_OUTCOME_NONE);
   }
 }
 

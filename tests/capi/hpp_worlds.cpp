@@ -108,10 +108,14 @@ void check_reach() {
   CHECK(env.task() == "reach" && env.frame_skip() == 2 && env.timestep() == 0.005);
   const auto agents = env.agents();
   CHECK(agents.size() == 1 && agents[0].action_offset == 0 && agents[0].action_count == 8);
-  const auto names = env.action_names();
-  const mimo::Bounds bounds = env.action_bounds();
-  CHECK(names.size() == 8 && bounds.low.size() == 8 && bounds.high.size() == 8);
-  CHECK(names[3] == "act:right_elbow" && bounds.low[3] == -1.0F && bounds.high[3] == 0.83F);
+  const auto actions = env.layout().actions();
+  CHECK(actions.size() == 8);
+  CHECK_TEXT("act:right_elbow", actions[3].name);
+  CHECK(actions[3].low == -1 && static_cast<float>(actions[3].high) == 0.83F && actions[3].agent == 0);
+  const auto terms = env.layout().terms();
+  CHECK(terms.size() == 2);
+  CHECK_TEXT("distance", terms[0].name);
+  CHECK(env.layout().label("proprioception/position", 0) == "robot:hip_lean1");
 
   const std::int32_t elbow = env.find(MIMO_JOINT, "robot:left_elbow");
   CHECK(env.name(MIMO_JOINT, elbow) == "robot:left_elbow");
@@ -127,7 +131,7 @@ void check_reach() {
 // A ball of 2 kg on a floor: it presses with its weight, straight down.
 void check_contacts() {
   mimo::Env env = make_ball();
-  CHECK(env.action_size() == 0 && env.action_bounds().low.empty());
+  CHECK(env.layout().actions().empty());
   const std::int32_t ball = env.find(MIMO_BODY, "ball");
   env.physics_step(1000);
   CHECK_NEAR(2.0, env.time(), 1e-9);
@@ -158,20 +162,20 @@ void check_contacts() {
 
 double dot(const mimo::Vector& a, const mimo::Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Sensors lie on the ball and look away from its middle; the second tangent is the normal x the first.
-void check_touch_sensors() {
+// Receptors lie on the ball and look away from its middle; the second tangent is the normal x the first.
+void check_receptors() {
   const mimo::Env env = make_ball();
-  const auto sensors = env.touch_sensors();
-  CHECK(!sensors.empty() && sensors.size() == env.touch_sensor_count());
-  CHECK(sensors.size() == env.field("touch/force").shape[0]);
-  for (const mimo::TouchSensor& sensor : sensors) {
-    CHECK(sensor.body == env.find(MIMO_BODY, "ball") && sensor.geom == env.find(MIMO_GEOM, "ball"));
-    const mimo::Vector &n = sensor.normal, &t = sensor.tangents[0];
-    CHECK_NEAR(kRadius, std::sqrt(dot(sensor.position, sensor.position)), 1e-9);
-    CHECK_NEAR(kRadius, dot(sensor.position, n), 1e-9);
+  const auto receptors = env.layout().receptors("touch/force");
+  const mimo_field touch = env.layout().field("touch/force");
+  CHECK(!receptors.empty() && receptors.size() == touch.shape[0] && receptors.size() == touch.receptors);
+  for (const mimo::Receptor& receptor : receptors) {
+    CHECK(receptor.body == env.find(MIMO_BODY, "ball") && receptor.geom == env.find(MIMO_GEOM, "ball"));
+    const mimo::Vector &n = receptor.normal, &t = receptor.tangents[0];
+    CHECK_NEAR(kRadius, std::sqrt(dot(receptor.position, receptor.position)), 1e-9);
+    CHECK_NEAR(kRadius, dot(receptor.position, n), 1e-9);
     CHECK_NEAR(1, dot(t, t), 1e-9);
     const mimo::Vector across = {{n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};
-    CHECK_NEAR(1, dot(across, sensor.tangents[1]), 1e-9);
+    CHECK_NEAR(1, dot(across, receptor.tangents[1]), 1e-9);
   }
 }
 
@@ -233,7 +237,7 @@ void check_steps_without_observation() {
   mimo::Block block = env.make_block(), other = env.make_block(), nothing;
   mimo::Results results = env.make_results(), unwanted, emptied = results;
   CHECK(nothing.data() == nullptr && nothing.bytes() == 0);
-  const std::vector<float> actions(env.action_size(), 0.3F);
+  const std::vector<float> actions(env.layout().info().actions, 0.3F);
   env.reset(4, block);
   twin.reset(4, nothing);
   for (int i = 0; i < 5; ++i) {
@@ -244,6 +248,7 @@ void check_steps_without_observation() {
   emptied.reward.clear();  // though it has room
   emptied.terminated.clear();
   emptied.truncated.clear();
+  emptied.outcome.clear();
   env.step(actions, block, results);
   twin.step(actions, other, emptied);
   CHECK(std::memcmp(block.data(), other.data(), block.bytes()) == 0);
@@ -269,7 +274,7 @@ void check_batch() {
   many.worlds = 2;
   mimo::Batch batch(scene, mimo::env_config(), many);
   mimo::Block blocks = batch.make_blocks();
-  const std::size_t actions = batch.env(1).action_size();
+  const std::size_t actions = batch.env(1).layout().info().actions;
   batch.reset({1, 2}, blocks);
   batch.env(1).physics_step(10);
   CHECK_NEAR(0.05, batch.env(1).time() - batch.env(0).time(), 1e-9);
@@ -294,7 +299,7 @@ void check_batch_at_once() {
   scene.add_agents();
   mimo::Batch batch(scene, 2), twin(scene, 2);
   mimo::Block blocks = batch.make_blocks(), others = twin.make_blocks();
-  std::vector<float> actions(2 * batch.env(0).action_size(), 0.2F);
+  std::vector<float> actions(2 * batch.env(0).layout().info().actions, 0.2F);
   batch.reset({1, 2}, blocks);
   twin.reset({1, 2}, others);
   batch.send(actions, blocks);
@@ -343,7 +348,7 @@ int main() {
   check_looks();
   check_reach();
   check_contacts();
-  check_touch_sensors();
+  check_receptors();
   check_steps_without_observation();
   check_timing();
   check_batch();

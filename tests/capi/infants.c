@@ -160,9 +160,9 @@ static void check_apart(void) {
   for (i = 0; i < 2; ++i) joint_ids(together, prefixes[i], ids[i]);
   for (step = 0; step < 50; ++step) { /* of two physics steps */
     for (i = 0; i < 2 * MOTORS; ++i) action[i] = (float)noise(&state);
-    CHECK_OK(mimo_env_step(together, action, 2 * MOTORS, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(together, action, 2 * MOTORS, NULL, 0, NULL));
     for (i = 0; i < 2; ++i) {
-      CHECK_OK(mimo_env_step(alone[i], action + MOTORS * i, MOTORS, NULL, 0, NULL, NULL, NULL, 0));
+      CHECK_OK(mimo_env_step(alone[i], action + MOTORS * i, MOTORS, NULL, 0, NULL));
       CHECK_NEAR(0, farthest(together, ids[i], alone[i], own[i]), 1e-6);
     }
   }
@@ -181,19 +181,6 @@ static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment
   verdict->reward = 1 + (double)moment->agent;
   if (moment->agent == 1) verdict->outcome = MIMO_OUTCOME_SUCCESS;
   return MIMO_OK;
-}
-
-static mimo_field field_named(const mimo_env* env, const char* name) {
-  mimo_field field;
-  size_t count = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "no field %s\n", name);
-  exit(1);
 }
 
 static void check_own(void) {
@@ -235,8 +222,8 @@ static void check_own(void) {
   CHECK_OK(mimo_scene_set_touch(scene, 1, NULL, 0.05));
   env = env_of(scene);
 
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(env, &actions));
+  bytes = sizes_of(env).block_bytes;
+  actions = sizes_of(env).actions;
   CHECK(actions == 50); /* head 3, eyes 6, two arms of 4, two hands of 4: 25 each */
   block = malloc(bytes);
   action = calloc(actions, sizeof *action);
@@ -247,7 +234,8 @@ static void check_own(void) {
     CHECK(info.action_offset == 25 * i && info.action_count == 25);
   }
   for (i = 25; i < 50; ++i) action[i] = 0.25f;
-  CHECK_OK(mimo_env_step(env, action, actions, block, bytes, reward, terminated, truncated, 2));
+  CHECK_OK(mimo_env_step(env, action, actions, block, bytes,
+                         RESULTS(.reward = reward, .terminated = terminated, .truncated = truncated, .agents = 2)));
   CHECK(reward[0] == 1 && reward[1] == 2);
   CHECK(terminated[0] == 0 && terminated[1] == 1 && truncated[0] == 0 && truncated[1] == 0);
   motor = find(env, MIMO_ACTUATOR, "anna/act:left_elbow");
@@ -262,9 +250,9 @@ static void check_own(void) {
   CHECK_OK(mimo_env_get(env, MIMO_AGENT_FACE, NULL, 0, faces, 2));
   CHECK(faces[0] == find(env, MIMO_FACE, "neutral") && faces[1] == fear);
   for (i = 0; i < 2; ++i) {
-    CHECK_OK(mimo_env_touch_sensors(env, i, NULL, NULL, NULL, NULL, 0, &count));
-    CHECK(field_named(env, i == 0 ? "anna/touch/force" : "ben/touch/force").shape[0] == count);
-    CHECK(i == 0 ? count == 5685 : count < 2000);
+    const mimo_field touch = field_of(env, i == 0 ? "anna/touch/force" : "ben/touch/force");
+    CHECK(touch.shape[0] == touch.receptors);
+    CHECK(i == 0 ? touch.receptors == 5685 : touch.receptors < 2000);
   }
   mimo_env_destroy(env);
   free(block);
@@ -308,7 +296,7 @@ static void check_seated(void) {
   CHECK_NEAR(0, before[1][1] - before[0][1], 0.02);
   for (step = 0; step < 500; ++step) {
     for (i = 0; i < 50; ++i) action[i] = (float)noise(&state);
-    CHECK_OK(mimo_env_step(env, action, 50, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, 50, NULL, 0, NULL));
   }
   for (i = 0; i < 2; ++i) {
     height_and_place(env, prefixes[i], after);
@@ -341,9 +329,9 @@ static void check_threads(void) {
     CHECK_OK(mimo_batch_create(scene, NULL, &batch_config, &batch));
     mimo_scene_destroy(scene);
     CHECK_OK(mimo_batch_world(batch, 0, &env));
-    CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+    bytes = sizes_of(env).block_bytes;
     blocks[run] = malloc(WORLDS * bytes);
-    CHECK_OK(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+    CHECK_OK(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), NULL, 0));
     for (step = 0; step < STEPS; ++step) {
       for (i = 0; i < WORLDS * 50; ++i) actions[i] = (float)noise(&state);
       CHECK_OK(mimo_batch_step(batch, actions, WORLDS * 50, blocks[run], WORLDS * bytes, NULL));
@@ -359,9 +347,9 @@ static void check_threads(void) {
 
 static int warnings = 0;
 
-static void count_warnings(void* user, int32_t level, const char* message) {
-  (void)user, (void)level;
-  fprintf(stderr, "%s\n", message);
+static void count_warnings(void* user, const mimo_log_record* record) {
+  (void)user;
+  fprintf(stderr, "%s\n", record->text);
   ++warnings;
 }
 
@@ -394,11 +382,11 @@ static void check_ten_run(mimo_env* env) {
   unsigned char* block;
   uint32_t state = 5;
   int i, step;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(bytes);
   for (step = 0; step < 100; ++step) {
     for (i = 0; i < TEN * MOTORS; ++i) action[i] = (float)noise(&state);
-    CHECK_OK(mimo_env_step(env, action, TEN * MOTORS, block, bytes, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, TEN * MOTORS, block, bytes, NULL));
   }
   CHECK_OK(mimo_env_count(env, MIMO_CONTACT, &count));
   CHECK(count > 50);
@@ -436,7 +424,9 @@ static void check_sees(mimo_env* env, int i, const char* eye, int other) {
   CHECK_OK(mimo_picture_config_init(&config, sizeof config));
   config.camera = camera;
   config.width = config.height = SIZE;
-  CHECK_OK(mimo_env_render(env, &config, NULL, 0, depth, PIXELS, geoms, PIXELS));
+  CHECK_OK(mimo_env_render(
+      env, &config,
+      PICTURE(.depth = depth, .depth_count = PIXELS, .segmentation = geoms, .segmentation_count = PIXELS)));
   CHECK(geoms[middle] >= 0);
   if (geoms[middle] < 0) return;
   CHECK_OK(mimo_env_body_of(env, MIMO_GEOM, geoms[middle], &body));

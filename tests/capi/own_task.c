@@ -21,9 +21,9 @@ static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* mome
   size_t count = 0;
   if (it->target != 0 || it->steps != 0 || moment->agent != 0) return MIMO_E_INTERNAL;
   if (mimo_env_reset(env, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
-  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
+  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
   mimo_env_destroy(env); /* does nothing now */
-  if (mimo_env_agent_count(env, &count) != MIMO_OK || count != 1) return MIMO_E_INTERNAL;
+  if (mimo_env_count(env, MIMO_AGENT, &count) != MIMO_OK || count != 1) return MIMO_E_INTERNAL;
   if (mimo_env_random(env, &share, 1) != MIMO_OK) return MIMO_E_INTERNAL;
   it->target = -share;
   if (mimo_env_set(env, MIMO_JOINT_POSITION, &rule->joint, 1, &it->target, 1) != MIMO_OK) return MIMO_E_INTERNAL;
@@ -69,14 +69,15 @@ static void check_batch_equals_singles(mimo_scene* scene) {
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   for (world = 0; world < WORLDS; ++world) {
     seeds[world] = 40 + world;
-    CHECK_OK(mimo_env_reset(env, &seeds[world], NULL, 0));
+    CHECK_OK(mimo_env_reset(env, SEED(seeds[world]), NULL, 0));
     for (step = 0; step < STEPS; ++step) {
-      uint8_t success = 0, failure = 0;
-      CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, &expected[world][step], &end, NULL, 1));
+      int32_t outcome = 7;
+      CHECK_OK(mimo_env_step(
+          env, NULL, 0, NULL, 0,
+          RESULTS(.reward = &expected[world][step], .terminated = &end, .outcome = &outcome, .agents = 1)));
       CHECK(end == (step == 9));
-      CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
-      CHECK(success + failure == end);
-      if (end) outcomes |= success ? 1 : 2;
+      CHECK((outcome != MIMO_OUTCOME_NONE) == end);
+      if (end) outcomes |= outcome == MIMO_OUTCOME_SUCCESS ? 1 : 2;
     }
   }
   CHECK(outcomes == 3); /* both were seen */
@@ -86,7 +87,7 @@ static void check_batch_equals_singles(mimo_scene* scene) {
   config.worlds = WORLDS;
   config.threads = 3;
   CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
-  CHECK_OK(mimo_batch_reset(batch, seeds, NULL, WORLDS, NULL, 0));
+  CHECK_OK(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), NULL, 0));
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = reward;
@@ -108,12 +109,12 @@ static void check_state(mimo_scene* scene) {
   int step;
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_clone(env, &twin));
   for (step = 0; step < 12; ++step) {
     uint8_t end[2];
-    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, &first, &end[0], NULL, 1));
-    CHECK_OK(mimo_env_step(twin, NULL, 0, NULL, 0, &second, &end[1], NULL, 1));
+    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.reward = &first, .terminated = &end[0], .agents = 1)));
+    CHECK_OK(mimo_env_step(twin, NULL, 0, NULL, 0, RESULTS(.reward = &second, .terminated = &end[1], .agents = 1)));
     CHECK(first == second && end[0] == end[1] && end[0] == (step == 8));
   }
   mimo_env_destroy(twin);
@@ -129,7 +130,7 @@ static void check_failing(mimo_scene* scene, rules* rule) {
   rule->reset_status = MIMO_OK;
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
   rule->evaluate_status = 5;
-  CHECK_FAILS(MIMO_E_INTERNAL, "evaluate returned 5", mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_INTERNAL, "evaluate returned 5", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
   CHECK_FAILS(MIMO_E_INTERNAL, "world 0: the task's function", mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   rule->evaluate_status = MIMO_OK;

@@ -63,11 +63,14 @@ static int untouched(void) {
 static void check_refusals(mimo_env* env) {
   mimo_picture_config config = at_the_ball();
   fill();
-#define REFUSED(status, part, field, value, good)                                                              \
-  do {                                                                                                         \
-    config.field = (value);                                                                                    \
-    CHECK_FAILS(status, part, mimo_env_render(env, &config, rgb, 3 * PIXELS, depth, PIXELS, segment, PIXELS)); \
-    config.field = (good);                                                                                     \
+#define REFUSED(status, part, field, value, good)                                                                   \
+  do {                                                                                                              \
+    config.field = (value);                                                                                         \
+    CHECK_FAILS(status, part,                                                                                       \
+                mimo_env_render(env, &config,                                                                       \
+                                PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS, .depth = depth, .depth_count = PIXELS, \
+                                        .segmentation = segment, .segmentation_count = PIXELS)));                   \
+    config.field = (good);                                                                                          \
   } while (0)
   REFUSED(MIMO_E_INVALID_ARGUMENT, "width is 0", width, 0, WIDTH);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "height is 4097", height, 4097, HEIGHT);
@@ -77,12 +80,16 @@ static void check_refusals(mimo_env* env) {
   REFUSED(MIMO_E_INVALID_ARGUMENT, "azimuth", azimuth, (double)INFINITY, 0);
   REFUSED(MIMO_E_NOT_FOUND, "no camera named \"periscope\"", camera, "periscope", NULL);
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "rgb has a length of",
-              mimo_env_render(env, &config, rgb, 3 * PIXELS - 1, depth, PIXELS, NULL, 0));
+              mimo_env_render(env, &config,
+                              PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS - 1, .depth = depth, .depth_count = PIXELS)));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "depth has a length of",
-              mimo_env_render(env, &config, rgb, 3 * PIXELS, depth, PIXELS - 1, NULL, 0));
+              mimo_env_render(env, &config,
+                              PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS, .depth = depth, .depth_count = PIXELS - 1)));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "segmentation has",
-              mimo_env_render(env, &config, rgb, 3 * PIXELS, NULL, 0, segment, PIXELS - 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "rgb is NULL", mimo_env_render(env, &config, NULL, 1, NULL, 0, NULL, 0));
+              mimo_env_render(env, &config,
+                              PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS, .segmentation = segment,
+                                      .segmentation_count = PIXELS - 1)));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "rgb is NULL", mimo_env_render(env, &config, PICTURE(.rgb_bytes = 1)));
   CHECK(untouched());
 }
 
@@ -92,7 +99,9 @@ static void check_picture(mimo_env* env) {
   const int32_t ball = find(env, MIMO_GEOM, "ball"), floor = find(env, MIMO_GEOM, "floor");
   static uint8_t again[3 * PIXELS];
   fill();
-  CHECK_OK(mimo_env_render(env, &config, rgb, 3 * PIXELS, depth, PIXELS, segment, PIXELS));
+  CHECK_OK(mimo_env_render(env, &config,
+                           PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS, .depth = depth, .depth_count = PIXELS,
+                                   .segmentation = segment, .segmentation_count = PIXELS)));
   CHECK(rgb[3 * PIXELS] == 0xab && depth[PIXELS] == -7 && segment[PIXELS] == -7);
   /* Row 0 is the top, where there is sky; the floor is below. */
   CHECK(segment[middle] == ball && segment[top] == -1 && segment[bottom] == floor);
@@ -100,9 +109,9 @@ static void check_picture(mimo_env* env) {
   CHECK(depth[top] > 10);
   /* The ball is red. */
   CHECK(rgb[3 * middle] > 2 * rgb[3 * middle + 1] && rgb[3 * middle] > 2 * rgb[3 * middle + 2]);
-  CHECK_OK(mimo_env_render(env, &config, again, sizeof again, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_env_render(env, &config, PICTURE(.rgb = again, .rgb_bytes = sizeof again)));
   CHECK(memcmp(rgb, again, sizeof again) == 0);
-  CHECK_OK(mimo_env_render(env, &config, NULL, 0, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_env_render(env, &config, PICTURE()));
 }
 
 /* Two eyes of the size asked for; looking does not change where the infant goes. */
@@ -131,13 +140,13 @@ static void check_eyes(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "renderer \"none\"", mimo_env_create(scene, &none, &env));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   mimo_scene_destroy(scene);
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  bytes = sizes_of(env).block_bytes;
+  fields = sizes_of(env).fields;
   for (k = 0; k < fields; ++k) {
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, k, &field));
+    field = field_at(layout_of(env), k);
     if (strncmp(field.name, "vision/eye_", 11) != 0) continue;
     ++pictures;
-    CHECK(field.shape[0] == 20 && field.shape[1] == 30 && field.time == MIMO_AT_LAST_START);
+    CHECK(field.shape[0] == 20 && field.shape[1] == 30 && field.end == -0.005 && field.receptors == 0);
     if (field.dtype == MIMO_U8)
       CHECK(field.ndim == 3 && field.shape[2] == 3 && field.bytes == 1800 && field.high == 255);
     if (field.dtype == MIMO_F32) CHECK(field.ndim == 2 && field.bytes == 2400 && field.low == 0);
@@ -155,10 +164,10 @@ static void check_eyes(void) {
   config.width = config.height = 16;
   config.camera = "eye_left";
   for (i = 0; i < 10; ++i) {
-    CHECK_OK(mimo_env_step(env, NULL, 0, one, bytes, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, NULL, 0, one, bytes, NULL));
     CHECK_OK(mimo_env_observe(env, two, bytes));
-    CHECK_OK(mimo_env_render(env, &config, rgb, 3 * 16 * 16, NULL, 0, NULL, 0));
-    CHECK_OK(mimo_env_step(blind, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_render(env, &config, PICTURE(.rgb = rgb, .rgb_bytes = 3 * 16 * 16)));
+    CHECK_OK(mimo_env_step(blind, NULL, 0, NULL, 0, NULL));
   }
   for (i = 0; i < 50; ++i) ids[i] = i;
   CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, ids, 50, here, 68));
@@ -173,7 +182,7 @@ static void check_eyes(void) {
 int main(void) {
   mimo_env* env = room_with_ball();
   const mimo_picture_config config = at_the_ball();
-  if (mimo_env_render(env, &config, rgb, 3 * PIXELS, NULL, 0, NULL, 0) == MIMO_E_UNSUPPORTED) {
+  if (mimo_env_render(env, &config, PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS)) == MIMO_E_UNSUPPORTED) {
     fprintf(stderr, "skipped: %s\n", mimo_last_error());
     return SKIPPED;
   }

@@ -14,7 +14,7 @@ static void check_look_angles(void) {
   int32_t joints[8];
   size_t count = 77;
   int i;
-  for (i = 0; i < 20; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  for (i = 0; i < 20; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_get(env, MIMO_BODY_POSITION, &head, 1, before, 3));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "capacity is 7, but there are 8 joints",
               mimo_env_look_angles(env, 0, point, MIMO_LOOK_HEAD, joints, angles, 7, &count, NULL));
@@ -49,8 +49,8 @@ static void check_results_of_a_batch(int32_t autoreset) {
   config.autoreset = autoreset;
   CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
   CHECK_OK(mimo_batch_world(batch, 1, &view));
-  CHECK_OK(mimo_env_observation_size(view, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(view, &actions));
+  bytes = sizes_of(view).block_bytes;
+  actions = sizes_of(view).actions;
   CHECK(WORLDS * actions <= MOST);
   blocks = malloc(WORLDS * bytes);
   if (blocks == NULL) exit(1);
@@ -114,10 +114,9 @@ static void check_actions(void) {
   const int32_t ids[2] = {0, 1};
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action[0] is inf, expected a finite number: it has no bounds",
-              mimo_env_step(env, action, 2, NULL, 0, NULL, NULL, NULL, 0));
+              mimo_env_step(env, action, 2, NULL, 0, NULL));
   action[0] = -INFINITY;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action[0] is -inf",
-              mimo_env_step(env, action, 2, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action[0] is -inf", mimo_env_step(env, action, 2, NULL, 0, NULL));
   CHECK_OK(mimo_env_time(env, &time));
   CHECK(time == 0);
   CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
@@ -125,7 +124,7 @@ static void check_actions(void) {
   mimo_batch_destroy(batch);
   action[0] = 2;
   action[1] = INFINITY; /* clipped to its bounds, as any other */
-  CHECK_OK(mimo_env_step(env, action, 2, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, action, 2, NULL, 0, NULL));
   CHECK_OK(mimo_env_get(env, MIMO_ACTUATOR_CONTROL, ids, 2, control, 2));
   CHECK(control[0] == 2 && control[1] == 1);
   mimo_env_destroy(env);
@@ -152,10 +151,10 @@ static void check_limits(void) {
   limits.gain = limits.noise = FLT_MAX;
   CHECK_OK(mimo_scene_limit_sense(scene, 0, "proprioception", &limits));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   CHECK(bytes <= sizeof block);
   for (seed = 0; seed < 50; ++seed) {
-    CHECK_OK(mimo_env_reset(env, &seed, block, bytes));
+    CHECK_OK(mimo_env_reset(env, SEED(seed), block, bytes));
     for (i = 0; i < bytes / sizeof(float); ++i) {
       CHECK(isfinite(block[i]));
       largest += fabsf(block[i]) == FLT_MAX;
@@ -171,8 +170,8 @@ static void check_struct_size(void) {
   mimo_env* env = blind_env("free", NULL);
   mimo_field field;
   memset(&field, 0, sizeof field);
-  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "field: struct_size is 0, expected 104, the struct's sizeof",
-              mimo_env_observation_field(env, 0, &field));
+  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "field: struct_size is 0, expected 112, the struct's sizeof",
+              mimo_layout_field(layout_of(env), 0, &field));
   CHECK(strstr(mimo_last_error(), "_init") == NULL);
   mimo_env_destroy(env);
 }

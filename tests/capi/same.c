@@ -95,23 +95,24 @@ static mimo_env* make(const char* scene) {
 }
 
 static outcome play(const char* scene, int fill) {
-  const uint64_t seed = 7;
   mimo_env* env = make(scene);
-  size_t bytes = 0, fields = 0, count = 0, step, i;
+  size_t bytes = 0, count = 0, step, i;
   outcome all = {UINT64_C(14695981039346656037), 0};
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
-  CHECK_OK(mimo_env_action_size(env, &count));
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
   uint8_t* block = malloc(bytes);
   float* actions = malloc(count * sizeof *actions);
   memset(block, fill, bytes);
-  CHECK_OK(mimo_env_reset(env, &seed, block, bytes));
+  CHECK_OK(mimo_env_reset(env, SEED(7), block, bytes));
   all.hash = hash_of(all.hash, block, bytes);
   for (step = 0; step < kSteps; ++step) {
     double reward = 0;
     uint8_t terminated = 0, truncated = 0;
     for (i = 0; i < count; ++i) actions[i] = action_of(step, i);
     memset(block, fill, bytes);
-    CHECK_OK(mimo_env_step(env, actions, count, block, bytes, &reward, &terminated, &truncated, 1));
+    CHECK_OK(
+        mimo_env_step(env, actions, count, block, bytes,
+                      RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
     all.hash = hash_of(all.hash, block, bytes);
     all.rewards += reward;
   }

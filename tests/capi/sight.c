@@ -65,8 +65,8 @@ static void check_batch_faces(const mimo_scene* scene) {
 
 static void check_gaze(mimo_env* env) {
   mimo_gaze gaze;
-  int32_t joints[MIMO_LOOK_JOINTS];
-  double angles[MIMO_LOOK_JOINTS], there[MIMO_LOOK_JOINTS], errors[2], point[3];
+  int32_t joints[8];
+  double angles[8], there[8], errors[2], point[3];
   const double nowhere[3] = {0, (double)NAN, 0};
   size_t count = 0, i;
   memset(&gaze, 0, sizeof gaze);
@@ -79,7 +79,7 @@ static void check_gaze(mimo_env* env) {
   for (i = 0; i < 3; ++i) point[i] = 0.5 * (gaze.left_position[i] + gaze.right_position[i]);
   point[0] += 0.3;
   point[1] += 0.1;
-  CHECK_OK(mimo_env_look_angles(env, 0, point, MIMO_LOOK_HEAD, joints, angles, MIMO_LOOK_JOINTS, &count, errors));
+  CHECK_OK(mimo_env_look_angles(env, 0, point, MIMO_LOOK_HEAD, joints, angles, 8, &count, errors));
   CHECK(count == 8 && joints[0] == find(env, MIMO_JOINT, "robot:head_swivel"));
   CHECK(joints[2] == find(env, MIMO_JOINT, "robot:left_eye_horizontal"));
   CHECK_NEAR(0, errors[0] + errors[1], 1e-9);
@@ -98,19 +98,6 @@ static void check_gaze(mimo_env* env) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "point is NULL", mimo_env_look_at(env, 0, NULL, MIMO_LOOK_EYES, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "point[1] is nan", mimo_env_look_at(env, 0, nowhere, MIMO_LOOK_EYES, NULL));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "how is 2", mimo_env_look_at(env, 0, point, 2, NULL));
-}
-
-static mimo_field field_named(const mimo_env* env, const char* name) {
-  mimo_field field;
-  size_t fields = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, NULL, &fields));
-  for (i = 0; i < fields; ++i) {
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "there is no field %s\n", name);
-  exit(1);
 }
 
 /* A camera on the wall, one on the left hand, and an eye at another size; then a blue room seen by the first. */
@@ -153,18 +140,18 @@ static void add_cameras(mimo_scene* scene) {
 }
 
 static void check_cameras(mimo_env* env) {
-  const mimo_field color = field_named(env, "vision/wall"), depth = field_named(env, "vision/wall_depth"),
-                   ids = field_named(env, "vision/wall_segmentation"), eye = field_named(env, "vision/eye_right");
+  const mimo_field color = field_of(env, "vision/wall"), depth = field_of(env, "vision/wall_depth"),
+                   ids = field_of(env, "vision/wall_segmentation"), eye = field_of(env, "vision/eye_right");
   static uint8_t rgb[4 * PIXELS + 1], plain[3 * PIXELS];
   static float far[PIXELS];
   mimo_picture_config picture;
   uint8_t* block;
   size_t bytes = 0, i, middle = SIZE / 2 * SIZE + SIZE / 2;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   CHECK(color.shape[0] == SIZE && color.shape[1] == SIZE && color.shape[2] == 3);
   CHECK(eye.shape[0] == 4 && eye.shape[1] == 8);
   CHECK_TEXT("camera", color.frame);
-  field_named(env, "vision/palm");
+  field_of(env, "vision/palm");
   block = malloc(bytes);
   CHECK_OK(mimo_env_reset(env, NULL, block, bytes));
   CHECK(((const int32_t*)(block + ids.offset))[middle] == find(env, MIMO_GEOM, "head"));
@@ -175,15 +162,17 @@ static void check_cameras(mimo_env* env) {
   CHECK_OK(mimo_picture_config_init(&picture, sizeof picture));
   picture.camera = "wall";
   picture.width = picture.height = SIZE;
-  CHECK_OK(mimo_env_render(env, &picture, plain, sizeof plain, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_env_render(env, &picture, PICTURE(.rgb = plain, .rgb_bytes = sizeof plain)));
   CHECK(memcmp(plain, block + color.offset, sizeof plain) == 0);
   picture.format = 4;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "format is 0x4", mimo_env_render(env, &picture, rgb, 4 * PIXELS, NULL, 0, NULL, 0));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "format is 0x4",
+              mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = 4 * PIXELS)));
   picture.format = MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP;
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "rgb has a length of",
-              mimo_env_render(env, &picture, rgb, 4 * PIXELS - 1, NULL, 0, NULL, 0));
+              mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = 4 * PIXELS - 1)));
   rgb[4 * PIXELS] = 0xab;
-  CHECK_OK(mimo_env_render(env, &picture, rgb, 4 * PIXELS, far, PIXELS, NULL, 0));
+  CHECK_OK(mimo_env_render(env, &picture,
+                           PICTURE(.rgb = rgb, .rgb_bytes = 4 * PIXELS, .depth = far, .depth_count = PIXELS)));
   CHECK(rgb[4 * PIXELS] == 0xab);
   for (i = 0; i < PIXELS; ++i) {
     const size_t upright = (SIZE - 1 - i / SIZE) * SIZE + i % SIZE;
@@ -198,7 +187,8 @@ static void check_quality(const mimo_scene* scene) {
   mimo_env_config config;
   mimo_env* env = NULL;
   CHECK_OK(mimo_env_config_init(&config, sizeof config));
-  CHECK(config.render == MIMO_RENDER_DEFAULT && config.samples == 0 && config.render_threads == 1);
+  CHECK(config.render == (MIMO_RENDER_SHADOWS | MIMO_RENDER_REFLECTIONS | MIMO_RENDER_SKY | MIMO_RENDER_HAZE));
+  CHECK(config.samples == 0 && config.render_threads == 1);
   config.render = 0x20;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "render is 0x20", mimo_env_create(scene, &config, &env));
   config.render = 0;

@@ -7,15 +7,17 @@
 
 struct log {
   int warnings;
-  char last[512];
+  char text[512];
+  mimo_log_record last;
 };
 
-static void listen(void* user, int32_t level, const char* message) {
+static void listen(void* user, const mimo_log_record* record) {
   struct log* log = user;
-  CHECK(level == MIMO_LOG_WARNING);
+  CHECK(record->struct_size == sizeof *record && record->level == MIMO_LOG_WARNING && record->in_world == 1);
   ++log->warnings;
-  log->last[sizeof log->last - 1] = '\0';
-  strncpy(log->last, message, sizeof log->last - 1);
+  log->last = *record;
+  log->text[sizeof log->text - 1] = '\0';
+  strncpy(log->text, record->text, sizeof log->text - 1);
 }
 
 static void states(mimo_env* env, double* values, size_t count) {
@@ -33,7 +35,7 @@ static void check_failed(mimo_env* env) {
   const double velocity[6] = {0, 0, 0, 0, 0, 0}, point[3] = {1, 0, 0.5};
   static uint8_t block[1 << 20], before[1 << 20];
   double values[7], errors[2], pixels[3];
-  uint8_t rgb[3 * 4 * 4], success = 2, failure = 2;
+  uint8_t rgb[3 * 4 * 4];
   size_t bytes = 0, count = 0;
   const char* name = NULL;
   mimo_env* twin = NULL;
@@ -46,15 +48,15 @@ static void check_failed(mimo_env* env) {
   gaze.struct_size = sizeof gaze;
   memset(&timing, 0, sizeof timing);
   timing.struct_size = sizeof timing;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   memset(block, 0x5a, sizeof block);
   memcpy(before, block, sizeof block);
 
-  REFUSED(mimo_env_step(env, NULL, 0, block, bytes, NULL, NULL, NULL, 0));
+  REFUSED(mimo_env_step(env, NULL, 0, block, bytes, NULL));
   REFUSED(mimo_env_physics_step(env, 1));
   REFUSED(mimo_env_observe(env, block, bytes));
   REFUSED(mimo_env_update(env));
-  REFUSED(mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0));
+  REFUSED(mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = sizeof rgb)));
   REFUSED(mimo_env_set(env, MIMO_JOINT_VELOCITY, &ball, 1, velocity, 6));
   REFUSED(mimo_env_look_at(env, 0, point, MIMO_LOOK_EYES, errors));
   REFUSED(mimo_env_look_angles(env, 0, point, MIMO_LOOK_EYES, NULL, NULL, 0, &count, errors));
@@ -69,12 +71,11 @@ static void check_failed(mimo_env* env) {
   CHECK_OK(mimo_env_name(env, MIMO_JOINT, elbow, &name));
   CHECK_OK(mimo_env_gaze(env, 0, &gaze));
   REFUSED(mimo_env_project(env, &picture, point, 1, pixels));
-  CHECK_OK(mimo_env_touch_sensors(env, 0, NULL, NULL, NULL, NULL, 0, &count));
-  CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
+  CHECK(field_of(env, "touch/force").receptors == 5685);
   CHECK_OK(mimo_env_timing(env, &timing));
   CHECK_OK(mimo_env_random(env, values, 1));
   CHECK_OK(mimo_env_get(env, MIMO_WORLD_GRAVITY, NULL, 0, values, 3));
-  REFUSED(mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, values, 3));
+  CHECK_OK(mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, values, 3));
   REFUSED(mimo_env_get(env, MIMO_BODY_POSE | MIMO_NOW, &ball, 1, values, 7));
 #undef REFUSED
 }
@@ -88,12 +89,12 @@ static void check_divergence(void) {
   double one[68], two[68], seconds = -1;
   size_t i;
   for (i = 0; i < 40; ++i) {
-    CHECK_OK(mimo_env_step(other, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
-    CHECK_OK(mimo_env_step(fresh, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(other, NULL, 0, NULL, 0, NULL));
+    CHECK_OK(mimo_env_step(fresh, NULL, 0, NULL, 0, NULL));
     if (i == 20) {
       CHECK_OK(mimo_env_set(failing, MIMO_JOINT_VELOCITY, &ball, 1, absurd, 6));
       CHECK_FAILS(MIMO_E_SIMULATION,
-                  "the simulation failed at 0.0000 s: ", mimo_env_step(failing, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+                  "the simulation failed at 0.0000 s: ", mimo_env_step(failing, NULL, 0, NULL, 0, NULL));
     }
   }
   states(other, one, 68);
@@ -105,8 +106,8 @@ static void check_divergence(void) {
   CHECK_OK(mimo_env_reset(failing, NULL, NULL, 0));
   CHECK_OK(mimo_env_reset(fresh, NULL, NULL, 0));
   for (i = 0; i < 40; ++i) {
-    CHECK_OK(mimo_env_step(failing, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
-    CHECK_OK(mimo_env_step(fresh, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(failing, NULL, 0, NULL, 0, NULL));
+    CHECK_OK(mimo_env_step(fresh, NULL, 0, NULL, 0, NULL));
   }
   CHECK_OK(mimo_env_time(failing, &seconds));
   CHECK_NEAR(0.4, seconds, 1e-12);
@@ -124,7 +125,8 @@ static void check_warnings(void) {
   mimo_env_config config;
   mimo_scene* scene = NULL;
   mimo_env* env = NULL;
-  struct log log = {0, ""};
+  struct log log;
+  memset(&log, 0, sizeof log);
   CHECK_OK(mimo_scene_config_init(&room, sizeof room));
   /* A box that lies on the floor with four corners. */
   room.xml =
@@ -135,15 +137,16 @@ static void check_warnings(void) {
   config.log = listen;
   config.log_user = &log;
   CHECK_OK(mimo_env_create(scene, &config, &env));
-  CHECK(log.warnings == 1 && strstr(log.last, "nconmax") != NULL);
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK(log.warnings == 1 && strstr(log.text, "nconmax") != NULL);
+  CHECK(log.last.code == MIMO_WARNING_CONTACTS_DROPPED && log.last.world == 0 && log.last.time == 0);
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK(log.warnings == 1);
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
   CHECK(log.warnings == 2);
   mimo_env_destroy(env);
   /* Without a log there is silence. */
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 }

@@ -21,7 +21,7 @@ static void check_nested(size_t depth, int compiles) {
   status = mimo_scene_create(&room, &scene);
   if (status == MIMO_OK) status = mimo_env_create(scene, NULL, &env);
   CHECK(status == (compiles ? MIMO_OK : MIMO_E_MODEL));
-  if (compiles) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  if (compiles) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 }
@@ -52,11 +52,11 @@ static void check_infant(const char* name, const char* renderer) {
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_OK(mimo_env_create(scene, &config, &env));
   if (env == NULL) exit(failures());
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(2 * bytes);
   CHECK_OK(mimo_env_reset(env, NULL, block, bytes));
-  CHECK_OK(mimo_env_step(env, NULL, 0, block, bytes, NULL, NULL, NULL, 0));
-  CHECK_OK(mimo_env_render(env, &picture, rgb, sizeof rgb, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, block, bytes, NULL));
+  CHECK_OK(mimo_env_render(env, &picture, PICTURE(.rgb = rgb, .rgb_bytes = sizeof rgb)));
   mimo_env_destroy(env);
   CHECK_OK(mimo_batch_create(scene, &config, &many, &batch));
   CHECK_OK(mimo_batch_step(batch, NULL, 0, block, 2 * bytes, NULL));

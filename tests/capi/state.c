@@ -18,7 +18,7 @@ static int same(const mimo_env* env, const uint8_t* expected) {
 }
 
 static void step(mimo_env* env, int count) {
-  while (count-- > 0) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  while (count-- > 0) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
 }
 
 static void check_round_trip(mimo_env* env) {
@@ -92,7 +92,7 @@ static void check_failed(mimo_env* env) {
   const int32_t joint = find(env, MIMO_JOINT, "robot:left_elbow");
   const double fast = 1e200;
   CHECK_OK(mimo_env_set(env, MIMO_JOINT_VELOCITY, &joint, 1, &fast, 1));
-  CHECK_FAILS(MIMO_E_SIMULATION, "failed", mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_SIMULATION, "failed", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_FAILS(MIMO_E_SIMULATION, "failed before", mimo_env_state_save(env, room, bytes));
   CHECK_FAILS(MIMO_E_SIMULATION, "failed before", mimo_env_clone(env, &twin));
   CHECK(twin == NULL);

@@ -18,19 +18,6 @@ static int is_filled(const uint8_t* block, uint8_t fill) {
   return 1;
 }
 
-static mimo_field field_named(const char* name) {
-  mimo_field field;
-  size_t i;
-  for (i = 0; i < fields; ++i) {
-    memset(&field, 0, sizeof field);
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  CHECK(!"no such field");
-  return field;
-}
-
 static void check_making(void) {
   mimo_env* made = NULL;
   mimo_scene* scene = blind_scene("free");
@@ -61,42 +48,40 @@ static void check_making(void) {
 }
 
 static void check_fields(void) {
-  mimo_field field = field_named("proprioception/torque");
+  const mimo_layout* layout = layout_of(env);
+  mimo_field field = field_of(env, "proprioception/torque");
   const char* label = NULL;
-  CHECK(field.dtype == MIMO_F32 && field.ndim == 2 && field.shape[0] == 21 && field.shape[1] == 3 &&
-        field.shape[2] == 0);
-  CHECK(field.bytes == 63 * 4 && field.offset % 64 == 0 && field.time == MIMO_AT_LAST_START);
+  size_t limit = 0;
+  CHECK(field.dtype == MIMO_F32 && field.ndim == 2 && field.shape[0] == 21 && field.shape[1] == 3);
+  CHECK(field.bytes == 63 * 4 && field.offset % 64 == 0 && field.receptors == 0);
+  CHECK(field.start == -0.005 && field.end == -0.005 && field.period == 0.01); /* the last of two physics steps */
   CHECK_TEXT("Nm", field.unit);
   CHECK_TEXT("site", field.frame);
   CHECK(isinf(field.low) && field.low < 0 && isinf(field.high) && field.high > 0);
-  field = field_named("proprioception/limit");
-  CHECK(field.low == 0 && field.time == MIMO_AT_END && field.shape[0] == 47);
-  CHECK_OK(mimo_env_observation_label(env, 0, 0, &label));
+  CHECK_OK(mimo_layout_find(layout, "proprioception/limit", &limit));
+  field = field_at(layout, limit);
+  CHECK(field.low == 0 && field.start == 0 && field.end == 0 && field.shape[0] == 47);
+  CHECK_OK(mimo_layout_label(layout, limit, 0, &label));
   CHECK_TEXT("robot:hip_lean1", label);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "element is 47", mimo_env_observation_label(env, 0, 47, &label));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 99", mimo_env_observation_label(env, 99, 0, &label));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "label is NULL", mimo_env_observation_label(env, 0, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 9 fields", mimo_env_observation_field(env, fields, &field));
-  CHECK_OK(mimo_env_observation_size(env, NULL, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "element is 47", mimo_layout_label(layout, limit, 47, &label));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "field is 99", mimo_layout_label(layout, 99, 0, &label));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "label is NULL", mimo_layout_label(layout, limit, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 9, but there are 9 fields", mimo_layout_field(layout, 9, &field));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no field named \"smell\"; there are: proprioception/position",
+              mimo_layout_find(layout, "smell", &limit));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_layout_find(layout, NULL, &limit));
 }
 
 static void check_actions(void) {
-  float low[45], high[45];
-  const char* name = NULL;
-  size_t count = 0;
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 44);
-  low[43] = high[44] = low[44] = 7;
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "count is 43, but there are 44", mimo_env_action_bounds(env, low, high, 43));
-  CHECK(low[43] == 7);
-  CHECK_OK(mimo_env_action_bounds(env, low, high, 44));
-  CHECK(low[0] == -1 && high[0] == 0.765f && low[44] == 7 && high[44] == 7); /* hip_bend: -10.58 to 8.09 Nm */
-  CHECK_OK(mimo_env_action_bounds(env, NULL, NULL, 44));
-  CHECK_OK(mimo_env_action_name(env, 0, &name));
-  CHECK_TEXT("act:hip_bend", name);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action index 44: there are 44", mimo_env_action_name(env, 44, &name));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_env_action_name(env, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_action_size(env, NULL));
+  mimo_action action = action_at(env, 0);
+  CHECK(sizes_of(env).actions == 44 && sizes_of(env).agents == 1 && sizes_of(env).terms == 0);
+  CHECK(action.low == -1 && (float)action.high == 0.765f && action.agent == 0); /* hip_bend: -10.58 to 8.09 Nm */
+  CHECK_TEXT("act:hip_bend", action.name);
+  CHECK_TEXT("", action.unit);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 44, but there are 44 actions",
+              mimo_layout_action(layout_of(env), 44, &action));
+  action.struct_size = 0;
+  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "action: struct_size is 0", mimo_layout_action(layout_of(env), 0, &action));
 }
 
 static void check_stepping(void) {
@@ -104,18 +89,18 @@ static void check_stepping(void) {
   float action[44] = {0};
   double reward = 7, time = 7, step = 0;
   uint8_t terminated = 7, truncated = 7;
-  uint64_t seed = 1;
-  const mimo_field control = field_named("proprioception/control");
+  const mimo_field control = field_of(env, "proprioception/control");
 
   CHECK_OK(mimo_env_timestep(env, &step));
   CHECK(step == 0.005);
-  CHECK_OK(mimo_env_reset(env, &seed, first, bytes));
+  CHECK_OK(mimo_env_reset(env, SEED(1), first, bytes));
   CHECK_OK(mimo_env_observe(env, second, bytes));
   CHECK(memcmp(first, second, bytes) == 0);
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
 
   action[3] = 9;
-  CHECK_OK(mimo_env_step(env, action, 44, first, bytes, &reward, &terminated, &truncated, 1));
+  CHECK_OK(mimo_env_step(env, action, 44, first, bytes,
+                         RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
   CHECK(reward == 0 && terminated == 0 && truncated == 0);
   CHECK(((const float*)(const void*)(first + control.offset))[3] == 1); /* clipped */
   CHECK_OK(mimo_env_time(env, &time));
@@ -126,20 +111,23 @@ static void check_stepping(void) {
   reward = terminated = truncated = 7;
   action[0] = 0.5f;
   action[43] = (float)NAN;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action[43] is not a number",
-              mimo_env_step(env, action, 44, first, bytes, &reward, &terminated, &truncated, 1));
+  CHECK_FAILS(
+      MIMO_E_INVALID_ARGUMENT, "action[43] is not a number",
+      mimo_env_step(env, action, 44, first, bytes,
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
   action[43] = 0;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action_count is 43, expected 44",
-              mimo_env_step(env, action, 43, first, bytes, NULL, NULL, NULL, 0));
+              mimo_env_step(env, action, 43, first, bytes, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action is NULL, but its length is 44",
-              mimo_env_step(env, NULL, 44, first, bytes, NULL, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, " bytes, but ",
-              mimo_env_step(env, action, 44, first, bytes - 1, &reward, &terminated, &truncated, 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL",
-              mimo_env_step(env, action, 44, NULL, bytes, NULL, NULL, NULL, 0));
+              mimo_env_step(env, NULL, 44, first, bytes, NULL));
+  CHECK_FAILS(
+      MIMO_E_BUFFER_TOO_SMALL, " bytes, but ",
+      mimo_env_step(env, action, 44, first, bytes - 1,
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL", mimo_env_step(env, action, 44, NULL, bytes, NULL));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agents is 0",
-              mimo_env_step(env, action, 44, first, bytes, &reward, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_reset(env, &seed, first, bytes - 1));
+              mimo_env_step(env, action, 44, first, bytes, RESULTS(.reward = &reward)));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_reset(env, SEED(1), first, bytes - 1));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_observe(env, first, bytes - 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL", mimo_env_observe(env, NULL, 0));
   CHECK(is_filled(first, 0xab) && reward == 7 && terminated == 7 && truncated == 7);
@@ -148,7 +136,7 @@ static void check_stepping(void) {
   CHECK_OK(mimo_env_observe(env, first, bytes));
   CHECK(((const float*)(const void*)(first + control.offset))[0] == 0);
 
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_physics_step(env, 3));
   CHECK_OK(mimo_env_physics_step(env, 0));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is 1000001", mimo_env_physics_step(env, 1000001));
@@ -172,7 +160,7 @@ static void check_timing(void) {
   timing.struct_size = sizeof timing;
   for (i = 1; i <= 3; ++i) {
     uint8_t truncated = 7;
-    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL, NULL, &truncated, 1));
+    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, RESULTS(.truncated = &truncated, .agents = 1)));
     CHECK(truncated == (i >= 2));
   }
   CHECK_OK(mimo_env_timing(timed, &timing));
@@ -183,7 +171,7 @@ static void check_timing(void) {
   CHECK(timing.steps == 0 && timing.total == 0 && timing.physics == 0);
   mimo_env_destroy(timed);
   timed = blind_env("free", NULL); /* without timing = 1 */
-  CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_timing(timed, &timing));
   CHECK(timing.steps == 0 && timing.total == 0);
   mimo_env_destroy(timed);
@@ -192,7 +180,8 @@ static void check_timing(void) {
 int main(void) {
   check_making();
   env = blind_env("benchmark", NULL);
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  bytes = sizes_of(env).block_bytes;
+  fields = sizes_of(env).fields;
   CHECK(bytes % 64 == 0 && fields == 9);
   check_fields();
   check_actions();

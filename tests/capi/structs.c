@@ -32,7 +32,7 @@
     CHECK_OK(init(&config.now, sizeof config));                                    \
     CHECK_OK(use(&config.now));                                                    \
     config.bytes[sizeof config - 1] = 1;                                           \
-    CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: it has fields", use(&config.now));    \
+    CHECK_FAILS(MIMO_E_UNSUPPORTED, "config: it has members", use(&config.now));   \
     config.bytes[sizeof config - 1] = 0;                                           \
     config.now.struct_size = 8;                                                    \
     CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is", use(&config.now));   \
@@ -40,7 +40,7 @@
     CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is 0", use(&config.now)); \
   } while (0)
 
-/* A description fills a longer struct, with zeros behind what it knows. */
+/* A description fills a longer struct, with zeros behind what it knows, and says how much that is. */
 #define CHECK_DESCRIBED(type, argument, describe)                                      \
   do {                                                                                 \
     LATER(type) info;                                                                  \
@@ -48,7 +48,7 @@
     memset(&info, 0xab, sizeof info);                                                  \
     info.now.struct_size = sizeof info;                                                \
     CHECK_OK(describe(&info.now));                                                     \
-    CHECK(info.now.struct_size == sizeof info);                                        \
+    CHECK(info.now.struct_size == sizeof(type));                                       \
     for (i = sizeof(type); i < sizeof info; ++i) CHECK(info.bytes[i] == 0);            \
     memset(&info, 0xab, sizeof info);                                                  \
     info.now.struct_size = 8;                                                          \
@@ -58,7 +58,7 @@
   } while (0)
 
 static mimo_scene* scene;
-static mimo_env* env;
+static mimo_env *env, *rewarded;
 
 static mimo_status create_scene(const mimo_scene_config* config) {
   mimo_scene* made = NULL;
@@ -104,29 +104,48 @@ static mimo_status add_camera(mimo_camera_config* config) {
   return status;
 }
 
+static mimo_status add_field(mimo_field_config* config) {
+  static int number = 0;
+  char name[16];
+  sprintf(name, "pull%d", ++number);
+  config->name = name;
+  config->quantity = MIMO_WORLD_GRAVITY;
+  return mimo_scene_add_field(scene, config);
+}
+
 static mimo_status describe_agent(mimo_agent_info* info) { return mimo_env_agent(env, 0, info); }
-static mimo_status describe_field(mimo_field* field) { return mimo_env_observation_field(env, 0, field); }
+static mimo_status describe_field(mimo_field* field) { return mimo_layout_field(layout_of(env), 0, field); }
+static mimo_status describe_layout(mimo_layout_info* info) { return mimo_layout_describe(layout_of(env), info); }
+static mimo_status describe_action(mimo_action* action) { return mimo_layout_action(layout_of(env), 0, action); }
+static mimo_status describe_term(mimo_term* term) { return mimo_layout_term(layout_of(rewarded), 0, term); }
 static mimo_status describe_gaze(mimo_gaze* gaze) { return mimo_env_gaze(env, 0, gaze); }
 static mimo_status describe_timing(mimo_timing* timing) { return mimo_env_timing(env, timing); }
 
 int main(void) {
   scene = blind_scene("free");
   env = blind_env("free", NULL);
+  rewarded = blind_env("standup", NULL);
   CHECK_INIT(mimo_scene_config, mimo_scene_config_init);
   CHECK_INIT(mimo_agent_config, mimo_agent_config_init);
   CHECK_INIT(mimo_object_config, mimo_object_config_init);
   CHECK_INIT(mimo_env_config, mimo_env_config_init);
   CHECK_INIT(mimo_picture_config, mimo_picture_config_init);
   CHECK_INIT(mimo_camera_config, mimo_camera_config_init);
+  CHECK_INIT(mimo_field_config, mimo_field_config_init);
   CHECK_READ(mimo_scene_config, mimo_scene_config_init, create_scene);
   CHECK_READ(mimo_agent_config, mimo_agent_config_init, add_agent);
   CHECK_READ(mimo_object_config, mimo_object_config_init, add_object);
   CHECK_READ(mimo_env_config, mimo_env_config_init, create_env);
   CHECK_READ(mimo_camera_config, mimo_camera_config_init, add_camera);
+  CHECK_READ(mimo_field_config, mimo_field_config_init, add_field);
   CHECK_DESCRIBED(mimo_agent_info, "info", describe_agent);
   CHECK_DESCRIBED(mimo_field, "field", describe_field);
+  CHECK_DESCRIBED(mimo_layout_info, "info", describe_layout);
+  CHECK_DESCRIBED(mimo_action, "action", describe_action);
+  CHECK_DESCRIBED(mimo_term, "term", describe_term);
   CHECK_DESCRIBED(mimo_timing, "timing", describe_timing);
   CHECK_DESCRIBED(mimo_gaze, "gaze", describe_gaze);
+  mimo_env_destroy(rewarded);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   return failures();

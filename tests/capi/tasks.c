@@ -53,8 +53,8 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
   const char* task = NULL;
   uint32_t skip = 0;
   size_t action_count = 0, terms = 0;
-  uint64_t seed = 4;
-  uint8_t terminated = 0, truncated = 0, success = 2, failure = 2;
+  uint8_t terminated = 0, truncated = 0;
+  int32_t outcome = 7;
   double reward = 0, values[8] = {1, 1, 1, 1, 1, 1, 1, 1}, sum;
   int steps = 0;
   CHECK_OK(mimo_env_make(name, &env)); /* the paper's senses: no eyes, so no renderer is needed */
@@ -62,48 +62,50 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
   CHECK_TEXT(name, task);
   CHECK_OK(mimo_env_frame_skip(env, &skip));
   CHECK(skip == (uint32_t)frame_skip);
-  CHECK_OK(mimo_env_action_size(env, &action_count));
+  action_count = sizes_of(env).actions;
   CHECK(action_count == (size_t)actions);
-  CHECK_OK(mimo_env_reset(env, &seed, NULL, 0));
-  CHECK_OK(mimo_env_reward_term_count(env, 0, &terms));
-  CHECK_OK(mimo_env_reward_terms(env, 0, values, 8));
-  CHECK(values[0] == 0 && values[1] == 0);
+  CHECK_OK(mimo_env_reset(env, SEED(4), NULL, 0));
+  terms = sizes_of(env).terms;
   while (!terminated && !truncated) {
     size_t i;
-    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, &reward, &terminated, &truncated, 1));
-    CHECK_OK(mimo_env_reward_terms(env, 0, values, 8));
+    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0,
+                           RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated,
+                                   .outcome = &outcome, .agents = 1, .terms = values, .term_count = terms)));
     for (i = 0, sum = 0; i < terms; ++i) sum += values[i];
     CHECK(sum == reward);
     ++steps;
   }
   CHECK(steps == limit && truncated && !terminated);
-  CHECK_OK(mimo_env_outcome(env, 0, &success, &failure));
-  CHECK(success == 0 && failure == 0);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1", mimo_env_outcome(env, 1, &success, &failure));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "values has a length of 1, but ", mimo_env_reward_terms(env, 0, values, 1));
+  CHECK(outcome == MIMO_OUTCOME_NONE);
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "term_count is 1, but terms needs ",
+              mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.terms = values, .term_count = 1)));
   mimo_env_destroy(env);
 }
 
 static void check_term_names(void) {
   mimo_env* env = NULL;
-  const char* name = NULL;
+  mimo_term term = {0};
   CHECK_OK(mimo_env_make("reach", &env));
-  CHECK_OK(mimo_env_reward_term_name(env, 0, 0, &name));
-  CHECK_TEXT("distance", name);
-  CHECK_OK(mimo_env_reward_term_name(env, 0, 1, &name));
-  CHECK_TEXT("success", name);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "there are 2 terms", mimo_env_reward_term_name(env, 0, 2, &name));
+  CHECK(sizes_of(env).terms == 2);
+  CHECK_TEXT("distance", term_name(env, 0));
+  CHECK_TEXT("success", term_name(env, 1));
+  term.struct_size = sizeof term;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 2, but there are 2 terms",
+              mimo_layout_term(layout_of(env), 2, &term));
   mimo_env_destroy(env);
 }
+
+/* That of the original: all but JOINT_TORQUE and EFFORT. */
+static const uint32_t kUsualProprioception = MIMO_PROPRIOCEPTION_ACTUATION | MIMO_PROPRIOCEPTION_VELOCITY |
+                                             MIMO_PROPRIOCEPTION_TORQUE | MIMO_PROPRIOCEPTION_LIMIT |
+                                             MIMO_PROPRIOCEPTION_POSITION;
 
 static void check_agents(void) {
   mimo_scene* scene = scene_named("standup");
   mimo_agent_config agent;
   mimo_env* env;
-  size_t count = 0;
-  float low[8], high[8];
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
-  CHECK(agent.vision == 0 && agent.vestibular == 3 && agent.proprioception == MIMO_PROPRIOCEPTION_DEFAULT);
+  CHECK(agent.vision == 0 && agent.vestibular == 3 && agent.proprioception == kUsualProprioception);
   CHECK(agent.acts == 0 && agent.actuation == MIMO_ACTUATION_TORQUE && agent.normalize_actions == 0);
   agent.acts = 0x800;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "acts is 0x800", mimo_scene_add_agent(scene, &agent, NULL));
@@ -114,10 +116,8 @@ static void check_agents(void) {
   agent.normalize_actions = 1;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   env = env_of(scene);
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 8);
-  CHECK_OK(mimo_env_action_bounds(env, low, high, 8));
-  CHECK(low[3] == -1 && high[3] == 1);
+  CHECK(sizes_of(env).actions == 8);
+  CHECK(action_at(env, 3).low == -1 && action_at(env, 3).high == 1 && strcmp(action_at(env, 3).unit, "") == 0);
   mimo_env_destroy(env);
 
   scene = scene_named("catch");
@@ -127,8 +127,7 @@ static void check_agents(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "made for fingers only", mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_OK(mimo_scene_add_agent(scene, NULL, NULL));
   env = env_of(scene);
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 40);
+  CHECK(sizes_of(env).actions == 40);
   mimo_env_destroy(env);
 
   scene = scene_named("free");
@@ -138,8 +137,7 @@ static void check_agents(void) {
   agent.acts = MIMO_ACT_NONE;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   env = env_of(scene);
-  CHECK_OK(mimo_env_action_size(env, &count));
-  CHECK(count == 0);
+  CHECK(sizes_of(env).actions == 0);
   mimo_env_destroy(env);
 }
 
@@ -158,7 +156,7 @@ static void check_overrides(void) {
   CHECK_OK(mimo_env_set(env, MIMO_JOINT_LOCK, &elbow, 1, at, 2));
   CHECK_OK(mimo_env_get(env, MIMO_JOINT_LOCK, &elbow, 1, lock, 2));
   CHECK(lock[0] == 1 && lock[1] == -1);
-  for (i = 0; i < 200; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  for (i = 0; i < 200; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &elbow, 1, &angle, 1));
   CHECK_NEAR(-1, angle, 0.05);
   lock[0] = 0;

@@ -30,7 +30,7 @@ static void simulate(struct job* job) {
   mimo_scene_destroy(scene);
   sprintf(name, "nobody%d", job->number);
   for (i = 0; i < STEPS; ++i) {
-    job->wrong += mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) != MIMO_OK;
+    job->wrong += mimo_env_step(env, NULL, 0, NULL, 0, NULL) != MIMO_OK;
     job->wrong += mimo_env_find(job->shared, MIMO_SENSOR, name, &id) != MIMO_E_NOT_FOUND;
     job->wrong += strstr(mimo_last_error(), name) == NULL;
     job->wrong += mimo_env_find(job->shared, MIMO_BODY, "head", &id) != MIMO_OK;

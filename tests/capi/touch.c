@@ -31,17 +31,14 @@ static mimo_scene* scene_with(const mimo_agent_config* config) {
 
 static world open_world(const mimo_scene* scene) {
   world w;
-  size_t fields = 0;
   memset(&w, 0, sizeof w);
   CHECK_OK(mimo_env_create(scene, NULL, &w.env));
   if (w.env == NULL) exit(failures());
-  CHECK_OK(mimo_env_touch_sensors(w.env, 0, NULL, NULL, NULL, NULL, 0, &w.sensors));
-  CHECK_OK(mimo_env_observation_size(w.env, &w.block_bytes, &fields));
+  w.block_bytes = sizes_of(w.env).block_bytes;
   w.block = malloc(w.block_bytes + 1);
-  if (fields > 0) {
-    mimo_field field;
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(w.env, 0, &field));
+  if (sizes_of(w.env).fields > 0) {
+    const mimo_field field = field_at(layout_of(w.env), 0);
+    w.sensors = field.receptors;
     w.offset = field.offset;
     w.channels = field.shape[1];
     CHECK(field.shape[0] == w.sensors);
@@ -57,39 +54,60 @@ static void close_world(world* w) {
 static void check_defaults(void) {
   const mimo_agent_config config = feeling_agent();
   CHECK(config.touch == MIMO_TOUCH_FORCE);
-  CHECK(config.touch_response == MIMO_TOUCH_LINEAR);
+  CHECK(config.touch_response == MIMO_RESPONSE_LINEAR);
   CHECK(config.touch_frame == MIMO_FRAME_BODY);
   CHECK_NEAR(1, config.touch_scale, 0);
+}
+
+/* A quantity of all receptors of the first field; to be freed. */
+static double* receptors(const mimo_env* env, int32_t quantity, size_t width) {
+  const size_t expected = width * field_at(layout_of(env), 0).receptors;
+  double* values = malloc(expected * sizeof *values);
+  size_t count = 0;
+  CHECK_OK(mimo_layout_receptor_width(layout_of(env), 0, quantity, &count));
+  CHECK(count == expected);
+  CHECK_OK(mimo_layout_receptors(layout_of(env), 0, quantity, values, count));
+  return values;
+}
+
+/* Normal, first and second tangent are right-handed unit vectors. */
+static void check_frame(const double* f) {
+  CHECK_NEAR(1, f[0] * f[0] + f[1] * f[1] + f[2] * f[2], 1e-9);
+  CHECK_NEAR(0, f[0] * f[3] + f[1] * f[4] + f[2] * f[5], 1e-9);
+  CHECK_NEAR(f[6], f[1] * f[5] - f[2] * f[4], 1e-9);
+  CHECK_NEAR(f[7], f[2] * f[3] - f[0] * f[5], 1e-9);
+  CHECK_NEAR(f[8], f[0] * f[4] - f[1] * f[3], 1e-9);
 }
 
 static void check_description(void) {
   const mimo_agent_config config = feeling_agent();
   mimo_scene* scene = scene_with(&config);
   world w = open_world(scene);
-  int32_t *bodies = malloc(w.sensors * sizeof *bodies), *geoms = malloc(w.sensors * sizeof *geoms);
-  double* positions = malloc(3 * w.sensors * sizeof *positions);
-  double* frames = malloc(MIMO_TOUCH_FRAME_VALUES * w.sensors * sizeof *frames);
-  size_t i, count = 0;
+  double *bodies = receptors(w.env, MIMO_RECEPTOR_BODY, 1), *geoms = receptors(w.env, MIMO_RECEPTOR_GEOM, 1);
+  double *positions = receptors(w.env, MIMO_RECEPTOR_POSITION, 3), *frames = receptors(w.env, MIMO_RECEPTOR_FRAME, 9);
+  const mimo_layout* layout = layout_of(w.env);
+  size_t i, count = 77;
   CHECK(w.sensors == 5685);
   CHECK(w.channels == 3);
-  CHECK_OK(mimo_env_touch_sensors(w.env, 0, bodies, geoms, positions, frames, w.sensors, &count));
-  CHECK(count == w.sensors);
-  for (i = 0; i < count; ++i) {
-    const double* n = frames + MIMO_TOUCH_FRAME_VALUES * i;
+  for (i = 0; i < w.sensors; ++i) {
+    const double* n = frames + 9 * i;
     int32_t body = -1;
-    CHECK_OK(mimo_env_body_of(w.env, MIMO_GEOM, geoms[i], &body));
-    CHECK(body == bodies[i]);
+    CHECK_OK(mimo_env_body_of(w.env, MIMO_GEOM, (int32_t)geoms[i], &body));
+    CHECK(body == (int32_t)bodies[i]);
     CHECK(i == 0 || bodies[i] >= bodies[i - 1]);
-    CHECK_NEAR(1, n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1e-9);
-    if (bodies[i] == find(w.env, MIMO_BODY, "head")) { /* a sphere */
+    check_frame(n);
+    if (body == find(w.env, MIMO_BODY, "head")) { /* a sphere */
       const double* p = positions + 3 * i;
       CHECK_NEAR(0.0735, (p[0] - 0.01) * n[0] + p[1] * n[1] + (p[2] - 0.0735) * n[2], 1e-9);
     }
   }
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "capacity is 5684, but there are 5685 sensors",
-              mimo_env_touch_sensors(w.env, 0, bodies, NULL, NULL, NULL, w.sensors - 1, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "agent is 1, but there are 1 agents",
-              mimo_env_touch_sensors(w.env, 1, NULL, NULL, NULL, NULL, 0, &count));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count is 5684, but 5685 are needed",
+              mimo_layout_receptors(layout, 0, MIMO_RECEPTOR_BODY, bodies, w.sensors - 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 5", mimo_layout_receptor_width(layout, 0, 5, &count));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0", mimo_layout_receptors(layout, 0, 0, bodies, w.sensors));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "field is 1, but there are 1 fields",
+              mimo_layout_receptor_width(layout, 1, MIMO_RECEPTOR_BODY, &count));
+  CHECK(count == 77);
   free(bodies);
   free(geoms);
   free(positions);
@@ -101,7 +119,7 @@ static void check_description(void) {
 static void check_spacing(void) {
   const mimo_agent_config config = feeling_agent();
   mimo_scene* scene = scene_with(&config);
-  int32_t bodies[4000];
+  double* bodies;
   size_t i;
   world w;
   CHECK_OK(mimo_scene_set_touch(scene, 0, NULL, 0));
@@ -112,8 +130,9 @@ static void check_spacing(void) {
   CHECK_OK(mimo_scene_set_touch(scene, 0, "left_hand", 0.007));
   w = open_world(scene);
   CHECK(w.sensors == 160);
-  CHECK_OK(mimo_env_touch_sensors(w.env, 0, bodies, NULL, NULL, NULL, 4000, NULL));
-  for (i = 0; i < w.sensors; ++i) CHECK(bodies[i] == find(w.env, MIMO_BODY, "left_hand"));
+  bodies = receptors(w.env, MIMO_RECEPTOR_BODY, 1);
+  for (i = 0; i < w.sensors; ++i) CHECK((int32_t)bodies[i] == find(w.env, MIMO_BODY, "left_hand"));
+  free(bodies);
   close_world(&w);
   CHECK_OK(mimo_scene_set_touch(scene, 0, "left_hand", 0));
   w = open_world(scene);
@@ -226,7 +245,7 @@ static void check_fuzzed(void) {
       size_t k, floats = w.block_bytes / sizeof(float);
       for (step = 0; step < 60; ++step) {
         memset(w.block, 0xff, w.block_bytes); /* not a number, everywhere */
-        CHECK_OK(mimo_env_step(w.env, NULL, 0, w.block, w.block_bytes, NULL, NULL, NULL, 0));
+        CHECK_OK(mimo_env_step(w.env, NULL, 0, w.block, w.block_bytes, NULL));
       }
       for (k = 0; k < floats; ++k) {
         float value;

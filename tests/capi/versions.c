@@ -5,6 +5,7 @@ int main(void) {
   char version[32];
   CHECK_TEXT("", mimo_last_error());
   CHECK(mimo_abi_version() == MIMO_ABI_VERSION);
+  CHECK(mimo_api_version() == MIMO_API_MAJOR * 1000 + MIMO_API_MINOR);
   sprintf(version, "%d.%d.%d", MIMO_VERSION_MAJOR, MIMO_VERSION_MINOR, MIMO_VERSION_PATCH);
   CHECK_TEXT(version, mimo_version());
   CHECK(strncmp(mimo_mujoco_version(), "2.2.", 4) == 0);

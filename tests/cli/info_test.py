@@ -64,7 +64,9 @@ class Info(Case):
         for field in info["observation_fields"]:
             self.assertEqual(field["offset"] % 64, 0)
             self.assertGreaterEqual(field["offset"], end)
-            self.assertIn(field["time"], ("end", "last_start"))
+            # Of a step of two physics steps of 5 ms: its end, or where the last one started.
+            self.assertEqual((field["start"], field["period"]), (field["end"], 0.01))
+            self.assertIn(field["end"], (0, -0.005))
             end = field["offset"] + size[field["dtype"]] * math.prod(field["shape"])
         self.assertLessEqual(end, info["observation_bytes"])
 

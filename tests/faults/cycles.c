@@ -15,7 +15,7 @@ static mimo_status cycle(const char* name, const char* xml) {
   if (status == MIMO_OK) status = mimo_scene_create(&config, &scene);
   if (status == MIMO_OK && name != NULL) status = mimo_scene_add_agent(scene, NULL, NULL);
   if (status == MIMO_OK) status = mimo_env_create(scene, NULL, &env);
-  if (status == MIMO_OK) status = mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0);
+  if (status == MIMO_OK) status = mimo_env_step(env, NULL, 0, NULL, 0, NULL);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   return status;

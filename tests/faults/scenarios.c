@@ -63,6 +63,8 @@ static mimo_status attach_to(mimo_senses** made) {
 }
 
 static void begin_host(void) {
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
   mimo_agent_config agent;
   mimo_limits limits;
   char error[200] = "";
@@ -85,7 +87,9 @@ static void begin_host(void) {
   limits.delay = limits.noise = 0.1;
   CHECK_OK(mimo_scene_limit_sense(gripper_scene, 0, "proprioception", &limits));
   CHECK_OK(attach_to(&senses));
-  CHECK_OK(mimo_senses_observation_size(senses, &senses_bytes, NULL));
+  CHECK_OK(mimo_senses_layout(senses, &layout));
+  CHECK_OK(mimo_layout_describe(layout, &info));
+  senses_bytes = info.block_bytes;
   CHECK(senses_bytes <= ROOM);
 }
 
@@ -100,7 +104,7 @@ void scenarios_begin(void) {
   CHECK_OK(mimo_env_create(infant_scene, NULL, &infant));
   make_batch_of(infant_scene, &batch);
   if (infant == NULL || batch == NULL) exit(1);
-  CHECK_OK(mimo_env_observation_size(infant, &block_bytes, NULL));
+  block_bytes = sizes_of(infant).block_bytes;
   CHECK_OK(mimo_env_state_size(infant, &state_bytes));
   batch_bytes = WORLDS * block_bytes;
   CHECK(batch_bytes <= ROOM && state_bytes <= ROOM);
@@ -207,14 +211,13 @@ static mimo_status create_infant(void) { return mimo_env_create(infant_scene, NU
 static mimo_status make_infant(void) { return mimo_env_make("standup", &made_env); }
 static mimo_status clone_infant(void) { return mimo_env_clone(infant, &made_env); }
 
-static mimo_status reset(void) {
-  const uint64_t seed = 3;
-  return mimo_env_reset(infant, &seed, block, block_bytes);
-}
-static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL, NULL, NULL, 0); }
+static mimo_status reset(void) { return mimo_env_reset(infant, SEED(3), block, block_bytes); }
+static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL); }
 static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof block); }
 static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes, NULL); }
-static mimo_status draw(void) { return mimo_env_render(made_env, NULL, block, 640 * 480 * 3, NULL, 0, NULL, 0); }
+static mimo_status draw(void) {
+  return mimo_env_render(made_env, NULL, PICTURE(.rgb = block, .rgb_bytes = 640 * 480 * 3));
+}
 static mimo_status lock(void) {
   const double held[2] = {1, -1};
   int32_t joint = -1;
@@ -222,6 +225,11 @@ static mimo_status lock(void) {
   return status == MIMO_OK ? mimo_env_set(made_env, MIMO_JOINT_LOCK, &joint, 1, held, 2) : status;
 }
 static void prepare_env(void) { CHECK_OK(mimo_env_clone(infant, &made_env)); }
+/* The first picture makes room for the poses of now. */
+static void prepare_picture(void) {
+  prepare_env();
+  CHECK_OK(draw());
+}
 
 static mimo_status create_batch(void) {
   mimo_batch_config config;
@@ -230,7 +238,7 @@ static mimo_status create_batch(void) {
   config.threads = 2;
   return mimo_batch_create(small_scene, NULL, &config, &made_batch);
 }
-static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, NULL, 0, block, batch_bytes); }
+static mimo_status reset_batch(void) { return mimo_batch_reset(batch, NULL, block, batch_bytes); }
 static mimo_status step_batch(void) { return mimo_batch_step(batch, NULL, 0, block, batch_bytes, NULL); }
 static mimo_status load_batch(void) { return mimo_batch_state_load(batch, NULL, 0, state, state_bytes, NULL); }
 static void prepare_batch(void) { make_batch_of(small_scene, &made_batch); }
@@ -264,7 +272,7 @@ const scenario all_scenarios[] = {
     {"env_step", nothing, step, clean, 0, 0, 0},
     {"env_state_save", nothing, save, clean, 0, 0, 0},
     {"env_state_load", nothing, load, clean, 0, 0, 0},
-    {"env_render", prepare_env, draw, clean, 0, 0, 0},
+    {"env_render", prepare_picture, draw, clean, 0, 0, 0},
     {"env_lock", prepare_env, lock, clean, 0, 0, 400},
     {"batch_create", nothing, create_batch, clean, 1, 1, 150},
     {"batch_world", prepare_batch, view_world, clean, 1, 0, 100},

@@ -52,11 +52,11 @@ static void add_object(input* in, mimo_scene* scene) {
 static void use(mimo_env* env) {
   size_t bytes = 0;
   void* block;
-  CALL(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(bytes > 0 ? bytes : 1);
   if (block == NULL) return;
   if (CALL(mimo_env_reset(env, NULL, block, bytes)) == MIMO_OK) {
-    CALL(mimo_env_step(env, NULL, 0, block, bytes, NULL, NULL, NULL, 0));
+    CALL(mimo_env_step(env, NULL, 0, block, bytes, NULL));
   }
   free(block);
 }
@@ -87,7 +87,7 @@ static void make_batch(input* in, const mimo_scene* scene) {
   if (given.config.worlds <= 1048576) given.config.worlds %= 3;
   if (given.config.threads <= 4096) given.config.threads %= 3;
   if (CALL(mimo_batch_create(scene, NULL, &given.config, &batch)) == MIMO_OK) {
-    CALL(mimo_batch_reset(batch, NULL, NULL, 0, NULL, 0));
+    CALL(mimo_batch_reset(batch, NULL, NULL, 0));
     CALL(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   } else {
     PROMISE(batch == NULL);

@@ -23,8 +23,9 @@ static void make_world(void) {
   PROMISE(mimo_scene_add_agent(scene, &agent, NULL) == MIMO_OK);
   PROMISE(mimo_env_create(scene, NULL, &env) == MIMO_OK);
   mimo_scene_destroy(scene);
-  PROMISE(mimo_env_observation_size(env, &block_bytes, NULL) == MIMO_OK && block_bytes <= BLOCK);
-  PROMISE(mimo_env_action_size(env, &actions) == MIMO_OK && actions <= ACTIONS);
+  block_bytes = sizes_of(env).block_bytes;
+  actions = sizes_of(env).actions;
+  PROMISE(block_bytes <= BLOCK && actions <= ACTIONS);
   block = malloc(BLOCK);
   PROMISE(block != NULL);
 }
@@ -33,9 +34,12 @@ static void step(input* in) {
   float action[ACTIONS];
   double reward = -1234;
   uint8_t terminated = 77, truncated = 77;
+  int32_t outcome = 77;
+  double terms[2] = {0, 0};
+  mimo_env_results results = {sizeof results, 0, &reward, &terminated, &truncated, &outcome, 1, terms, 2};
   take(in, action, actions * sizeof *action);
-  if (CALL(mimo_env_step(env, action, actions, block, block_bytes, &reward, &terminated, &truncated, 1)) == MIMO_OK) {
-    PROMISE(terminated <= 1 && truncated <= 1);
+  if (CALL(mimo_env_step(env, action, actions, block, block_bytes, &results)) == MIMO_OK) {
+    PROMISE(terminated <= 1 && truncated <= 1 && outcome >= MIMO_OUTCOME_FAILURE && outcome <= MIMO_OUTCOME_SUCCESS);
   }
 }
 
@@ -66,7 +70,7 @@ static void look(input* in) {
   given.config.camera = NULL;
   if (given.config.width <= 4096) given.config.width = given.config.width % 8 + 1;
   if (given.config.height <= 4096) given.config.height = given.config.height % 8 + 1;
-  CALL(mimo_env_render(env, &given.config, rgb, sizeof rgb, NULL, 0, NULL, 0));
+  CALL(mimo_env_render(env, &given.config, PICTURE(.rgb = rgb, .rgb_bytes = sizeof rgb)));
   take(in, point, sizeof point);
   CALL(mimo_env_project(env, &given.config, point, 1, pixel));
 }
@@ -83,24 +87,21 @@ static void change(input* in) {
 
 static void ask(input* in) {
   double numbers[4];
-  uint8_t success, failure;
   size_t contacts;
   const char* text;
   CALL(mimo_env_random(env, numbers, 4));
-  CALL(mimo_env_outcome(env, take_byte(in), &success, &failure));
-  CALL(mimo_env_reward_terms(env, 0, numbers, take_byte(in)));
+  CALL(mimo_env_reward_term_name(env, take_byte(in), take_byte(in), &text));
   CALL(mimo_env_count(env, MIMO_CONTACT, &contacts));
   CALL(mimo_env_name(env, take_byte(in), take_byte(in), &text));
-  CALL(mimo_env_observation_label(env, take_byte(in), take_byte(in), &text));
+  CALL(mimo_layout_label(layout_of(env), take_byte(in), take_byte(in), &text));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   input in = {data, size};
-  const uint64_t seed = 1;
   const double earth[3] = {0, 0, -9.81};
   int calls;
   if (env == NULL) make_world();
-  PROMISE(mimo_env_reset(env, &seed, block, block_bytes) == MIMO_OK);
+  PROMISE(mimo_env_reset(env, SEED(1), block, block_bytes) == MIMO_OK);
   for (calls = 0; in.left > 0 && calls < MOST_CALLS; ++calls) {
     switch (take_byte(&in) % 7) {
       case 0: step(&in); break;
@@ -114,6 +115,6 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   /* What outlives resets goes back, so that a run does not depend on the one before. */
   CALL(mimo_env_set(env, MIMO_WORLD_GRAVITY, NULL, 0, earth, 3));
-  PROMISE(mimo_env_reset(env, &seed, block, block_bytes) == MIMO_OK);
+  PROMISE(mimo_env_reset(env, SEED(1), block, block_bytes) == MIMO_OK);
   return 0;
 }

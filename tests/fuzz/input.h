@@ -7,6 +7,9 @@
 #include <string.h>
 
 #include "mimo/mimo.h"
+#ifndef __cplusplus
+#include "support/calls.h"
+#endif
 
 /* One run of a target; libFuzzer's name for it. */
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
@@ -66,5 +69,19 @@ static inline mimo_status known(mimo_status status, const char* what, int line) 
 
 #define PROMISE(condition) promise((condition) != 0, #condition, __LINE__)
 #define CALL(call) known((call), #call, __LINE__)
+
+static inline const mimo_layout* layout_of(const mimo_env* env) {
+  const mimo_layout* layout = NULL;
+  PROMISE(mimo_env_layout(env, &layout) == MIMO_OK);
+  return layout;
+}
+
+static inline mimo_layout_info sizes_of(const mimo_env* env) {
+  mimo_layout_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  PROMISE(mimo_layout_describe(layout_of(env), &info) == MIMO_OK);
+  return info;
+}
 
 #endif

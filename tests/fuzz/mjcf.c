@@ -14,9 +14,9 @@ static void use(const mimo_scene* scene) {
     return;
   }
   CALL(mimo_env_get(env, MIMO_BODY_MASS, bodies, 1, &mass, 1));
-  CALL(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = bytes < 100000000 ? malloc(bytes + 1) : NULL;
-  for (i = 0; i < 3; ++i) CALL(mimo_env_step(env, NULL, 0, block, block ? bytes : 0, NULL, NULL, NULL, 0));
+  for (i = 0; i < 3; ++i) CALL(mimo_env_step(env, NULL, 0, block, block ? bytes : 0, NULL));
   CALL(mimo_env_reset(env, NULL, block, block ? bytes : 0));
   free(block);
   mimo_env_destroy(env);

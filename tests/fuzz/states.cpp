@@ -21,12 +21,11 @@ Bytes block;
 
 void make_world() {
   PROMISE(mimo_env_make("selfbody", &env) == MIMO_OK);
-  std::size_t bytes = 0;
-  CALL(mimo_env_observation_size(env, &bytes, nullptr));
-  block.resize(bytes);
-  const std::uint64_t seed = 5;
-  PROMISE(mimo_env_reset(env, &seed, nullptr, 0) == MIMO_OK);
+  block.resize(sizes_of(env).block_bytes);
+  const mimo_reset_config seeded = {sizeof seeded, 1, 5};
+  PROMISE(mimo_env_reset(env, &seeded, nullptr, 0) == MIMO_OK);
   PROMISE(mimo_env_physics_step(env, 20) == MIMO_OK);
+  std::size_t bytes = 0;
   CALL(mimo_env_state_size(env, &bytes));
   good.resize(bytes);
   PROMISE(mimo_env_state_save(env, good.data(), good.size()) == MIMO_OK);
@@ -73,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (CALL(mimo_env_state_load(env, state.data(), state.size(), nullptr)) == MIMO_OK) {
     CALL(mimo_env_observe(env, block.data(), block.size()));
     for (int i = 0; i < 3; ++i) {
-      CALL(mimo_env_step(env, nullptr, 0, block.data(), block.size(), nullptr, nullptr, nullptr, 0));
+      CALL(mimo_env_step(env, nullptr, 0, block.data(), block.size(), nullptr));
     }
     double number = -1;
     PROMISE(mimo_env_random(env, &number, 1) == MIMO_OK && number >= 0 && number < 1);

@@ -55,22 +55,21 @@ static size_t state_of(mimo_env* env, uint8_t* state) {
 }
 
 static void check_refused(const char* name, mimo_scene* scene, mimo_env* env, mimo_batch* batch) {
-  const uint64_t seed = 9;
   const float ones[200] = {1, 1, 1};
   mimo_env* other = NULL;
   size_t bytes = 0, count = 0, size;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(env, &count));
+  bytes = sizes_of(env).block_bytes;
+  count = sizes_of(env).actions;
   CHECK(bytes <= sizeof block && count <= 200);
   size = state_of(env, before);
   asked = 0;
   if (scene != NULL) CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_create(scene, NULL, &other));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_reset(env, &seed, block, bytes));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_step(env, ones, count, block, bytes, NULL, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_reset(env, SEED(9), block, bytes));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_step(env, ones, count, block, bytes, NULL));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_physics_step(env, 1));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_env_observe(env, block, bytes));
   if (batch != NULL) {
-    CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_reset(batch, NULL, NULL, 0, NULL, 0));
+    CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_reset(batch, NULL, NULL, 0));
     CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
     CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
     CHECK_FAILS(MIMO_E_UNSUPPORTED, name, mimo_batch_observe(batch, NULL, 0, block, sizeof block));
@@ -107,7 +106,7 @@ static void check_infant(void) {
   mjcb_act_dyn = mjcb_act_gain = mjcb_act_bias = act;
   asked = 0;
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   CHECK(asked == 0);
   mjcb_time = NULL;
@@ -141,7 +140,7 @@ static void check_user_defined(const char* actuator, const char* sensor, mjfAct*
   check_refused(name, NULL, env, NULL);
   if (act_callback != NULL) *act_callback = NULL;
   mjcb_sensor = NULL;
-  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 }
@@ -152,6 +151,8 @@ static void check_senses(void) {
   mimo_agent_config config;
   mimo_senses_config attached;
   mimo_scene* scene = NULL;
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
   mimo_senses* senses = NULL;
   size_t bytes = 0;
   mjModel* model;
@@ -170,7 +171,9 @@ static void check_senses(void) {
   CHECK_OK(mimo_senses_config_init(&attached, sizeof attached));
   attached.mujoco_version = mj_version();
   CHECK_OK(mimo_senses_attach(scene, model, &attached, &senses));
-  CHECK_OK(mimo_senses_observation_size(senses, &bytes, NULL));
+  CHECK_OK(mimo_senses_layout(senses, &layout));
+  CHECK_OK(mimo_layout_describe(layout, &info));
+  bytes = info.block_bytes;
   asked = 0;
   mj_step(model, data);
   CHECK(asked == 1);

@@ -56,29 +56,28 @@ static mimo_status attach(const mimo_scene* scene, host h, mimo_senses** senses)
   return mimo_senses_attach(scene, h.model, &config, senses);
 }
 
-static mimo_field field_of(const mimo_senses* senses, const char* name) {
-  mimo_field field;
-  size_t count = 0, i;
-  CHECK_OK(mimo_senses_observation_size(senses, NULL, &count));
-  for (i = 0; i < count; ++i) {
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_senses_observation_field(senses, i, &field));
-    if (strcmp(field.name, name) == 0) return field;
-  }
-  fprintf(stderr, "no field %s\n", name);
-  exit(1);
+static const mimo_layout* of_senses(const mimo_senses* senses) {
+  const mimo_layout* layout = NULL;
+  CHECK_OK(mimo_senses_layout(senses, &layout));
+  return layout;
+}
+
+static mimo_field sensed_field(const mimo_senses* senses, const char* name) {
+  size_t index = 0;
+  CHECK_OK(mimo_layout_find(of_senses(senses), name, &index));
+  return field_at(of_senses(senses), index);
 }
 
 static uint8_t block[1 << 20];
 
 static const float* values(const mimo_senses* senses, const char* name) {
-  return (const float*)(const void*)(block + field_of(senses, name).offset);
+  return (const float*)(const void*)(block + sensed_field(senses, name).offset);
 }
 
 static void observe(mimo_senses* senses, host h) {
-  size_t bytes = 0;
-  CHECK_OK(mimo_senses_observation_size(senses, &bytes, NULL));
-  CHECK(bytes <= sizeof block);
+  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  CHECK_OK(mimo_layout_describe(of_senses(senses), &info));
+  CHECK(info.block_bytes <= sizeof block && info.actions == 0 && info.terms == 0);
   CHECK_OK(mimo_senses_observe(senses, h.data, block, sizeof block));
 }
 
@@ -93,7 +92,7 @@ static void check_humanoid(void) {
   const int knee = mj_name2id(h.model, mjOBJ_JOINT, "knee_left");
   double felt[3] = {0, 0, 0}, expected[3] = {0, 0, 0}, spin[6];
   size_t sensors = 0, i;
-  int32_t bodies[5000];
+  double bodies[5000];
   int contact;
   const float* force;
   const char* label = NULL;
@@ -114,11 +113,11 @@ static void check_humanoid(void) {
   while (h.data->time < 1.5) mj_step(h.model, h.data); /* it has fallen and lies there */
   mj_forward(h.model, h.data);
   observe(senses, h);
-  CHECK(field_of(senses, "proprioception/position").shape[0] == 2);
-  CHECK_OK(mimo_senses_observation_label(senses, 0, 1, &label));
+  CHECK(sensed_field(senses, "proprioception/position").shape[0] == 2);
+  CHECK_OK(mimo_layout_label(of_senses(senses), 0, 1, &label));
   CHECK_TEXT("neck", label);
   CHECK(values(senses, "proprioception/position")[0] == (float)h.data->qpos[h.model->jnt_qposadr[knee]]);
-  CHECK(field_of(senses, "proprioception/control").shape[0] == 7);
+  CHECK(sensed_field(senses, "proprioception/control").shape[0] == 7);
 
   mj_objectVelocity(h.model, h.data, mjOBJ_SITE, site, spin, 1);
   for (i = 0; i < 3; ++i) CHECK_NEAR(spin[i], (double)values(senses, "vestibular/angular_velocity")[i], 1e-6);
@@ -126,9 +125,11 @@ static void check_humanoid(void) {
   mj_objectAcceleration(h.model, h.data, mjOBJ_SITE, site, spin, 1);
   for (i = 0; i < 3; ++i) CHECK_NEAR(spin[3 + i], (double)values(senses, "vestibular/acceleration")[i], 1e-5);
 
-  CHECK_OK(mimo_senses_touch_sensors(senses, 0, bodies, NULL, NULL, NULL, 5000, &sensors));
-  CHECK(sensors > 100);
-  for (i = 0; i < sensors; ++i) CHECK(bodies[i] == foot);
+  sensors = sensed_field(senses, "touch/force").receptors;
+  CHECK(sensors > 100 && sensors < 5000);
+  CHECK_OK(mimo_layout_find(of_senses(senses), "touch/force", &i));
+  CHECK_OK(mimo_layout_receptors(of_senses(senses), i, MIMO_RECEPTOR_BODY, bodies, sensors));
+  for (i = 0; i < sensors; ++i) CHECK((int)bodies[i] == foot);
   force = values(senses, "touch/force");
   for (i = 0; i < 3 * sensors; ++i) felt[i % 3] += (double)force[i];
   for (contact = 0; contact < h.data->ncon; ++contact) {
@@ -142,7 +143,7 @@ static void check_humanoid(void) {
   }
   CHECK(expected[2] > 1);
   for (i = 0; i < 3; ++i) CHECK_NEAR(expected[i], felt[i], 1e-4);
-  CHECK(field_of(senses, "vision/sight_segmentation").bytes == sizeof(int32_t) * 32 * 32);
+  CHECK(sensed_field(senses, "vision/sight_segmentation").bytes == sizeof(int32_t) * 32 * 32);
   mimo_senses_destroy(senses);
   unload(h);
 }
@@ -158,7 +159,7 @@ static void check_gripper(void) {
   h.data->ctrl[1] = 0.9;
   mj_step(h.model, h.data);
   observe(senses, h);
-  CHECK_TEXT("m", field_of(senses, "proprioception/position").unit);
+  CHECK_TEXT("m", sensed_field(senses, "proprioception/position").unit);
   CHECK(values(senses, "proprioception/control")[1] == 0.9f);
   CHECK(values(senses, "proprioception/actuator_force")[1] == (float)h.data->actuator_force[1]);
   mimo_senses_destroy(senses);
@@ -221,6 +222,37 @@ static void check_lacks(void) {
   unload(h);
 }
 
+/* Fields on request that a host's model and data can fill, and those that only worlds can. */
+static void check_requested(void) {
+  static const char* const knees[] = {"knee_left", "knee_right"};
+  static const char* const sole[] = {""};
+  host h = load("humanoid");
+  mimo_scene* scene = NULL;
+  mimo_senses* senses = NULL;
+  mimo_field_config field;
+  const int knee = mj_name2id(h.model, mjOBJ_JOINT, "knee_right");
+  CHECK_OK(mimo_scene_create(NULL, &scene));
+  CHECK_OK(mimo_field_config_init(&field, sizeof field));
+  field.name = "knees";
+  field.quantity = MIMO_JOINT_POSITION;
+  field.elements = knees;
+  field.element_count = 2;
+  CHECK_OK(mimo_scene_add_field(scene, &field));
+  CHECK_OK(attach(scene, h, &senses));
+  while (h.data->time < 0.5) mj_step(h.model, h.data);
+  observe(senses, h);
+  CHECK(values(senses, "knees")[1] == (float)h.data->qpos[h.model->jnt_qposadr[knee]]);
+  mimo_senses_destroy(senses);
+  field.name = "goal";
+  field.quantity = MIMO_AGENT_GOAL;
+  field.elements = sole;
+  field.element_count = 1;
+  CHECK_OK(mimo_scene_add_field(scene, &field));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "field \"goal\": attached senses know of no agent", attach(scene, h, &senses));
+  mimo_scene_destroy(scene);
+  unload(h);
+}
+
 static void check_foreign_memory(void) {
   host h = load("humanoid"), other = load("rubble");
   mimo_agent_config config = part_of("world");
@@ -264,5 +296,6 @@ int main(void) {
   check_gripper();
   check_lacks();
   check_foreign_memory();
+  check_requested();
   return failures();
 }

@@ -12,6 +12,17 @@ static float random_share(uint32_t* state) {
 }
 
 /* An infant that senses all that there is, with a second vestibular organ by another agent in its trunk. */
+static void request(mimo_scene* scene, const char* name, int32_t quantity, const char* element, const char* body) {
+  mimo_field_config config;
+  CHECK_OK(mimo_field_config_init(&config, sizeof config));
+  config.name = name;
+  config.quantity = quantity;
+  config.elements = &element;
+  config.element_count = 1;
+  config.relative_to = body;
+  CHECK_OK(mimo_scene_add_field(scene, &config));
+}
+
 static mimo_scene* make_scene(const char* name, uint32_t vision) {
   mimo_scene_config room;
   mimo_agent_config agent;
@@ -23,7 +34,7 @@ static mimo_scene* make_scene(const char* name, uint32_t vision) {
   CHECK_OK(mimo_scene_create(&room, &scene));
   CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
   agent.name = "anna";
-  agent.proprioception = MIMO_PROPRIOCEPTION_ALL & ~MIMO_PROPRIOCEPTION_EFFORT; /* of commands, which the host gives */
+  agent.proprioception |= MIMO_PROPRIOCEPTION_JOINT_TORQUE; /* all but the effort of commands, which the host gives */
   agent.touch = MIMO_TOUCH_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
   agent.vision = vision;
   agent.vision_width = agent.vision_height = 32;
@@ -42,6 +53,9 @@ static mimo_scene* make_scene(const char* name, uint32_t vision) {
   camera.outputs = MIMO_VISION_DEPTH;
   camera.width = camera.height = 16;
   if (vision != 0) CHECK_OK(mimo_scene_add_camera(scene, &camera));
+  request(scene, "hand/now", MIMO_BODY_POSE | MIMO_NOW, "anna/left_hand", "anna/head");
+  request(scene, "hand/velocity", MIMO_BODY_VELOCITY, "anna/left_hand", "anna/head");
+  request(scene, "elbow", MIMO_JOINT_VELOCITY, "anna/robot:left_elbow", NULL);
   return scene;
 }
 
@@ -99,13 +113,11 @@ static void limit(mimo_scene* scene) {
 
 /* Which field differs, for people. */
 static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t* actual, int step) {
-  size_t bytes = 0, fields = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
+  const size_t bytes = sizes_of(env).block_bytes, fields = sizes_of(env).fields;
+  size_t i;
   if (memcmp(expected, actual, bytes) == 0) return;
   for (i = 0; i < fields; ++i) {
-    mimo_field field;
-    field.struct_size = sizeof field;
-    CHECK_OK(mimo_env_observation_field(env, i, &field));
+    const mimo_field field = field_at(layout_of(env), i);
     if (memcmp(expected + field.offset, actual + field.offset, field.bytes) == 0) continue;
     fprintf(stderr, "step %d: %s\n", step, field.name);
     check(0, "a field differs", __LINE__);
@@ -113,20 +125,21 @@ static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t*
 }
 
 static void check_layouts(const mimo_env* env, const mimo_senses* senses) {
-  size_t bytes = 0, fields = 0, own_bytes = 0, own_fields = 0, i;
-  CHECK_OK(mimo_env_observation_size(env, &bytes, &fields));
-  CHECK_OK(mimo_senses_observation_size(senses, &own_bytes, &own_fields));
-  CHECK(bytes == own_bytes && fields == own_fields && fields > 10);
-  for (i = 0; i < fields; ++i) {
-    mimo_field a, b;
+  const mimo_layout *worlds = layout_of(env), *own = NULL;
+  const mimo_layout_info sizes = sizes_of(env);
+  mimo_layout_info own_sizes = {sizeof own_sizes, 0, 0, 0, 0, 0, 0};
+  size_t i;
+  CHECK_OK(mimo_senses_layout(senses, &own));
+  CHECK_OK(mimo_layout_describe(own, &own_sizes));
+  CHECK(sizes.block_bytes == own_sizes.block_bytes && sizes.fields == own_sizes.fields && sizes.fields > 10);
+  for (i = 0; i < sizes.fields; ++i) {
+    const mimo_field a = field_at(worlds, i), b = field_at(own, i);
     const char *label_a = NULL, *label_b = NULL;
-    a.struct_size = b.struct_size = sizeof a;
-    CHECK_OK(mimo_env_observation_field(env, i, &a));
-    CHECK_OK(mimo_senses_observation_field(senses, i, &b));
     CHECK_TEXT(a.name, b.name);
-    CHECK(a.offset == b.offset && a.bytes == b.bytes && a.dtype == b.dtype && a.time == b.time);
-    CHECK_OK(mimo_env_observation_label(env, i, 1, &label_a));
-    CHECK_OK(mimo_senses_observation_label(senses, i, 1, &label_b));
+    CHECK(a.offset == b.offset && a.bytes == b.bytes && a.dtype == b.dtype && a.receptors == b.receptors);
+    CHECK(a.start == b.start && a.end == b.end && a.period == b.period);
+    CHECK_OK(mimo_layout_label(worlds, i, 0, &label_a));
+    CHECK_OK(mimo_layout_label(own, i, 0, &label_b));
     CHECK_TEXT(label_a, label_b);
   }
 }
@@ -157,7 +170,6 @@ static void run(const char* name, uint32_t vision, int limited) {
   mimo_scene* scene = make_scene(name, vision);
   mimo_env_config config;
   mimo_senses_config attached;
-  const uint64_t seed = 11;
   mimo_env* env = NULL;
   mimo_senses* senses = NULL;
   mjModel* model = load(scene);
@@ -181,20 +193,24 @@ static void run(const char* name, uint32_t vision, int limited) {
   CHECK_OK(mimo_senses_attach(scene, model, &attached, &senses));
   if (env == NULL || senses == NULL) exit(failures());
   check_layouts(env, senses);
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
-  CHECK_OK(mimo_env_action_size(env, &actions));
-  CHECK_OK(mimo_env_action_bounds(env, low, high, 64));
+  bytes = sizes_of(env).block_bytes;
+  actions = sizes_of(env).actions;
+  CHECK(actions <= 64);
+  for (i = 0; i < actions; ++i) {
+    low[i] = (float)action_at(env, i).low;
+    high[i] = (float)action_at(env, i).high;
+  }
   expected = new_block(bytes);
   actual = new_block(bytes);
   before = new_block((size_t)data->nbuffer);
-  CHECK_OK(mimo_env_reset(env, &seed, expected, bytes));
+  CHECK_OK(mimo_env_reset(env, SEED(11), expected, bytes));
   mj_forward(model, data);
-  CHECK_OK(mimo_senses_reset(senses, data, &seed));
+  CHECK_OK(mimo_senses_reset(senses, data, SEED(11)));
   CHECK_OK(mimo_senses_observe(senses, data, actual, bytes));
   compare(env, expected, actual, -1);
   for (step = 0; step < STEPS; ++step) {
     for (i = 0; i < actions; ++i) action[i] = low[i] + random_share(&random) * (high[i] - low[i]);
-    CHECK_OK(mimo_env_step(env, action, actions, expected, bytes, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, actions, expected, bytes, NULL));
     CHECK((size_t)model->nu == actions);
     for (i = 0; i < actions; ++i) data->ctrl[i] = (double)action[i];
     for (i = 0; i < FRAME_SKIP; ++i) mj_step(model, data);

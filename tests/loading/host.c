@@ -42,13 +42,13 @@ static int after_fork(const char* path) {
   CHECK(mimo.env_make("reach", &env) == MIMO_OK);
   child = fork();
   if (child == 0) {
-    CHECK(mimo.env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) == MIMO_E_FORKED);
+    CHECK(mimo.env_step(env, NULL, 0, NULL, 0, NULL) == MIMO_E_FORKED);
     mimo.env_destroy(env);
     use_library(&mimo);
     _exit(failures());
   }
   CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  CHECK(mimo.env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) == MIMO_OK);
+  CHECK(mimo.env_step(env, NULL, 0, NULL, 0, NULL) == MIMO_OK);
   mimo.env_destroy(env);
   use_library(&mimo);
   return failures();

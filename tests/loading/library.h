@@ -12,12 +12,13 @@
   DO(env_config_init)      \
   DO(env_create)           \
   DO(env_destroy)          \
+  DO(env_layout)           \
   DO(env_make)             \
-  DO(env_observation_size) \
   DO(env_reset)            \
   DO(env_step)             \
   DO(env_time)             \
   DO(last_error)           \
+  DO(layout_describe)      \
   DO(scene_add_agent)      \
   DO(scene_config_init)    \
   DO(scene_create)         \
@@ -59,7 +60,7 @@ static inline void use_library(const library* mimo) {
   mimo_env* env = NULL;
   double seconds = -1;
   CHECK(mimo->env_make("reach", &env) == MIMO_OK);
-  CHECK(mimo->env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) == MIMO_OK);
+  CHECK(mimo->env_step(env, NULL, 0, NULL, 0, NULL) == MIMO_OK);
   CHECK(mimo->env_time(env, &seconds) == MIMO_OK);
   CHECK_NEAR(0.01, seconds, 1e-12);
   CHECK(mimo->env_make("nowhere", &env) == MIMO_E_NOT_FOUND);
@@ -69,16 +70,20 @@ static inline void use_library(const library* mimo) {
 
 /* FNV-1a over the observations of a reset and a few steps. */
 static inline uint64_t hash_of_life(const library* mimo, mimo_env* env, int steps) {
-  const uint64_t seed = 7;
+  const mimo_reset_config seeded = {sizeof seeded, 1, 7};
   uint64_t hash = UINT64_C(14695981039346656037);
-  size_t bytes = 0, i;
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  size_t bytes, i;
   uint8_t* block;
   int step;
-  CHECK(mimo->env_observation_size(env, &bytes, NULL) == MIMO_OK);
+  CHECK(mimo->env_layout(env, &layout) == MIMO_OK);
+  CHECK(mimo->layout_describe(layout, &info) == MIMO_OK);
+  bytes = info.block_bytes;
   block = malloc(bytes);
-  CHECK(mimo->env_reset(env, &seed, block, bytes) == MIMO_OK);
+  CHECK(mimo->env_reset(env, &seeded, block, bytes) == MIMO_OK);
   for (step = 0; step < steps; ++step) {
-    CHECK(mimo->env_step(env, NULL, 0, block, bytes, NULL, NULL, NULL, 0) == MIMO_OK);
+    CHECK(mimo->env_step(env, NULL, 0, block, bytes, NULL) == MIMO_OK);
     for (i = 0; i < bytes; ++i) hash = (hash ^ block[i]) * UINT64_C(1099511628211);
   }
   free(block);

@@ -1,6 +1,6 @@
 /* Every function with every wrong argument: the documented status, a message that names the argument, and nothing
- * written. A function of symbols.txt without a row in the table fails.
- *   misuse_arguments symbols.txt */
+ * written. A function of exports.map without a row in the table fails.
+ *   misuse_arguments exports.map */
 #include "misuse/world.h"
 #include "support/capi.h"
 
@@ -14,20 +14,28 @@ static void complain(const char* what) {
 
 /* ---- The list of functions ---- */
 
+static void see(const char* function, char* seen) {
+  size_t i;
+  current_row = function;
+  for (i = 0; i < row_count && strcmp(function, all_rows[i].name) != 0; ++i) continue;
+  if (i == row_count)
+    complain("has no row");
+  else if (seen[i]++)
+    complain("has two rows");
+}
+
+/* Functions stand alone in their lines: "    mimo_version;". */
 static void check_symbols(const char* path) {
-  char line[128], *seen = calloc(row_count, 1);
+  char line[256], function[128], end, *seen = calloc(row_count, 1);
   FILE* file = fopen(path, "r");
   size_t i;
-  current_fault = "symbols.txt";
+  current_fault = "exports.map";
   if (file == NULL || seen == NULL) exit(1);
   while (fgets(line, sizeof line, file) != NULL) {
-    line[strcspn(line, "\n")] = '\0';
-    current_row = line;
-    for (i = 0; i < row_count && strcmp(line, all_rows[i].name) != 0; ++i) continue;
-    if (i == row_count)
-      complain("has no row");
-    else if (seen[i]++)
-      complain("has two rows");
+    if (sscanf(line, " mimo_%100[a-z0-9_]%c", function + 5, &end) == 2 && end == ';') {
+      memcpy(function, "mimo_", 5);
+      see(function, seen);
+    }
   }
   for (i = 0; i < row_count; ++i) {
     current_row = all_rows[i].name;
@@ -149,6 +157,7 @@ static void check_handles(const row* r) {
   if (r->uses & ON_ENV) bad_handles(r, offsetof(args, env), retired_env(), a.batch, retired_scene());
   if (r->uses & ON_BATCH) bad_handles(r, offsetof(args, batch), retired_batch(), a.env, retired_scene());
   if (r->uses & ON_SENSES) bad_handles(r, offsetof(args, senses), retired_senses(), a.env, retired_scene());
+  if (r->uses & ON_LAYOUT) bad_handles(r, offsetof(args, layout), retired_layout(), a.env, a.batch);
 }
 
 int main(int argc, char** argv) {

@@ -91,7 +91,7 @@ static mimo_status check_destroy_senses(args* a) {
   mimo_senses_destroy((mimo_senses*)a->batch);
   mimo_senses_destroy(no_handle());
   return CHECKED(strcmp(before, mimo_last_error()) == 0 &&
-                 mimo_senses_observation_size(a->senses, &count, NULL) == MIMO_OK);
+                 mimo_senses_state_size(a->senses, &count) == MIMO_OK);
 }
 
 static int send_first = 1;
@@ -184,13 +184,11 @@ static void nan_value(args* a) { write_value(a, NAN); }
 static void infinite_value(args* a) { write_value(a, INFINITY); }
 static void no_model(args* a) { a->model = not_a_model(); }
 static void no_data(args* a) { a->data = not_a_model(); }
-static void few_cart_sensors(args* a) {
-  CHECK_OK(mimo_senses_touch_sensors(a->senses, 0, NULL, NULL, NULL, NULL, 0, a->count));
-  a->touch_capacity = *a->count - 1;
-}
-static void few_sensors(args* a) { *a->count = a->touch_capacity--; }
+static void unknown_field(args* a) { a->field_name = "smell"; }
 static void unknown_camera(args* a) { a->picture_config->camera = "nobody's"; }
 static void no_camera_body(args* a) { a->camera_config->body = "ghost"; }
+static void requested_already(args* a) { CHECK_OK(mimo_scene_add_field(a->scene, a->field_config)); }
+static void no_frame(args* a) { a->field_config->quantity = MIMO_BODY_MASS, a->field_config->relative_to = "head"; }
 static void watched_already(args* a) { CHECK_OK(mimo_scene_add_camera(a->scene, a->camera_config)); }
 static void nan_point(args* a) { ((double*)a->points)[0] = NAN; }
 

@@ -19,17 +19,23 @@ ROW(mimo_batch_world_error, ON_BATCH, mimo_batch_world_error(a->batch, a->world,
 #define BLOCKS NO_NULL(blocks, "blocks"), SHORT(blocks_bytes, "blocks")
 #define ACTIONS NO_NULL(actions, "actions"), EXACT(actions_count, "action_count")
 #define RESULT(f, names) SHORT_FIELD(results, mimo_batch_results, f, names)
-#define RESULTS                                                                                      \
-  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                  \
-      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"), \
-      RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), DO(no_final_blocks, E_ARG, "final_blocks")
-ROW(mimo_batch_reset, ON_BATCH | HEALS,
-    mimo_batch_reset(a->batch, a->seeds, a->mask, a->worlds, a->blocks, a->blocks_bytes), WORLDS, NULL_OK(seeds),
-    BLOCKS)
+#define BATCH_RESULTS                                                                                  \
+  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                    \
+      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"),   \
+      RESULT(term_count, "term_count"), RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), \
+      DO(no_final_blocks, E_ARG, "final_blocks")
+#define RESET_FIELD(kind, what, f, status, names) \
+  { kind, what, MEMBER(batch_reset), FIELD(mimo_batch_reset_config, f), 1, 0, NULL, status, names }
+ROW(mimo_batch_reset, ON_BATCH | HEALS, mimo_batch_reset(a->batch, a->batch_reset, a->blocks, a->blocks_bytes),
+    NULL_OK(batch_reset), CONFIG(batch_reset, mimo_batch_reset_config, "config"),
+    UNKNOWN_FIELD(batch_reset, mimo_batch_reset_config, reserved, 1, "reserved"),
+    RESET_FIELD(FAULT_FIELD_NULL, "seeds is NULL", seeds, MIMO_OK, NULL),
+    RESET_FIELD(FAULT_FIELD_NULL, "mask is NULL", mask, MIMO_OK, NULL),
+    RESET_FIELD(FAULT_FIELD_LESS, "worlds is one too small", worlds, E_ARG, "worlds"), BLOCKS)
 ROW(mimo_batch_step, ON_BATCH | SIMULATES,
     mimo_batch_step(a->batch, a->actions, a->actions_count, a->blocks, a->blocks_bytes, a->results), ACTIONS, BLOCKS,
-    RESULTS)
-ROW(mimo_batch_send, ON_BATCH | SIMULATES, send_and_receive(a), ACTIONS, BLOCKS, RESULTS)
+    BATCH_RESULTS)
+ROW(mimo_batch_send, ON_BATCH | SIMULATES, send_and_receive(a), ACTIONS, BLOCKS, BATCH_RESULTS)
 ROW(mimo_batch_receive, ON_BATCH | SIMULATES | ANYTIME, send_and_receive(a), DO(nothing_sent, E_ARG, "without"),
     DO(nothing_to_receive_from, MIMO_E_BAD_HANDLE, "destroyed"))
 ROW(mimo_batch_observe, ON_BATCH | SIMULATES,

@@ -3,30 +3,23 @@
 ROW(mimo_env_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_env(a), NONE)
 ROW(mimo_env_task, ON_ENV, mimo_env_task(a->env, a->string), NO_NULL(string, "name"))
 ROW(mimo_env_frame_skip, ON_ENV, mimo_env_frame_skip(a->env, a->u32_out), NO_NULL(u32_out, "frame_skip"))
-ROW(mimo_env_agent_count, ON_ENV, mimo_env_agent_count(a->env, a->count), NO_NULL(count, "count"))
 ROW(mimo_env_agent, ON_ENV, mimo_env_agent(a->env, a->index, a->info), BAD_SIZE(index, 1, "index"),
     BAD_INDEX(index, "index"), DESCRIPTION(info, mimo_agent_info, "info"))
 
-ROW(mimo_env_observation_size, ON_ENV, mimo_env_observation_size(a->env, a->count, a->count2), NULL_OK(count),
-    NULL_OK(count2))
-ROW(mimo_env_observation_field, ON_ENV, mimo_env_observation_field(a->env, a->index, a->field),
-    BAD_INDEX(index, "index"), DESCRIPTION(field, mimo_field, "field"))
-ROW(mimo_env_observation_label, ON_ENV, mimo_env_observation_label(a->env, a->index, a->element, a->string),
-    BAD_INDEX(index, "index"), BAD_INDEX(element, "element"), NO_NULL(string, "label"))
-ROW(mimo_env_action_size, ON_ENV, mimo_env_action_size(a->env, a->count), NO_NULL(count, "count"))
-ROW(mimo_env_action_bounds, ON_ENV, mimo_env_action_bounds(a->env, a->low, a->high, a->actions_known), NULL_OK(low),
-    NULL_OK(high), SHORT(actions_known, "count"))
-ROW(mimo_env_action_name, ON_ENV, mimo_env_action_name(a->env, a->index, a->string), BAD_INDEX(index, "index"),
-    NO_NULL(string, "name"))
-
-ROW(mimo_env_reset, ON_ENV | HEALS, mimo_env_reset(a->env, a->seed, a->block, a->block_bytes), NULL_OK(seed),
+#define SEEDED                                                              \
+  NULL_OK(reset_config), CONFIG(reset_config, mimo_reset_config, "config"), \
+      UNKNOWN_FIELD(reset_config, mimo_reset_config, seeded, 2, "seeded"),  \
+      BAD_FIELD(reset_config, mimo_reset_config, seeded, 0, "seed is 5, but seeded is 0")
+ROW(mimo_env_reset, ON_ENV | HEALS, mimo_env_reset(a->env, a->reset_config, a->block, a->block_bytes), SEEDED,
     NO_NULL(block, "block"), SHORT(block_bytes, "block"))
 ROW(mimo_env_step, ON_ENV | SIMULATES,
-    mimo_env_step(a->env, a->action, a->action_count, a->block, a->block_bytes, a->reward, a->terminated, a->truncated,
-                  a->agents),
+    mimo_env_step(a->env, a->action, a->action_count, a->block, a->block_bytes, a->env_results),
     NO_NULL(action, "action"), EXACT(action_count, "action"), DO(nan_action, E_ARG, "action[1]"),
-    DO(infinite_action, MIMO_OK, NULL), NO_NULL(block, "block"), SHORT(block_bytes, "block"), NULL_OK(reward),
-    NULL_OK(terminated), NULL_OK(truncated), SHORT(agents, "agents"))
+    DO(infinite_action, MIMO_OK, NULL), NO_NULL(block, "block"), SHORT(block_bytes, "block"), NULL_OK(env_results),
+    CONFIG(env_results, mimo_env_results, "results"),
+    UNKNOWN_FIELD(env_results, mimo_env_results, reserved, 1, "reserved"),
+    SHORT_FIELD(env_results, mimo_env_results, agents, "agents"),
+    SHORT_FIELD(env_results, mimo_env_results, term_count, "term_count"))
 ROW(mimo_env_observe, ON_ENV | SIMULATES, mimo_env_observe(a->env, a->block, a->block_bytes), NO_NULL(block, "block"),
     SHORT(block_bytes, "block"), DO(no_block, E_ARG, "block"))
 ROW(mimo_env_physics_step, ON_ENV | SIMULATES, mimo_env_physics_step(a->env, a->steps), BAD_SIZE(steps, -1, "count"),
@@ -36,7 +29,7 @@ ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(num
 
 #define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
 #define QUANTITIES                                                                          \
-  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_WARNING_COUNT + 1, "quantity"), \
+  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_AGENT_ACHIEVED + 1, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")
@@ -63,31 +56,28 @@ ROW(mimo_env_set, ON_ENV | SIMULATES,
     NO_NULL(to_write, "values"), VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
 ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
-ROW(mimo_env_touch_sensors, ON_ENV,
-    mimo_env_touch_sensors(a->env, a->agent_index, a->bodies, a->geoms, a->positions, a->frames, a->touch_capacity,
-                           a->count),
-    BAD_INDEX(agent_index, "agent"), NULL_OK(bodies), NULL_OK(geoms), NULL_OK(positions), NULL_OK(frames),
-    NULL_OK(count), BAD_SIZE(touch_capacity, -1, "capacity"), DO(few_sensors, MIMO_E_BUFFER_TOO_SMALL, "capacity"))
 
-#define PICTURE(f, n) BAD_FIELD(picture_config, mimo_picture_config, f, n, #f)
-#define PICTURE_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
-#define PICTURE_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
-#define PICTURE_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
-#define PICTURES                                                                                                      \
-  CONFIG(picture_config, mimo_picture_config, "config"), PICTURE(width, 0), PICTURE(width, 4097), PICTURE(width, -1), \
-      PICTURE(height, 0), PICTURE(height, 4097), PICTURE_UNKNOWN(format, 4), PICTURE_UNREAL(look_at[2]),              \
-      PICTURE_UNREAL(distance), PICTURE_REAL(distance, 0), PICTURE_REAL(distance, -1), PICTURE_UNREAL(azimuth),       \
-      PICTURE_UNREAL(elevation), PICTURE_UNREAL(fovy), PICTURE_REAL(fovy, -1), PICTURE_REAL(fovy, 171),               \
+#define VIEW(f, n) BAD_FIELD(picture_config, mimo_picture_config, f, n, #f)
+#define VIEW_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
+#define VIEW_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
+#define VIEW_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
+#define VIEWS                                                                                                       \
+  CONFIG(picture_config, mimo_picture_config, "config"), VIEW(width, 0), VIEW(width, 4097), VIEW(width, -1),        \
+      VIEW(height, 0), VIEW(height, 4097), VIEW_UNKNOWN(format, 4), VIEW_UNREAL(look_at[2]), VIEW_UNREAL(distance), \
+      VIEW_REAL(distance, 0), VIEW_REAL(distance, -1), VIEW_UNREAL(azimuth), VIEW_UNREAL(elevation),                \
+      VIEW_UNREAL(fovy), VIEW_REAL(fovy, -1), VIEW_REAL(fovy, 171),                                                 \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
-ROW(mimo_env_render, ON_ENV | SIMULATES,
-    mimo_env_render(a->env, a->picture_config, a->rgb, a->rgb_bytes, a->depth, a->depth_count, a->segmentation,
-                    a->segmentation_count),
-    PICTURES, NO_NULL(rgb, "rgb"), SHORT(rgb_bytes, "rgb"), NO_NULL(depth, "depth"), SHORT(depth_count, "depth"),
-    NO_NULL(segmentation, "segmentation"), SHORT(segmentation_count, "segmentation"),
+#define CHANNEL(f, count)                                                                            \
+  {FAULT_FIELD_NULL, #f " is NULL", MEMBER(picture), FIELD(mimo_picture, f), 0, 0, NULL, E_ARG, #f}, \
+      SHORT_FIELD(picture, mimo_picture, count, #f)
+ROW(mimo_env_render, ON_ENV | SIMULATES, mimo_env_render(a->env, a->picture_config, a->picture), VIEWS,
+    NO_NULL(picture, "picture"), CONFIG(picture, mimo_picture, "picture"),
+    UNKNOWN_FIELD(picture, mimo_picture, reserved, 1, "reserved"), CHANNEL(rgb, rgb_bytes), CHANNEL(depth, depth_count),
+    CHANNEL(segmentation, segmentation_count),
     {FAULT_NULL, "the picture is 640 x 480", MEMBER(picture_config), 0, 0, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "rgb"})
 ROW(mimo_env_project, ON_ENV | SIMULATES,
-    mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels), PICTURES,
-    NULL_OK(picture_config), NO_NULL(points, "points"), NO_NULL(pixels, "pixels"), BAD_SIZE(point_count, -1, "count"),
+    mimo_env_project(a->env, a->picture_config, a->points, a->point_count, a->pixels), VIEWS, NULL_OK(picture_config),
+    NO_NULL(points, "points"), NO_NULL(pixels, "pixels"), BAD_SIZE(point_count, -1, "count"),
     BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "count"), SIZE_IS(point_count, 0, MIMO_OK, NULL),
     DO(nan_point, E_ARG, "points[0]"))
 
@@ -104,14 +94,6 @@ ROW(mimo_env_look_at, ON_ENV | SIMULATES, mimo_env_look_at(a->env, a->agent_inde
 
 ROW(mimo_env_timing, ON_ENV, mimo_env_timing(a->env, a->timing), DESCRIPTION(timing, mimo_timing, "timing"))
 ROW(mimo_env_timing_reset, ON_ENV, mimo_env_timing_reset(a->env), NONE)
-ROW(mimo_env_reward_term_count, ON_ENV, mimo_env_reward_term_count(a->env, a->agent_index, a->count),
-    BAD_INDEX(agent_index, "agent"), NO_NULL(count, "count"))
-ROW(mimo_env_reward_term_name, ON_ENV, mimo_env_reward_term_name(a->env, a->agent_index, a->index, a->string),
-    BAD_INDEX(agent_index, "agent"), BAD_INDEX(index, "index"), NO_NULL(string, "name"))
-ROW(mimo_env_reward_terms, ON_ENV, mimo_env_reward_terms(a->env, a->agent_index, a->numbers, a->term_count),
-    BAD_INDEX(agent_index, "agent"), NO_NULL(numbers, "values"), SHORT(term_count, "values"))
-ROW(mimo_env_outcome, ON_ENV, mimo_env_outcome(a->env, a->agent_index, a->flag, a->flag2),
-    BAD_INDEX(agent_index, "agent"), NULL_OK(flag), NULL_OK(flag2))
 
 ROW(mimo_env_state_size, ON_ENV, mimo_env_state_size(a->env, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->state_out, a->state_bytes),

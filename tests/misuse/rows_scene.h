@@ -1,6 +1,9 @@
 /* Versions, configs, scenes, agents, objects, tasks. See table.h. */
 
 ROW(mimo_abi_version, 0, CHECKED(mimo_abi_version() == MIMO_ABI_VERSION), NONE)
+ROW(mimo_api_version, 0, CHECKED(mimo_api_version() == MIMO_API_VERSION), NONE)
+ROW(mimo_supports, 0,
+    CHECKED(mimo_supports(NULL) == 0 && mimo_supports("") == 0 && mimo_supports("mimo_supports") == 1), NONE)
 ROW(mimo_version, 0, CHECKED(is_version(mimo_version())), NONE)
 ROW(mimo_mujoco_version, 0, CHECKED(is_version(mimo_mujoco_version())), NONE)
 ROW(mimo_status_name, 0, check_status_names(), NONE)
@@ -61,11 +64,11 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(limit_threshold, 0, "limit"), AGENT_UNKNOWN(vision, 8), AGENT(vision_width, 0),
     AGENT(vision_width, 4097), AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097),
     AGENT_UNKNOWN(actuation, 4), UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"),
-    AGENT_REAL(vision_fovy, 171, "vision_fovy"), AGENT_UNKNOWN(acts, 0x800), AGENT_UNKNOWN(acts, 0x80000001),
-    AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 16), AGENT(touch, 3), AGENT_UNKNOWN(touch_response, 0),
-    AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0), AGENT_UNKNOWN(touch_frame, -1),
-    AGENT_UNKNOWN(touch_reserved, 1), UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"),
-    AGENT_REAL(touch_scale, -1, "touch_scale"),
+    AGENT_REAL(vision_fovy, 171, "vision_fovy"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
+    AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 16), AGENT(touch, 3),
+    AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
+    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(touch_reserved, 1),
+    UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"), AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
@@ -86,7 +89,7 @@ ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_in
       LIMITS_REAL(delay, -0.01), UNREAL(limits, mimo_limits, gain, "gain"), LIMITS_REAL(gain, -1),     \
       UNREAL(limits, mimo_limits, noise, "noise"), LIMITS_REAL(noise, -0.5),                           \
       UNREAL(limits, mimo_limits, blur, "blur"), LIMITS_REAL(blur, -1), LIMITS_REAL(blur, 0.01),       \
-      LIMITS_REAL(blur, 1001), BAD_FIELD(limits, mimo_limits, reserved, 1, "reserved")
+      LIMITS_REAL(blur, 1001), UNKNOWN_FIELD(limits, mimo_limits, reserved, 1, "reserved")
 ROW(mimo_scene_limit_sense, ON_SCENE, mimo_scene_limit_sense(a->scene, a->agent_index, a->path, a->limits),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(path, "path"), LIMITS)
 ROW(mimo_scene_limit_motor, ON_SCENE, mimo_scene_limit_motor(a->scene, a->agent_index, a->motor_path, a->limits),
@@ -138,6 +141,24 @@ ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_c
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(camera_config), FIELD(mimo_camera_config, name), 0, 0, NULL, E_ARG,
      "name"},
     DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
+ROW(mimo_field_config_init, 0, mimo_field_config_init(a->field_config, sizeof *a->field_config + a->more_bytes),
+    INIT(field_config, mimo_field_config, "config"))
+#define QUANTITY_FIELD(n, status) \
+  { FAULT_FIELD_I32, "quantity is " #n, MEMBER(field_config), FIELD(mimo_field_config, quantity), n, 0, NULL, status, \
+    "quantity" }
+ROW(mimo_scene_add_field, ON_SCENE, mimo_scene_add_field(a->scene, a->field_config), NO_NULL(field_config, "config"),
+    CONFIG(field_config, mimo_field_config, "config"), QUANTITY_FIELD(0, MIMO_E_UNSUPPORTED),
+    QUANTITY_FIELD(-1, MIMO_E_UNSUPPORTED), QUANTITY_FIELD(999, MIMO_E_UNSUPPORTED),
+    QUANTITY_FIELD(MIMO_CONTACT_FORCE, E_ARG), QUANTITY_FIELD(MIMO_SENSOR_VALUE | MIMO_NOW, E_ARG),
+    {FAULT_FIELD_NULL, "name is NULL", MEMBER(field_config), FIELD(mimo_field_config, name), 0, 0, NULL, E_ARG, "name"},
+    {FAULT_FIELD_NULL, "elements is NULL", MEMBER(field_config), FIELD(mimo_field_config, elements), 0, 0, NULL, E_ARG,
+     "elements"},
+    {FAULT_FIELD_SIZE, "no elements", MEMBER(field_config), FIELD(mimo_field_config, element_count), 0, 0, NULL, E_ARG,
+     "element_count"},
+    {FAULT_FIELD_SIZE, "huge elements", MEMBER(field_config), FIELD(mimo_field_config, element_count), -1, 0, NULL,
+     E_ARG, "elements"},
+    DO(requested_already, E_ARG, "toy/place"), DO(no_frame, E_ARG, "relative_to"))
+#undef QUANTITY_FIELD
 ROW(mimo_scene_xml, ON_SCENE, mimo_scene_xml(a->scene, a->text, a->capacity, a->count), NULL_OK(count),
     NO_NULL(text, "text"), SHORT(capacity, "text"), DO(no_text, MIMO_OK, NULL))
 ROW(mimo_scene_save, ON_SCENE, mimo_scene_save(a->scene, a->folder), NO_NULL(folder, "folder"),

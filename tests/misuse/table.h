@@ -13,6 +13,7 @@ typedef struct args {
   mimo_env* env;
   mimo_batch* batch;
   mimo_senses* senses;
+  const mimo_layout* layout;
   /* structs, each in memory with room for a later version's tail */
   mimo_scene_config* scene_config;
   mimo_agent_config* agent_config;
@@ -23,11 +24,19 @@ typedef struct args {
   mimo_task* task;
   mimo_task_field* task_field;
   mimo_batch_results* results;
+  mimo_env_results* env_results;
+  mimo_reset_config* reset_config;
+  mimo_batch_reset_config* batch_reset;
+  mimo_picture* picture;
   mimo_parameter* parameter;
   mimo_agent_info* info;
+  mimo_layout_info* layout_info;
   mimo_field* field;
+  mimo_action* described_action;
+  mimo_term* term;
   mimo_timing* timing;
   mimo_camera_config* camera_config;
+  mimo_field_config* field_config;
   mimo_model_config* model_config;
   mimo_gaze* gaze;
   mimo_limits* limits;
@@ -35,13 +44,14 @@ typedef struct args {
   mimo_load_report* report;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, body_id, how, version;
-  size_t index, element, agent_index, world, steps;
+  int32_t kind, id, quantity, receptor_quantity, body_id, how, version;
+  size_t index, field_index, element, agent_index, world, steps;
   double angle, value, spacing;
   /* strings */
-  const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *motor_path, *joint_name, *other, *folder;
+  const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *motor_path, *joint_name, *other, *folder,
+      *field_name;
   /* arrays that are read */
-  const uint64_t *seed, *seeds;
+  const uint64_t* seeds;
   const uint8_t* mask;
   const float *action, *actions;
   const int32_t* ids;
@@ -52,13 +62,13 @@ typedef struct args {
   /* arrays that are written */
   void *block, *blocks, *state_out, *states_out, *memory_out;
   char* text;
-  double *reward, *values, *all_values, *numbers, *pixels, *positions, *frames, *look_angles;
+  double *reward, *values, *all_values, *numbers, *pixels, *receptors, *look_angles;
   uint8_t *terminated, *truncated, *rgb;
   mimo_status* statuses;
-  float *low, *high, *depth;
-  int32_t *segmentation, *bodies, *geoms, *look_joints;
-  size_t block_bytes, blocks_bytes, capacity, agents, actions_known, rgb_bytes, depth_count, segmentation_count;
-  size_t touch_capacity, look_capacity, number_count, term_count;
+  float* depth;
+  int32_t *outcome, *segmentation, *look_joints;
+  size_t block_bytes, blocks_bytes, capacity, agents, rgb_bytes, depth_count, segmentation_count;
+  size_t receptor_count, look_capacity, number_count, term_count;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;
@@ -72,6 +82,8 @@ typedef struct args {
   mimo_env** made_env;
   mimo_batch** made_batch;
   mimo_senses** made_senses;
+  /* which its owner keeps */
+  const mimo_layout** layout_out;
 } args;
 
 enum fault_kind {
@@ -115,7 +127,8 @@ enum {
   DESTROYS = 128,
   ON_SENSES = 256,
   ON_CART = 512,
-  ON_EMPTY = 1024 /* a room that is none */
+  ON_EMPTY = 1024, /* a room that is none */
+  ON_LAYOUT = 2048
 };
 
 typedef struct row {
@@ -190,7 +203,7 @@ int rows_failures(void);
   STRUCT_IS(m, 0, names), STRUCT_IS(m, 8, names), STRUCT_IS(m, 1000000, names), STRUCT_IS(m, -1, names)
 /* A struct that is read, and one that is filled. */
 #define CONFIG(m, t, names) \
-  BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_STRUCT_SIZE, names)
+  BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 0, MIMO_OK, NULL), STRUCT_LATER(m, t, 1, MIMO_E_UNSUPPORTED, names)
 #define DESCRIPTION(m, t, names) NO_NULL(m, names), BAD_SIZES(m, t, names), STRUCT_LATER(m, t, 1, MIMO_OK, NULL)
 #define LOAD_REPORT                                               \
   NULL_OK(report), BAD_SIZES(report, mimo_load_report, "report"), \

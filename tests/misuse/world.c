@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20, LOOK_JOINTS = 8 };
 
 static struct {
   unsigned char *bytes, *kept;
@@ -17,6 +17,7 @@ static mimo_scene *dead_scene, *spare_scene;
 static mimo_env* dead_env;
 static mimo_batch* dead_batch;
 static mimo_senses* dead_senses;
+static const mimo_layout* dead_layout;
 static mjModel* host_model;
 static mjData* host_data;
 static unsigned char not_a_handle[256];
@@ -118,6 +119,7 @@ static mimo_senses* make_senses(void) {
 static void make_dead_handles(void) {
   dead_scene = make_scene("free", NULL);
   CHECK_OK(mimo_env_create(dead_scene, NULL, &dead_env));
+  CHECK_OK(mimo_env_layout(dead_env, &dead_layout));
   dead_batch = make_batch(dead_scene, MIMO_AUTORESET_NONE);
   mimo_scene_destroy(dead_scene);
   mimo_env_destroy(dead_env);
@@ -138,6 +140,7 @@ static void make_foreign_state(void) {
   mimo_scene_destroy(scene);
 }
 
+static const char* const toys[1] = {"toy"};
 static const char* const task_terms[1] = {"one"};
 static const size_t task_shape[1] = {3};
 
@@ -156,16 +159,17 @@ static void find_things(void) {
 
 static void make_arrays(void) {
   const size_t worlds = WORLDS_IN_BATCH;
-  size_t actions = 0, sensors = 0, state = 0, text = 0;
-  CHECK_OK(mimo_env_action_size(good.env, &actions));
-  CHECK_OK(mimo_env_observation_size(good.env, &good.block_bytes, NULL));
+  size_t actions = 0, state = 0, text = 0;
+  actions = sizes_of(good.env).actions;
+  good.block_bytes = sizes_of(good.env).block_bytes;
   CHECK_OK(mimo_env_state_size(good.env, &state));
-  CHECK_OK(mimo_env_touch_sensors(good.env, 0, NULL, NULL, NULL, NULL, 0, &sensors));
-  CHECK_OK(mimo_env_reward_term_count(good.env, 0, &good.term_count));
+  CHECK_OK(mimo_layout_find(good.layout, "touch/force", &good.field_index));
+  CHECK_OK(mimo_layout_receptor_width(good.layout, good.field_index, MIMO_RECEPTOR_FRAME, &good.receptor_count));
+  good.term_count = sizes_of(good.env).terms;
   CHECK_OK(mimo_scene_xml(spare_scene, NULL, 0, &text));
-  CHECK(actions > 1 && sensors > 0 && good.term_count > 0);
+  CHECK(actions > 1 && good.receptor_count > 0 && good.term_count > 0);
   good.blocks_bytes = worlds * good.block_bytes;
-  good.action_count = good.actions_known = actions;
+  good.action_count = actions;
   good.actions_count = worlds * actions;
   good.state_bytes = state;
   good.states_bytes = worlds * state;
@@ -173,14 +177,12 @@ static void make_arrays(void) {
   good.agents = AGENTS;
   good.value_count = VALUES_PER_WORLD;
   good.values_count = worlds * VALUES_PER_WORLD;
-  good.touch_capacity = sensors;
   good.number_count = 4;
   good.point_count = 2;
   good.capacity = text + 1;
   good.depth_count = good.segmentation_count = PICTURE_SIZE * PICTURE_SIZE;
   good.rgb_bytes = 3 * good.depth_count;
 
-  good.seed = region(sizeof(uint64_t));
   good.seeds = region(worlds * sizeof(uint64_t));
   good.mask = region(worlds);
   good.action = region(actions * sizeof(float));
@@ -202,21 +204,17 @@ static void make_arrays(void) {
   good.reward = region(AGENTS * sizeof(double));
   good.values = region(good.value_count * sizeof(double));
   good.all_values = region(good.values_count * sizeof(double));
-  good.numbers = region((good.term_count > 4 ? good.term_count : 4) * sizeof(double));
+  good.numbers = region((worlds * good.term_count > 4 ? worlds * good.term_count : 4) * sizeof(double));
+  good.outcome = region(worlds * AGENTS * sizeof(int32_t));
   good.pixels = region(3 * good.point_count * sizeof(double));
   good.statuses = region(worlds * sizeof(mimo_status));
-  good.positions = region(3 * sensors * sizeof(double));
-  good.frames = region(MIMO_TOUCH_FRAME_VALUES * sensors * sizeof(double));
-  good.bodies = region(sensors * sizeof(int32_t));
-  good.look_capacity = MIMO_LOOK_JOINTS;
-  good.look_joints = region(MIMO_LOOK_JOINTS * sizeof(int32_t));
-  good.look_angles = region(MIMO_LOOK_JOINTS * sizeof(double));
-  good.geoms = region(sensors * sizeof(int32_t));
+  good.receptors = region(good.receptor_count * sizeof(double));
+  good.look_capacity = LOOK_JOINTS;
+  good.look_joints = region(LOOK_JOINTS * sizeof(int32_t));
+  good.look_angles = region(LOOK_JOINTS * sizeof(double));
   good.terminated = region(AGENTS);
   good.truncated = region(AGENTS);
   good.rgb = region(good.rgb_bytes);
-  good.low = region(actions * sizeof(float));
-  good.high = region(actions * sizeof(float));
   good.depth = region(good.depth_count * sizeof(float));
   good.segmentation = region(good.segmentation_count * sizeof(int32_t));
 }
@@ -235,6 +233,7 @@ static void make_single_results(void) {
   good.made_env = region(sizeof(mimo_env*));
   good.made_batch = region(sizeof(mimo_batch*));
   good.made_senses = region(sizeof(mimo_senses*));
+  good.layout_out = region(sizeof(mimo_layout*));
 }
 
 static void make_structs(void) {
@@ -247,11 +246,19 @@ static void make_structs(void) {
   good.task = region(sizeof *good.task + TAIL);
   good.task_field = region(sizeof *good.task_field + TAIL);
   good.results = region(sizeof *good.results + TAIL);
+  good.env_results = region(sizeof *good.env_results + TAIL);
+  good.reset_config = region(sizeof *good.reset_config + TAIL);
+  good.batch_reset = region(sizeof *good.batch_reset + TAIL);
+  good.picture = region(sizeof *good.picture + TAIL);
   good.parameter = region(sizeof *good.parameter + TAIL);
   good.info = region(sizeof *good.info + TAIL);
+  good.layout_info = region(sizeof *good.layout_info + TAIL);
   good.field = region(sizeof *good.field + TAIL);
+  good.described_action = region(sizeof *good.described_action + TAIL);
+  good.term = region(sizeof *good.term + TAIL);
   good.timing = region(sizeof *good.timing + TAIL);
   good.camera_config = region(sizeof *good.camera_config + TAIL);
+  good.field_config = region(sizeof *good.field_config + TAIL);
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
@@ -270,6 +277,7 @@ void make_everything(void) {
   CHECK_OK(mimo_env_create(spare_scene, NULL, &good.env));
   good.batch = make_batch(spare_scene, MIMO_AUTORESET_SAME_STEP);
   if (good.env == NULL || good.batch == NULL) exit(failures());
+  good.layout = layout_of(good.env);
   find_things();
   make_arrays();
   make_single_results();
@@ -304,6 +312,7 @@ static void fill_configs(void) {
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_task_field_init(good.task_field, sizeof *good.task_field));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
+  CHECK_OK(mimo_field_config_init(good.field_config, sizeof *good.field_config));
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   CHECK_OK(mimo_senses_config_init(good.senses_config, sizeof *good.senses_config));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
@@ -326,7 +335,10 @@ static void fill_configs(void) {
   good.task_field->high = 8;
   good.parameter->struct_size = sizeof *good.parameter;
   good.info->struct_size = sizeof *good.info;
+  good.layout_info->struct_size = sizeof *good.layout_info;
   good.field->struct_size = sizeof *good.field;
+  good.described_action->struct_size = sizeof *good.described_action;
+  good.term->struct_size = sizeof *good.term;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
   good.report->struct_size = sizeof *good.report;
@@ -337,6 +349,9 @@ static void fill_configs(void) {
   good.model_config->xml = "<mujoco><worldbody><body><geom size='0.1'/></body></worldbody></mujoco>";
   good.camera_config->name = "watcher";
   good.camera_config->placed = 1;
+  good.field_config->name = "toy/place";
+  good.field_config->elements = toys;
+  good.field_config->element_count = 1;
 }
 
 static void fill_results(void) {
@@ -346,13 +361,52 @@ static void fill_results(void) {
   results->reward = good.all_values;
   results->terminated = good.state_out;
   results->truncated = (uint8_t*)good.state_out + WORLDS_IN_BATCH;
+  results->outcome = good.outcome;
   results->agents = WORLDS_IN_BATCH * AGENTS;
+  results->terms = good.numbers;
+  results->term_count = WORLDS_IN_BATCH * good.term_count;
   results->status = good.statuses;
   results->was_reset = (uint8_t*)good.state_out + 2 * WORLDS_IN_BATCH;
   results->final_written = (uint8_t*)good.state_out + 3 * WORLDS_IN_BATCH;
   results->worlds = WORLDS_IN_BATCH;
   results->final_blocks = good.states_out;
   results->final_bytes = good.blocks_bytes;
+}
+
+static void fill_env_results(void) {
+  mimo_env_results* results = good.env_results;
+  memset(results, 0, sizeof *results);
+  results->struct_size = sizeof *results;
+  results->reward = good.reward;
+  results->terminated = good.terminated;
+  results->truncated = good.truncated;
+  results->outcome = good.outcome;
+  results->agents = AGENTS;
+  results->terms = good.numbers;
+  results->term_count = good.term_count;
+}
+
+static void fill_resets(void) {
+  memset(good.reset_config, 0, sizeof *good.reset_config);
+  good.reset_config->struct_size = sizeof *good.reset_config;
+  good.reset_config->seeded = 1;
+  good.reset_config->seed = 5;
+  memset(good.batch_reset, 0, sizeof *good.batch_reset);
+  good.batch_reset->struct_size = sizeof *good.batch_reset;
+  good.batch_reset->seeds = good.seeds;
+  good.batch_reset->mask = good.mask;
+  good.batch_reset->worlds = WORLDS_IN_BATCH;
+}
+
+static void fill_picture(void) {
+  memset(good.picture, 0, sizeof *good.picture);
+  good.picture->struct_size = sizeof *good.picture;
+  good.picture->rgb = good.rgb;
+  good.picture->rgb_bytes = good.rgb_bytes;
+  good.picture->depth = good.depth;
+  good.picture->depth_count = good.depth_count;
+  good.picture->segmentation = good.segmentation;
+  good.picture->segmentation_count = good.segmentation_count;
 }
 
 /* Arrays that are read hold what is asked for: no actions, everything at the origin, the world's own state. */
@@ -387,6 +441,9 @@ args good_args(int uses) {
   for (i = 0; i < region_count; ++i) memset(regions[i].bytes, 0xab, regions[i].size);
   fill_configs();
   fill_results();
+  fill_env_results();
+  fill_resets();
+  fill_picture();
   fill_arrays();
   fill_states();
   *good.made_scene = NULL;
@@ -395,6 +452,7 @@ args good_args(int uses) {
   *good.made_senses = NULL;
   good.kind = MIMO_BODY;
   good.quantity = MIMO_JOINT_POSITION;
+  good.receptor_quantity = MIMO_RECEPTOR_FRAME;
   good.steps = 1;
   good.name = "toy";
   good.scene_name = "free";
@@ -404,6 +462,7 @@ args good_args(int uses) {
   good.folder = "misuse_saved_scene";
   good.joint_name = "robot:head_tilt";
   good.path = "touch";
+  good.field_name = "touch/force";
   good.motor_path = "right_arm";
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
@@ -448,6 +507,7 @@ mimo_scene* retired_scene(void) { return dead_scene; }
 mimo_env* retired_env(void) { return dead_env; }
 mimo_batch* retired_batch(void) { return dead_batch; }
 mimo_senses* retired_senses(void) { return dead_senses; }
+mimo_layout* retired_layout(void) { return (mimo_layout*)dead_layout; }
 void* no_handle(void) { return not_a_handle; }
 const void* foreign_state(void) { return foreign; }
 
@@ -464,7 +524,7 @@ void break_worlds(void) {
 
 void mend_worlds(void) {
   CHECK_OK(mimo_env_reset(good.env, NULL, NULL, 0));
-  CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0, NULL, 0));
+  CHECK_OK(mimo_batch_reset(good.batch, NULL, NULL, 0));
 }
 
 int world_failures(void) { return failures(); }

@@ -26,6 +26,7 @@ mimo_scene* retired_scene(void);
 mimo_env* retired_env(void);
 mimo_batch* retired_batch(void);
 mimo_senses* retired_senses(void);
+mimo_layout* retired_layout(void);
 void* no_handle(void);
 
 /* Makes the environment and the batch fail by divergence; makes them good again. */

@@ -52,7 +52,7 @@ void run(const std::string& scene) {
   Height task;
   mimo::Env env = scene == "own" ? make_own(task) : mimo::make(scene);
   mimo::Block block = env.make_block();
-  std::vector<float> actions(env.action_size());
+  std::vector<float> actions(env.layout().info().actions);
   env.reset(7, block);
   std::uint64_t hash = hash_of(14695981039346656037U, block);
   double sum = 0;

@@ -35,10 +35,10 @@ static mimo_env* env_of(const char* name) {
 static void step(mimo_env* env, int count) {
   float action[256];
   size_t actions = 0, i;
-  CHECK_OK(mimo_env_action_size(env, &actions));
+  actions = sizes_of(env).actions;
   while (count-- > 0) {
     for (i = 0; i < actions; ++i) action[i] = 0.3f * (float)((int)(i * 7 + (size_t)count * 3) % 5 - 2);
-    CHECK_OK(mimo_env_step(env, action, actions, NULL, 0, NULL, NULL, NULL, 0));
+    CHECK_OK(mimo_env_step(env, action, actions, NULL, 0, NULL));
   }
 }
 
@@ -53,7 +53,7 @@ static size_t look(mimo_env* env, double* numbers) {
   CHECK(width + 3 <= NUMBERS);
   CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, ids, joints, numbers, width));
   CHECK_OK(mimo_env_time(env, &numbers[width]));
-  CHECK_OK(mimo_env_observation_size(env, &bytes, NULL));
+  bytes = sizes_of(env).block_bytes;
   block = malloc(bytes);
   if (block == NULL) exit(1);
   CHECK_OK(mimo_env_observe(env, block, bytes));
@@ -84,11 +84,10 @@ static void write_numbers(FILE* file, mimo_env* env) {
 
 static void write_state(const char* folder, const char* name) {
   static uint8_t state[MOST];
-  const uint64_t seed = 5;
   mimo_env* env = env_of(name);
   size_t bytes = 0;
   FILE* file;
-  CHECK_OK(mimo_env_reset(env, &seed, NULL, 0));
+  CHECK_OK(mimo_env_reset(env, SEED(5), NULL, 0));
   step(env, STEPS);
   CHECK_OK(mimo_env_state_size(env, &bytes));
   CHECK(bytes <= sizeof state);

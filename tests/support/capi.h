@@ -8,6 +8,9 @@
 #include <string.h>
 
 #include "mimo/mimo.h"
+#ifndef __cplusplus
+#include "support/calls.h"
+#endif
 
 static int failed_checks = 0;
 
@@ -66,6 +69,51 @@ static inline mimo_env* blind_env(const char* name, const mimo_env_config* confi
   mimo_scene_destroy(scene);
   if (env == NULL) exit(failures());
   return env;
+}
+
+static inline const mimo_layout* layout_of(const mimo_env* env) {
+  const mimo_layout* layout = NULL;
+  CHECK_OK(mimo_env_layout(env, &layout));
+  return layout;
+}
+
+/* How much an environment observes, acts with and is rewarded for. */
+static inline mimo_layout_info sizes_of(const mimo_env* env) {
+  mimo_layout_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  CHECK_OK(mimo_layout_describe(layout_of(env), &info));
+  return info;
+}
+
+static inline mimo_field field_at(const mimo_layout* layout, size_t index) {
+  mimo_field field;
+  memset(&field, 0, sizeof field);
+  field.struct_size = sizeof field;
+  CHECK_OK(mimo_layout_field(layout, index, &field));
+  return field;
+}
+
+static inline mimo_field field_of(const mimo_env* env, const char* name) {
+  size_t index = 0;
+  CHECK_OK(mimo_layout_find(layout_of(env), name, &index));
+  return field_at(layout_of(env), index);
+}
+
+static inline mimo_action action_at(const mimo_env* env, size_t index) {
+  mimo_action action;
+  memset(&action, 0, sizeof action);
+  action.struct_size = sizeof action;
+  CHECK_OK(mimo_layout_action(layout_of(env), index, &action));
+  return action;
+}
+
+static inline const char* term_name(const mimo_env* env, size_t index) {
+  mimo_term term;
+  memset(&term, 0, sizeof term);
+  term.struct_size = sizeof term;
+  CHECK_OK(mimo_layout_term(layout_of(env), index, &term));
+  return term.name;
 }
 
 static inline int32_t find(const mimo_env* env, int32_t kind, const char* name) {

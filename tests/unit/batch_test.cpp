@@ -40,8 +40,8 @@ class Rig {
   batch::Output output() {
     std::fill(blocks.begin(), blocks.end(), 0xbb);
     std::fill(final_blocks.begin(), final_blocks.end(), 0xff);
-    return {blocks.data(), reward.data(),    terminated.data(),   truncated.data(),
-            status.data(), was_reset.data(), final_blocks.data(), final_written.data()};
+    return {blocks.data(), reward.data(), terminated.data(), truncated.data(),    nullptr,
+            nullptr,       status.data(), was_reset.data(),  final_blocks.data(), final_written.data()};
   }
 
   std::vector<float> actions(int number) const {
@@ -412,8 +412,7 @@ TEST(Batch, SavesAndLoadsManyStates) {
   EXPECT_EQ(failure([&] {
               rig.batch.load(nullptr, {states.data(), 2 * bytes});
             }),
-            "state_bytes is " + std::to_string(2 * bytes) + ", expected " + std::to_string(bytes) + " or " +
-                std::to_string(3 * bytes));
+            "state_bytes is " + std::to_string(2 * bytes) + ", expected " + std::to_string(bytes) + " or 3 times that");
 
   states[bytes + 100] ^= 1;
   EXPECT_EQ(failure([&] { rig.batch.load(nullptr, Span<const std::uint8_t>(states)); }),
@@ -434,24 +433,20 @@ TEST(Batch, UnseededWorldsDiffer) {
 }
 
 TEST(Batch, MessagesArriveOnTheCallingThread) {
-  struct Heard {
-    std::vector<std::string> messages;
-    bool elsewhere = false;
-  } heard;
-  LogSink log;
-  log.user = &heard;
-  log.write = [](void* user, std::int32_t, const char* message) {
-    auto& it = *static_cast<Heard*>(user);
-    it.messages.emplace_back(message);
-    it.elsewhere = it.elsewhere || batch::workplace().batch != nullptr;
-  };
+  std::vector<LogRecord> heard;
+  bool elsewhere = false;
+  const LogSink log([&](const LogRecord& record) {
+    heard.push_back(record);
+    elsewhere = elsewhere || batch::workplace().batch != nullptr;
+  });
   Rig rig(floating_model(), sized(4, 3), {}, log);
   for (std::size_t i : {1, 2}) rig.batch.world(i).physics().data().warning[mjWARN_CONTACTFULL].number = 1;
   rig.step(0);
-  ASSERT_EQ(heard.messages.size(), 2u);
-  EXPECT_EQ(heard.messages[0].rfind("world 1: ", 0), 0u);
-  EXPECT_EQ(heard.messages[1].rfind("world 2: ", 0), 0u);
-  EXPECT_FALSE(heard.elsewhere);
+  ASSERT_EQ(heard.size(), 2u);
+  EXPECT_EQ(heard[0].world, 1u);
+  EXPECT_EQ(heard[1].world, 2u);
+  EXPECT_DOUBLE_EQ(heard[0].time, rig.batch.world(1).data().time);
+  EXPECT_FALSE(elsewhere);
 }
 
 TEST(Batch, Of64Worlds) {

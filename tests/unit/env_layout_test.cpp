@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "env/description.h"
 #include "support/scenes.h"
 
 namespace mimo::test {
@@ -62,7 +63,7 @@ TEST(EnvLayout, LabelsNameEveryElement) {
   const auto world = benchmark_world(all_senses());
   for (std::size_t i = 0; i < world->layout().size(); ++i) {
     const observation::Field& field = world->layout()[i];
-    if (field.name.rfind("touch/", 0) == 0) continue;  // mimo_env_touch_sensors describes these
+    if (field.name.rfind("touch/", 0) == 0) continue;  // their receptors describe these
     std::set<std::string> labels;
     for (std::size_t k = 0; k < field.count(); ++k) labels.insert(field.label(k));
     EXPECT_EQ(labels.size(), field.count()) << field.name;
@@ -159,8 +160,11 @@ TEST(EnvLayout, SeveralAgents) {
   EXPECT_EQ(fields.count("ben/vestibular/acceleration"), 1u);
   EXPECT_EQ(world.action_size(), 2 * kMotors);
   EXPECT_EQ(world.agents()[1].action_offset, kMotors);
-  EXPECT_EQ(world.action(kMotors).first->name, "ben");
-  EXPECT_EQ(world.action(kMotors).second, 0u);
+  const env::Description description = env::describe(world);
+  EXPECT_EQ(description.actions.size(), 2 * kMotors);
+  EXPECT_EQ(description.actions[kMotors - 1].agent, 0u);
+  EXPECT_EQ(description.actions[kMotors].agent, 1u);
+  EXPECT_STREQ(description.actions[kMotors].name, "ben/act:hip_bend");
   std::vector<float> actions(2 * kMotors, 0.f);
   actions[kMotors] = 0.25f;
   world.step(actions, nullptr, {});

@@ -182,14 +182,6 @@ TEST(EnvStep, FailedWorld) {
   }
 }
 
-struct Messages {
-  static void write(void* user, std::int32_t level, const char* text) {
-    EXPECT_EQ(level, 1);
-    static_cast<Messages*>(user)->texts.emplace_back(text);
-  }
-  std::vector<std::string> texts;
-};
-
 // Gives the rewards 1, infinity, 1 ...
 class Generous : public tasks::Task {
  public:
@@ -231,16 +223,20 @@ TEST(EnvStep, WarningsReachTheLog) {
   scene::Scene scene(  // of a box that lies on the floor with four corners
       from_text("<mujoco><size nconmax='2'/><worldbody><geom type='plane' size='0 0 1'/><body pos='0 0 .099'>"
                 "<freejoint/><geom type='box' size='.1 .1 .1'/></body></worldbody></mujoco>"));
-  Messages messages;
+  std::vector<LogRecord> heard;
   env::Services services;
-  services.log = {Messages::write, &messages};
-  env::World world(compile(scene), {}, without_renderer(), services);
-  ASSERT_EQ(messages.texts.size(), 1u);
-  EXPECT_TRUE(contains(messages.texts[0], "nconmax"));
+  services.log = LogSink([&heard](const LogRecord& record) { heard.push_back(record); });
+  env::World world(compile(scene), {}, without_renderer(), services, {0, 7, nullptr});
+  ASSERT_EQ(heard.size(), 1u);
+  EXPECT_TRUE(contains(heard[0].text, "nconmax"));
+  EXPECT_EQ(heard[0].level, LogLevel::kWarning);
+  EXPECT_EQ(heard[0].code, static_cast<int>(engine::Warning::kContactsDropped));
+  EXPECT_TRUE(heard[0].in_world);
+  EXPECT_EQ(heard[0].world, 7u);
   for (int step = 0; step < 5; ++step) world.step({}, nullptr, {});
-  EXPECT_EQ(messages.texts.size(), 1u);
+  EXPECT_EQ(heard.size(), 1u);
   world.reset(nullptr, nullptr);
-  EXPECT_EQ(messages.texts.size(), 2u);
+  EXPECT_EQ(heard.size(), 2u);
 }
 
 }  // namespace

@@ -23,10 +23,7 @@ struct Loaded {
 Loaded load(const std::string& xml) {
   Loaded loaded;
   scene::Source source = from_text(xml);
-  source.log = {[](void* user, std::int32_t, const char* text) {
-                  static_cast<std::vector<std::string>*>(user)->emplace_back(text);
-                },
-                &loaded.warnings};
+  source.log = LogSink([&loaded](const LogRecord& record) { loaded.warnings.push_back(record.text); });
   loaded.model = compile(scene::Scene(source));
   return loaded;
 }

@@ -114,10 +114,7 @@ TEST_F(ScenePlaces, OnWhatComesLater) {
 
 std::vector<std::string> warnings(scene::Scene& scene) {
   std::vector<std::string> told;
-  const auto write = [](void* user, std::int32_t, const char* text) {
-    static_cast<std::vector<std::string>*>(user)->emplace_back(text);
-  };
-  scene.check_places(compile(scene), LogSink{write, &told});
+  scene.check_places(compile(scene), LogSink([&told](const LogRecord& record) { told.push_back(record.text); }));
   return told;
 }
 

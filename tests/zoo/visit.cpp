@@ -63,12 +63,10 @@ Extent extent_of(const mimo::Env& env) {
 }
 
 std::vector<float> draw_actions(const mimo::Env& env, Random& random) {
-  const mimo::Bounds bounds = env.action_bounds();
-  const auto &low = bounds.low, &high = bounds.high;
-  std::vector<float> actions(low.size());
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    const float from = std::max(low[i], -10.0f), to = std::min(high[i], 10.0f);
-    actions[i] = from < to ? std::uniform_real_distribution<float>(from, to)(random) : low[i];
+  std::vector<float> actions;
+  for (const mimo_action& action : env.layout().actions()) {
+    const double from = std::max(action.low, -10.0), to = std::min(action.high, 10.0);
+    actions.push_back(static_cast<float>(from < to ? std::uniform_real_distribution<double>(from, to)(random) : action.low));
   }
   return actions;
 }
@@ -115,9 +113,9 @@ mimo::Vector rotate(const std::vector<double>& quaternion, const mimo::Vector& v
 }
 
 // Presses the ball half its radius deep into the skin at some sensor, at rest.
-void poke(mimo::Env& env, const std::vector<mimo::TouchSensor>& skin, const Ball& ball, Random& random) {
+void poke(mimo::Env& env, const std::vector<mimo::Receptor>& skin, const Ball& ball, Random& random) {
   if (skin.empty()) return;
-  const mimo::TouchSensor& sensor = skin[std::uniform_int_distribution<std::size_t>(0, skin.size() - 1)(random)];
+  const mimo::Receptor& sensor = skin[std::uniform_int_distribution<std::size_t>(0, skin.size() - 1)(random)];
   auto place = env.get_values(MIMO_BODY_POSITION, {sensor.body});
   mimo::Vector local;
   for (std::size_t i = 0; i < 3; ++i) local[i] = sensor.position[i] + 0.5 * ball.radius * sensor.normal[i];
@@ -126,6 +124,14 @@ void poke(mimo::Env& env, const std::vector<mimo::TouchSensor>& skin, const Ball
   const std::int32_t body = env.find(MIMO_BODY, Ball::kName);
   env.set_values(MIMO_BODY_POSITION, {body}, place);
   env.set_values(MIMO_JOINT_VELOCITY, {env.find(MIMO_JOINT, Ball::kName)}, {0, 0, 0, 0, 0, 0});
+}
+
+// The receptors of the agent's touch; none where it has no skin.
+std::vector<mimo::Receptor> skin_of(const mimo::Env& env) {
+  for (const mimo_field& field : env.layout().fields()) {
+    if (field.receptors > 0) return env.layout().receptors(field.name);
+  }
+  return {};
 }
 
 struct Seen {
@@ -155,8 +161,8 @@ Seen move(mimo::Env& env, int steps, const Ball* ball) {
   Seen seen;
   Random random(1);
   auto block = env.make_block();
-  const auto fields = env.fields();
-  const auto skin = env.touch_sensors();
+  const auto fields = env.layout().fields();
+  const auto skin = skin_of(env);
   std::int32_t pushed = 0;
   env.reset(1, block);
   for (int step = 0; step < steps; ++step) {

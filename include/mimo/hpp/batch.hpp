@@ -40,17 +40,19 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   /// The same as an Env, whose end leaves the world to the batch.
   Env env(std::size_t index) { return Env(world(index)); }
 
+  /// What each of the worlds observes, acts with and is rewarded for; may be asked at any time.
+  Layout layout() const { return detail::layout_of<mimo_batch>(get(), mimo_batch_layout); }
+
   /// Observations of all worlds; that of world i starts at i times the size of one.
-  Block make_blocks() {
-    std::size_t bytes = 0;
-    check(mimo_env_observation_size(world(0), &bytes, nullptr));
-    return Block(bytes * size());
-  }
+  Block make_blocks() const { return Block(layout().info().block_bytes * size()); }
 
   /// One seed for each world; none: they go on with their own random numbers.
   void reset(const std::vector<std::uint64_t> &seeds, Block &blocks) {
-    check(mimo_batch_reset(get(), seeds.empty() ? nullptr : seeds.data(), nullptr, seeds.size(), blocks.data(),
-                           blocks.bytes()));
+    mimo_batch_reset_config config = {};
+    config.struct_size = sizeof config;
+    config.seeds = seeds.empty() ? nullptr : seeds.data();
+    config.worlds = seeds.size();
+    check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));
   }
   /// One step; worlds x actions, none leave the controls as they are. `results` says where else it goes, or nullptr.
   void step(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {

@@ -28,6 +28,14 @@ Description described() {
   description.struct_size = sizeof description;
   return description;
 }
+
+/// An episode whose random numbers start anew from a seed.
+inline mimo_reset_config seeded(std::uint64_t seed) {
+  mimo_reset_config config = described<mimo_reset_config>();
+  config.seeded = 1;
+  config.seed = seed;
+  return config;
+}
 inline std::vector<std::string> names(const char *(*name)(std::size_t)) {
   std::vector<std::string> all;
   for (std::size_t i = 0; name(i) != nullptr; ++i) all.push_back(name(i));
@@ -41,6 +49,7 @@ inline mimo_agent_config agent_config() { return detail::defaults(mimo_agent_con
 inline mimo_object_config object_config() { return detail::defaults(mimo_object_config_init); }
 inline mimo_model_config model_config() { return detail::defaults(mimo_model_config_init); }
 inline mimo_camera_config camera_config() { return detail::defaults(mimo_camera_config_init); }
+inline mimo_field_config field_config() { return detail::defaults(mimo_field_config_init); }
 inline mimo_env_config env_config() { return detail::defaults(mimo_env_config_init); }
 inline mimo_batch_config batch_config() { return detail::defaults(mimo_batch_config_init); }
 inline mimo_picture_config picture_config() { return detail::defaults(mimo_picture_config_init); }
@@ -75,6 +84,10 @@ inline std::vector<mimo_parameter> parameters() {
 /// Versions of the library that is loaded, and of the MuJoCo that it runs on.
 inline std::string version() { return mimo_version(); }
 inline std::string mujoco_version() { return mimo_mujoco_version(); }
+/// Whether the library that is loaded knows a function, a constant, a struct or a member of one: "mimo_field.offset".
+inline bool supports(const std::string &name) { return mimo_supports(name.c_str()) != 0; }
+/// MIMO_API_VERSION of that library.
+inline std::uint32_t api_version() { return mimo_api_version(); }
 /// Other than MIMO_ABI_VERSION if the program was built with headers that do not belong to the library.
 inline std::uint32_t abi_version() { return mimo_abi_version(); }
 

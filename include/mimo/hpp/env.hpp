@@ -7,13 +7,11 @@
 #define MIMO_HPP_ENV
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "observation.hpp"
-#include "results.hpp"
+#include "layout.hpp"
 #include "scene.hpp"
 
 namespace mimo {
@@ -52,14 +50,11 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return seconds;
   }
 
-  std::size_t agent_count() const {
-    std::size_t count = 0;
-    check(mimo_env_agent_count(get(), &count));
-    return count;
-  }
+  /// What it observes, acts with and is rewarded for.
+  Layout layout() const { return detail::layout_of<mimo_env>(get(), mimo_env_layout); }
   /// Their names live as long as the environment.
   std::vector<mimo_agent_info> agents() const {
-    std::vector<mimo_agent_info> all(agent_count());
+    std::vector<mimo_agent_info> all(layout().info().agents);
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i].struct_size = sizeof(mimo_agent_info);
       check(mimo_env_agent(get(), i, &all[i]));
@@ -67,53 +62,26 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return all;
   }
 
-  std::size_t action_size() const {
-    std::size_t count = 0;
-    check(mimo_env_action_size(get(), &count));
-    return count;
-  }
-  std::vector<std::string> action_names() const {
-    std::vector<std::string> names(action_size());
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const char *name = nullptr;
-      check(mimo_env_action_name(get(), i, &name));
-      names[i] = name;
-    }
-    return names;
-  }
-  Bounds action_bounds() const {
-    const std::size_t count = action_size();
-    Bounds bounds = {std::vector<float>(count), std::vector<float>(count)};
-    check(mimo_env_action_bounds(get(), bounds.low.data(), bounds.high.data(), count));
-    return bounds;
-  }
-
-  Block make_block() const { return detail::block_of<mimo_env>(get(), mimo_env_observation_size); }
+  Block make_block() const { return layout().make_block(); }
   Results make_results() const {
-    const std::size_t count = agent_count();
-    return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count)};
+    const mimo_layout_info sizes = layout().info();
+    const std::size_t count = sizes.agents;
+    return Results{std::vector<double>(count), std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count),
+                   std::vector<std::int32_t>(count), std::vector<double>(sizes.terms)};
   }
-  /// Their strings live as long as the environment.
-  std::vector<mimo_field> fields() const {
-    return detail::fields_of<mimo_env>(get(), mimo_env_observation_size, mimo_env_observation_field);
-  }
-  /// The field of that name; throws std::out_of_range when there is none.
-  mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
 
-  void reset(std::uint64_t seed, Block &block) { check(mimo_env_reset(get(), &seed, block.data(), block.bytes())); }
+  void reset(std::uint64_t seed, Block &block) {
+    const mimo_reset_config config = detail::seeded(seed);
+    check(mimo_env_reset(get(), &config, block.data(), block.bytes()));
+  }
   void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
   void observe(Block &block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
 
   /// One step of all agents; an empty vector of actions leaves the controls as they are. Allocates nothing.
   void step(const std::vector<float> &actions, Block &block, Results &results) {
-    const std::size_t agents = results.reward.size();
-    if (results.terminated.size() != agents || results.truncated.size() != agents) {
-      throw std::invalid_argument("vectors of the results differ in length");
-    }
-    const bool wanted = agents != 0;
+    const mimo_env_results to = results.raw();
     check(mimo_env_step(get(), actions.empty() ? nullptr : actions.data(), actions.size(), block.data(), block.bytes(),
-                        wanted ? results.reward.data() : nullptr, wanted ? results.terminated.data() : nullptr,
-                        wanted ? results.truncated.data() : nullptr, agents));
+                        &to));
   }
   /// The same with results of its own.
   std::vector<Result> step(const std::vector<float> &actions, Block &block) {
@@ -121,12 +89,12 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     step(actions, block, all);
     std::vector<Result> results;
     for (std::size_t i = 0; i < all.reward.size(); ++i) {
-      results.push_back(Result{all.reward[i], all.terminated[i] != 0, all.truncated[i] != 0});
+      results.push_back(Result{all.reward[i], all.terminated[i] != 0, all.truncated[i] != 0, all.outcome[i]});
     }
     return results;
   }
 
-  /// Physics alone: no actuation, senses or task.
+  /// Physics alone: no senses and no task.
   void physics_step(std::size_t count = 1) { check(mimo_env_physics_step(get(), count)); }
 
   double time() const {
@@ -140,27 +108,6 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     std::vector<double> values(count);
     check(mimo_env_random(get(), values.data(), values.size()));
     return values;
-  }
-  /// MIMO_OUTCOME_ of an agent's last step, also where it does not end the episode.
-  std::int32_t outcome(std::size_t agent = 0) const {
-    std::uint8_t success = 0, failure = 0;
-    check(mimo_env_outcome(get(), agent, &success, &failure));
-    return success != 0 ? MIMO_OUTCOME_SUCCESS : failure != 0 ? MIMO_OUTCOME_FAILURE
-                                                              : MIMO_OUTCOME_NONE;
-  }
-  /// The terms of the last step's reward by name, in their order.
-  std::vector<std::pair<std::string, double>> reward_terms(std::size_t agent = 0) const {
-    std::size_t count = 0;
-    check(mimo_env_reward_term_count(get(), agent, &count));
-    std::vector<double> values(count);
-    check(mimo_env_reward_terms(get(), agent, values.data(), values.size()));
-    std::vector<std::pair<std::string, double>> terms;
-    for (std::size_t i = 0; i < count; ++i) {
-      const char *name = nullptr;
-      check(mimo_env_reward_term_name(get(), agent, i, &name));
-      terms.emplace_back(name, values[i]);
-    }
-    return terms;
   }
 
   /// How many of a kind (MIMO_BODY ...) there are.
@@ -282,30 +229,6 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return static_cast<std::uint64_t>(get_values(MIMO_WARNING_COUNT, {kind})[0]);
   }
 
-  std::size_t touch_sensor_count(std::size_t agent = 0) const {
-    std::size_t count = 0;
-    check(mimo_env_touch_sensors(get(), agent, nullptr, nullptr, nullptr, nullptr, 0, &count));
-    return count;
-  }
-  /// The touch sensors of an agent, in the order of its touch fields.
-  std::vector<TouchSensor> touch_sensors(std::size_t agent = 0) const {
-    const std::size_t count = touch_sensor_count(agent);
-    std::vector<std::int32_t> bodies(count), geoms(count);
-    std::vector<double> positions(3 * count), frames(MIMO_TOUCH_FRAME_VALUES * count);
-    check(mimo_env_touch_sensors(get(), agent, bodies.data(), geoms.data(), positions.data(), frames.data(), count,
-                                 nullptr));
-    std::vector<TouchSensor> all;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double *frame = &frames[MIMO_TOUCH_FRAME_VALUES * i];
-      all.push_back(TouchSensor{bodies[i],
-                                geoms[i],
-                                detail::vector_at(&positions[3 * i]),
-                                detail::vector_at(frame),
-                                {detail::vector_at(frame + 3), detail::vector_at(frame + 6)}});
-    }
-    return all;
-  }
-
   /// Draws the current state; MIMO_VISION_ bits say what of it. Colour has three bytes a pixel here: for
   /// MIMO_PICTURE_RGBA there is mimo_env_render.
   Pictures render(const mimo_picture_config &config, std::uint32_t outputs = MIMO_VISION_RGB) {
@@ -322,9 +245,15 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     std::vector<Rgb> &color = pictures.color.pixels;
     std::vector<float> &depth = pictures.depth.pixels;
     std::vector<std::int32_t> &ids = pictures.segmentation.pixels;
-    check(mimo_env_render(get(), &config, color.empty() ? nullptr : &color[0].r, sizeof(Rgb) * color.size(),
-                          depth.empty() ? nullptr : depth.data(), depth.size(), ids.empty() ? nullptr : ids.data(),
-                          ids.size()));
+    mimo_picture to = {};
+    to.struct_size = sizeof to;
+    to.rgb = color.empty() ? nullptr : &color[0].r;
+    to.rgb_bytes = sizeof(Rgb) * color.size();
+    to.depth = depth.empty() ? nullptr : depth.data();
+    to.depth_count = depth.size();
+    to.segmentation = ids.empty() ? nullptr : ids.data();
+    to.segmentation_count = ids.size();
+    check(mimo_env_render(get(), &config, &to));
   }
   /// Where points of the world lie in the picture: pixels from its left and its upper edge, and depth in metres.
   std::vector<Vector> project(const mimo_picture_config &config, const std::vector<Vector> &points) const {

@@ -83,33 +83,6 @@ class Block {
   std::size_t bytes_;
 };
 
-namespace detail {
-template <typename T>
-Block block_of(const T *handle, mimo_status (*size)(const T *, std::size_t *, std::size_t *)) {
-  std::size_t bytes = 0;
-  check(size(handle, &bytes, nullptr));
-  return Block(bytes);
-}
-template <typename T>
-std::vector<mimo_field> fields_of(const T *handle, mimo_status (*size)(const T *, std::size_t *, std::size_t *),
-                                  mimo_status (*describe)(const T *, std::size_t, mimo_field *)) {
-  std::size_t count = 0;
-  check(size(handle, nullptr, &count));
-  std::vector<mimo_field> all(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    all[i].struct_size = sizeof(mimo_field);
-    check(describe(handle, i, &all[i]));
-  }
-  return all;
-}
-inline mimo_field field_named(const std::vector<mimo_field> &fields, const std::string &name) {
-  for (const mimo_field &candidate : fields) {
-    if (name == candidate.name) return candidate;
-  }
-  throw std::out_of_range("no field named " + name);
-}
-}  // namespace detail
-
 }  // namespace mimo
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file mimo/hpp/results.hpp
- * What worlds tell: results of steps, contacts, touch sensors, pictures. Part of mimo.hpp, which programs include.
+ * What worlds tell: results of steps, contacts, receptors, pictures. Part of mimo.hpp, which programs include.
  * MIT licence, see LICENSE.
  */
 #ifndef MIMO_HPP_RESULTS
@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,17 +23,35 @@ struct Result {
   double reward;
   bool terminated;
   bool truncated;
+  std::int32_t outcome;  ///< MIMO_OUTCOME_, also where it does not end the episode.
 };
 
 /// The same for all agents, in memory that is made once: Env::make_results. Empty ones, Results(), are not written.
 struct Results {
   std::vector<double> reward;
   std::vector<std::uint8_t> terminated, truncated;
-};
+  std::vector<std::int32_t> outcome;  ///< MIMO_OUTCOME_ constants.
+  std::vector<double> terms;          ///< Of all agents' rewards, as Env::term_names names them.
 
-/// Bounds of all actions.
-struct Bounds {
-  std::vector<float> low, high;
+  /// For the C interface. Throws std::invalid_argument where vectors of agents differ in length.
+  mimo_env_results raw() {
+    const std::size_t agents = reward.size();
+    if (terminated.size() != agents || truncated.size() != agents || outcome.size() != agents) {
+      throw std::invalid_argument("vectors of the results differ in length");
+    }
+    mimo_env_results results = {};
+    results.struct_size = sizeof results;
+    if (agents != 0) {
+      results.reward = reward.data();
+      results.terminated = terminated.data();
+      results.truncated = truncated.data();
+      results.outcome = outcome.data();
+    }
+    results.agents = agents;
+    results.terms = terms.empty() ? nullptr : terms.data();
+    results.term_count = terms.size();
+    return results;
+  }
 };
 
 /// A point or direction.
@@ -61,8 +80,8 @@ struct StepContact {
   Vector peak_position;    ///< Of the strongest contact then, metres.
 };
 
-/// A touch sensor. Metres, in the frame of its body.
-struct TouchSensor {
+/// A receptor of the skin. Metres, in the frame of its body.
+struct Receptor {
   std::int32_t body;
   std::int32_t geom;
   Vector position;

@@ -7,6 +7,7 @@
 #define MIMO_HPP_SCENE
 
 #include <string>
+#include <vector>
 
 #include "configs.hpp"
 
@@ -79,6 +80,21 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
+  /// A further field of the observation.
+  void add_field(const mimo_field_config &config) { check(mimo_scene_add_field(get(), &config)); }
+  /// The same in one line: a quantity of some elements, in the frame of a body or, where that is "", of the world.
+  void add_field(const std::string &name, std::int32_t quantity, const std::vector<std::string> &elements,
+                 const std::string &relative_to = "") {
+    std::vector<const char *> names;
+    for (const std::string &element : elements) names.push_back(element.c_str());
+    mimo_field_config config = field_config();
+    config.name = name.c_str();
+    config.quantity = quantity;
+    config.elements = names.data();
+    config.element_count = names.size();
+    config.relative_to = relative_to.empty() ? nullptr : relative_to.c_str();
+    add_field(config);
+  }
   /// Gives worlds made from now on a task of your own, which outlives them.
   inline void set_task(Task &task);
   /// Takes it away.

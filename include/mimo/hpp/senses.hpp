@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "observation.hpp"
+#include "layout.hpp"
 #include "scene.hpp"
 
 namespace mimo {
@@ -30,16 +30,16 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
   Senses(const Scene &scene, const void *model, const mimo_senses_config &config)
       : Handle(attach(scene, model, config)) {}
 
-  Block make_block() const { return detail::block_of<mimo_senses>(get(), mimo_senses_observation_size); }
-  std::vector<mimo_field> fields() const {
-    return detail::fields_of<mimo_senses>(get(), mimo_senses_observation_size, mimo_senses_observation_field);
-  }
-  /// The field of that name; throws std::out_of_range when there is none.
-  mimo_field field(const std::string &name) const { return detail::field_named(fields(), name); }
+  /// What is observed.
+  Layout layout() const { return detail::layout_of<mimo_senses>(get(), mimo_senses_layout); }
+  Block make_block() const { return layout().make_block(); }
 
   /// Starts an episode; without a seed its noise goes on from the last one's.
   void reset(const void *data) { check(mimo_senses_reset(get(), data, nullptr)); }
-  void reset(const void *data, std::uint64_t seed) { check(mimo_senses_reset(get(), data, &seed)); }
+  void reset(const void *data, std::uint64_t seed) {
+    const mimo_reset_config config = detail::seeded(seed);
+    check(mimo_senses_reset(get(), data, &config));
+  }
   /// One step later: what is late takes in what the data hold.
   void advance(const void *data) { check(mimo_senses_advance(get(), data)); }
   void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }

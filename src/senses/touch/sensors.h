@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "engine/physics.h"
+#include "observation/receptor.h"
 #include "senses/touch/shape.h"
 
 namespace mimo::senses::touch {
 
-struct Sensor {
-  int body;
-  int geom;
-  Vec3 position;          // body frame, m
-  Eigen::Matrix3d frame;  // rows, body frame: outward normal, first tangent, second tangent
-
-  auto normal() const { return frame.row(0).transpose(); }
-};
+using Sensor = observation::Receptor;
 
 struct BodySensors {
   std::vector<Sensor> sensors;             // in the order of the geoms

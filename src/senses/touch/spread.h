@@ -7,7 +7,7 @@
 
 namespace mimo::senses::touch {
 
-// As mimo.h numbers them (MIMO_TOUCH_NEAREST ...). The distance d runs along the skin, s is the spacing.
+// As mimo.h numbers them (MIMO_RESPONSE_NEAREST ...). The distance d runs along the skin, s is the spacing.
 enum class Response : int {
   kNearest = 1,   // the nearest sensor feels everything
   kLinear = 2,    // 1 - d / 2s

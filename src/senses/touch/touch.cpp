@@ -101,6 +101,7 @@ int Touch::add(bool wanted, const char* name, std::size_t width, const char* uni
   field.shape = {sensors, width};
   field.unit = unit;
   field.frame = frame;
+  field.receptors = skin_->sensors();
   if (width == 1) field.low = 0;
   if (*unit == '\0') field.high = 1;
   fields_.push_back(std::move(field));

@@ -13,7 +13,7 @@ int main(void) {
   printf("libmimo %s on MuJoCo %s\n", mimo_version(), mimo_mujoco_version());
   if (mimo_abi_version() != MIMO_ABI_VERSION) return 1;
   if (mimo_env_make("reach", &env) != MIMO_OK) return complain();
-  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL, NULL, NULL, 0) != MIMO_OK) return complain();
+  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL) != MIMO_OK) return complain();
   if (mimo_env_time(env, &seconds) != MIMO_OK) return complain();
   mimo_env_destroy(env);
   printf("one step, %.3f s\n", seconds);

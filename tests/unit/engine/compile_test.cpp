@@ -68,7 +68,7 @@ TEST_F(EngineCompile, MessageHasOneLine) {
 
 TEST_F(EngineCompile, GoodModelIsSilent) {
   int messages = 0;
-  const LogSink log{[](void* user, std::int32_t, const char*) { ++*static_cast<int*>(user); }, &messages};
+  const LogSink log([&messages](const LogRecord&) { ++messages; });
   engine::compile(kGood, {}, log);
   EXPECT_EQ(messages, 0);
 }

@@ -122,28 +122,38 @@ TEST_F(EngineSurvival, MessageNamesTheTime) {
 }
 
 // Full buffers are survived with a warning, once an episode.
-void expect_warning(const std::string& size, const std::string& part) {
+void expect_warning(const std::string& size, engine::Warning kind, const std::string& part) {
   engine::Physics physics(compiled(pile(16, size)), {});
-  EXPECT_EQ(physics.take_warnings(), "");
+  EXPECT_TRUE(physics.take_warnings().empty());
   physics.step(200);
   EXPECT_FALSE(physics.failed());
-  EXPECT_TRUE(contains(physics.take_warnings(), part));
+  const std::vector<engine::Note> notes = physics.take_warnings();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].kind, kind);
+  EXPECT_TRUE(contains(notes[0].text, part));
   physics.step(10);
-  EXPECT_EQ(physics.take_warnings(), "") << "a warning comes once";
+  EXPECT_TRUE(physics.take_warnings().empty()) << "a warning comes once";
   physics.reset();
   physics.step(200);
-  EXPECT_TRUE(contains(physics.take_warnings(), part)) << "a new episode, a new warning";
+  EXPECT_EQ(physics.take_warnings().size(), 1u) << "a new episode, a new warning";
 }
 
-TEST_F(EngineSurvival, ContactBufferFull) { expect_warning("<size nconmax='5'/>", "contact"); }
-TEST_F(EngineSurvival, ConstraintBufferFull) { expect_warning("<size njmax='20'/>", "onstraint"); }
+TEST_F(EngineSurvival, ContactBufferFull) {
+  expect_warning("<size nconmax='5'/>", engine::Warning::kContactsDropped, "contact");
+}
+TEST_F(EngineSurvival, ConstraintBufferFull) {
+  expect_warning("<size njmax='20'/>", engine::Warning::kConstraintsDropped, "onstraint");
+}
 
 // MuJoCo replaces a control that is not a number by zero, and we say so.
 TEST_F(EngineSurvival, BadControl) {
   engine::Physics physics(compiled(spring(1)), {});
   physics.data().ctrl[0] = kNaN;
   physics.step(1);
-  EXPECT_TRUE(contains(physics.take_warnings(), "CTRL"));
+  const std::vector<engine::Note> notes = physics.take_warnings();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].kind, engine::Warning::kBadControl);
+  EXPECT_TRUE(contains(notes[0].text, "CTRL"));
   EXPECT_TRUE(std::isfinite(physics.data().qpos[0]));
 }
 

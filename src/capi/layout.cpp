@@ -1,0 +1,156 @@
+// What observations, actions and rewards consist of.
+#include "base/format.h"
+#include "capi/access.h"
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+
+namespace mimo::capi {
+
+OwnLayout own_layout(env::Description description) {
+  return OwnLayout(wrap<mimo_layout>(std::make_unique<LayoutObject>(LayoutObject{std::move(description)})));
+}
+
+void RetireLayout::operator()(mimo_layout* layout) const noexcept {
+  delete static_cast<LayoutObject*>(retire_handle(layout, HandleType::kLayout));
+}
+
+namespace {
+
+const env::Description& description_of(const mimo_layout* layout) { return open(layout).description; }
+
+const observation::Field& field_at(const env::Description& description, std::size_t index, const char* argument) {
+  const observation::Layout& layout = description.layout;
+  require(index < layout.size(), "{} is {}, but there are {} fields", argument, index, layout.size());
+  return layout[index];
+}
+
+template <typename T>
+const T& part_at(const std::vector<T>& parts, std::size_t index, const char* what) {
+  require(index < parts.size(), "index is {}, but there are {} {}", index, parts.size(), what);
+  return parts[index];
+}
+
+mimo_field described(const observation::Field& inside, const env::Interval& time, double period) {
+  mimo_field ours{};
+  ours.dtype = static_cast<int32_t>(inside.type);
+  ours.name = inside.name.c_str();
+  ours.unit = inside.unit.c_str();
+  ours.frame = inside.frame.c_str();
+  ours.offset = inside.offset;
+  ours.bytes = inside.bytes();
+  ours.shape = inside.shape.data();
+  ours.ndim = inside.shape.size();
+  ours.low = inside.low;
+  ours.high = inside.high;
+  ours.start = time.start;
+  ours.end = time.end;
+  ours.period = period;
+  ours.receptors = inside.receptors.size();
+  return ours;
+}
+
+std::size_t find_field(const observation::Layout& layout, const std::string& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (layout[i].name == name) return i;
+    names.push_back(layout[i].name);
+  }
+  fail(Status::kNotFound, "no field named \"{}\"; there are: {}", name, some_of(std::move(names)));
+}
+
+observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
+  check_choice(quantity, 1, observation::kReceptorQuantities, "quantity");
+  return static_cast<observation::ReceptorQuantity>(quantity);
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_layout_describe(const mimo_layout* layout, mimo_layout_info* info) noexcept {
+  return guard(layout, [&] {
+    const env::Description& description = description_of(layout);
+    mimo_layout_info ours{};
+    ours.block_bytes = description.layout.bytes();
+    ours.fields = description.layout.size();
+    ours.actions = description.actions.size();
+    ours.agents = description.agents;
+    ours.terms = description.terms.size();
+    write_described(info, ours, "info");
+  });
+}
+
+mimo_status mimo_layout_field(const mimo_layout* layout, size_t index, mimo_field* field) noexcept {
+  return guard(layout, [&] {
+    const env::Description& description = description_of(layout);
+    const observation::Field& inside = field_at(description, index, "index");
+    write_described(field, described(inside, description.times[index], description.period), "field");
+  });
+}
+
+mimo_status mimo_layout_find(const mimo_layout* layout, const char* name, size_t* index) noexcept {
+  return guard(layout, [&] {
+    const env::Description& description = description_of(layout);
+    require(name != nullptr, "name is NULL");
+    out(index, "index") = find_field(description.layout, name);
+  });
+}
+
+mimo_status mimo_layout_label(const mimo_layout* layout, size_t field, size_t element, const char** label) noexcept {
+  return guard(layout, [&] {
+    const observation::Field& inside = field_at(description_of(layout), field, "field");
+    require(element < inside.count(), "element is {}, but {} has {} elements", element, inside.name, inside.count());
+    out(label, "label") = inside.label(element);
+  });
+}
+
+mimo_status mimo_layout_receptor_width(const mimo_layout* layout, size_t field, int32_t quantity,
+                                       size_t* value_count) noexcept {
+  return guard(layout, [&] {
+    const observation::Field& inside = field_at(description_of(layout), field, "field");
+    const std::size_t width = observation::width(receptor_quantity_from(quantity));
+    out(value_count, "value_count") = inside.receptors.size() * width;
+  });
+}
+
+mimo_status mimo_layout_receptors(const mimo_layout* layout, size_t field, int32_t quantity, double* values,
+                                  size_t value_count) noexcept {
+  return guard(layout, [&] {
+    const observation::Field& inside = field_at(description_of(layout), field, "field");
+    const observation::ReceptorQuantity what = receptor_quantity_from(quantity);
+    const Span<double> to = array(values, value_count, "values");
+    check_value_count(value_count, inside.receptors.size() * observation::width(what));
+    observation::read(inside.receptors, what, to.data());
+  });
+}
+
+mimo_status mimo_layout_action(const mimo_layout* layout, size_t index, mimo_action* action) noexcept {
+  return guard(layout, [&] {
+    const env::Action& inside = part_at(description_of(layout).actions, index, "actions");
+    mimo_action ours{};
+    ours.name = inside.name;
+    ours.unit = inside.unit;
+    ours.agent = inside.agent;
+    ours.low = inside.low;
+    ours.high = inside.high;
+    write_described(action, ours, "action");
+  });
+}
+
+mimo_status mimo_layout_term(const mimo_layout* layout, size_t index, mimo_term* term) noexcept {
+  return guard(layout, [&] {
+    const env::RewardTerm& inside = part_at(description_of(layout).terms, index, "terms");
+    mimo_term ours{};
+    ours.name = inside.name;
+    ours.agent = inside.agent;
+    write_described(term, ours, "term");
+  });
+}
+
+}  // extern "C"

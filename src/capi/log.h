@@ -1,0 +1,24 @@
+// Messages, from the rooms' records to the public one.
+#pragma once
+
+#include "base/log.h"
+#include "mimo/log.h"
+
+namespace mimo::capi {
+
+inline LogSink log_sink(mimo_log_fn write, void* user) {
+  if (write == nullptr) return {};
+  return LogSink([write, user](const LogRecord& record) {
+    mimo_log_record ours{};
+    ours.struct_size = sizeof ours;
+    ours.level = static_cast<std::int32_t>(record.level);
+    ours.code = record.code;
+    ours.in_world = record.in_world ? 1 : 0;
+    ours.text = record.text.c_str();
+    ours.world = record.world;
+    ours.time = record.time;
+    write(user, &ours);
+  });
+}
+
+}  // namespace mimo::capi

@@ -1,0 +1,105 @@
+/* A program of the next minor version (GrownStep.cmake): on the library of that version, and on today's, where what it
+ * knows more is refused as unsupported, and what it does not use of that does no harm.
+ *   grown_caller today|grown */
+#include <dlfcn.h>
+
+#include "support/capi.h"
+
+static int grown;
+
+/* What the library says where the caller uses something new. */
+#define NEW(call)                                                         \
+  do {                                                                    \
+    if (grown)                                                            \
+      CHECK_OK(call);                                                     \
+    else                                                                  \
+      CHECK_FAILS(MIMO_E_UNSUPPORTED, " an interface newer than ", call); \
+  } while (0)
+
+static void check_version(void) {
+  CHECK(mimo_api_version() == (grown ? MIMO_API_VERSION : MIMO_API_VERSION - 1));
+  CHECK(mimo_supports("mimo_env_step") == 1 && mimo_supports("mimo_env_results.terms") == 1);
+  CHECK(mimo_supports("mimo_grown") == grown && mimo_supports("mimo_env_results.grown") == grown);
+  CHECK(mimo_supports("MIMO_RENDER_GROWN") == grown && mimo_supports("MIMO_WORLD_GROWN") == grown);
+  CHECK((dlsym(RTLD_DEFAULT, "mimo_grown") != NULL) == grown);
+}
+
+/* A struct of each sort is given with its new member at 0, then with another number there. */
+#define BOTH(config, call) \
+  do {                     \
+    CHECK_OK(call);        \
+    (config).grown = 1;    \
+    NEW(call);             \
+    (config).grown = 0;    \
+  } while (0)
+
+static void check_scene(void) {
+  mimo_scene_config room;
+  mimo_agent_config agent;
+  mimo_limits limits;
+  mimo_task task;
+  mimo_scene* scene = NULL;
+  CHECK_OK(mimo_scene_config_init(&room, sizeof room));
+  CHECK(room.struct_size == sizeof room && room.grown == 0);
+  BOTH(room, mimo_scene_create(&room, &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.grown = 1;
+  NEW(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_limits_init(&limits, sizeof limits));
+  CHECK_OK(mimo_task_init(&task, sizeof task));
+  task.grown = 1;
+  CHECK_FAILS(grown ? MIMO_E_INVALID_ARGUMENT : MIMO_E_UNSUPPORTED, "task", mimo_scene_set_task(scene, &task));
+  mimo_scene_destroy(scene);
+}
+
+static void check_world(void) {
+  static uint8_t rgb[8 * 8 * 3];
+  mimo_scene* scene = blind_scene("free");
+  mimo_env_config config;
+  mimo_reset_config reset = {sizeof reset, 1, 5, 0};
+  mimo_env_results results;
+  mimo_picture_config view;
+  mimo_picture picture;
+  mimo_agent_info info;
+  mimo_env* env = NULL;
+  double reward = 7, value = 0;
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.renderer = "ray";
+  CHECK_OK(mimo_env_create(scene, &config, &env));
+  config.render |= MIMO_RENDER_GROWN;
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "render is 0x4000000f", mimo_env_create(scene, &config, &env));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 10000", mimo_env_get(env, MIMO_WORLD_GROWN, NULL, 0, &value, 1));
+
+  BOTH(reset, mimo_env_reset(env, &reset, NULL, 0));
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.reward = &reward;
+  results.agents = 1;
+  BOTH(results, mimo_env_step(env, NULL, 0, NULL, 0, &results));
+  CHECK(reward == 0);
+  CHECK_OK(mimo_picture_config_init(&view, sizeof view));
+  view.width = view.height = 8;
+  memset(&picture, 0, sizeof picture);
+  picture.struct_size = sizeof picture;
+  picture.rgb = rgb;
+  picture.rgb_bytes = sizeof rgb;
+  BOTH(picture, mimo_env_render(env, &view, &picture));
+  BOTH(view, mimo_env_render(env, &view, &picture));
+
+  /* A description says how much of it was filled; the rest is 0. */
+  memset(&info, 0xab, sizeof info);
+  info.struct_size = sizeof info;
+  CHECK_OK(mimo_env_agent(env, 0, &info));
+  CHECK(info.struct_size == (grown ? sizeof info : sizeof info - sizeof info.grown) && info.grown == 0);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+}
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  grown = strcmp(argv[1], "grown") == 0;
+  check_version();
+  check_scene();
+  check_world();
+  return failures();
+}
