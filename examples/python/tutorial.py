@@ -41,9 +41,9 @@ mimo.plot.joint_angles(times, angles, arm).savefig(folder / "joints.png")
 
 # 5. What presses on the skin, and where.
 force = np.linalg.norm(result.observation["touch/force"], axis=-1)
-sensors = world.touch_sensors()
-for body in np.unique(sensors.bodies[force > 0]):
-    strongest = force[sensors.bodies == body].max()
+skin = world.layout.receptors("touch/force")
+for body in np.unique(skin.bodies[force > 0]):
+    strongest = force[skin.bodies == body].max()
     print(f"  {world.name(mimo.Kind.BODY, int(body)):16s} feels up to {strongest:.2f} N")
 
 # 6. Back to the present, as often as one likes: two futures of the same state.

@@ -93,6 +93,18 @@ def test_same_step_keeps_the_last_block():
     np.testing.assert_array_equal(batch.final_blocks, plain.blocks)
 
 
+def test_what_a_world_gave_is_a_row_of_the_batch(batch):
+    batch.reset(seeds=1)
+    second = batch.world(1)
+    second.bodies("target").position = second.bodies("right_fingers").position  # reach succeeds at once
+    result = batch.step(np.zeros((3, 8)))
+    assert result.outcome[:, 0].tolist() == [mimo.Outcome.NONE, mimo.Outcome.SUCCESS, mimo.Outcome.NONE]
+    assert [term.name for term in batch.layout.terms] == ["distance", "success"]
+    np.testing.assert_array_equal(result.terms.sum(axis=1), result.reward[:, 0])
+    assert second.reward_terms() == {"distance": result.terms[1, 0], "success": 100}
+    assert second.outcome == mimo.Outcome.SUCCESS
+
+
 def test_refused(batch):
     with pytest.raises(ValueError, match="expected \\(3, 8\\)"):
         batch.step(np.zeros(8))

@@ -41,7 +41,7 @@ def test_touch_map(tmp_path):
     figure = plot.touch_map(world)
     every, felt = figure.axes[0].collections
     force = np.linalg.norm(world.observation["touch/force"], axis=1)
-    assert len(every.get_offsets()) == len(world.touch_sensors().bodies)
+    assert len(every.get_offsets()) == world.layout.fields["touch/force"].receptors
     assert len(felt.get_offsets()) == np.count_nonzero(force) > 0
     # The floor is at height 0: what feels is near it.
     assert np.abs(np.asarray(felt.get_offsets())[:, 1]).max() < 0.05

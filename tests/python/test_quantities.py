@@ -72,6 +72,33 @@ def test_contacts_within_a_step_carry_the_change_of_momentum(world):
     assert set(world.warnings().values()) == {0}
 
 
+def test_a_site_moves_with_its_body(world):
+    # What turns with w about z goes at w r across the radius r: 3 rad/s, 0.1 m.
+    spinning = BALL.replace("<freejoint/>", '<joint name="turn"/><site name="rim" pos="0.1 0 0"/>')
+    with mimo.World(mimo.Scene(xml=spinning)) as spun:
+        spun.joints("turn").velocity = 3
+        assert spun.sites("rim").read("velocity", now=True)[0] == pytest.approx([0, 0.3, 0, 0, 0, 3])
+        spun.step()  # of two times 5 ms, of which the last one starts at 3 * 0.005 rad
+        turned = [-0.3 * np.sin(0.015), 0.3 * np.cos(0.015), 0, 0, 0, 3]
+        assert spun.sites("rim").velocity[0] == pytest.approx(turned)
+    with pytest.raises(ValueError, match="velocity of sites cannot be written"):
+        world.sites().velocity = 0
+
+
+def test_goals_are_what_rewards_are_of(reach):
+    reach.reset(seed=2)
+    reward = reach.step(np.ones(8)).reward[0]
+    goal, achieved = reach.get(Quantity.AGENT_GOAL), reach.get("agent_achieved", [0])
+    assert np.array_equal(goal, reach.bodies("target").position)
+    assert reward == pytest.approx(-np.linalg.norm(goal - achieved))  # reach's distance, docs/tasks.md
+    with mimo.Batch("reach", 2) as batch:
+        batch.reset(seeds=2)
+        batch.step(np.ones((2, 8)))
+        assert np.array_equal(batch.get(Quantity.AGENT_GOAL)[0], goal)
+    with mimo.World("free", vision=False, touch=False) as aimless:
+        assert aimless.get(Quantity.AGENT_GOAL).size == 0
+
+
 def test_a_batch_of_masses_is_as_many_single_worlds():
     masses = np.array([0.5, 1.0, 2.0, 4.0])
     push = [3, 0, 0, 0, 0, 0]

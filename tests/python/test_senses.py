@@ -60,7 +60,7 @@ def test_a_foreign_model_is_sensed(humanoid):
     assert np.linalg.norm(lying["vestibular/acceleration"]) == pytest.approx(9.81, abs=1)
     assert not falling["touch/force"].any()
     assert lying["touch/force"].any()
-    assert senses.fields["proprioception/position"].labels == ("knee_left",)
+    assert senses.layout.fields["proprioception/position"].labels == ("knee_left",)
     assert falling["vision/sight"].shape == (256, 256, 3)
 
 
@@ -68,6 +68,7 @@ def test_an_environment_of_the_same_model_senses_the_same(humanoid, root):
     scene = mimo.Scene(file=root / "tests/models/humanoid.xml")
     scene.add_agent(body="scene", root="torso", vision=False, vestibular=False)
     scene.set_touch(None, 0.04)
+    scene.add_field("shin/velocity", "body_velocity", "shin_left", relative_to="torso")
     with (
         mimo.World(scene, frame_skip=1) as world,
         mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version) as senses,
@@ -81,6 +82,17 @@ def test_an_environment_of_the_same_model_senses_the_same(humanoid, root):
         for name, values in world.observation.items():
             assert np.array_equal(values, seen[name]), name
         assert seen["touch/force"].any()
+        assert seen["shin/velocity"].any()
+        assert senses.layout.fields == world.layout.fields
+        for ours, theirs in zip(senses.layout.receptors("touch/force"), world.layout.receptors("touch/force")):
+            assert np.array_equal(ours, theirs)
+
+
+def test_what_senses_cannot_know_is_refused(humanoid):
+    scene = described("torso")
+    scene.add_field("goal", mimo.Quantity.AGENT_GOAL, "")
+    with pytest.raises(mimo.UnsupportedError, match="goal"):
+        mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version)
 
 
 def test_what_is_no_model_is_refused(humanoid):

@@ -26,7 +26,6 @@ def test_the_infant_is_the_paper_s(reach):
 def test_fields_describe_themselves(reach):
     field = reach.layout.fields["proprioception/position"]
     assert field.unit == "rad"
-    assert field.time == mimo.Time.AT_END
     assert field.offset % 64 == 0
     assert "robot:right_elbow" in field.labels
 
@@ -76,7 +75,7 @@ def test_reach_rewards_minus_the_distance(reach):
     hand, ball = pair.position
     assert result.reward[0] == pytest.approx(-np.linalg.norm(hand - ball), abs=1e-12)
     assert reach.reward_terms() == {"distance": pytest.approx(result.reward[0]), "success": 0}
-    assert reach.outcome() == (False, False)
+    assert reach.outcome.tolist() == [mimo.Outcome.NONE]
 
 
 def test_parameters_change_the_task():
@@ -221,13 +220,6 @@ def test_contacts_carry_the_weight():
     assert abs(up[2]) == pytest.approx(9.81, rel=1e-3)
 
 
-def test_touch_is_where_the_sensors_are():
-    world = mimo.World("benchmark", vision=False)
-    sensors = world.touch_sensors()
-    assert len(sensors.bodies) == world.layout.fields["touch/force"].shape[0]
-    np.testing.assert_allclose(np.linalg.norm(sensors.frame, axis=-1), 1, atol=1e-12)
-
-
 def test_pictures(reach):
     reach.reset(seed=1)
     picture = reach.draw(width=64, height=48)
@@ -241,12 +233,29 @@ def test_pictures(reach):
 
 def test_messages_go_to_logging(caplog):
     assert logging.getLogger("mimo").level == logging.NOTSET
-    from mimo import _library
+    from mimo import _abi, _library
 
     with caplog.at_level(logging.INFO, "mimo"):
-        _library.log_to_python(None, 2, b"worth knowing")
-    assert caplog.records[-1].message == "worth knowing"
-    assert caplog.records[-1].levelno == logging.INFO
+        _library.log_to_python(None, _abi.LogRecord(level=2, text=b"worth knowing", world=3, time=1.5))
+    (told,) = caplog.records
+    assert (told.message, told.levelno, told.code) == ("worth knowing", logging.INFO, 0)
+    assert (told.world, told.time) == (None, None)  # for it comes from none
+
+
+def test_warnings_say_whose_and_when_they_are(caplog):
+    # A box on its face has four contacts, of which the model has room for one.
+    crowded = """<mujoco><option timestep="0.005"/><size nconmax="1"/><worldbody><geom type="plane" size="1 1 .1"/>
+        <body name="box" pos="0 0 1"><freejoint/><geom type="box" size=".1 .1 .1"/></body></worldbody></mujoco>"""
+    with mimo.Batch(mimo.Scene(xml=crowded), 3, frame_skip=4) as batch:
+        batch.reset(seeds=1)
+        batch.step()
+        batch.bodies("box").write("position", [0, 0, 0.1], np.array([False, True, False]))
+        batch.step()
+    (told,) = caplog.records
+    assert (told.world, told.code) == (1, mimo.WarningCode.CONTACTS_DROPPED)
+    assert told.levelno == logging.WARNING
+    assert 0.02 <= told.time <= 0.04  # in the second step of 4 times 5 ms
+    caplog.clear()
 
 
 def test_timing_tells_where_time_goes():

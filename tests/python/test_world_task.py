@@ -57,14 +57,15 @@ def test_fields_terms_and_ends():
         action = np.zeros(len(world.action_names))
         action[0] = -7  # the least is -1
         for number in range(1, 6):
-            observation, reward, terminated, truncated = world.step(action)
-            assert reward[0] == number + 1
+            result = world.step(action)
+            assert result.reward[0] == number + 1
+            assert result.terms.tolist() == [number, 1]
             assert world.reward_terms() == {"near": number, "lazy": 1}
-            assert world.outcome().success == (number == 2)
-            assert not terminated[0]
-            assert truncated[0] == (number == 5)
-            assert observation["goal"] == drawn
-            assert observation["reached"][1] == observation["proprioception/position"][0]
+            assert result.outcome[0] == (mimo.Outcome.SUCCESS if number == 2 else mimo.Outcome.NONE)
+            assert not result.terminated[0]
+            assert result.truncated[0] == (number == 5)
+            assert result.observation["goal"] == drawn
+            assert result.observation["reached"][1] == result.observation["proprioception/position"][0]
         twin = world.clone()
         assert twin.step().reward[0] == 6
         assert world.step().reward[0] == 6
@@ -82,6 +83,8 @@ def test_batches_equal_single_worlds():
             for index, world in enumerate(singles):
                 world.step()
                 assert batch.reward[index] == world.reward
+                assert batch.terms[index].tolist() == world.terms.tolist()
+                assert batch.outcome[index] == world.outcome
                 assert np.array_equal(batch.observation["reached"][index], world.observation["reached"])
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Any, Union
 
-from ._library import library_path, mujoco_version, version
+from ._library import abi_version, api_version, library_path, mujoco_version, supports, version
 from .access import Access, Selection
 from .batch import Batch
 from .constants import (
@@ -23,16 +23,17 @@ from .constants import (
     Jacobian,
     Kind,
     Look,
+    Outcome,
     Place,
     Proprioception,
     Quantity,
     Render,
     Shape,
-    Time,
     Touch,
     TouchResponse,
     Vestibular,
     Vision,
+    WarningCode,
 )
 from .env import Env, register
 from .errors import (
@@ -48,8 +49,9 @@ from .errors import (
     SimulationError,
     UnsupportedError,
 )
-from .layout import Field, Layout, Observation
+from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .own_task import Moment, WorldTask
+from .results import StepResult
 from .scene import Scene, faces, rooms, scenes, tasks
 from .senses import Senses
 from .states import LoadReport
@@ -78,6 +80,7 @@ register()
 __all__ = [
     "Access",
     "Act",
+    "Action",
     "Actuation",
     "ArgumentError",
     "Autoreset",
@@ -101,10 +104,12 @@ __all__ = [
     "Moment",
     "NotFoundError",
     "Observation",
+    "Outcome",
     "OutOfMemoryError",
     "Place",
     "Proprioception",
     "Quantity",
+    "Receptors",
     "Render",
     "RenderError",
     "Scene",
@@ -112,16 +117,20 @@ __all__ = [
     "Selection",
     "Shape",
     "SimulationError",
+    "StepResult",
     "Task",
-    "Time",
+    "Term",
     "Touch",
     "TouchResponse",
     "UnsupportedError",
     "VectorEnv",
     "Vestibular",
     "Vision",
+    "WarningCode",
     "World",
     "WorldTask",
+    "abi_version",
+    "api_version",
     "faces",
     "library_path",
     "make",
@@ -129,6 +138,7 @@ __all__ = [
     "mujoco_version",
     "rooms",
     "scenes",
+    "supports",
     "tasks",
     "version",
 ]

@@ -6,7 +6,7 @@ A test reads the header and compares; whoever changes mimo.h changes this table.
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
+from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Any, Dict, List, Tuple
 
 ABI_VERSION = 0
@@ -14,7 +14,6 @@ ABI_VERSION = 0
 # Pointers to numbers are passed as addresses: numpy arrays own the memory, and the callers here check the types.
 # Pointers to single results are typed, so that ctypes.byref() of the wrong thing is refused.
 _Out_i32 = ctypes.POINTER(c_int32)
-_Out_u8 = ctypes.POINTER(c_uint8)
 _Out_u32 = ctypes.POINTER(c_uint32)
 _Out_size = ctypes.POINTER(c_size_t)
 _Out_f64 = ctypes.POINTER(c_double)
@@ -24,14 +23,27 @@ _Handle = c_void_p
 _Array = c_void_p
 _status = c_int32
 
-LogFunction = ctypes.CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
-
 
 class Struct(ctypes.Structure):
     """Begins with struct_size, which the constructor fills."""
 
     def __init__(self, **values: Any) -> None:
         super().__init__(struct_size=ctypes.sizeof(type(self)), **values)
+
+
+class LogRecord(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("level", c_int32),
+        ("code", c_int32),
+        ("in_world", c_uint32),
+        ("text", c_char_p),
+        ("world", c_size_t),
+        ("time", c_double),
+    ]
+
+
+LogFunction = ctypes.CFUNCTYPE(None, c_void_p, ctypes.POINTER(LogRecord))
 
 
 class SceneConfig(Struct):
@@ -152,6 +164,70 @@ class Parameter(Struct):
     ]
 
 
+class FieldConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("quantity", c_int32),
+        ("name", c_char_p),
+        ("elements", _Out_text),
+        ("element_count", c_size_t),
+        ("relative_to", c_char_p),
+    ]
+
+
+class LayoutInfo(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("block_bytes", c_size_t),
+        ("fields", c_size_t),
+        ("actions", c_size_t),
+        ("agents", c_size_t),
+        ("terms", c_size_t),
+    ]
+
+
+class Field(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dtype", c_int32),
+        ("name", c_char_p),
+        ("unit", c_char_p),
+        ("frame", c_char_p),
+        ("offset", c_size_t),
+        ("bytes", c_size_t),
+        ("shape", _Out_size),
+        ("ndim", c_size_t),
+        ("low", c_double),
+        ("high", c_double),
+        ("start", c_double),
+        ("end", c_double),
+        ("period", c_double),
+        ("receptors", c_size_t),
+    ]
+
+
+class Action(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+        ("unit", c_char_p),
+        ("agent", c_size_t),
+        ("low", c_double),
+        ("high", c_double),
+    ]
+
+
+class Term(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+        ("agent", c_size_t),
+    ]
+
+
 class EnvConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -183,20 +259,25 @@ class AgentInfo(Struct):
     ]
 
 
-class Field(Struct):
+class ResetConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("dtype", c_int32),
-        ("name", c_char_p),
-        ("unit", c_char_p),
-        ("frame", c_char_p),
-        ("offset", c_size_t),
-        ("bytes", c_size_t),
-        ("shape", c_size_t * 4),
-        ("ndim", c_uint32),
-        ("time", c_int32),
-        ("low", c_double),
-        ("high", c_double),
+        ("seeded", c_uint32),
+        ("seed", c_uint64),
+    ]
+
+
+class EnvResults(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("reward", _Array),
+        ("terminated", _Array),
+        ("truncated", _Array),
+        ("outcome", _Array),
+        ("agents", c_size_t),
+        ("terms", _Array),
+        ("term_count", c_size_t),
     ]
 
 
@@ -229,6 +310,19 @@ class PictureConfig(Struct):
     ]
 
 
+class Picture(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("rgb", _Array),
+        ("rgb_bytes", c_size_t),
+        ("depth", _Array),
+        ("depth_count", c_size_t),
+        ("segmentation", _Array),
+        ("segmentation_count", c_size_t),
+    ]
+
+
 class Timing(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -254,6 +348,16 @@ class BatchConfig(Struct):
     ]
 
 
+class BatchResetConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("seeds", _Array),
+        ("mask", _Array),
+        ("worlds", c_size_t),
+    ]
+
+
 class BatchResults(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -261,7 +365,10 @@ class BatchResults(Struct):
         ("reward", _Array),
         ("terminated", _Array),
         ("truncated", _Array),
+        ("outcome", _Array),
         ("agents", c_size_t),
+        ("terms", _Array),
+        ("term_count", c_size_t),
         ("status", _Array),
         ("was_reset", _Array),
         ("final_written", _Array),
@@ -365,6 +472,8 @@ def _config(struct: Any) -> Any:
 # name: (result, arguments)
 FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_abi_version": (c_uint32, []),
+    "mimo_api_version": (c_uint32, []),
+    "mimo_supports": (c_int32, [c_char_p]),
     "mimo_version": (c_char_p, []),
     "mimo_mujoco_version": (c_char_p, []),
     "mimo_status_name": (c_char_p, [_status]),
@@ -401,26 +510,30 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_parameter_count": (_status, [_Out_size]),
     "mimo_parameter_describe": (_status, [c_size_t, _config(Parameter)]),
     "mimo_scene_save": (_status, [_Handle, c_char_p]),
+    "mimo_field_config_init": (_status, [_config(FieldConfig), c_size_t]),
+    "mimo_scene_add_field": (_status, [_Handle, _config(FieldConfig)]),
     "mimo_scene_set_parameter": (_status, [_Handle, c_char_p, c_double]),
     "mimo_scene_get_parameter": (_status, [_Handle, c_char_p, _Out_f64]),
+    "mimo_layout_describe": (_status, [_Handle, _config(LayoutInfo)]),
+    "mimo_layout_field": (_status, [_Handle, c_size_t, _config(Field)]),
+    "mimo_layout_find": (_status, [_Handle, c_char_p, _Out_size]),
+    "mimo_layout_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
+    "mimo_layout_receptor_width": (_status, [_Handle, c_size_t, c_int32, _Out_size]),
+    "mimo_layout_receptors": (_status, [_Handle, c_size_t, c_int32, _Array, c_size_t]),
+    "mimo_layout_action": (_status, [_Handle, c_size_t, _config(Action)]),
+    "mimo_layout_term": (_status, [_Handle, c_size_t, _config(Term)]),
     "mimo_env_config_init": (_status, [_config(EnvConfig), c_size_t]),
     "mimo_env_create": (_status, [_Handle, _config(EnvConfig), _Out_handle]),
     "mimo_env_make": (_status, [c_char_p, _Out_handle]),
     "mimo_env_destroy": (None, [_Handle]),
+    "mimo_env_layout": (_status, [_Handle, _Out_handle]),
     "mimo_env_task": (_status, [_Handle, _Out_text]),
     "mimo_env_frame_skip": (_status, [_Handle, _Out_u32]),
-    "mimo_env_agent_count": (_status, [_Handle, _Out_size]),
     "mimo_env_agent": (_status, [_Handle, c_size_t, _config(AgentInfo)]),
-    "mimo_env_observation_size": (_status, [_Handle, _Out_size, _Out_size]),
-    "mimo_env_observation_field": (_status, [_Handle, c_size_t, _config(Field)]),
-    "mimo_env_observation_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
-    "mimo_env_action_size": (_status, [_Handle, _Out_size]),
-    "mimo_env_action_bounds": (_status, [_Handle, _Array, _Array, c_size_t]),
-    "mimo_env_action_name": (_status, [_Handle, c_size_t, _Out_text]),
-    "mimo_env_reset": (_status, [_Handle, _Array, c_void_p, c_size_t]),
+    "mimo_env_reset": (_status, [_Handle, _config(ResetConfig), c_void_p, c_size_t]),
     "mimo_env_step": (
         _status,
-        [_Handle, _Array, c_size_t, c_void_p, c_size_t, _Array, _Array, _Array, c_size_t],
+        [_Handle, _Array, c_size_t, c_void_p, c_size_t, _config(EnvResults)],
     ),
     "mimo_env_observe": (_status, [_Handle, c_void_p, c_size_t]),
     "mimo_env_physics_step": (_status, [_Handle, c_size_t]),
@@ -435,10 +548,6 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_get_float": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
     "mimo_env_set": (_status, [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t]),
     "mimo_env_update": (_status, [_Handle]),
-    "mimo_env_touch_sensors": (
-        _status,
-        [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
-    ),
     "mimo_env_gaze": (_status, [_Handle, c_size_t, _config(Gaze)]),
     "mimo_env_look_angles": (
         _status,
@@ -446,17 +555,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     ),
     "mimo_env_look_at": (_status, [_Handle, c_size_t, _Array, c_int32, _Array]),
     "mimo_picture_config_init": (_status, [_config(PictureConfig), c_size_t]),
-    "mimo_env_render": (
-        _status,
-        [_Handle, _config(PictureConfig), _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
-    ),
+    "mimo_env_render": (_status, [_Handle, _config(PictureConfig), _config(Picture)]),
     "mimo_env_project": (_status, [_Handle, _config(PictureConfig), _Array, c_size_t, _Array]),
     "mimo_env_timing": (_status, [_Handle, _config(Timing)]),
     "mimo_env_timing_reset": (_status, [_Handle]),
-    "mimo_env_reward_term_count": (_status, [_Handle, c_size_t, _Out_size]),
-    "mimo_env_reward_term_name": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
-    "mimo_env_reward_terms": (_status, [_Handle, c_size_t, _Array, c_size_t]),
-    "mimo_env_outcome": (_status, [_Handle, c_size_t, _Out_u8, _Out_u8]),
     "mimo_env_state_size": (_status, [_Handle, _Out_size]),
     "mimo_env_state_save": (_status, [_Handle, c_void_p, c_size_t]),
     "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t, _config(LoadReport)]),
@@ -468,9 +570,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     ),
     "mimo_batch_destroy": (None, [_Handle]),
     "mimo_batch_size": (_status, [_Handle, _Out_size, _Out_size]),
+    "mimo_batch_layout": (_status, [_Handle, _Out_handle]),
     "mimo_batch_world": (_status, [_Handle, c_size_t, _Out_handle]),
     "mimo_batch_world_error": (_status, [_Handle, c_size_t, _Out_i32, _Out_text]),
-    "mimo_batch_reset": (_status, [_Handle, _Array, _Array, c_size_t, c_void_p, c_size_t]),
+    "mimo_batch_reset": (_status, [_Handle, _config(BatchResetConfig), c_void_p, c_size_t]),
     "mimo_batch_step": (
         _status,
         [_Handle, _Array, c_size_t, c_void_p, c_size_t, _config(BatchResults)],
@@ -505,14 +608,8 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_senses_config_init": (_status, [_config(SensesConfig), c_size_t]),
     "mimo_senses_attach": (_status, [_Handle, c_void_p, _config(SensesConfig), _Out_handle]),
     "mimo_senses_destroy": (None, [_Handle]),
-    "mimo_senses_observation_size": (_status, [_Handle, _Out_size, _Out_size]),
-    "mimo_senses_observation_field": (_status, [_Handle, c_size_t, _config(Field)]),
-    "mimo_senses_observation_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
-    "mimo_senses_touch_sensors": (
-        _status,
-        [_Handle, c_size_t, _Array, _Array, _Array, _Array, c_size_t, _Out_size],
-    ),
-    "mimo_senses_reset": (_status, [_Handle, c_void_p, _Array]),
+    "mimo_senses_layout": (_status, [_Handle, _Out_handle]),
+    "mimo_senses_reset": (_status, [_Handle, c_void_p, _config(ResetConfig)]),
     "mimo_senses_advance": (_status, [_Handle, c_void_p]),
     "mimo_senses_observe": (_status, [_Handle, c_void_p, c_void_p, c_size_t]),
     "mimo_senses_state_size": (_status, [_Handle, _Out_size]),

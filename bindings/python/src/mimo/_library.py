@@ -7,7 +7,7 @@ import logging
 import os
 import sys
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 from . import _abi
 from .errors import make_error
@@ -77,10 +77,30 @@ def utf8(value: Optional[str], name: str = "name") -> Optional[bytes]:
 
 
 @_abi.LogFunction  # type: ignore[untyped-decorator]
-def log_to_python(_user: Any, level: int, message: bytes) -> None:
+def log_to_python(_user: Any, told: Any) -> None:
     """Hands the library's messages to the logger "mimo". Lives as long as the process, so no handle can outlive it."""
-    if not sys.is_finalizing():
-        _logger.log(_levels.get(level, logging.INFO), "%s", message_text(message))
+    if sys.is_finalizing():
+        return
+    record = told.contents
+    where = {"world": record.world, "time": record.time} if record.in_world else {"world": None, "time": None}
+    level = _levels.get(record.level, logging.INFO)
+    _logger.log(level, "%s", message_text(record.text), extra={"code": record.code, **where})
+
+
+def abi_version() -> int:
+    """Version of the library's binary interface, which is that of this package."""
+    return int(LIB.mimo_abi_version())
+
+
+def api_version() -> Tuple[int, int]:
+    """Version of what the library declares: major, minor."""
+    major, minor = divmod(LIB.mimo_api_version(), 1000)
+    return major, minor
+
+
+def supports(name: str) -> bool:
+    """Whether the library knows a name of mimo.h: a function, a constant, a struct, or a member ("mimo_field.end")."""
+    return bool(LIB.mimo_supports(utf8(name)))
 
 
 def version() -> str:

@@ -22,9 +22,9 @@ from ._library import LIB, check, text, utf8
 from .arguments import index_in, number_of, whole_number
 from .constants import NOW, Kind, Quantity
 from .layout import Layout, Observation
+from .results import Numbers, Results
 
 Mask = Optional[NDArray[np.bool_]]
-Numbers = NDArray[np.float64]
 Which = Union[None, str, Sequence[Union[str, int]]]  # names or numbers of some; None: all of a kind
 SHOWN = 8  # names in a selection's repr
 S = TypeVar("S", bound="Selection")
@@ -40,10 +40,28 @@ class Access(Handle):
     action_high: NDArray[np.float32]
     layout: Layout
     observation: Observation  # what the last step, reset or observe sensed
+    reward: Numbers  # of the last step, one an infant; of a batch with the worlds in front, as all that follow
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+    outcome: NDArray[np.int32]  # of mimo.Outcome
+    terms: Numbers  # that the rewards are the sums of, in the order of layout.terms
     _scene: Any
     _given: Optional[NDArray[np.float32]] = None  # the actions of the last step, as they were given
     _names_handle: Native  # of an environment that knows the names
     _lead: Tuple[int, ...] = ()  # (worlds,) for a batch
+
+    def _take(self, layout: Layout, agents: List[Any]) -> None:
+        """What it is: from its layout, in the form in which it is mostly used."""
+        self.layout, self.agents = layout, agents
+        self.action_names = [action.name for action in layout.actions]
+        self.action_low = np.array([action.low for action in layout.actions], np.float32)
+        self.action_high = np.array([action.high for action in layout.actions], np.float32)
+
+    def _show(self, results: Results, views: Observation) -> None:
+        """Has what steps give as attributes."""
+        self._result = results.shown(views)
+        self.reward, self.terminated, self.truncated = results.reward, results.terminated, results.truncated
+        self.outcome, self.terms = results.outcome, results.terms
 
     @property
     def action(self) -> Optional[NDArray[np.float32]]:
@@ -324,6 +342,7 @@ class Sites(Selection):
     position = Values(Quantity.SITE_POSITION, "World, m.")
     orientation = Values(Quantity.SITE_ORIENTATION, "Quaternion w x y z.")
     pose = Values(Quantity.SITE_POSE, "Position and orientation: 7.")
+    velocity = Values(Quantity.SITE_VELOCITY, "Linear (m/s) of the position, angular (rad/s), world frame: 6.")
 
 
 class Cameras(Selection):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import IntEnum, IntFlag
-from typing import Any, Mapping, Optional, Type, Union
+from typing import Any, Iterable, List, Mapping, Optional, Type, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,6 +56,14 @@ def reset_options(options: Optional[Mapping[str, Any]], *known: str) -> Mapping[
         if name not in known:
             raise ValueError(f"options has {name!r}, expected {' or '.join(map(repr, known)) or 'none at all'}")
     return options or {}
+
+
+def several(name: str, value: Any) -> List[str]:
+    """Names, of which one need not be in a list."""
+    names = [value] if isinstance(value, str) else value
+    if not isinstance(names, Iterable) or not all(isinstance(one, str) for one in names):
+        raise TypeError(f"{name} is {value!r}, expected names")
+    return list(names)
 
 
 def index_in(name: str, value: Any, count: int) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,26 +13,19 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Native
 from ._library import LIB, check, message_text, raise_error
-from .access import Access, Mask, Numbers
+from .access import Access, Mask
 from .arguments import index_in, number_of, whole_number
 from .constants import Autoreset, Kind, Quantity
+from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
 from .errors import Error, make_error
-from .layout import Observation
+from .layout import Layout, Observation
 from .options import Options, refuse_unknown
+from .results import Numbers, Results, StepResult
 from .scene import Scene, prepare
 from .states import LoadReport, reported
-from .world import Contacts, StepContacts, World, contacts_of, env_config, seed_number, step_contacts_of
+from .world import World, agents_of, env_config
 
 Seeds = Optional[Union[int, Sequence[int]]]
-
-
-class BatchResult(NamedTuple):
-    """What a step gave, worlds x agents. The arrays belong to the batch and change with its next step."""
-
-    observation: Observation
-    reward: Numbers
-    terminated: NDArray[np.bool_]
-    truncated: NDArray[np.bool_]
 
 
 class Batch(Access):
@@ -61,9 +54,8 @@ class Batch(Access):
         # Worlds that are in use keep the batch alive, not the other way round.
         self._worlds: "weakref.WeakValueDictionary[int, World]" = weakref.WeakValueDictionary()
         self._names_handle = self._world_handle(0)
-        first = World._of_batch(self._names_handle, self._scene, self._options, None)
-        self.layout, self.agents = first.layout, first.agents
-        self.action_names, self.action_low, self.action_high = first.action_names, first.action_low, first.action_high
+        layout = Layout(self._handle, LIB.mimo_batch_layout)
+        self._take(layout, agents_of(self._names_handle, layout.agents))
         self._make_arrays()
 
     def _create(self, worlds: int) -> None:
@@ -77,38 +69,37 @@ class Batch(Access):
         self._own(handle.value, LIB.mimo_batch_destroy)
 
     def _make_arrays(self) -> None:
-        worlds, agents = self.world_count, len(self.agents)
+        worlds = self.world_count
         self.blocks = self.layout.new_block(worlds)
         self.observation = self._views = self.layout.views(self.blocks)
         self.final_blocks = self.layout.new_block(worlds)
         self.final_blocks[:] = 0
-        self.reward = np.zeros((worlds, agents))
-        self.terminated = np.zeros((worlds, agents), np.bool_)
-        self.truncated = np.zeros((worlds, agents), np.bool_)
+        self._results = Results(self.layout, worlds)
+        self._show(self._results, self._views)
         self.was_reset = np.zeros(worlds, np.bool_)
         self.status = np.zeros(worlds, np.int32)
-        self._results = _abi.BatchResults(
-            reward=self.reward.ctypes.data,
-            terminated=self.terminated.ctypes.data,
-            truncated=self.truncated.ctypes.data,
-            agents=worlds * agents,
-            status=self.status.ctypes.data,
-            was_reset=self.was_reset.ctypes.data,
-            worlds=worlds,
-        )
-        if self._settings["autoreset"] == Autoreset.SAME_STEP:
-            self._results.final_blocks = self.final_blocks.ctypes.data
-            self._results.final_bytes = self.final_blocks.nbytes
+        places = self._places()
+        self._results_place = ctypes.byref(places)
         # What is written to by a step that was sent lives as long as the step: it may outlive this object.
-        self._handle.keeps = [self._results, self.blocks, self.final_blocks, self.reward, self.terminated]
-        self._handle.keeps += [self.truncated, self.was_reset, self.status]
+        self._handle.keeps = [places, self.blocks, self.final_blocks, self._result, self.was_reset, self.status]
         self._sent: List[Any] = []  # what belongs to the step in flight; the handle has it, too
         self._handle.keeps.append(self._sent)
         if self._scene._task is not None:  # which is asked about worlds while they are at work
-            handles = [self._world_handle(index) for index in range(worlds)]
-            judged = [World._of_batch(handle, self._scene, self._options, None) for handle in handles]
+            judged = [World._of_batch(self, index, keeps=False) for index in range(worlds)]
             self._handle.keeps += [self._scene._task, judged]
             self._scene._task.worlds.update((world._handle.value, world) for world in judged)
+
+    def _places(self) -> _abi.BatchResults:
+        """Where results go, as the library's struct."""
+        places = _abi.BatchResults(
+            **self._results.places(),
+            status=self.status.ctypes.data,
+            was_reset=self.was_reset.ctypes.data,
+            worlds=self.world_count,
+        )
+        if self._settings["autoreset"] == Autoreset.SAME_STEP:
+            places.final_blocks, places.final_bytes = self.final_blocks.ctypes.data, self.final_blocks.nbytes
+        return places
 
     @property
     def threads(self) -> int:
@@ -129,19 +120,20 @@ class Batch(Access):
         """As reset, with blocks of your own (layout.new_block(worlds)); None skips the senses."""
         numbers, chosen = self._seeds(seeds), self._mask(mask)
         count = 0 if numbers is None and chosen is None else self.world_count
+        config = _abi.BatchResetConfig(seeds=_data(numbers), mask=_data(chosen), worlds=count)
         self._given = self._given if chosen is not None else None
-        check(LIB.mimo_batch_reset(self._handle, _data(numbers), _data(chosen), count, *_place(blocks)))
+        check(LIB.mimo_batch_reset(self._handle, config, *_place(blocks)))
 
-    def step(self, actions: Optional[ArrayLike] = None) -> BatchResult:
+    def step(self, actions: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""
         self.step_into(self.blocks, actions)
         self.observation = self._views
-        return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
+        return self._result
 
     def step_into(self, blocks: Optional[NDArray[np.uint8]], actions: Optional[ArrayLike] = None) -> None:
         """As step, with blocks of your own; None skips the senses."""
         given = self._actions(actions)
-        self._raise(LIB.mimo_batch_step(self._handle, *_place_of(given), *_place(blocks), self._results))
+        self._raise(LIB.mimo_batch_step(self._handle, *_place_of(given), *_place(blocks), self._results_place))
 
     def send(self, actions: Optional[ArrayLike] = None, blocks: Optional[NDArray[np.uint8]] = None) -> None:
         """Starts a step and returns; receive() waits for it. By default it goes to the batch's own blocks."""
@@ -151,7 +143,7 @@ class Batch(Access):
         place = _place(target)
         # Kept before it is sent: an interrupt may come at any moment from here on.
         self._sent.append((given, target))
-        status = LIB.mimo_batch_send(self._handle, *_place_of(given), *place, self._results)
+        status = LIB.mimo_batch_send(self._handle, *_place_of(given), *place, self._results_place)
         if status != 0:
             self._sent.pop()
             raise_error(status)
@@ -162,13 +154,13 @@ class Batch(Access):
             LIB.mimo_batch_receive(self._handle)  # complains where the interrupt came before the step was sent
             self._sent.clear()
 
-    def receive(self) -> BatchResult:
+    def receive(self) -> StepResult:
         """Waits for the step that was sent."""
         status = LIB.mimo_batch_receive(self._handle)
         self._sent.clear()
         self._raise(status)
         self.observation = self._views
-        return BatchResult(self.observation, self.reward, self.terminated, self.truncated)
+        return self._result
 
     def observe_into(self, blocks: NDArray[np.uint8], mask: Mask = None) -> None:
         """What the senses give for the current states, without changing trajectories."""
@@ -192,7 +184,7 @@ class Batch(Access):
         index = index_in("world", index, self.world_count)
         world = self._worlds.get(index)
         if world is None:
-            world = World._of_batch(self._world_handle(index), self._scene, self._options, self)
+            world = World._of_batch(self, index, keeps=True)
             self._worlds[index] = world
         return world
 
@@ -286,9 +278,9 @@ class Batch(Access):
         if seeds is None:
             return None
         if np.ndim(seeds) == 0:
-            first = seed_number(seeds).value  # type: ignore[arg-type]
+            first = number_of("seed", seeds, 64)
             seeds = range(first, first + self.world_count)
-        numbers = [seed_number(number).value for number in seeds]  # type: ignore[union-attr]
+        numbers = [number_of("seed", number, 64) for number in seeds]  # type: ignore[union-attr]
         if len(numbers) != self.world_count:
             raise ValueError(f"{len(numbers)} seeds, expected {self.world_count}, one for each world")
         return np.array(numbers, np.uint64)

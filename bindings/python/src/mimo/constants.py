@@ -6,7 +6,7 @@ from enum import IntEnum, IntFlag
 
 
 class Proprioception(IntFlag):
-    """What the joints tell."""
+    """What the joints tell. ALL is a bit of its own: all that the library has."""
 
     VELOCITY = 0x01
     TORQUE = 0x02
@@ -15,8 +15,7 @@ class Proprioception(IntFlag):
     JOINT_TORQUE = 0x10
     POSITION = 0x20
     EFFORT = 0x40
-    DEFAULT = 0x2F
-    ALL = 0x7F
+    ALL = 0x80000000
 
 
 class Vision(IntFlag):
@@ -53,7 +52,7 @@ class Actuation(IntEnum):
 
 
 class Act(IntFlag):
-    """Parts of the body that have motors."""
+    """Parts of the body that have motors. ALL is a bit of its own: all that the library has."""
 
     TRUNK = 0x01
     HEAD = 0x02
@@ -66,8 +65,8 @@ class Act(IntFlag):
     LEFT_LEG = 0x100
     RIGHT_FOOT = 0x200
     LEFT_FOOT = 0x400
-    ALL = 0x7FF
-    NONE = 0x80000000
+    ALL = 0x80000000
+    NONE = 0x40000000
 
 
 class Touch(IntFlag):
@@ -129,7 +128,6 @@ class Render(IntFlag):
     SKY = 0x04
     HAZE = 0x08
     FOG = 0x10
-    DEFAULT = 0x0F
 
 
 class Look(IntEnum):
@@ -139,11 +137,34 @@ class Look(IntEnum):
     HEAD = 1
 
 
-class Time(IntEnum):
-    """When a field was true: at the end of the step, or at the start of its last physics step."""
+class Outcome(IntEnum):
+    """What an agent has made of a step."""
 
-    AT_END = 1
-    AT_LAST_START = 2
+    NONE = 0
+    SUCCESS = 1
+    FAILURE = -1
+
+
+class Receptor(IntEnum):
+    """What is to be known of receptors."""
+
+    BODY = 1
+    GEOM = 2
+    POSITION = 3
+    FRAME = 4
+
+
+class WarningCode(IntEnum):
+    """What physics warns of."""
+
+    CONTACTS_DROPPED = 1
+    CONSTRAINTS_DROPPED = 2
+    BAD_POSITION = 3
+    BAD_VELOCITY = 4
+    BAD_ACCELERATION = 5
+    BAD_CONTROL = 6
+    INERTIA = 7
+    NOT_CONVERGED = 8
 
 
 class Kind(IntEnum):
@@ -218,6 +239,9 @@ class Quantity(IntEnum):
     AGENT_FACE = 48
     WORLD_GRAVITY = 49
     WARNING_COUNT = 50
+    SITE_VELOCITY = 51
+    AGENT_GOAL = 52
+    AGENT_ACHIEVED = 53
 
 
 NOW = 0x40000000  # or-ed to a quantity: its value of now

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from .arguments import reset_options
+from .constants import Outcome
 from .layout import Observation, Supply
 from .options import EnvOptions, refuse_unknown
 from .pictures import ARRAYS, Painter
@@ -20,6 +21,7 @@ from .tasks import GoalTask, Judge, Judgement, Task
 from .world import World
 
 PICTURE = (480, 360)
+SUCCESS, FAILURE = int(Outcome.SUCCESS), int(Outcome.FAILURE)  # compared in every step, where enums are slow
 
 
 class Env(gymnasium.Env[Any, NDArray[np.float32]]):
@@ -74,7 +76,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         begin(self.world, self._judge, block, seed)
         if self.render_mode == "human":
             self.render()
-        info = world_info(self.world) if self._judge is None else judged_info(Judgement())
+        info = start_info(self.world) if self._judge is None else judged_info(Judgement())
         return self._observation(self.world.layout.views(block)), info
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
@@ -141,9 +143,19 @@ def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: 
 
 
 def world_info(world: World, agent: int = 0) -> Dict[str, Any]:
-    """What a built-in task tells of an infant's step."""
-    success, failure = world.outcome(agent)
-    return {"is_success": success, "is_failure": failure, "reward_terms": world.reward_terms(agent)}
+    """What the world's task tells of an infant's step."""
+    outcome = world.outcome.item(agent)
+    return {
+        "is_success": outcome == SUCCESS,
+        "is_failure": outcome == FAILURE,
+        "reward_terms": world.reward_terms(agent),
+    }
+
+
+def start_info(world: World) -> Dict[str, Any]:
+    """The same before the first step."""
+    terms = dict.fromkeys((term.name for term in world.layout.terms), 0.0)
+    return {"is_success": False, "is_failure": False, "reward_terms": terms}
 
 
 def judged_info(judged: Judgement) -> Dict[str, Any]:

@@ -1,18 +1,20 @@
-"""Observation blocks: one piece of memory that holds all fields, and numpy's views of them."""
+"""What is observed, what acts and what is rewarded; and blocks: one piece of memory that holds all observed fields."""
 
 from __future__ import annotations
 
 import ctypes
+import weakref
 from dataclasses import dataclass
-from typing import Any, Dict, Sequence, Tuple
+from typing import Any, Callable, Dict, NamedTuple, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _abi
 from ._handle import Native
-from ._library import LIB, check, text
-from .constants import Time
+from ._library import LIB, check, text, utf8
+from .constants import Receptor
+from .errors import ClosedError
 
 ALIGNMENT = 64
 SUPPLY_BYTES = 65536
@@ -28,45 +30,77 @@ Observation = Dict[str, NDArray[Any]]
 
 @dataclass(frozen=True)
 class Field:
-    """One field of an observation."""
+    """One field of an observation. It belongs to the time from `start` to `end`, s after the step's end, both <= 0."""
 
     name: str  # "proprioception/position"
     dtype: np.dtype[Any]
     shape: Tuple[int, ...]
     unit: str  # "rad", "" for none
     frame: str  # frame of reference, "" for none
-    time: Time
     low: float  # smallest possible value, -inf where there is none
     high: float
+    start: float  # 0 for the step's end, negative for what is older
+    end: float  # later than start for what was gathered meanwhile
+    period: float  # s from one new value to the next
     offset: int  # bytes from the start of the block
+    receptors: int  # on how many it reports, in the order of its first axis; 0: it is not of skin
     labels: Tuple[str, ...]  # what each element is ("robot:left_elbow"); empty for pictures and touch
 
 
-class Layout:
-    """The fields of an observation block, by name, in the order of the block.
+@dataclass(frozen=True)
+class Action:
+    """One action: the control input of one motor or muscle."""
 
-    The handle is that of a world ("env"), or of attached senses ("senses").
+    name: str  # "act:left_elbow"
+    unit: str  # "rad", "" for none
+    agent: int  # number of the infant whose it is
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Term:
+    """A part of an infant's reward, which is their sum."""
+
+    name: str  # "distance"
+    agent: int  # number of the infant
+
+
+class Receptors(NamedTuple):
+    """Where a field's receptors are, in the order of its first axis."""
+
+    bodies: NDArray[np.int32]  # n
+    geoms: NDArray[np.int32]  # n
+    position: NDArray[np.float64]  # n x 3, in the frame of the receptor's body, m
+    frame: NDArray[np.float64]  # n x 3 x 3, rows: outward normal, two tangents, in the frame of the body
+
+
+class Layout:
+    """What a world, a batch or attached senses observe, act with and are rewarded for.
+
+    `fields` are by name, in the order of the block; `actions` and `terms` in that of their arrays.
     """
 
-    def __init__(self, handle: Native, noun: str = "env") -> None:
-        size, count = ctypes.c_size_t(), ctypes.c_size_t()
-        self._describe = getattr(LIB, f"mimo_{noun}_observation_field")
-        self._label = getattr(LIB, f"mimo_{noun}_observation_label")
-        check(getattr(LIB, f"mimo_{noun}_observation_size")(handle, size, count))
-        self.bytes: int = size.value
-        fields = [self._field(handle, index) for index in range(count.value)]
-        self.fields: Dict[str, Field] = {field.name: field for field in fields}
-        names = list(self.fields)
+    def __init__(self, owner: Native, layout_of: Callable[[Native, ctypes.c_void_p], int]) -> None:
+        self._owner = weakref.ref(owner)  # which is not to live as long as its description
+        self._handle, info = ctypes.c_void_p(), _abi.LayoutInfo()
+        check(layout_of(owner, self._handle))
+        check(LIB.mimo_layout_describe(self._handle, info))
+        self.bytes: int = info.block_bytes
+        self.agents: int = info.agents
+        self.fields = {field.name: field for field in map(self._field, range(info.fields))}
+        self.actions = tuple(map(self._action, range(info.actions)))
+        self.terms = tuple(map(self._term, range(info.terms)))
+        self._names = list(self.fields)
         listed = self.fields.values()
         self._record = np.dtype(
             {
-                "names": names,
+                "names": self._names,
                 "formats": [(field.dtype, field.shape) for field in listed],
                 "offsets": [field.offset for field in listed],
                 "itemsize": self.bytes,
             }
         )
-        self._names = names
 
     def new_block(self, *lead: int) -> NDArray[np.uint8]:
         """Memory for an observation, aligned as the library likes it; for several worlds with their number in front."""
@@ -80,9 +114,30 @@ class Layout:
         record = np.ndarray(block.shape[:-1], self._record, block)
         return {name: record[name] for name in self._names}
 
-    def _field(self, handle: Native, index: int) -> Field:
+    def receptors(self, name: str) -> Receptors:
+        """Where a field's receptors are; none where it is not of skin."""
+        wanted, index = utf8(name), ctypes.c_size_t()
+        owner = self._owner()  # which no other thread destroys from here on
+        if owner is None:
+            raise ClosedError("what this layout describes is closed")
+        check(LIB.mimo_layout_find(self._handle, wanted, index))
+        return Receptors(
+            bodies=self._of_receptors(index.value, Receptor.BODY).astype(np.int32),
+            geoms=self._of_receptors(index.value, Receptor.GEOM).astype(np.int32),
+            position=self._of_receptors(index.value, Receptor.POSITION).reshape(-1, 3),
+            frame=self._of_receptors(index.value, Receptor.FRAME).reshape(-1, 3, 3),
+        )
+
+    def _of_receptors(self, field: int, quantity: Receptor) -> NDArray[np.float64]:
+        count = ctypes.c_size_t()
+        check(LIB.mimo_layout_receptor_width(self._handle, field, quantity, count))
+        values = np.empty(count.value)
+        check(LIB.mimo_layout_receptors(self._handle, field, quantity, values.ctypes.data, values.size))
+        return values
+
+    def _field(self, index: int) -> Field:
         field = _abi.Field()
-        check(self._describe(handle, index, field))
+        check(LIB.mimo_layout_field(self._handle, index, field))
         shape = tuple(field.shape[: field.ndim])
         return Field(
             name=text(field.name),
@@ -90,21 +145,35 @@ class Layout:
             shape=shape,
             unit=text(field.unit),
             frame=text(field.frame),
-            time=Time(field.time),
             low=field.low,
             high=field.high,
+            start=field.start,
+            end=field.end,
+            period=field.period,
             offset=field.offset,
-            labels=self._labels(handle, index, shape),
+            receptors=field.receptors,
+            labels=self._labels(index, int(np.prod(shape))),
         )
 
-    def _labels(self, handle: Native, index: int, shape: Sequence[int]) -> Tuple[str, ...]:
+    def _labels(self, field: int, count: int) -> Tuple[str, ...]:
         label = ctypes.c_char_p()
         labels = []
-        for element in range(int(np.prod(shape))):
-            if self._label(handle, index, element, label) != 0 or not label.value:
+        for element in range(count):
+            check(LIB.mimo_layout_label(self._handle, field, element, label))
+            if not label.value:
                 return ()
             labels.append(text(label.value))
         return tuple(labels)
+
+    def _action(self, index: int) -> Action:
+        action = _abi.Action()
+        check(LIB.mimo_layout_action(self._handle, index, action))
+        return Action(text(action.name), text(action.unit), action.agent, action.low, action.high)
+
+    def _term(self, index: int) -> Term:
+        term = _abi.Term()
+        check(LIB.mimo_layout_term(self._handle, index, term))
+        return Term(text(term.name), term.agent)
 
 
 class Supply:

@@ -25,6 +25,7 @@ from .constants import (
     Jacobian,
     Place,
     Proprioception,
+    Quantity,
     Render,
     Shape,
     Touch,
@@ -141,6 +142,13 @@ class CameraOptions(TypedDict, total=False):
     body: str
     position: Numbers
     look_at: Numbers
+
+
+class FieldOptions(TypedDict, total=False):
+    """A quantity that is observed, and in the frame of which body; None: of the world."""
+
+    quantity: Quantity
+    relative_to: Optional[str]
 
 
 class ModelOptions(TypedDict, total=False):

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from . import _abi
 from ._library import LIB, check, utf8
 from .arguments import number_of
+from .constants import Outcome
 from .errors import Error
 from .layout import Observation
 from .tasks import Judgement
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from .world import World
 
 INTERNAL = -12  # MIMO_E_INTERNAL
-SUCCESS, FAILURE = 1, -1  # MIMO_OUTCOME_
 
 
 class Moment:
@@ -161,7 +161,7 @@ class Bound:
             row = np.array([judged.terms[name] for name in self.terms], np.float64)
             _write(verdict.terms, row, len(self.terms), "terms")
         verdict.reward = 0 if judged.reward is None else judged.reward
-        verdict.outcome = SUCCESS if judged.success else FAILURE if judged.failure else 0
+        verdict.outcome = _outcome(judged)
         verdict.goes_on, verdict.truncated = not judged.terminated, bool(judged.truncated)
 
     def _checked(self, name: str, box: Any) -> bool:
@@ -179,6 +179,10 @@ class Bound:
         field.frame = utf8(self.task.frames.get(name))
         field.low, field.high = float(box.low.flat[0]), float(box.high.flat[0])
         return field
+
+
+def _outcome(judged: Judgement) -> Outcome:
+    return Outcome.SUCCESS if judged.success else Outcome.FAILURE if judged.failure else Outcome.NONE
 
 
 _bounds: WeakValueDictionary[int, Bound] = WeakValueDictionary()

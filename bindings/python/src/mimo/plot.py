@@ -53,12 +53,12 @@ def eyes(observation: Observation, agent: str = "") -> Figure:
 
 def touch_map(world: World, observation: Optional[Observation] = None, agent: int = 0) -> Figure:
     """The sensors of the whole skin, seen from the front and from the side; coloured by the force that each feels."""
-    sensors = world.touch_sensors(agent)
-    if len(sensors.bodies) == 0:
+    name = world.agents[agent].name
+    field = f"{name}/touch/force" if name else "touch/force"
+    if field not in world.layout.fields:
         raise ValueError("the infant has no touch; make the world with touch=mimo.Touch.FORCE")
     shown = world.observation if observation is None else observation
-    name = world.agents[agent].name
-    force = np.linalg.norm(shown[f"{name}/touch/force" if name else "touch/force"], axis=-1)
+    force, sensors = np.linalg.norm(shown[field], axis=-1), world.layout.receptors(field)
     places = _in_world(world, sensors.bodies, sensors.position)
     felt = force > 0
     figure, axes = plt.subplots(1, 2, figsize=(8, 5), layout="constrained")

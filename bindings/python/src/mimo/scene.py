@@ -5,19 +5,20 @@ from __future__ import annotations
 import copy
 import ctypes
 import os
-from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, Optional, Sequence, Tuple, Union
 
 from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .arguments import number_of, real_number, vector
-from .constants import Place
+from .arguments import number_of, real_number, several, vector
+from .constants import NOW, Place, Quantity
 from .options import (
     AgentOptions,
     CameraOptions,
     DocumentOptions,
+    FieldOptions,
     ModelOptions,
     Numbers,
     ObjectOptions,
@@ -187,6 +188,30 @@ class Scene(Handle):
         config.placed = "look_at" in options
         check(LIB.mimo_scene_add_camera(self._handle, config))
         self._remember("add_camera", name, **options)
+
+    def add_field(
+        self,
+        name: str,
+        quantity: Union[Quantity, str],
+        elements: Union[str, Sequence[str]] = (),
+        *,
+        now: bool = False,
+        relative_to: Optional[str] = None,
+    ) -> None:
+        """Has a quantity of elements (bodies, joints, ... by name) observed as a field of its own, behind all others.
+
+        Poses and velocities are those of the start of the last physics step, with `now` those of the step's end; in the
+        frame of the world, or of the body `relative_to`, as seen from it while it moves.
+        """
+        config = _abi.FieldConfig()
+        check(LIB.mimo_field_config_init(config, ctypes.sizeof(config)))
+        config.name = utf8(name)
+        fill(config, {"quantity": quantity, "relative_to": relative_to}, FieldOptions)
+        config.quantity |= NOW if now else 0
+        names = [utf8(element) for element in several("elements", elements)]
+        config.elements, config.element_count = (ctypes.c_char_p * len(names))(*names), len(names)
+        check(LIB.mimo_scene_add_field(self._handle, config))
+        self._remember("add_field", name, quantity, elements, now=now, relative_to=relative_to)
 
     def add_model(self, name: str, **options: Unpack[ModelOptions]) -> None:
         """Adds an MJCF document with one body (file or xml) as an object; its names get "name/" before them."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib
-from typing import Any, Dict, Optional
+from typing import Any, Optional
 
 from typing_extensions import Unpack
 
@@ -12,11 +12,11 @@ from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python
 from .arguments import number_of
-from .layout import Field, Layout, Observation, Supply
+from .layout import Layout, Observation, Supply
 from .options import SensesOptions, fill
 from .scene import Scene
 from .states import LoadReport, reported, saved
-from .world import seed_number
+from .world import reset_config
 
 
 class Senses(Handle):
@@ -53,18 +53,12 @@ class Senses(Handle):
         check(LIB.mimo_senses_attach(scene._handle, _address_of(model), config, handle))
         self._own(handle.value, LIB.mimo_senses_destroy)
         self._handle.keeps = model
-        self._layout = Layout(self._handle, "senses")
-        self._supply = Supply(self._layout)
-
-    @property
-    def fields(self) -> Dict[str, Field]:
-        """What an observation holds, by name."""
-        return dict(self._layout.fields)
+        self.layout = Layout(self._handle, LIB.mimo_senses_layout)
+        self._supply = Supply(self.layout)
 
     def reset(self, data: Any, seed: Optional[int] = None) -> None:
         """Starts an episode: nothing was sensed before what data hold; noise follows from the seed."""
-        start = None if seed is None else ctypes.byref(seed_number(seed))
-        check(LIB.mimo_senses_reset(self._handle, _address_of(data), start))
+        check(LIB.mimo_senses_reset(self._handle, _address_of(data), reset_config(seed)))
 
     def advance(self, data: Any) -> None:
         """One step later, to be called once a step and before observe: senses with a delay take in what data hold."""
@@ -76,7 +70,7 @@ class Senses(Handle):
         Looking changes nothing that the senses remember.
         """
         address, observation = self._supply.take()
-        check(LIB.mimo_senses_observe(self._handle, _address_of(data), address, self._layout.bytes))
+        check(LIB.mimo_senses_observe(self._handle, _address_of(data), address, self.layout.bytes))
         return observation
 
     def save(self) -> bytes:

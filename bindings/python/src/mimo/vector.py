@@ -13,7 +13,7 @@ from typing_extensions import Unpack
 
 from .arguments import reset_options
 from .batch import Batch
-from .constants import Autoreset
+from .constants import Autoreset, Outcome
 from .env import check_sole, with_task
 from .options import EnvOptions, refuse_unknown
 from .pictures import ARRAYS, Painter
@@ -198,14 +198,10 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
 
     def _endings(self, over: Flags) -> Dict[str, Any]:
         """What the library's task tells of the episodes that have ended."""
-        outcome = {name: np.zeros(self.num_envs, np.bool_) for name in ("is_success", "is_failure")}
-        terms: Dict[str, Any] = {}
-        for index in np.flatnonzero(over):
-            world = self._worlds[index]
-            outcome["is_success"][index], outcome["is_failure"][index] = world.outcome()
-            for name, value in world.reward_terms().items():
-                terms.setdefault(name, np.zeros(self.num_envs))[index] = value
-        infos = self._masked(outcome, over)
+        outcome, rows = self.batch.outcome[:, 0], self.batch.terms.T
+        ends = {"is_success": outcome == Outcome.SUCCESS, "is_failure": outcome == Outcome.FAILURE}
+        infos = self._masked({name: over & end for name, end in ends.items()}, over)
+        terms = {term.name: np.where(over, row, 0) for term, row in zip(self.batch.layout.terms, rows)}
         infos["reward_terms"], infos["_reward_terms"] = self._masked(terms, over), over.copy()
         return infos
 

@@ -13,15 +13,15 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Native
 from ._library import LIB, check, log_to_python, raise_error, text
-from .access import Access, Mask, Numbers
+from .access import Access, Mask
 from .arguments import index_in, number_of, real_number, vector, whole_number
 from .constants import Kind, Look, Quantity
+from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
+from .results import Numbers, Results, StepResult
 from .scene import Scene, prepare
 from .states import LoadReport, reported, saved
-
-LOOK_JOINTS = 8  # MIMO_LOOK_JOINTS
 
 _step = LIB.mimo_env_step
 
@@ -34,55 +34,6 @@ class Agent:
     actions: slice  # its part of the action array
     mass: float  # kg
     height: float  # vertical extent in the initial pose, m
-
-
-class StepResult(NamedTuple):
-    """What a step gave, one entry for each agent. The arrays belong to the world and change with its next step."""
-
-    observation: Observation
-    reward: Numbers
-    terminated: NDArray[np.bool_]
-    truncated: NDArray[np.bool_]
-
-
-class Contacts(NamedTuple):
-    """Contacts, one a row; frames, forces and torques as mimo.h explains at MIMO_CONTACT_FRAME."""
-
-    geoms: NDArray[np.int32]  # n x 2
-    bodies: NDArray[np.int32]  # n x 2
-    position: Numbers  # n x 3, world, m
-    frame: Numbers  # n x 3 x 3, rows: normal from geom 1 to geom 2, two tangents
-    distance: Numbers  # n, negative: overlap
-    force: Numbers  # n x 3, on body 2, in the contact's frame, N
-    torque: Numbers  # n x 3
-
-
-class StepContacts(NamedTuple):
-    """Pairs of geoms that touched during the last step, one a row; needs the option step_contacts=True."""
-
-    geoms: NDArray[np.int32]  # n x 2
-    bodies: NDArray[np.int32]  # n x 2
-    start: Numbers  # n, s since the step began
-    end: Numbers  # n
-    impulse: Numbers  # n x 3, on body 2, world, N s
-    peak_force: Numbers  # n x 3, on body 2, world, N
-    peak_position: Numbers  # n x 3, world, m
-
-
-class TouchSensors(NamedTuple):
-    """The touch sensors of an agent, in the order of its touch fields."""
-
-    bodies: NDArray[np.int32]  # n
-    geoms: NDArray[np.int32]  # n
-    position: Numbers  # n x 3, in the frame of the sensor's body, m
-    frame: Numbers  # n x 3 x 3, rows: outward normal, two tangents, in the frame of the body
-
-
-class Outcome(NamedTuple):
-    """Whether an agent's last step was a success or a failure, also where that does not end the episode."""
-
-    success: bool
-    failure: bool
 
 
 class Sightline(NamedTuple):
@@ -127,12 +78,9 @@ def env_config(options: Dict[str, Any], kind: Type[PhysicsOptions] = WorldOption
     return config
 
 
-def seed_number(seed: int) -> ctypes.c_uint64:
-    """A seed for the library; ctypes would silently take it modulo 2^64."""
-    number = whole_number("seed", seed)
-    if not 0 <= number < 2**64:
-        raise ValueError(f"seed is {seed}, expected 0 to 2^64 - 1")
-    return ctypes.c_uint64(number)
+def reset_config(seed: Optional[int]) -> Optional[_abi.ResetConfig]:
+    """The C struct of a reset; None lets random numbers go on."""
+    return None if seed is None else _abi.ResetConfig(seeded=1, seed=number_of("seed", seed, 64))
 
 
 class World(Access):
@@ -142,47 +90,47 @@ class World(Access):
     Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
     """
 
+    _owner: Any = None  # the batch that a world belongs to and keeps alive
+
     def __init__(self, scene: Union[str, Scene] = "benchmark", **options: Unpack[Options]) -> None:
         made, rest = prepare(scene, options)
         handle = ctypes.c_void_p()
         check(LIB.mimo_env_create(made._handle, env_config(rest), handle))
-        self._own(handle.value, LIB.mimo_env_destroy)
-        self._describe(made, rest, None)
+        self._begin(Native(handle.value, LIB.mimo_env_destroy), made, rest)
+
+    def _begin(self, handle: Native, scene: Scene, options: Dict[str, Any]) -> None:
+        layout = Layout(handle, LIB.mimo_env_layout)
+        self._describe(handle, scene, options, layout, Results(layout))
 
     @classmethod
-    def _of_batch(cls, handle: Native, scene: Scene, options: Dict[str, Any], batch: Any) -> "World":
-        """A world that belongs to a batch, which it keeps alive."""
+    def _of_batch(cls, batch: Any, index: int, keeps: bool) -> "World":
+        """A world of a batch, with a row of its results; `keeps` says whether it keeps the batch alive."""
         world = cls.__new__(cls)
-        world._handle = handle
-        world._describe(scene, options, batch)
+        world._owner = batch if keeps else None
+        handle, results = batch._world_handle(index), batch._results.of_world(index)
+        world._describe(handle, batch._scene, batch._options, batch.layout, results)
         return world
 
-    def _describe(self, scene: Scene, options: Dict[str, Any], owner: Any) -> None:
-        self._scene, self._options, self._owner = scene, options, owner
-        handle = self._names_handle = self._handle
+    def _describe(
+        self, handle: Native, scene: Scene, options: Dict[str, Any], layout: Layout, results: Results
+    ) -> None:
+        self._scene, self._options = scene, options
+        self._handle = self._names_handle = handle
         if scene._task is not None and handle.value is not None:  # which is to know the world that it is asked about
             scene._task.worlds.setdefault(handle.value, self)
-        self.layout = Layout(handle)
-        self.agents = _agents(handle)
-        self.action_names = _action_names(handle)
-        self.action_low, self.action_high = _action_bounds(handle, len(self.action_names))
-        count = len(self.agents)
-        self.block = self.layout.new_block()
-        self.observation = self._views = self.layout.views(self.block)
-        self.reward = np.zeros(count)
-        self._flags = np.zeros((2, count), np.uint8)
-        self.terminated, self.truncated = self._flags.view(np.bool_)
-        self._terms: Dict[int, Tuple[Tuple[str, ...], Numbers, int]] = {}
-        self._outcome = (ctypes.c_uint8(), ctypes.c_uint8())
-        self._action = np.zeros(len(self.action_names), np.float32)
-        self._results = (
-            self.reward.ctypes.data,
-            self._flags[0].ctypes.data,
-            self._flags[1].ctypes.data,
-            count,
-        )
+        self._take(layout, agents_of(handle, layout.agents))
+        self.block = layout.new_block()
+        self.observation = self._views = layout.views(self.block)
+        self._show(results, self._views)
+        self._term_places = [
+            [(term.name, index) for index, term in enumerate(layout.terms) if term.agent == agent]
+            for agent in range(layout.agents)
+        ]
+        self._action = np.zeros(len(layout.actions), np.float32)
+        # What a step is called with, made once.
+        self._results_place = ctypes.byref(results.for_world())
         self._action_place = (self._action.ctypes.data, len(self._action))
-        self._block_place = (self.block.ctypes.data, self.layout.bytes)
+        self._block_place = (self.block.ctypes.data, layout.bytes)
 
     # ---- Stepping ------------------------------------------------------------------------------------------------
 
@@ -194,22 +142,22 @@ class World(Access):
 
     def reset_into(self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None) -> None:
         """As reset, with a block of your own (layout.new_block()); None skips the senses."""
-        number = None if seed is None else ctypes.byref(seed_number(seed))
+        config = reset_config(seed)
         self._given = None
-        check(LIB.mimo_env_reset(self._handle, number, *self._place(block)))
+        check(LIB.mimo_env_reset(self._handle, config, *self._place(block)))
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
         self.step_into(self.block, action)
         self.observation = self._views
-        return StepResult(self.observation, self.reward, self.terminated, self.truncated)
+        return self._result
 
     def step_into(self, block: Optional[NDArray[np.uint8]], action: Optional[ArrayLike] = None) -> None:
-        """As step, with a block of your own; None skips the senses. Results are in reward, terminated, truncated."""
+        """As step, with a block of your own; None skips the senses. What else it gives is in reward, outcome, ..."""
         self._step_at(*self._place(block), action)
 
     def _step_at(self, address: Optional[int], size: int, action: Optional[ArrayLike]) -> None:
-        status = _step(self._handle, *self._prepared(action), address, size, *self._results)
+        status = _step(self._handle, *self._prepared(action), address, size, self._results_place)
         if status != 0:
             raise_error(status)
 
@@ -300,34 +248,10 @@ class World(Access):
         check(function(self._handle, value))
         return value.value
 
-    # ---- Rewards -------------------------------------------------------------------------------------------------
-
     def reward_terms(self, agent: int = 0) -> Dict[str, float]:
-        """The terms of the last step's reward, which is their sum."""
-        agent = self._agent(agent)
-        terms = self._terms.get(agent)
-        if terms is None:
-            names = self._term_names(agent)
-            values = np.zeros(len(names))
-            terms = self._terms[agent] = (names, values, values.ctypes.data)
-        names, values, address = terms
-        check(LIB.mimo_env_reward_terms(self._handle, agent, address, len(names)))
-        return dict(zip(names, values.tolist()))
-
-    def outcome(self, agent: int = 0) -> Outcome:
-        """Success or failure of the last step."""
-        success, failure = self._outcome
-        check(LIB.mimo_env_outcome(self._handle, self._agent(agent), success, failure))
-        return Outcome(success.value != 0, failure.value != 0)
-
-    def _term_names(self, agent: int) -> Tuple[str, ...]:
-        count, name = ctypes.c_size_t(), ctypes.c_char_p()
-        check(LIB.mimo_env_reward_term_count(self._handle, agent, count))
-        names = []
-        for index in range(count.value):
-            check(LIB.mimo_env_reward_term_name(self._handle, agent, index, name))
-            names.append(text(name.value))
-        return tuple(names)
+        """The terms of an infant's last reward, which is their sum, by name."""
+        numbers = self.terms.tolist()
+        return {name: numbers[index] for name, index in self._term_places[self._agent(agent)]}
 
     # ---- Named access --------------------------------------------------------------------------------------------
 
@@ -361,17 +285,6 @@ class World(Access):
         counts = self.get(Quantity.WARNING_COUNT)
         return {self.name(Kind.WARNING, index): int(count) for index, count in enumerate(counts)}
 
-    def touch_sensors(self, agent: int = 0) -> TouchSensors:
-        """Where an infant's skin feels; empty where touch is off."""
-        agent, count = self._agent(agent), ctypes.c_size_t()
-        check(LIB.mimo_env_touch_sensors(self._handle, agent, None, None, None, None, 0, count))
-        n = count.value
-        bodies, geoms = np.empty(n, np.int32), np.empty(n, np.int32)
-        position, frame = np.empty((n, 3)), np.empty((n, 3, 3))
-        places = [array.ctypes.data for array in (bodies, geoms, position, frame)]
-        check(LIB.mimo_env_touch_sensors(self._handle, agent, *places, n, count))
-        return TouchSensors(bodies, geoms, position, frame)
-
     # ---- Looking ---------------------------------------------------------------------------------------------------
 
     def gaze(self, agent: int = 0) -> Gaze:
@@ -398,13 +311,13 @@ class World(Access):
 
     def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
         """Angles of the joints that make an infant look at a point (world, m), for locks and position control."""
-        count = ctypes.c_size_t()
-        joints, angles, errors = np.empty(LOOK_JOINTS, np.int32), np.empty(LOOK_JOINTS), np.empty(2)
-        places = (joints.ctypes.data, angles.ctypes.data, LOOK_JOINTS, count, errors.ctypes.data)
-        target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_angles(self._handle, self._agent(agent), target.ctypes.data, turns, *places))
-        names = [self.name(Kind.JOINT, int(joint)) for joint in joints[: count.value]]
-        return LookAngles(names, angles[: count.value], errors)
+        target, turns, count = vector("point", point, 3), whole_number("how", how, Look), ctypes.c_size_t()
+        asked = (self._handle, self._agent(agent), target.ctypes.data, turns)
+        check(LIB.mimo_env_look_angles(*asked, None, None, 0, count, None))
+        joints, angles, errors = np.empty(count.value, np.int32), np.empty(count.value), np.empty(2)
+        places = (joints.ctypes.data, angles.ctypes.data, len(joints), count, errors.ctypes.data)
+        check(LIB.mimo_env_look_angles(*asked, *places))
+        return LookAngles([self.name(Kind.JOINT, int(joint)) for joint in joints], angles, errors)
 
     # ---- What differs from world to world; it outlives resets --------------------------------------------------------
 
@@ -446,14 +359,14 @@ class World(Access):
         """Draws the current state: height x width x 3, row 0 is the top. By default 640 x 480 of the infant's front."""
         config = _picture_config(picture)
         rgb = np.empty((config.height, config.width, 3), np.uint8)
-        check(LIB.mimo_env_render(self._handle, config, rgb.ctypes.data, rgb.size, None, 0, None, 0))
+        self._draw(config, rgb=rgb.ctypes.data, rgb_bytes=rgb.size)
         return rgb
 
     def depth(self, **picture: Unpack[PictureOptions]) -> NDArray[np.float32]:
         """Distances along the camera's axis in such a picture: height x width, m."""
         config = _picture_config(picture)
         depth = np.empty((config.height, config.width), np.float32)
-        check(LIB.mimo_env_render(self._handle, config, None, 0, depth.ctypes.data, depth.size, None, 0))
+        self._draw(config, depth=depth.ctypes.data, depth_count=depth.size)
         return depth
 
     def draw(self, **picture: Unpack[PictureOptions]) -> Picture:
@@ -461,9 +374,19 @@ class World(Access):
         config = _picture_config(picture)
         size = (config.height, config.width)
         drawn = Picture(np.empty((*size, 3), np.uint8), np.empty(size, np.float32), np.empty(size, np.int32))
-        places = [part for array in drawn for part in (array.ctypes.data, array.size)]
-        check(LIB.mimo_env_render(self._handle, config, *places))
+        self._draw(
+            config,
+            rgb=drawn.rgb.ctypes.data,
+            rgb_bytes=drawn.rgb.size,
+            depth=drawn.depth.ctypes.data,
+            depth_count=drawn.depth.size,
+            segmentation=drawn.segmentation.ctypes.data,
+            segmentation_count=drawn.segmentation.size,
+        )
         return drawn
+
+    def _draw(self, config: _abi.PictureConfig, **places: int) -> None:
+        check(LIB.mimo_env_render(self._handle, config, _abi.Picture(**places)))
 
     def project(self, points: ArrayLike, **picture: Unpack[PictureOptions]) -> Numbers:
         """Where points of the world (n x 3, m) lie in such a picture: pixels right, pixels down, depth in m (n x 3)."""
@@ -488,8 +411,7 @@ class World(Access):
         handle = ctypes.c_void_p()
         check(LIB.mimo_env_clone(self._handle, handle))
         world = World.__new__(World)
-        world._own(handle.value, LIB.mimo_env_destroy)
-        world._describe(self._scene, self._options, None)
+        world._begin(Native(handle.value, LIB.mimo_env_destroy), self._scene, self._options)
         return world
 
     def __copy__(self) -> "World":
@@ -508,41 +430,6 @@ def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
     return world
 
 
-def contacts_of(handle: Native) -> Contacts:
-    """The contacts in a world of this handle."""
-    return Contacts(
-        geoms=all_of(handle, Quantity.CONTACT_GEOMS, 2).astype(np.int32),
-        bodies=all_of(handle, Quantity.CONTACT_BODIES, 2).astype(np.int32),
-        position=all_of(handle, Quantity.CONTACT_POSITION, 3),
-        frame=all_of(handle, Quantity.CONTACT_FRAME, 9).reshape(-1, 3, 3),
-        distance=all_of(handle, Quantity.CONTACT_DISTANCE, 1).ravel(),
-        force=all_of(handle, Quantity.CONTACT_FORCE, 3),
-        torque=all_of(handle, Quantity.CONTACT_TORQUE, 3),
-    )
-
-
-def step_contacts_of(handle: Native) -> StepContacts:
-    """What touched what during the last step of a world of this handle."""
-    return StepContacts(
-        geoms=all_of(handle, Quantity.STEP_CONTACT_GEOMS, 2).astype(np.int32),
-        bodies=all_of(handle, Quantity.STEP_CONTACT_BODIES, 2).astype(np.int32),
-        start=all_of(handle, Quantity.STEP_CONTACT_START, 1).ravel(),
-        end=all_of(handle, Quantity.STEP_CONTACT_END, 1).ravel(),
-        impulse=all_of(handle, Quantity.STEP_CONTACT_IMPULSE, 3),
-        peak_force=all_of(handle, Quantity.STEP_CONTACT_PEAK_FORCE, 3),
-        peak_position=all_of(handle, Quantity.STEP_CONTACT_PEAK_POSITION, 3),
-    )
-
-
-def all_of(handle: Native, quantity: Quantity, width: int) -> Numbers:
-    """A quantity of all that a world has: a row of `width` numbers for each."""
-    count = ctypes.c_size_t()
-    check(LIB.mimo_env_width(handle, quantity, None, 0, count))
-    values = np.empty((count.value // width, width))
-    check(LIB.mimo_env_get(handle, quantity, None, 0, values.ctypes.data, values.size))
-    return values
-
-
 def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
     config = _abi.PictureConfig()
     check(LIB.mimo_picture_config_init(config, ctypes.sizeof(config)))
@@ -550,28 +437,12 @@ def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
     return config
 
 
-def _agents(env: Native) -> List[Agent]:
-    count, info = ctypes.c_size_t(), _abi.AgentInfo()
-    check(LIB.mimo_env_agent_count(env, count))
+def agents_of(env: Native, count: int) -> List[Agent]:
+    """The infants of a world of this handle."""
+    info = _abi.AgentInfo()
     agents = []
-    for index in range(count.value):
+    for index in range(count):
         check(LIB.mimo_env_agent(env, index, info))
         actions = slice(info.action_offset, info.action_offset + info.action_count)
         agents.append(Agent(text(info.name), actions, info.mass, info.height))
     return agents
-
-
-def _action_names(env: Native) -> List[str]:
-    count, name = ctypes.c_size_t(), ctypes.c_char_p()
-    check(LIB.mimo_env_action_size(env, count))
-    names = []
-    for index in range(count.value):
-        check(LIB.mimo_env_action_name(env, index, name))
-        names.append(text(name.value))
-    return names
-
-
-def _action_bounds(env: Native, count: int) -> Tuple[NDArray[np.float32], NDArray[np.float32]]:
-    low, high = np.empty(count, np.float32), np.empty(count, np.float32)
-    check(LIB.mimo_env_action_bounds(env, low.ctypes.data, high.ctypes.data, count))
-    return low, high
