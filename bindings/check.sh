@@ -54,7 +54,7 @@ test_rust() {
     cargo test -q
     MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON -DMIMO_ROOMS=$rooms" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
     package_crates
-    for example in hello batch own_reward own_goal; do cargo run -q --example "$example"; done
+    for example in hello batch observe own_reward own_goal; do cargo run -q --example "$example"; done
   )
   follow rust
 }

@@ -1,4 +1,4 @@
-/* Names, states, faces, gaze, locks, gravity, pictures. */
+/* Names, states, faces, locks, gravity. */
 #ifndef MIMO_MATLAB_ACCESS_H
 #define MIMO_MATLAB_ACCESS_H
 

@@ -100,6 +100,18 @@ char* mimo_text(const mxArray* text, const char* what) {
   return mxArrayToString(text); /* MATLAB frees it at the end of the call */
 }
 
+const char** mimo_texts(const mxArray* texts, size_t* count, const char* what) {
+  const int many = texts != NULL && mxIsCell(texts);
+  const char** all;
+  size_t i;
+  *count = 0;
+  if (texts == NULL || (!many && !mxIsChar(texts) && mxIsEmpty(texts))) return NULL;
+  *count = many ? mxGetNumberOfElements(texts) : 1;
+  all = mxCalloc(*count + 1, sizeof *all);
+  for (i = 0; i < *count; ++i) all[i] = mimo_text(many ? mxGetCell(texts, i) : texts, what);
+  return all;
+}
+
 double mimo_number(const mxArray* number, const char* what) {
   if ((!mxIsNumeric(number) && !mxIsLogical(number)) || mxIsComplex(number) || mxGetNumberOfElements(number) != 1)
     mimo_refuse("%s: expected a number", what);
@@ -162,26 +174,39 @@ mimo_env* mimo_world_at(worlds* all, int nin, const mxArray* in[], int at) {
 }
 
 size_t mimo_agent_at(const worlds* all, int nin, const mxArray* in[], int at) {
-  return index_at(all->agents, "agent", nin, in, at);
+  return index_at(all->sizes.agents, "agent", nin, in, at);
 }
 
-void mimo_add_text(mxArray* to, const char* name, const char* text) {
-  mxSetFieldByNumber(to, 0, mxAddField(to, name), mxCreateString(text));
+mxArray* mimo_name_of(const worlds* all, int32_t kind, int32_t id) {
+  const char* name = NULL;
+  mimo_check(mimo_env_name(all->first, kind, id, &name));
+  return mxCreateString(name);
 }
+
+void mimo_add(mxArray* to, const char* name, mxArray* value) { mxSetFieldByNumber(to, 0, mxAddField(to, name), value); }
+
+void mimo_add_text(mxArray* to, const char* name, const char* text) { mimo_add(to, name, mxCreateString(text)); }
+
+void mimo_add_number(mxArray* to, const char* name, double value) { mimo_add(to, name, mxCreateDoubleScalar(value)); }
 
 void mimo_add_numbers(mxArray* to, const char* name, const double* values, size_t rows, size_t columns) {
   mxArray* array = mxCreateDoubleMatrix(rows, columns, mxREAL);
   memcpy(mxGetPr(array), values, rows * columns * sizeof *values);
-  mxSetFieldByNumber(to, 0, mxAddField(to, name), array);
+  mimo_add(to, name, array);
 }
 
 static void free_worlds(worlds* all) {
   mimo_batch_destroy(all->batch);
   free(all->blocks);
+  free(all->finals);
   free(all->actions);
-  free(all->reward);
-  free(all->terminated);
-  free(all->truncated);
+  free(all->results.reward);
+  free(all->results.terminated);
+  free(all->results.truncated);
+  free(all->results.outcome);
+  free(all->results.terms);
+  free(all->results.was_reset);
+  free(all->results.final_written);
   memset(all, 0, sizeof *all);
 }
 
@@ -192,52 +217,83 @@ worlds* mimo_new_worlds(void) {
   return &table[i];
 }
 
-/* Asks what the worlds need. */
-static mimo_status prepare(worlds* all) {
+double mimo_number_of(const worlds* all) { return (double)(all - table + 1); }
+
+/* Asks what the worlds are. */
+static mimo_status describe(worlds* all) {
   mimo_status status = mimo_batch_world(all->batch, 0, &all->first);
+  all->sizes.struct_size = sizeof all->sizes;
   if (status == MIMO_OK) status = mimo_batch_size(all->batch, &all->count, NULL);
-  if (status == MIMO_OK) status = mimo_env_observation_size(all->first, &all->bytes, &all->fields);
-  if (status == MIMO_OK) status = mimo_env_action_size(all->first, &all->action_count);
-  if (status == MIMO_OK) status = mimo_env_agent_count(all->first, &all->agents);
-  if (status != MIMO_OK) return status;
-  all->blocks = calloc(all->count, all->bytes + 1);
-  all->actions = calloc(all->count, (all->action_count + 1) * sizeof *all->actions);
-  all->reward = calloc(all->count, (all->agents + 1) * sizeof *all->reward);
-  all->terminated = calloc(all->count, all->agents + 1);
-  all->truncated = calloc(all->count, all->agents + 1);
-  return all->blocks != NULL && all->actions != NULL && all->reward != NULL && all->terminated != NULL &&
-                 all->truncated != NULL
-             ? MIMO_OK
-             : MIMO_E_OUT_OF_MEMORY;
+  if (status == MIMO_OK) status = mimo_batch_layout(all->batch, &all->layout);
+  if (status == MIMO_OK) status = mimo_layout_describe(all->layout, &all->sizes);
+  return status;
 }
 
-double mimo_keep_worlds(worlds* all) {
-  const mimo_status status = prepare(all);
+/* Room for so many, at least for one: what has no length is there all the same. */
+#define ROOM(member, count) ((member = calloc((count) + 1, sizeof *(member))) != NULL)
+
+static int room_for_results(mimo_batch_results* results) {
+  return ROOM(results->reward, results->agents) && ROOM(results->terminated, results->agents) &&
+         ROOM(results->truncated, results->agents) && ROOM(results->outcome, results->agents) &&
+         ROOM(results->terms, results->term_count) && ROOM(results->was_reset, results->worlds) &&
+         ROOM(results->final_written, results->worlds);
+}
+
+static mimo_status prepare(worlds* all, int final_blocks) {
+  const mimo_status status = describe(all);
+  mimo_batch_results* results = &all->results;
+  const size_t bytes = all->count * all->sizes.block_bytes;
+  if (status != MIMO_OK) return status;
+  results->struct_size = sizeof *results;
+  results->agents = all->count * all->sizes.agents;
+  results->term_count = all->count * all->sizes.terms;
+  results->worlds = all->count;
+  if (!room_for_results(results) || !ROOM(all->blocks, bytes) || !ROOM(all->actions, all->count * all->sizes.actions) ||
+      (final_blocks && !ROOM(all->finals, bytes)))
+    return MIMO_E_OUT_OF_MEMORY;
+  results->final_blocks = all->finals;
+  results->final_bytes = final_blocks ? bytes : 0;
+  return MIMO_OK;
+}
+
+void mimo_keep_worlds(worlds* all, int final_blocks) {
+  const mimo_status status = prepare(all, final_blocks);
   if (status != MIMO_OK) free_worlds(all);
   mimo_check(status);
   if (living++ == 0) mexLock();
-  return (double)(all - table + 1);
 }
 
-double mimo_keep_scene(mimo_scene* scene) {
+double mimo_new_scene(void) {
   size_t i;
   for (i = 0; i < kTable && scenes[i] != NULL; ++i) continue;
   mimo_need(i < kTable, "there are 256 scenes already; close some");
-  scenes[i] = scene;
+  return (double)(kTable + 1 + i);
+}
+
+void mimo_keep_scene(double number, mimo_scene* scene) {
+  scenes[place_of(number, kTable + 1)] = scene;
   making = NULL;
   if (living++ == 0) mexLock();
-  return (double)(kTable + 1 + i);
+}
+
+static void one_less(void) {
+  if (--living == 0) mexUnlock();
+}
+
+void mimo_close_worlds(worlds* all) {
+  free_worlds(all);
+  one_less();
 }
 
 void mimo_close_number(const mxArray* number) {
   mimo_scene** scene = find_scene(mimo_number(number, "world"));
-  if (scene != NULL) {
-    mimo_scene_destroy(*scene);
-    *scene = NULL;
-  } else {
-    free_worlds(mimo_any_worlds_of(number));
+  if (scene == NULL) {
+    mimo_close_worlds(mimo_any_worlds_of(number));
+    return;
   }
-  if (--living == 0) mexUnlock();
+  mimo_scene_destroy(*scene);
+  *scene = NULL;
+  one_less();
 }
 
 void mimo_close_all(void) {

@@ -3,8 +3,8 @@ function mimo_build(libmimo)
 %   mimo_build('/home/me/libmimo') takes libmimo from a clone in which ./dev build was run; mimo_build() takes the one
 %   that is installed. The compiled gateway goes to the current folder; it finds the library again by itself.
 here = fileparts(mfilename('fullpath'));
-sources = cellfun(@(name) fullfile(here, name), {'mimo_mex.c', 'mimo_worlds.c', 'mimo_access.c', 'mimo_report.c', 'mimo_scenes.c', 'mimo_options.c', ...
-                                                   'mimo_base.c'}, 'UniformOutput', false);
+sources = dir(fullfile(here, '*.c'));
+sources = cellfun(@(name) fullfile(here, name), {sources.name}, 'UniformOutput', false);
 flags = {'-lmimo'};
 linker = '';
 if nargin > 0

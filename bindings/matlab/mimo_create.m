@@ -9,8 +9,9 @@ function world = mimo_create(scene, varargin)
 %   world = mimo_create('reach', name, value, ...) changes what the scene gives by itself. Options have the names and values
 %   of mimo.h's structs, where all are explained:
 %     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_height, vision_width, vision_fovy, touch (1
-%                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception,
-%                  vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts, normalize_actions, body,
+%                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception
+%                  (2^31: all there is), vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts (2^31: all,
+%                  2^30: nothing), normalize_actions, body,
 %                  face, position, orientation (w x y z), place (1: position is that of the root, 2: of the soles,
 %                  3: of the lowest point); limits (struct array with path, gain, noise, delay in
 %                  seconds, blur: mimo_limits), motor_limits (the same without blur; path 'act:left_elbow', 'left_arm',
@@ -21,8 +22,8 @@ function world = mimo_create(scene, varargin)
 %                  step_contacts (1: mimo_get has what touched what in a step),
 %                  timing (1: mimo_timing counts)
 %     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
-%     the room     objects, models and cameras: struct arrays with the members of mimo_object_config, mimo_model_config and
-%                  mimo_camera_config; a camera with look_at is a new one
+%     the room     objects, models, cameras and fields: struct arrays with the members that mimo_scene_add has; a camera with
+%                  look_at is a new one; a cell array of elements goes into struct() in braces, {{'ball', 'cup'}}
 %     the file     confined (1: what it names must lie in its folder), model_dir (a folder to take built-in models from),
 %                  max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_file_bytes, max_world_bytes:
 %                  how much it may ask for

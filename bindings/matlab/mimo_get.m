@@ -7,8 +7,10 @@ function values = mimo_get(world, quantity, names, index)
 %     joint_position, joint_velocity, joint_force, joint_acceleration, joint_range, joint_damping, joint_lock
 %     actuator_control, actuator_force, actuator_gear, sensor_value
 %     geom_position, geom_orientation, geom_pose, geom_size, geom_friction, geom_color
-%     site_position, site_orientation, site_pose, camera_position, camera_orientation, camera_pose
-%     light_position, light_direction, light_color, agent_face, world_gravity, warning_count
+%     site_position, site_orientation, site_pose, site_velocity
+%     camera_position, camera_orientation, camera_pose
+%     light_position, light_direction, light_color, world_gravity, warning_count
+%     agent_face, agent_goal, agent_achieved (what its task wants of it, and what is so far)
 %     contact_geoms, _bodies, _position, _frame, _distance, _force, _torque
 %     step_contact_geoms, _bodies, _start, _end, _impulse, _peak_force, _peak_position (with the option step_contacts)
 %   Poses and velocities belong to the start of the last physics step; with _now ('body_position_now') to the present.

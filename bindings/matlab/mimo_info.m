@@ -1,6 +1,6 @@
 function info = mimo_info(world)
 % MIMO_INFO  What a world is.
-%   info = mimo_info(world) is a struct of task, timestep (of one physics step, s), frame_skip (physics steps per step), worlds
-%   and threads.
+%   info = mimo_info(world) is a struct of task, timestep (of one physics step, s), frame_skip (physics steps per step), worlds,
+%   threads, and agents: a struct array with name, mass (kg) and height (m) of each.
 info = mimo_mex('info', world);
 end

@@ -90,11 +90,27 @@ const option mimo_camera_options[] = {
     OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
 };
 
+const option mimo_field_options[] = {
+    OPTION(mimo_field_config, name, kText),
+    OPTION(mimo_field_config, relative_to, kText),
+    {NULL, kText, 0},
+};
+
 const option mimo_limit_options[] = {
     OPTION(mimo_limits, delay, kNumber),
     OPTION(mimo_limits, gain, kNumber),
     OPTION(mimo_limits, noise, kNumber),
     OPTION(mimo_limits, blur, kNumber),
+    {NULL, kText, 0},
+};
+
+const option mimo_picture_options[] = {
+    OPTION(mimo_picture_config, camera, kText),
+    OPTION(mimo_picture_config, look_at, kThree),
+    OPTION(mimo_picture_config, distance, kNumber),
+    OPTION(mimo_picture_config, azimuth, kNumber),
+    OPTION(mimo_picture_config, elevation, kNumber),
+    OPTION(mimo_picture_config, fovy, kNumber),
     {NULL, kText, 0},
 };
 

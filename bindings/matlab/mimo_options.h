@@ -33,7 +33,8 @@ typedef struct option {
 } option;
 
 extern const option mimo_scene_options[], mimo_agent_options[], mimo_env_options[], mimo_batch_options[],
-    mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_limit_options[], mimo_no_options[];
+    mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[], mimo_limit_options[],
+    mimo_picture_options[], mimo_no_options[];
 
 /* Takes out what the list has and sets it; the second raises an error if anything is left: "no option X of a lock". */
 void mimo_set_known(void* config, const option* options, properties* given);

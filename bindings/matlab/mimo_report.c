@@ -1,15 +1,32 @@
-/* What is to be known of worlds (what they are, times, rewards, failures) and of the library (versions, names,
+/* What is to be known of worlds (what they are, times, failures, messages) and of the library (versions, names,
  * parameters). */
 #include "mimo_report.h"
 
 #include <string.h>
+
+#include "mimo_messages.h"
+
+static mxArray* agents_of(const worlds* all) {
+  static const char* members[] = {"name", "mass", "height"};
+  mxArray* agents = mxCreateStructMatrix(all->sizes.agents, 1, 3, members);
+  size_t i;
+  for (i = 0; i < all->sizes.agents; ++i) {
+    mimo_agent_info one = {0};
+    one.struct_size = sizeof one;
+    mimo_check(mimo_env_agent(all->first, i, &one));
+    mxSetFieldByNumber(agents, i, 0, mxCreateString(one.name));
+    mxSetFieldByNumber(agents, i, 1, mxCreateDoubleScalar(one.mass));
+    mxSetFieldByNumber(agents, i, 2, mxCreateDoubleScalar(one.height));
+  }
+  return agents;
+}
 
 /* struct = info(number) */
 static void info(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const char* task = NULL;
   uint32_t frame_skip = 0;
   size_t threads = 0;
-  double step = 0, number;
+  double step = 0;
   worlds* all;
   (void)nout;
   mimo_need(nin == 1, "expected a world");
@@ -20,13 +37,11 @@ static void info(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_size(all->batch, NULL, &threads));
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   mimo_add_text(out[0], "task", task);
-  mimo_add_numbers(out[0], "timestep", &step, 1, 1);
-  number = frame_skip;
-  mimo_add_numbers(out[0], "frame_skip", &number, 1, 1);
-  number = (double)all->count;
-  mimo_add_numbers(out[0], "worlds", &number, 1, 1);
-  number = (double)threads;
-  mimo_add_numbers(out[0], "threads", &number, 1, 1);
+  mimo_add_number(out[0], "timestep", step);
+  mimo_add_number(out[0], "frame_skip", frame_skip);
+  mimo_add_number(out[0], "worlds", (double)all->count);
+  mimo_add_number(out[0], "threads", (double)threads);
+  mimo_add(out[0], "agents", agents_of(all));
 }
 
 /* A row of a struct, a number for each world. */
@@ -48,9 +63,8 @@ static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   for (i = 0; i < 7; ++i) rows[i] = new_row(out[0], names[i], all->count);
   for (world = 0; world < all->count; ++world) {
-    mimo_timing spent;
+    mimo_timing spent = {0};
     mimo_env* env = NULL;
-    memset(&spent, 0, sizeof spent);
     spent.struct_size = sizeof spent;
     mimo_check(mimo_batch_world(all->batch, world, &env));
     mimo_check(mimo_env_timing(env, &spent));
@@ -63,30 +77,6 @@ static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
     rows[6][world] = spent.vestibular;
     if (nin == 2) mimo_check(mimo_env_timing_reset(env));
   }
-}
-
-/* [names, values] = rewards(number, agent): the terms of the last reward, a column a world */
-static void rewards(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  worlds* all;
-  mxArray* values;
-  size_t agent, count = 0, i;
-  mimo_need(nin == 1 || nin == 2, "expected a world, and an agent");
-  all = mimo_worlds_of(in[0]);
-  agent = mimo_agent_at(all, nin, in, 1);
-  mimo_check(mimo_env_reward_term_count(all->first, agent, &count));
-  out[0] = mxCreateCellMatrix(count, 1);
-  for (i = 0; i < count; ++i) {
-    const char* name = NULL;
-    mimo_check(mimo_env_reward_term_name(all->first, agent, i, &name));
-    mxSetCell(out[0], i, mxCreateString(name));
-  }
-  values = mxCreateDoubleMatrix(count, all->count, mxREAL);
-  for (i = 0; i < all->count; ++i) {
-    mimo_env* env = NULL;
-    mimo_check(mimo_batch_world(all->batch, i, &env));
-    mimo_check(mimo_env_reward_terms(env, agent, mxGetPr(values) + i * count, count));
-  }
-  if (nout > 1) out[1] = values;
 }
 
 /* [messages, statuses] = failures(number): what became of each world in the last call; '' and 'OK' where all is well */
@@ -108,16 +98,31 @@ static void failures(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   if (nout > 1) out[1] = statuses;
 }
 
+/* structs = messages(): what was said since somebody asked last */
+static void messages(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  (void)nout;
+  (void)in;
+  mimo_need(nin == 0, "expected nothing");
+  out[0] = mimo_take_messages();
+}
+
 /* struct = version() */
 static void version(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  const double abi = mimo_abi_version();
   (void)nout;
   (void)in;
   mimo_need(nin == 0, "expected nothing");
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   mimo_add_text(out[0], "library", mimo_version());
   mimo_add_text(out[0], "mujoco", mimo_mujoco_version());
-  mimo_add_numbers(out[0], "abi", &abi, 1, 1);
+  mimo_add_number(out[0], "api", mimo_api_version());
+  mimo_add_number(out[0], "abi", mimo_abi_version());
+}
+
+/* known = supports(name) */
+static void supports(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  (void)nout;
+  mimo_need(nin == 1, "expected a name");
+  out[0] = mxCreateLogicalScalar(mimo_supports(mimo_text(in[0], "name")) != 0);
 }
 
 /* names = known(kind): a cell column */
@@ -150,9 +155,8 @@ static void parameters(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_parameter_count(&count));
   out[0] = mxCreateStructMatrix(count, 1, scene != NULL ? 6 : 5, members);
   for (i = 0; i < count; ++i) {
-    mimo_parameter one;
+    mimo_parameter one = {0};
     double value = 0;
-    memset(&one, 0, sizeof one);
     one.struct_size = sizeof one;
     mimo_check(mimo_parameter_describe(i, &one));
     mxSetFieldByNumber(out[0], i, 0, mxCreateString(one.name));
@@ -166,6 +170,6 @@ static void parameters(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-const mimo_command mimo_report_commands[] = {
-    {"info", info},       {"timing", timing}, {"rewards", rewards},       {"failures", failures},
-    {"version", version}, {"known", known},   {"parameters", parameters}, {NULL, NULL}};
+const mimo_command mimo_report_commands[] = {{"info", info},         {"timing", timing},         {"failures", failures},
+                                             {"messages", messages}, {"version", version},       {"supports", supports},
+                                             {"known", known},       {"parameters", parameters}, {NULL, NULL}};

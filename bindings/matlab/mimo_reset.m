@@ -1,8 +1,8 @@
 function observation = mimo_reset(world, seed, precision, mask)
 % MIMO_RESET  Starts an episode.
 %   observation = mimo_reset(world) goes on with the world's own random numbers.
-%   observation = mimo_reset(world, seed) seeds them: a whole number from 0 to 2^53. Many worlds take a seed each, or one: then
-%   they get it and those that follow.
+%   observation = mimo_reset(world, seed) seeds them: a whole number from 0 to 2^53, or a uint64. Many worlds take a seed each,
+%   or one: then they get it and those that follow.
 %   observation = mimo_reset(world, seed, precision): as in mimo_observation; seed may be [].
 %   observation = mimo_reset(worlds, [], 'double', mask) restarts those whose entry in mask is true.
 if nargin < 2, seed = []; end

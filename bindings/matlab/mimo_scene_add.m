@@ -10,6 +10,9 @@ function number = mimo_scene_add(scene, what, varargin)
 %                  fixed
 %     'model'      an MJCF document as an object: name, file or xml, position, orientation, fixed
 %     'camera'     a picture more in the observation: name, outputs, height, width, fovy, body, position, look_at
+%     'field'      more in the observation: name ('toys/position'), quantity ('body_position', ... of mimo_get, also with _now),
+%                  elements (a name or a cell array of names; none of world_gravity), relative_to (the body in whose frame
+%                  it is; else the world's)
 %     'weld'       body, fastened to the body other or else to the world; pose (7 numbers) or else as they start
 %     'lock'       joint, held at value (rad or m)
 %     'pose'       joint, which starts at value

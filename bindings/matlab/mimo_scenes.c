@@ -5,7 +5,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "mimo_messages.h"
 #include "mimo_options.h"
+#include "mimo_quantities.h"
 
 /* What adds a thing to a scene, of what is given. It gives the thing's number where it has one, else 0. */
 typedef double (*adder)(mimo_scene* scene, properties* given);
@@ -68,6 +70,18 @@ static double add_camera(mimo_scene* scene, properties* given) {
   config.placed = mimo_has(given, "look_at");
   mimo_set_all(&config, mimo_camera_options, given, "a camera");
   mimo_check(mimo_scene_add_camera(scene, &config));
+  return 0;
+}
+
+static double add_field(mimo_scene* scene, properties* given) {
+  const mxArray* quantity = mimo_take(given, "quantity");
+  const mxArray* elements = mimo_take(given, "elements");
+  mimo_field_config config;
+  mimo_check(mimo_field_config_init(&config, sizeof config));
+  mimo_set_all(&config, mimo_field_options, given, "a field");
+  if (quantity != NULL) config.quantity = mimo_quantity_of(quantity).number;
+  config.elements = mimo_texts(elements, &config.element_count, "elements");
+  mimo_check(mimo_scene_add_field(scene, &config));
   return 0;
 }
 
@@ -165,6 +179,7 @@ static const struct thing {
     {"pose", add_pose},           {"skin", add_skin},
     {"joint", add_joint},         {"limits", add_limits},
     {"parameter", add_parameter}, {"motor_limits", add_motor_limits},
+    {"field", add_field},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */
@@ -196,11 +211,14 @@ static void set_start(mimo_scene_config* config, const char* start) {
     config->name = start;
 }
 
-/* What a scene starts from, NULL for an empty world; takes its options out of those given. */
-static mimo_scene* open_scene(const mxArray* start, properties* given) {
+/* What a scene starts from, NULL for an empty world; takes its options out of those given. What there is to say about
+   it has the number. */
+static mimo_scene* open_scene(const mxArray* start, properties* given, double number) {
   mimo_scene_config config;
   mimo_scene* scene = NULL;
   mimo_check(mimo_scene_config_init(&config, sizeof config));
+  config.log = mimo_keep_message;
+  config.log_user = mimo_teller(number);
   mimo_set_known(&config, mimo_scene_options, given);
   if (start != NULL) set_start(&config, mimo_text(start, "scene"));
   mimo_check(mimo_scene_create(&config, &scene));
@@ -211,11 +229,13 @@ static mimo_scene* open_scene(const mxArray* start, properties* given) {
 /* number = scene(), or scene(name, file or document, option, value, ...) */
 static void new_scene(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   properties given = mimo_pairs(nin > 0 ? nin - 1 : 0, in + (nin > 0));
+  const double number = mimo_new_scene();
   mimo_scene* scene;
   (void)nout;
-  scene = open_scene(nin > 0 ? in[0] : NULL, &given);
+  scene = open_scene(nin > 0 ? in[0] : NULL, &given, number);
   mimo_set_all(NULL, mimo_no_options, &given, "a scene");
-  out[0] = mxCreateDoubleScalar(mimo_keep_scene(scene));
+  mimo_keep_scene(number, scene);
+  out[0] = mxCreateDoubleScalar(number);
 }
 
 /* text = scene_xml(scene) */
@@ -266,8 +286,8 @@ static void add_parameters(mimo_scene* scene, properties* given) {
 }
 
 /* The usual case in one call: a scene with its own infants, which have the options in common. */
-static mimo_scene* furnished_scene(const mxArray* name, properties* given) {
-  mimo_scene* scene = open_scene(name, given);
+static mimo_scene* furnished_scene(const mxArray* name, properties* given, double number) {
+  mimo_scene* scene = open_scene(name, given, number);
   const mimo_agent_config agent = take_agent_config(scene, given);
   add_parameters(scene, given);
   mimo_check(mimo_scene_add_agents(scene, &agent, NULL));
@@ -276,25 +296,33 @@ static mimo_scene* furnished_scene(const mxArray* name, properties* given) {
   add_each(scene, given, "objects", add_object);
   add_each(scene, given, "models", add_model);
   add_each(scene, given, "cameras", add_camera);
+  add_each(scene, given, "fields", add_field);
   return scene;
 }
 
-mimo_batch* mimo_create_batch(int nin, const mxArray* in[]) {
+static mimo_env_config take_env_config(properties* given, double number) {
+  mimo_env_config config;
+  mimo_check(mimo_env_config_init(&config, sizeof config));
+  config.log = mimo_keep_message;
+  config.log_user = mimo_teller(number);
+  mimo_set_known(&config, mimo_env_options, given);
+  return config;
+}
+
+mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_batch_config* config) {
   mimo_env_config env;
-  mimo_batch_config many;
   mimo_batch* batch = NULL;
   mimo_scene* scene;
   properties given;
   mimo_need(nin % 2 == 1, "expected a scene, then names and values of options");
   given = mimo_pairs(nin - 1, in + 1);
-  mimo_check(mimo_env_config_init(&env, sizeof env));
-  mimo_check(mimo_batch_config_init(&many, sizeof many));
-  mimo_set_known(&env, mimo_env_options, &given);
-  mimo_set_known(&many, mimo_batch_options, &given);
-  scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given) : mimo_scene_of(in[0]);
+  env = take_env_config(&given, number);
+  mimo_check(mimo_batch_config_init(config, sizeof *config));
+  mimo_set_known(config, mimo_batch_options, &given);
+  scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given, number) : mimo_scene_of(in[0]);
   mimo_set_all(NULL, mimo_no_options, &given,
                mxIsChar(in[0]) ? "mimo_create; see its help" : "mimo_create for a scene's number; see mimo_scene_add");
-  mimo_check(mimo_batch_create(scene, &env, &many, &batch));
+  mimo_check(mimo_batch_create(scene, &env, config, &batch));
   mimo_making(NULL);
   return batch;
 }

@@ -37,10 +37,10 @@ internal static class Game
         var seconds = arguments.Length > 0 ? double.Parse(arguments[0], CultureInfo.InvariantCulture) : 2;
         using (var env = MakeInfant())
         {
-            var eye = env.FindField("vision/eye_left");
+            var eye = env.Layout.Find("vision/eye_left");
             var texture = new byte[eye.Shape[0] * eye.Shape[1] * 4];
             var poses = new PoseReader(env);
-            var action = new float[env.ActionSize];
+            var action = new float[env.Layout.Actions.Count];
             var frames = (int)Math.Round(seconds / FrameSeconds);
             double longest = 0, sum = 0;
             env.Reset(1);

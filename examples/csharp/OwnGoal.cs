@@ -62,7 +62,8 @@ internal static class OwnGoal
         using (var scene = MimoScene.Builtin("benchmark"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = agent.touch = 0;
+            agent.vision = 0;
+            agent.touch = 0;
             scene.AddAgent(agent);
             int hand;
             using (var env = new Env(scene)) hand = env.Find(Kind.Body, "left_hand");
@@ -75,8 +76,8 @@ internal static class OwnGoal
     {
         using (var env = MakeWorld())
         {
-            Field desired = env.FindField("desired_goal"), achieved = env.FindField("achieved_goal");
-            float[] goal = new float[3], place = new float[3], action = new float[env.ActionSize];
+            Field desired = env.Layout.Find("desired_goal"), achieved = env.Layout.Find("achieved_goal");
+            float[] goal = new float[3], place = new float[3], action = new float[env.Layout.Actions.Count];
             env.Reset(1);
             var nearest = double.PositiveInfinity;
             for (var step = new Step(); !step.Truncated;)

@@ -1,5 +1,6 @@
 //! Sixteen infants reach at random, on all cores: `cargo run --example batch`.
 use mimo::sys::MIMO_AUTORESET_SAME_STEP;
+use mimo::BatchReset;
 
 fn main() -> mimo::Result<()> {
     let mut scene = mimo::Scene::builtin("reach")?;
@@ -14,9 +15,9 @@ fn main() -> mimo::Result<()> {
     let worlds = batch.worlds();
     let mut blocks = batch.new_blocks()?;
     let mut results = batch.new_results()?;
-    let mut actions = vec![0.0f32; worlds * batch.world(0)?.action_size()?];
+    let mut actions = vec![0.0f32; worlds * batch.layout()?.action_count()];
     let seeds: Vec<u64> = (0..worlds as u64).collect();
-    batch.reset(Some(&seeds), Some(&mut blocks))?;
+    batch.reset(BatchReset::new().seeds(&seeds), Some(&mut blocks))?;
 
     let mut random = 1u32;
     let mut sum = 0.0;

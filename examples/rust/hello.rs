@@ -2,8 +2,8 @@
 fn main() -> mimo::Result<()> {
     let mut env = mimo::Env::make("benchmark")?;
     let mut block = env.new_block()?;
-    let mut action = vec![0.0; env.action_size()?];
-    env.reset(Some(1), Some(&mut block))?;
+    let mut action = vec![0.0; env.layout()?.action_count()];
+    env.reset(mimo::Reset::new().seed(1), Some(&mut block))?;
     for step in 0..100 {
         action[0] = if step < 50 { 1.0 } else { -1.0 };
         env.step(&action, Some(&mut block))?;

@@ -2,7 +2,7 @@
 //! a place that each episode draws anew. A learner reads goal and hand from the observation, and may put another goal
 //! in place of the one that was missed. `cargo run --example own_goal`
 use mimo::sys::*;
-use mimo::{Moment, Outcome, Result, TaskField, Verdict, World};
+use mimo::{BatchReset, Moment, Outcome, Result, TaskField, Verdict, World};
 
 const WORLDS: usize = 4;
 const STEPS: usize = 100;
@@ -54,7 +54,7 @@ impl mimo::Task for Touch {
         verdict.terms[0] = -square.sqrt();
         verdict.terms[1] = -0.001 * effort;
         if square.sqrt() < NEAR {
-            verdict.outcome = Outcome::Success;
+            verdict.outcome = Outcome::SUCCESS;
         }
         verdict.goes_on = true; // it may hold its hand there
         verdict.truncated = moment.step >= STEPS as u64;
@@ -88,8 +88,8 @@ fn main() -> Result<()> {
     let mut batch = make_batch()?;
     let mut blocks = batch.new_blocks()?;
     let mut results = batch.new_results()?;
-    let mut actions = vec![0.0; WORLDS * batch.world(0)?.action_size()?];
-    batch.reset(Some(&[1, 2, 3, 4]), Some(&mut blocks))?;
+    let mut actions = vec![0.0; WORLDS * batch.layout()?.action_count()];
+    batch.reset(BatchReset::new().seeds(&[1, 2, 3, 4]), Some(&mut blocks))?;
     let mut nearest = [f32::INFINITY; WORLDS];
     for step in 0..STEPS {
         for (i, action) in actions.iter_mut().enumerate() {
@@ -103,7 +103,7 @@ fn main() -> Result<()> {
             *nearest = nearest.min(square.sqrt());
         }
     }
-    assert!(results.truncated.iter().all(|&cut| cut == 1));
+    assert!(results.truncated.iter().all(|&cut| cut));
     println!("how near each hand came to its goal, m: {:.2?}", nearest);
     Ok(())
 }

@@ -29,7 +29,7 @@ fn reward(env: &mimo::World, bodies: &[i32; 2]) -> mimo::Result<f64> {
 
 /// Mean reward of a second towards one posture.
 fn try_posture(env: &mut mimo::Env, bodies: &[i32; 2], posture: &[f32]) -> mimo::Result<f64> {
-    env.reset(Some(1), None)?;
+    env.reset(mimo::Reset::new().seed(1), None)?;
     let mut sum = 0.0;
     for _ in 0..100 {
         env.step(posture, None)?;
@@ -44,7 +44,7 @@ fn main() -> mimo::Result<()> {
         env.find(MIMO_BODY, "right_fingers")?,
         env.find(MIMO_BODY, "head")?,
     ];
-    let mut best = vec![0.0; env.action_size()?];
+    let mut best = vec![0.0; env.layout()?.action_count()];
     let first = try_posture(&mut env, &bodies, &best)?;
     let mut highest = first;
     // Learning at its simplest: move one motor at a time, keep what pays.

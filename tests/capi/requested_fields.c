@@ -353,7 +353,7 @@ static void check_batch(void) {
   env = env_of(scene);
   bytes = sizes_of(env).block_bytes;
   blocks = malloc(2 * bytes);
-  CHECK_OK(mimo_batch_reset(batch, seeds, NULL, 2, blocks, 2 * bytes));
+  CHECK_OK(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = 2), blocks, 2 * bytes));
   CHECK_OK(mimo_batch_step(batch, NULL, 0, blocks, 2 * bytes, NULL));
   CHECK_OK(mimo_batch_get(batch, MIMO_AGENT_GOAL, NULL, 0, NULL, 0, goals, 6));
   for (i = 0; i < 2; ++i) {

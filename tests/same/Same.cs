@@ -63,7 +63,7 @@ internal static class Same
     {
         using (var env = Make(scene))
         {
-            var action = new float[env.ActionSize];
+            var action = new float[env.Layout.Actions.Count];
             env.Reset(7);
             var hash = HashOf(14695981039346656037, env.Block);
             double sum = 0;

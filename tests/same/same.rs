@@ -47,7 +47,7 @@ impl mimo::Task for Height {
         verdict.terms[1] = -0.01 * effort;
         moment.fields[1] = hand as f32;
         if hand > moment.memory[0] {
-            verdict.outcome = mimo::Outcome::Success;
+            verdict.outcome = mimo::Outcome::SUCCESS;
         }
         verdict.goes_on = true;
         Ok(())
@@ -69,8 +69,8 @@ fn make(scene: &str) -> mimo::Result<mimo::Env> {
 fn run(scene: &str) -> mimo::Result<()> {
     let mut env = make(scene)?;
     let mut block = env.new_block()?;
-    let mut actions = vec![0.0; env.action_size()?];
-    env.reset(Some(7), Some(&mut block))?;
+    let mut actions = vec![0.0; env.layout()?.action_count()];
+    env.reset(mimo::Reset::new().seed(7), Some(&mut block))?;
     let mut hash = hash_of(14695981039346656037, block.as_bytes());
     let mut sum = 0.0;
     for step in 0..100 {

@@ -240,7 +240,7 @@ void visit(mimo::Scene& scene, const std::string& root, const Extent& extent, in
   ball.add_to(scene);
   tell("stage", "compile with an agent");
   mimo::Env env = make(scene);
-  tell("sensors", std::to_string(env.touch_sensor_count()));
+  tell("sensors", std::to_string(skin_of(env).size()));
   tell("stage", "step");
   report(move(env, steps, &ball));
   tell("stage", "draw");

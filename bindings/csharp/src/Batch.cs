@@ -22,10 +22,10 @@ namespace Mimo
     {
         private readonly BatchHandle handle;
         private readonly Env first;
-        private readonly byte[] terminated, truncated, wasReset;
-        private readonly int agents;
+        private readonly Results results;
+        private readonly byte[] wasReset, finalWritten;
         private readonly IntPtr blocks;     // where the arrays lie
-        private BatchResultsStruct results;
+        private BatchResultsStruct places;
 
         /// <summary>How many worlds.</summary>
         public int Worlds { get; }
@@ -33,17 +33,20 @@ namespace Mimo
         /// <summary>How many threads step them.</summary>
         public int Threads { get; }
 
-        /// <summary>Number of actions of one world.</summary>
-        public int ActionSize => first.ActionSize;
-
-        /// <summary>Bytes of one world's observation; that of world i starts at i times as many.</summary>
-        public int BlockBytes => first.Block.Length;
+        /// <summary>What each world observes, acts with and is rewarded for.</summary>
+        public Layout Layout { get; }
 
         /// <summary>The last observations, worlds one after the other. Overwritten by each reset, step and observe.</summary>
         public byte[] Blocks { get; }
 
+        /// <summary>The last observations of the episodes that ended, where HasFinal; null without Autoreset.SameStep.</summary>
+        public byte[] FinalBlocks { get; }
+
         /// <summary>Rewards of the last step, worlds x agents.</summary>
-        public double[] Rewards { get; }
+        public double[] Rewards => results.Rewards;
+
+        /// <summary>What they are the sums of, worlds x terms in the order of Layout.Terms.</summary>
+        public double[] Terms => results.Terms;
 
         /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores.</summary>
         public Batch(MimoScene scene, int worlds, EnvOptions options = null, Autoreset autoreset = Autoreset.None, int threads = 0,
@@ -60,20 +63,29 @@ namespace Mimo
             MimoException.Check(Native.mimo_batch_size(handle, out worldCount, out threadCount));
             Worlds = (int)worldCount;
             Threads = (int)threadCount;
+            Layout = new Layout(handle, (out IntPtr layout) => Native.mimo_batch_layout(handle, out layout));
             first = World(0);
-            agents = first.AgentCount;
-            Blocks = new byte[worlds * first.Block.Length];
-            Rewards = new double[worlds * agents];
-            terminated = new byte[Rewards.Length];
-            truncated = new byte[Rewards.Length];
+            Blocks = new byte[worlds * Layout.BlockBytes];
+            blocks = handle.Kept.Keep(Blocks);
+            FinalBlocks = autoreset == Autoreset.SameStep ? new byte[Blocks.Length] : null;
+            results = new Results(Layout, worlds);
             wasReset = new byte[worlds];
-            results = new BatchResultsStruct
+            finalWritten = new byte[worlds];
+            places = Places();
+        }
+
+        private BatchResultsStruct Places()
+        {
+            var kept = handle.Kept;
+            var common = results.PlaceIn(kept);
+            return new BatchResultsStruct
             {
-                struct_size = (uint)Structs.Size<BatchResultsStruct>(), agents = (UIntPtr)Rewards.Length, worlds = (UIntPtr)Worlds,
-                reward = handle.Keep(Rewards), terminated = handle.Keep(terminated), truncated = handle.Keep(truncated),
-                was_reset = handle.Keep(wasReset)
+                struct_size = (uint)Structs.Size<BatchResultsStruct>(), reward = common.reward, terminated = common.terminated,
+                truncated = common.truncated, outcome = common.outcome, agents = common.agents, terms = common.terms,
+                term_count = common.term_count, was_reset = kept.Keep(wasReset), final_written = kept.Keep(finalWritten),
+                worlds = (UIntPtr)Worlds, final_blocks = kept.Keep(FinalBlocks),
+                final_bytes = (UIntPtr)(FinalBlocks == null ? 0 : FinalBlocks.Length)
             };
-            blocks = handle.Keep(Blocks);
         }
 
         private static BatchHandle Create(MimoScene scene, EnvOptions options, BatchConfigStruct config)
@@ -83,30 +95,31 @@ namespace Mimo
                 BatchHandle made;
                 var status = Native.mimo_batch_create(scene.Handle, ref env, ref config, out made);
                 made.Log = log;
-                if (status != 0) log?.Release();
-                MimoException.Check(status);
+                Logging.CheckTold(status, log);
                 made.Task = scene.Handle.Task?.Share();
                 return made;
             });
         }
 
-        /// <summary>One world, between the batch's own calls: its fields, names, pictures, locks. Its own block is not that of
+        /// <summary>One world, between the batch's own calls: its names, pictures, locks. Its own block is not that of
         /// the batch.</summary>
         public Env World(int world)
         {
             IntPtr env;
             MimoException.Check(Native.mimo_batch_world(handle, (UIntPtr)checked((uint)world), out env));
-            return new Env(new EnvHandle(env, handle));
+            return new Env(new EnvHandle(env, handle), Layout);
         }
-
-        /// <summary>A field by its name; its offset counts from the start of a world's block.</summary>
-        public Field FindField(string name) { return first.FindField(name); }
 
         /// <summary>Copies a field of one world's last observation into an array of its element type.</summary>
         public void Read<T>(int world, Field field, T[] into) where T : struct
         {
+            field.CopyTo(into, Blocks, StartOf(world));
+        }
+
+        private int StartOf(int world)
+        {
             if (world < 0 || world >= Worlds) throw new ArgumentOutOfRangeException(nameof(world), world, "there are " + Worlds);
-            field.CopyTo(into, Blocks, world * BlockBytes);
+            return world * Layout.BlockBytes;
         }
 
         /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers.</summary>
@@ -114,8 +127,15 @@ namespace Mimo
         {
             if (seeds != null && seeds.Length != Worlds)
                 throw new ArgumentException(seeds.Length + " seeds, expected " + Worlds, nameof(seeds));
-            var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_reset(handle, seeds, chosen, CountOf(chosen, seeds), Blocks, (UIntPtr)Blocks.Length));
+            using (Pinned given = new Pinned(seeds), chosen = new Pinned(BytesOf(mask)))
+            {
+                var config = new BatchResetConfigStruct
+                {
+                    struct_size = (uint)Structs.Size<BatchResetConfigStruct>(), seeds = given.Pointer, mask = chosen.Pointer,
+                    worlds = mask != null ? chosen.Length : given.Length
+                };
+                MimoException.Check(Native.mimo_batch_reset(handle, ref config, Blocks, (UIntPtr)Blocks.Length));
+            }
         }
 
         /// <summary>What became of one world in the last call; "" for nothing bad.</summary>
@@ -167,7 +187,7 @@ namespace Mimo
         /// <summary>The states of all worlds, one after the other; all have the same size.</summary>
         public byte[] Save()
         {
-            var states = new byte[Worlds * first.Save().Length];
+            var states = new byte[Worlds * first.StateBytes];
             MimoException.Check(Native.mimo_batch_state_save(handle, null, UIntPtr.Zero, states, (UIntPtr)states.Length));
             return states;
         }
@@ -183,11 +203,8 @@ namespace Mimo
 
         private static byte[] BytesOf(bool[] mask) { return mask?.Select(chosen => (byte)(chosen ? 1 : 0)).ToArray(); }
 
-        /// <summary>Length of what is given for each world; the library refuses another than there are worlds.</summary>
-        private UIntPtr CountOf(byte[] mask, ulong[] seeds = null)
-        {
-            return (UIntPtr)(mask != null ? mask.Length : seeds != null ? seeds.Length : 0);
-        }
+        /// <summary>Of a mask; the library refuses another length than there are worlds.</summary>
+        private static UIntPtr CountOf(byte[] mask) { return (UIntPtr)(mask == null ? 0 : mask.Length); }
 
         /// <summary>Frees the batch and its worlds.</summary>
         public void Dispose() { handle.Dispose(); }

@@ -9,18 +9,14 @@ namespace Mimo
         /// that of the first world that did not do what was asked; all others have made their step.</summary>
         public void Step(float[] actions)
         {
-            MimoException.Check(Native.mimo_batch_step(handle, actions, LengthOf(actions), Blocks, (UIntPtr)Blocks.Length, ref results));
+            MimoException.Check(Native.mimo_batch_step(handle, actions, LengthOf(actions), Blocks, (UIntPtr)Blocks.Length, ref places));
         }
 
-        /// <summary>Starts a step and returns at once. Until Receive the actions are not to be changed, blocks and rewards are
-        /// not to be read, and everything else is refused.</summary>
+        /// <summary>Starts a step and returns at once. Until Receive blocks and rewards are not to be read, and everything
+        /// else is refused; the actions may be changed.</summary>
         public void Send(float[] actions)
         {
-            var sent = new Pinned(actions);
-            var status = Native.mimo_batch_send(handle, sent.Pointer, LengthOf(actions), blocks, (UIntPtr)Blocks.Length, ref results);
-            if (status == 0) handle.KeepSent(sent);
-            else sent.Dispose();
-            MimoException.Check(status);
+            MimoException.Check(Native.mimo_batch_send(handle, actions, LengthOf(actions), blocks, (UIntPtr)Blocks.Length, ref places));
         }
 
         /// <summary>Waits for the step that was sent. Exceptions are as those of Step.</summary>
@@ -29,13 +25,19 @@ namespace Mimo
         private static UIntPtr LengthOf(float[] actions) { return (UIntPtr)(actions == null ? 0 : actions.Length); }
 
         /// <summary>What an agent of a world got in the last step.</summary>
-        public Step StepOf(int world, int agent = 0)
-        {
-            var i = world * agents + agent;
-            return new Step { Reward = Rewards[i], Terminated = terminated[i] != 0, Truncated = truncated[i] != 0 };
-        }
+        public Step StepOf(int world, int agent = 0) { return results.Of(world * Layout.Agents + agent); }
 
         /// <summary>Whether the last step started a new episode in a world: its block is then the first of that.</summary>
         public bool WasReset(int world) { return wasReset[world] != 0; }
+
+        /// <summary>Whether the last step left a world's last observation of the episode that it ended, with
+        /// Autoreset.SameStep.</summary>
+        public bool HasFinal(int world) { return finalWritten[world] != 0; }
+
+        /// <summary>Copies a field of that observation into an array of its element type.</summary>
+        public void ReadFinal<T>(int world, Field field, T[] into) where T : struct
+        {
+            field.CopyTo(into, FinalBlocks, StartOf(world));
+        }
     }
 }

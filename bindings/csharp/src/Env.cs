@@ -1,39 +1,22 @@
 using System;
-using System.Collections.Generic;
 
 namespace Mimo
 {
-    /// <summary>What a step gave, beside the observation.</summary>
-    public struct Step
-    {
-        /// <summary>Reward of the task.</summary>
-        public double Reward;
-        /// <summary>The episode has ended by success or failure.</summary>
-        public bool Terminated;
-        /// <summary>The episode has reached its step limit.</summary>
-        public bool Truncated;
-    }
-
     /// <summary>A simulated world. One thread at a time, any thread. Its arrays are made once: a step allocates nothing.</summary>
     public sealed partial class Env : IDisposable
     {
         private readonly EnvHandle handle;
-        private readonly double[] reward;
-        private readonly byte[] terminated, truncated;
-        private readonly ulong[] seedOf = new ulong[1];
-        private readonly Dictionary<string, Field> byName = new Dictionary<string, Field>();
+        private readonly Results results;
+        private EnvResultsStruct places;
 
         /// <summary>The last observation: all fields, in one block. Overwritten by each reset, step and observe.</summary>
         public byte[] Block { get; }
 
-        /// <summary>The fields of the block.</summary>
-        public IReadOnlyList<Field> Fields { get; }
+        /// <summary>What it observes, acts with and is rewarded for.</summary>
+        public Layout Layout { get; }
 
-        /// <summary>Number of actions of all agents together.</summary>
-        public int ActionSize { get; }
-
-        /// <summary>Number of agents.</summary>
-        public int AgentCount => reward.Length;
+        /// <summary>What the rewards of the last step are the sums of, in the order of Layout.Terms.</summary>
+        public double[] Terms => results.Terms;
 
         /// <summary>A built-in scene by name with its own infant and task.</summary>
         public Env(string scene) : this(Make(scene)) { }
@@ -41,19 +24,20 @@ namespace Mimo
         /// <summary>Compiles a scene and makes a world of it.</summary>
         public Env(MimoScene scene, EnvOptions options = null) : this(Create(scene, options ?? new EnvOptions())) { }
 
-        internal Env(EnvHandle made)
+        internal Env(EnvHandle made) : this(made, LayoutOf(made)) { }
+
+        internal Env(EnvHandle made, Layout layout)
         {
             handle = made;
-            UIntPtr bytes, fields, actions, agents;
-            MimoException.Check(Native.mimo_env_observation_size(handle, out bytes, out fields));
-            MimoException.Check(Native.mimo_env_action_size(handle, out actions));
-            MimoException.Check(Native.mimo_env_agent_count(handle, out agents));
-            Block = new byte[(int)bytes];
-            ActionSize = (int)actions;
-            reward = new double[(int)agents];
-            terminated = new byte[(int)agents];
-            truncated = new byte[(int)agents];
-            Fields = ReadFields((int)fields);
+            Layout = layout;
+            Block = new byte[layout.BlockBytes];
+            results = new Results(layout);
+            places = results.PlaceIn(made.Kept);
+        }
+
+        private static Layout LayoutOf(EnvHandle made)
+        {
+            return new Layout(made, (out IntPtr layout) => Native.mimo_env_layout(made, out layout));
         }
 
         private static EnvHandle Make(string scene)
@@ -71,32 +55,10 @@ namespace Mimo
                 EnvHandle made;
                 var status = Native.mimo_env_create(scene.Handle, ref config, out made);
                 made.Log = log;
-                if (status != 0) log?.Release();
-                MimoException.Check(status);
+                Logging.CheckTold(status, log);
                 made.Task = scene.Handle.Task?.Share();
                 return made;
             });
-        }
-
-        private IReadOnlyList<Field> ReadFields(int count)
-        {
-            var fields = new Field[count];
-            for (var i = 0; i < count; ++i)
-            {
-                var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
-                MimoException.Check(Native.mimo_env_observation_field(handle, (UIntPtr)i, ref raw));
-                fields[i] = Field.Of(raw);
-                byName[fields[i].Name] = fields[i];
-            }
-            return fields;
-        }
-
-        /// <summary>A field by its name.</summary>
-        public Field FindField(string name)
-        {
-            Field field;
-            if (byName.TryGetValue(name, out field)) return field;
-            throw new KeyNotFoundException("no field named \"" + name + "\"; there are: " + string.Join(", ", byName.Keys));
         }
 
         /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
@@ -126,26 +88,20 @@ namespace Mimo
         /// <summary>Starts an episode. Without a seed the world goes on with its own random numbers.</summary>
         public void Reset(ulong? seed = null)
         {
-            seedOf[0] = seed.GetValueOrDefault();
-            MimoException.Check(Native.mimo_env_reset(handle, seed.HasValue ? seedOf : null, Block, (UIntPtr)Block.Length));
+            var config = ResetConfigStruct.Of(seed);
+            MimoException.Check(Native.mimo_env_reset(handle, ref config, Block, (UIntPtr)Block.Length));
         }
 
         /// <summary>Goes one step on; gives what the first agent got. Null leaves the controls as they are.</summary>
         public Step Step(float[] action)
         {
             MimoException.Check(Native.mimo_env_step(handle, action, (UIntPtr)(action == null ? 0 : action.Length), Block,
-                (UIntPtr)Block.Length, reward, terminated, truncated, (UIntPtr)reward.Length));
-            return reward.Length > 0 ? StepOf(0) : new Step();
+                (UIntPtr)Block.Length, ref places));
+            return Layout.Agents > 0 ? StepOf(0) : new Step();
         }
 
         /// <summary>What an agent got in the last step.</summary>
-        public Step StepOf(int agent)
-        {
-            return new Step
-            {
-                Reward = reward[agent], Terminated = terminated[agent] != 0, Truncated = truncated[agent] != 0
-            };
-        }
+        public Step StepOf(int agent) { return results.Of(agent); }
 
         /// <summary>Observes the current state, without changing the trajectory.</summary>
         public void Observe()

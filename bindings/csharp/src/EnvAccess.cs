@@ -31,7 +31,7 @@ namespace Mimo
         Face = 12,
         /// <summary>The world itself, 0.</summary>
         World = 13,
-        /// <summary>Kinds of warnings.</summary>
+        /// <summary>Kinds of warnings; their ids are those of the enumeration Warning.</summary>
         Warning = 14
     }
 
@@ -140,6 +140,12 @@ namespace Mimo
         WorldGravity = 49,
         /// <summary>1, how many physics steps had it since the world was made. Writable with 0.</summary>
         WarningCount = 50,
+        /// <summary>6, linear (m/s) of its position and angular (rad/s), world frame.</summary>
+        SiteVelocity = 51,
+        /// <summary>What its task wants of an agent; how many numbers depends on the task.</summary>
+        AgentGoal = 52,
+        /// <summary>What is so far of its goal.</summary>
+        AgentAchieved = 53,
         /// <summary>Or-ed to a quantity: its value of now, which follows from the current positions.</summary>
         Now = 0x40000000
     }
@@ -315,15 +321,6 @@ namespace Mimo
         public void Random(double[] values)
         {
             MimoException.Check(Native.mimo_env_random(handle, values, (UIntPtr)values.Length));
-        }
-
-        /// <summary>Whether an agent's last step was a success or a failure, also where that does not end the episode.</summary>
-        public void Outcome(int agent, out bool success, out bool failure)
-        {
-            byte good, bad;
-            MimoException.Check(Native.mimo_env_outcome(handle, (UIntPtr)agent, out good, out bad));
-            success = good != 0;
-            failure = bad != 0;
         }
     }
 }

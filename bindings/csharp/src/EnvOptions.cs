@@ -41,8 +41,9 @@ namespace Mimo
         public uint Samples;
         /// <summary>Threads that draw one picture, 1 to 64; 1 is best in batches.</summary>
         public uint RenderThreads = 1;
-        /// <summary>Receives level (1 warning, 2 info) and message, on the calling thread. Exceptions in it are dropped.</summary>
-        public Action<int, string> Log;
+        /// <summary>Receives messages while the world is made, reset and stepped, on the calling thread. Exceptions in it are
+        /// dropped.</summary>
+        public Action<LogRecord> Log;
 
         /// <summary>Makes something of the C struct of these options; it takes over the log, also when it fails.</summary>
         internal T Use<T>(Func<EnvConfigStruct, Logging, T> make)
@@ -60,7 +61,7 @@ namespace Mimo
                 if (Render.HasValue) config.render = (uint)Render.Value;
                 config.samples = Samples;
                 config.render_threads = RenderThreads;
-                var log = Logging.Attach(ref config, Log);
+                var log = Logging.Tell(Log, out config.log, out config.log_user);
                 return make(config, log);
             }
         }

@@ -45,8 +45,6 @@ namespace Mimo
     /// <summary>Looking, and being looked at.</summary>
     public sealed partial class Env
     {
-        private const int MostLookJoints = 8; // MIMO_LOOK_JOINTS
-
         /// <summary>Where an infant looks, by the poses of its eyes' cameras as they are.</summary>
         public Gaze Gaze(int agent = 0)
         {
@@ -64,11 +62,11 @@ namespace Mimo
         public LookAngles LookAngles(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             UIntPtr count;
-            var look = new LookAngles { Joints = new int[MostLookJoints], Angles = new double[MostLookJoints], Errors = new double[2] };
+            MimoException.Check(Native.mimo_env_look_angles(handle, (UIntPtr)agent, ref point, (int)how, null, null, UIntPtr.Zero,
+                out count, null));
+            var look = new LookAngles { Joints = new int[(int)count], Angles = new double[(int)count], Errors = new double[2] };
             MimoException.Check(Native.mimo_env_look_angles(handle, (UIntPtr)agent, ref point, (int)how, look.Joints,
-                look.Angles, (UIntPtr)MostLookJoints, out count, look.Errors));
-            Array.Resize(ref look.Joints, (int)count);
-            Array.Resize(ref look.Angles, (int)count);
+                look.Angles, count, out count, look.Errors));
             return look;
         }
 
@@ -81,11 +79,23 @@ namespace Mimo
             return errors;
         }
 
-        /// <summary>Draws the current state into rgba: height x width x 4 bytes, opaque.</summary>
-        public void Draw(PictureOptions options, byte[] rgba)
+        /// <summary>Draws the current state. What is null is not drawn.</summary>
+        /// <param name="options">What to draw.</param>
+        /// <param name="rgba">Height x width x 4 bytes, opaque.</param>
+        /// <param name="depth">Height x width, metres along the camera's axis.</param>
+        /// <param name="segmentation">Height x width ids of geoms, -1 is background.</param>
+        public void Draw(PictureOptions options, byte[] rgba, float[] depth = null, int[] segmentation = null)
         {
-            options.Use(config => Native.mimo_env_render(handle, ref config, rgba, (UIntPtr)rgba.Length, null, UIntPtr.Zero, null,
-                UIntPtr.Zero));
+            using (Pinned color = new Pinned(rgba), distance = new Pinned(depth), geoms = new Pinned(segmentation))
+            {
+                var picture = new PictureStruct
+                {
+                    struct_size = (uint)Structs.Size<PictureStruct>(), rgb = color.Pointer, rgb_bytes = color.Length,
+                    depth = distance.Pointer, depth_count = distance.Length, segmentation = geoms.Pointer,
+                    segmentation_count = geoms.Length
+                };
+                options.Use(config => Native.mimo_env_render(handle, ref config, ref picture));
+            }
         }
 
         /// <summary>Where points of the world (m) lie in the picture that Draw draws of this state: pixels to the right of its

@@ -8,11 +8,19 @@ namespace Mimo
         /// <summary>Everything that the world's future depends on, as bytes.</summary>
         public byte[] Save()
         {
-            UIntPtr bytes;
-            MimoException.Check(Native.mimo_env_state_size(handle, out bytes));
-            var state = new byte[(int)bytes];
-            MimoException.Check(Native.mimo_env_state_save(handle, state, bytes));
+            var state = new byte[StateBytes];
+            MimoException.Check(Native.mimo_env_state_save(handle, state, (UIntPtr)state.Length));
             return state;
+        }
+
+        internal int StateBytes
+        {
+            get
+            {
+                UIntPtr bytes;
+                MimoException.Check(Native.mimo_env_state_size(handle, out bytes));
+                return (int)bytes;
+            }
         }
 
         /// <summary>Goes on from a state of a world of the same model, agents and task, exactly as that one did. What it

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 
 namespace Mimo
 {
@@ -22,7 +21,22 @@ namespace Mimo
         public double Vestibular;
     }
 
-    /// <summary>How a world goes on: its time steps, what their rewards consist of, and where the time goes.</summary>
+    /// <summary>What is to be known of one agent of a world.</summary>
+    public sealed class AgentInfo
+    {
+        /// <summary>"" for a sole one; else the prefix of its fields and model names.</summary>
+        public string Name { get; internal set; }
+        /// <summary>Where its actions start among Layout.Actions.</summary>
+        public int ActionOffset { get; internal set; }
+        /// <summary>How many they are.</summary>
+        public int ActionCount { get; internal set; }
+        /// <summary>Of its whole body, kg.</summary>
+        public double Mass { get; internal set; }
+        /// <summary>From its lowest to its highest point in the initial pose, m.</summary>
+        public double Height { get; internal set; }
+    }
+
+    /// <summary>How a world goes on: its task, its agents, its time steps, and where the time goes.</summary>
     public sealed partial class Env
     {
         /// <summary>Name of the task.</summary>
@@ -34,6 +48,18 @@ namespace Mimo
                 MimoException.Check(Native.mimo_env_task(handle, out name));
                 return Utf8.Of(name);
             }
+        }
+
+        /// <summary>Describes an agent.</summary>
+        public AgentInfo Agent(int agent = 0)
+        {
+            var raw = new AgentInfoStruct { struct_size = (uint)Structs.Size<AgentInfoStruct>() };
+            MimoException.Check(Native.mimo_env_agent(handle, (UIntPtr)checked((uint)agent), ref raw));
+            return new AgentInfo
+            {
+                Name = Utf8.Of(raw.name), ActionOffset = (int)raw.action_offset, ActionCount = (int)raw.action_count,
+                Mass = raw.mass, Height = raw.height
+            };
         }
 
         /// <summary>Physics steps in a step.</summary>
@@ -62,23 +88,6 @@ namespace Mimo
         public void StepPhysics(int count = 1)
         {
             MimoException.Check(Native.mimo_env_physics_step(handle, (UIntPtr)checked((uint)count)));
-        }
-
-        /// <summary>The terms of the last step's reward by name; it is their sum. 0 after a reset.</summary>
-        public IReadOnlyDictionary<string, double> RewardTerms(int agent = 0)
-        {
-            UIntPtr count;
-            MimoException.Check(Native.mimo_env_reward_term_count(handle, (UIntPtr)agent, out count));
-            var values = new double[(int)count];
-            MimoException.Check(Native.mimo_env_reward_terms(handle, (UIntPtr)agent, values, count));
-            var terms = new Dictionary<string, double>();
-            for (var i = 0; i < values.Length; ++i)
-            {
-                IntPtr name;
-                MimoException.Check(Native.mimo_env_reward_term_name(handle, (UIntPtr)agent, (UIntPtr)i, out name));
-                terms.Add(Utf8.Of(name), values[i]);
-            }
-            return terms;
         }
 
         /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvOptions.Timing.</summary>

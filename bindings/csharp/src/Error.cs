@@ -4,18 +4,47 @@ using System.Text;
 
 namespace Mimo
 {
+    /// <summary>Why a call failed; values are those of mimo.h. A newer library may have further ones.</summary>
+    public enum Status
+    {
+        /// <summary>An argument is null, out of range or not finite.</summary>
+        InvalidArgument = -1,
+        /// <summary>What is used was destroyed already.</summary>
+        BadHandle = -2,
+        /// <summary>An array is shorter than needed.</summary>
+        BufferTooSmall = -3,
+        /// <summary>The library is older than these sources, and lacks what was asked for.</summary>
+        StructSize = -4,
+        /// <summary>No body, joint, scene, file... of that name.</summary>
+        NotFound = -5,
+        /// <summary>A model does not compile, or asks for too much.</summary>
+        Model = -6,
+        /// <summary>The simulation failed or diverged; a reset makes the world usable again.</summary>
+        Simulation = -7,
+        /// <summary>The renderer failed.</summary>
+        Render = -8,
+        /// <summary>Not possible here, or not known to this version: the message says which.</summary>
+        Unsupported = -9,
+        /// <summary>An allocation failed.</summary>
+        OutOfMemory = -10,
+        /// <summary>It was made in the parent process, before fork.</summary>
+        Forked = -11,
+        /// <summary>A defect in libmimo; please report the message.</summary>
+        Internal = -12
+    }
+
     /// <summary>What the library complained about: one line that names the argument, its value and what was expected.</summary>
     public sealed class MimoException : Exception
     {
-        /// <summary>A MIMO_E_ constant, negative.</summary>
-        public int Status { get; }
+        /// <summary>Why the call failed.</summary>
+        public Status Status { get; }
 
         /// <summary>"MIMO_E_NOT_FOUND".</summary>
         public string StatusName { get; }
 
-        internal MimoException(int status) : this(status, Utf8.Of(Native.mimo_status_name(status)), Utf8.Of(Native.mimo_last_error())) { }
+        internal MimoException(int status) : this((Status)status, Utf8.Of(Native.mimo_status_name(status)), Utf8.Of(Native.mimo_last_error())) { }
 
-        internal MimoException(int status, string name, string message) : base(message)
+        internal MimoException(Status status, string name, string message) : base(message)
         {
             Status = status;
             StatusName = name;

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Runtime.InteropServices;
 
 namespace Mimo
@@ -16,26 +17,111 @@ namespace Mimo
         F64 = 4
     }
 
-    /// <summary>One field of an observation block.</summary>
+    /// <summary>What is to be known of a field's receptors, and how many numbers each has; values are those of
+    /// mimo.h.</summary>
+    public enum Receptor
+    {
+        /// <summary>1, id of the body that it sits on.</summary>
+        Body = 1,
+        /// <summary>1, id of the geom whose surface it lies on.</summary>
+        Geom = 2,
+        /// <summary>3, m, in the frame of its body.</summary>
+        Position = 3,
+        /// <summary>9, in the frame of its body: outward normal, first tangent, second tangent.</summary>
+        Frame = 4
+    }
+
+    /// <summary>One field of an observation block. What a step gives of it belongs to the time from Start to End.</summary>
     public sealed class Field
     {
+        private readonly LayoutHandle layout;
+        private readonly UIntPtr index;
+
         /// <summary>Path, "proprioception/position".</summary>
-        public string Name { get; internal set; }
+        public string Name { get; }
 
         /// <summary>"rad"; "" for none.</summary>
-        public string Unit { get; internal set; }
+        public string Unit { get; }
+
+        /// <summary>Frame of reference, "joint"; "" for none.</summary>
+        public string Frame { get; }
 
         /// <summary>Type of the elements.</summary>
-        public FieldType Type { get; internal set; }
+        public FieldType Type { get; }
 
         /// <summary>Dimensions, C order.</summary>
-        public int[] Shape { get; internal set; }
+        public int[] Shape { get; }
 
         /// <summary>Bytes from the start of the block.</summary>
-        public int Offset { get; internal set; }
+        public int Offset { get; }
 
         /// <summary>Length in bytes.</summary>
-        public int Bytes { get; internal set; }
+        public int Bytes { get; }
+
+        /// <summary>Smallest possible value; -infinity where there is none.</summary>
+        public double Low { get; }
+
+        /// <summary>Largest possible value; infinity where there is none.</summary>
+        public double High { get; }
+
+        /// <summary>Seconds after the step's end, not above 0.</summary>
+        public double Start { get; }
+
+        /// <summary>Seconds after the step's end, from Start to 0.</summary>
+        public double End { get; }
+
+        /// <summary>Seconds from one new value to the next.</summary>
+        public double Period { get; }
+
+        /// <summary>On how many receptors it reports, in the order of its first dimension; 0: it is not of skin.</summary>
+        public int ReceptorCount { get; }
+
+        internal Field(LayoutHandle layout, UIntPtr index)
+        {
+            this.layout = layout;
+            this.index = index;
+            var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
+            MimoException.Check(Native.mimo_layout_field(layout, index, ref raw));
+            Name = Utf8.Of(raw.name);
+            Unit = Utf8.Of(raw.unit);
+            Frame = Utf8.Of(raw.frame);
+            Type = (FieldType)raw.dtype;
+            Shape = ShapeOf(raw);
+            Offset = (int)raw.offset;
+            Bytes = (int)raw.bytes;
+            Low = raw.low;
+            High = raw.high;
+            Start = raw.start;
+            End = raw.end;
+            Period = raw.period;
+            ReceptorCount = (int)raw.receptors;
+        }
+
+        private static int[] ShapeOf(FieldStruct raw)
+        {
+            var sizes = new long[(int)raw.ndim];
+            Marshal.Copy(raw.shape, sizes, 0, sizes.Length);
+            return sizes.Select(size => (int)size).ToArray();
+        }
+
+        /// <summary>The joint, sensor or actuator that one element belongs to, by its position in the flattened field; "" in
+        /// pictures and touch.</summary>
+        public string Label(int element)
+        {
+            IntPtr label;
+            MimoException.Check(Native.mimo_layout_label(layout, index, (UIntPtr)checked((uint)element), out label));
+            return Utf8.Of(label);
+        }
+
+        /// <summary>Where the receptors are: a quantity of all of them, one after the other.</summary>
+        public double[] Receptors(Receptor quantity)
+        {
+            UIntPtr count;
+            MimoException.Check(Native.mimo_layout_receptor_width(layout, index, (int)quantity, out count));
+            var values = new double[(int)count];
+            MimoException.Check(Native.mimo_layout_receptors(layout, index, (int)quantity, values, count));
+            return values;
+        }
 
         /// <summary>Copies its elements out of a world's block that starts at a place of an array.</summary>
         internal void CopyTo<T>(T[] into, byte[] blocks, int start) where T : struct
@@ -46,17 +132,5 @@ namespace Mimo
         }
 
         private int ElementSize => Type == FieldType.U8 ? 1 : Type == FieldType.F64 ? 8 : 4;
-
-        internal static Field Of(FieldStruct field)
-        {
-            var all = new[] { (int)field.shape.A, (int)field.shape.B, (int)field.shape.C, (int)field.shape.D };
-            var shape = new int[field.ndim];
-            Array.Copy(all, shape, shape.Length);
-            return new Field
-            {
-                Name = Utf8.Of(field.name), Unit = Utf8.Of(field.unit), Type = (FieldType)field.dtype,
-                Shape = shape, Offset = (int)field.offset, Bytes = (int)field.bytes
-            };
-        }
     }
 }

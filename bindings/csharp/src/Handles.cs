@@ -1,12 +1,12 @@
 using System;
-using System.Collections.Generic;
 using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Owns a mimo_scene, and a share of its task.</summary>
+    /// <summary>Owns a mimo_scene, and a share of its log and its task.</summary>
     internal sealed class SceneHandle : SafeHandle
     {
+        internal Logging Log;
         internal Tasking Task;
 
         internal SceneHandle() : base(IntPtr.Zero, true) { }
@@ -16,41 +16,54 @@ namespace Mimo
         protected override bool ReleaseHandle()
         {
             Native.mimo_scene_destroy(handle);
+            Log?.Release();
             Task?.Release();
             return true;
         }
     }
 
-    /// <summary>A mimo_env, and a share of what its log callback and its task need.</summary>
+    /// <summary>A mimo_env, and a share of what its log callback and its task need. Arrays that its steps write to stay in
+    /// place as long as there is this.</summary>
     internal sealed class EnvHandle : SafeHandle
     {
         internal Logging Log;
         internal Tasking Task;
+        internal readonly PinnedParts Kept = new PinnedParts();
+        private readonly bool isLent;
 
         // Of a world that belongs to a batch: alive as long as the handle is in use.
         internal BatchHandle Owner { get; }
 
         internal EnvHandle() : base(IntPtr.Zero, true) { }
 
-        internal EnvHandle(IntPtr borrowed, BatchHandle owner) : base(IntPtr.Zero, false)
+        internal EnvHandle(IntPtr lent, BatchHandle owner) : this(lent)
         {
             Owner = owner;
             Log = owner.Log;
             Task = owner.Task;
-            SetHandle(borrowed);
         }
 
         /// <summary>Of a world that a task is asked about: whoever asks keeps it alive.</summary>
-        internal EnvHandle(IntPtr borrowed) : base(IntPtr.Zero, false) { SetHandle(borrowed); }
+        internal EnvHandle(IntPtr lent) : base(IntPtr.Zero, true)
+        {
+            isLent = true;
+            SetHandle(lent);
+        }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
+            if (!isLent) Destroy();
+            Kept.Dispose();
+            return true;
+        }
+
+        private void Destroy()
+        {
             Native.mimo_env_destroy(handle);
             Log?.Release();
             Task?.Release(handle);
-            return true;
         }
     }
 
@@ -60,43 +73,27 @@ namespace Mimo
     {
         internal Logging Log;
         internal Tasking Task;
-
-        private readonly List<Pinned> kept = new List<Pinned>();
-        private Pinned sent;
+        internal readonly PinnedParts Kept = new PinnedParts();
 
         internal BatchHandle() : base(IntPtr.Zero, true) { }
-
-        /// <summary>Has an array stay in place as long as there is the batch, and gives that place.</summary>
-        internal IntPtr Keep(Array array)
-        {
-            var pinned = new Pinned(array);
-            kept.Add(pinned);
-            return pinned.Pointer;
-        }
-
-        /// <summary>The actions of a step that was sent stay until the next is: the one before was received by then.</summary>
-        internal void KeepSent(Pinned actions)
-        {
-            sent?.Dispose();
-            sent = actions;
-        }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
             Native.mimo_batch_destroy(handle); // waits for what was sent
-            foreach (var pinned in kept) pinned.Dispose();
-            sent?.Dispose();
+            Kept.Dispose();
             Log?.Release();
             Task?.Release();
             return true;
         }
     }
 
-    /// <summary>Owns a mimo_senses.</summary>
+    /// <summary>Owns a mimo_senses, and a share of its log.</summary>
     internal sealed class SensesHandle : SafeHandle
     {
+        internal Logging Log;
+
         internal SensesHandle() : base(IntPtr.Zero, true) { }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
@@ -104,7 +101,24 @@ namespace Mimo
         protected override bool ReleaseHandle()
         {
             Native.mimo_senses_destroy(handle);
+            Log?.Release();
             return true;
         }
+    }
+
+    /// <summary>The mimo_layout of a world, a batch or senses, which are alive as long as it is in use.</summary>
+    internal sealed class LayoutHandle : SafeHandle
+    {
+        internal SafeHandle Owner { get; }
+
+        internal LayoutHandle(IntPtr lent, SafeHandle owner) : base(IntPtr.Zero, false)
+        {
+            Owner = owner;
+            SetHandle(lent);
+        }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle() { return true; }
     }
 }

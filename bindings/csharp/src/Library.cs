@@ -15,6 +15,24 @@ namespace Mimo
         /// <summary>Version of the MuJoCo that it runs on, "2.2.2".</summary>
         public static string MuJoCoVersion => Text(Native.mimo_mujoco_version);
 
+        /// <summary>Version of the interface that it declares, 1002 for 1.2.</summary>
+        public static uint ApiVersion
+        {
+            get
+            {
+                Require();
+                return Native.mimo_api_version();
+            }
+        }
+
+        /// <summary>Whether it knows a name of the C interface: a function ("mimo_env_step"), a constant ("MIMO_BODY_MASS"), a
+        /// struct ("mimo_field") or a member of one ("mimo_field.period").</summary>
+        public static bool Supports(string name)
+        {
+            Require();
+            return Native.mimo_supports(Utf8.Bytes(name)) != 0;
+        }
+
         private static string Text(Func<IntPtr> text)
         {
             Require();
@@ -50,6 +68,6 @@ namespace Mimo
             }
         }
 
-        private static MimoException Unusable(string message) { return new MimoException(-9, "MIMO_E_UNSUPPORTED", message); }
+        private static MimoException Unusable(string message) { return new MimoException(Status.Unsupported, "MIMO_E_UNSUPPORTED", message); }
     }
 }

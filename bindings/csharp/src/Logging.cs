@@ -26,16 +26,24 @@ namespace Mimo
         private readonly GCHandle kept;
         private int shares = 1;
 
-        private Logging(Action<int, string> log) { kept = GCHandle.Alloc(log); }
+        private Logging(Action<LogRecord> log) { kept = GCHandle.Alloc(log); }
 
-        /// <summary>Null when there is nothing to be told to.</summary>
-        internal static Logging Attach(ref EnvConfigStruct config, Action<int, string> log)
+        /// <summary>Gives what a config needs; null when there is nothing to be told to.</summary>
+        internal static Logging Tell(Action<LogRecord> log, out IntPtr function, out IntPtr user)
         {
+            function = user = IntPtr.Zero;
             if (log == null) return null;
             var logging = new Logging(log);
-            config.log = Marshal.GetFunctionPointerForDelegate(forward);
-            config.log_user = GCHandle.ToIntPtr(logging.kept);
+            function = Marshal.GetFunctionPointerForDelegate(forward);
+            user = GCHandle.ToIntPtr(logging.kept);
             return logging;
+        }
+
+        /// <summary>Checks the status of making something that was given a log; what is not made lets it go.</summary>
+        internal static void CheckTold(int status, Logging log)
+        {
+            if (status != 0) log?.Release();
+            MimoException.Check(status);
         }
 
         internal Logging Share()
@@ -50,11 +58,11 @@ namespace Mimo
         }
 
         [MonoPInvokeCallback(typeof(Native.LogFunction))]
-        private static void Forward(IntPtr user, int level, IntPtr message)
+        private static void Forward(IntPtr user, ref LogRecordStruct record)
         {
             try
             {
-                ((Action<int, string>)GCHandle.FromIntPtr(user).Target)(level, Utf8.Of(message));
+                ((Action<LogRecord>)GCHandle.FromIntPtr(user).Target)(LogRecord.Of(ref record));
             }
             catch (Exception)
             {

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Text;
 
 namespace Mimo
@@ -8,45 +9,23 @@ namespace Mimo
     {
         internal readonly SceneHandle Handle;
 
-        private MimoScene(string name, string file, string xml, DocumentLimits limits = default(DocumentLimits))
+        private MimoScene(SceneOptions options, string name = null, string file = null, string xml = null)
         {
             Library.Require();
-            using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
-            {
-                SceneConfigStruct config;
-                MimoException.Check(Native.mimo_scene_config_init(out config, Structs.Size<SceneConfigStruct>()));
-                config.name = n.Pointer;
-                config.file = f.Pointer;
-                config.xml = x.Pointer;
-                config.max_file_bytes = limits.MaxFileBytes;
-                config.max_pixels = limits.MaxPixels;
-                config.max_vertices = limits.MaxVertices;
-                config.max_elements = limits.MaxElements;
-                config.max_keyframes = limits.MaxKeyframes;
-                config.max_iterations = limits.MaxIterations;
-                config.max_world_bytes = limits.MaxWorldBytes;
-                config.confined = limits.Confined ? 1u : 0u;
-                MimoException.Check(Native.mimo_scene_create(ref config, out Handle));
-            }
+            Handle = (options ?? new SceneOptions()).Make(name, file, xml);
         }
 
         /// <summary>An empty world.</summary>
-        public static MimoScene Empty() { return new MimoScene(null, null, null); }
+        public static MimoScene Empty(SceneOptions options = null) { return new MimoScene(options); }
 
         /// <summary>A built-in scene, one of Scenes.Names: "reach", "benchmark", ...</summary>
-        public static MimoScene Builtin(string name) { return new MimoScene(name, null, null); }
+        public static MimoScene Builtin(string name, SceneOptions options = null) { return new MimoScene(options, name: name); }
 
         /// <summary>An MJCF file.</summary>
-        public static MimoScene FromFile(string path, DocumentLimits limits = default(DocumentLimits))
-        {
-            return new MimoScene(null, path, null, limits);
-        }
+        public static MimoScene FromFile(string path, SceneOptions options = null) { return new MimoScene(options, file: path); }
 
         /// <summary>MJCF text.</summary>
-        public static MimoScene FromXml(string xml, DocumentLimits limits = default(DocumentLimits))
-        {
-            return new MimoScene(null, null, xml, limits);
-        }
+        public static MimoScene FromXml(string xml, SceneOptions options = null) { return new MimoScene(options, xml: xml); }
 
         /// <summary>What the scene gives its infant by itself.</summary>
         public AgentConfig DefaultAgent()
@@ -181,6 +160,25 @@ namespace Mimo
                     config.look_at = options.LookAt.Value;
                 }
                 MimoException.Check(Native.mimo_scene_add_camera(Handle, ref config));
+            }
+        }
+
+        /// <summary>Has a quantity of parts of the scene observed, as a field of floats after those of all infants and cameras:
+        /// "toys/position". Elements are names of bodies, joints, sites, sensors..., of agents "" for a sole one; null for the
+        /// world's own. Positions, orientations, poses and velocities are relative to a body and move along with it; null: to
+        /// the world.</summary>
+        public void AddField(string name, Quantity quantity, string[] elements, string relativeTo = null)
+        {
+            using (var parts = new PinnedParts())
+            {
+                FieldConfigStruct config;
+                MimoException.Check(Native.mimo_field_config_init(out config, Structs.Size<FieldConfigStruct>()));
+                config.name = parts.Text(name);
+                config.quantity = (int)quantity;
+                config.elements = parts.Keep(elements?.Select(parts.Text).ToArray());
+                config.element_count = (UIntPtr)(elements == null ? 0 : elements.Length);
+                config.relative_to = parts.Text(relativeTo);
+                MimoException.Check(Native.mimo_scene_add_field(Handle, ref config));
             }
         }
 

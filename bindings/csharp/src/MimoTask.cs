@@ -4,17 +4,6 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>What became of an infant's task in a step; values are those of mimo.h.</summary>
-    public enum Outcome
-    {
-        /// <summary>Neither success nor failure.</summary>
-        None = 0,
-        /// <summary>The episode ends well, unless it goes on.</summary>
-        Success = 1,
-        /// <summary>The episode ends badly, unless it goes on.</summary>
-        Failure = -1
-    }
-
     /// <summary>A field of the observation that a task fills, of floats: a goal, and what has been reached of it. Each infant
     /// has one of its own.</summary>
     public sealed class TaskField
@@ -76,7 +65,7 @@ namespace Mimo
             Fields = new float[fields];
         }
 
-        /// <summary>Copies a field (Env.FindField) out of the observation of this step. Fields of tasks are still those of the
+        /// <summary>Copies a field (Layout.Find) out of the observation of this step. Fields of tasks are still those of the
         /// step before.</summary>
         public void Read(Field field, float[] into) { Marshal.Copy(At(field, FieldType.F32, into.Length, 4), into, 0, field.Bytes / 4); }
 

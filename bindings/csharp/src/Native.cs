@@ -11,7 +11,7 @@ namespace Mimo
         private const string File = "mimo";
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void LogFunction(IntPtr user, int level, IntPtr message);
+        internal delegate void LogFunction(IntPtr user, ref LogRecordStruct record);
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int TaskResetFunction(IntPtr user, IntPtr env, ref TaskMomentStruct moment);
@@ -20,6 +20,8 @@ namespace Mimo
         internal delegate int TaskEvaluateFunction(IntPtr user, IntPtr env, ref TaskMomentStruct moment, ref TaskVerdictStruct verdict);
 
         [DllImport(File)] internal static extern uint mimo_abi_version();
+        [DllImport(File)] internal static extern uint mimo_api_version();
+        [DllImport(File)] internal static extern int mimo_supports(byte[] name);
         [DllImport(File)] internal static extern IntPtr mimo_version();
         [DllImport(File)] internal static extern IntPtr mimo_mujoco_version();
         [DllImport(File)] internal static extern IntPtr mimo_status_name(int status);
@@ -34,6 +36,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_picture_config_init(out PictureConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_batch_config_init(out BatchConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_limits_init(out LimitsStruct limits, Size size);
+        [DllImport(File)] internal static extern int mimo_field_config_init(out FieldConfigStruct config, Size size);
 
         [DllImport(File)] internal static extern IntPtr mimo_scene_builtin(Size index);
         [DllImport(File)] internal static extern IntPtr mimo_scene_room(Size index);
@@ -47,6 +50,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_add_agent(SceneHandle scene, ref AgentConfig config, out Size agent);
         [DllImport(File)] internal static extern int mimo_scene_add_object(SceneHandle scene, ref ObjectConfigStruct config);
         [DllImport(File)] internal static extern int mimo_scene_add_camera(SceneHandle scene, ref CameraConfigStruct config);
+        [DllImport(File)] internal static extern int mimo_scene_add_field(SceneHandle scene, ref FieldConfigStruct config);
         [DllImport(File)] internal static extern int mimo_scene_set_touch(SceneHandle scene, Size agent, byte[] body, double spacing);
         [DllImport(File)] internal static extern int mimo_model_config_init(out ModelConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_scene_add_agents(SceneHandle scene, ref AgentConfig config, out Size count);
@@ -68,17 +72,22 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_set_task(SceneHandle scene, IntPtr none);
         [DllImport(File)] internal static extern int mimo_scene_set_parameter(SceneHandle scene, byte[] name, double value);
 
+        [DllImport(File)] internal static extern int mimo_layout_describe(LayoutHandle layout, ref LayoutInfoStruct info);
+        [DllImport(File)] internal static extern int mimo_layout_field(LayoutHandle layout, Size index, ref FieldStruct field);
+        [DllImport(File)] internal static extern int mimo_layout_find(LayoutHandle layout, byte[] name, out Size index);
+        [DllImport(File)] internal static extern int mimo_layout_label(LayoutHandle layout, Size field, Size element, out IntPtr label);
+        [DllImport(File)] internal static extern int mimo_layout_receptor_width(LayoutHandle layout, Size field, int quantity, out Size count);
+        [DllImport(File)] internal static extern int mimo_layout_receptors(LayoutHandle layout, Size field, int quantity, double[] values, Size count);
+        [DllImport(File)] internal static extern int mimo_layout_action(LayoutHandle layout, Size index, ref ActionStruct action);
+        [DllImport(File)] internal static extern int mimo_layout_term(LayoutHandle layout, Size index, ref TermStruct term);
+
         [DllImport(File)] internal static extern int mimo_env_create(SceneHandle scene, ref EnvConfigStruct config, out EnvHandle env);
         [DllImport(File)] internal static extern int mimo_env_make(byte[] scene, out EnvHandle env);
         [DllImport(File)] internal static extern void mimo_env_destroy(IntPtr env);
-        [DllImport(File)] internal static extern int mimo_env_agent_count(EnvHandle env, out Size count);
-        [DllImport(File)] internal static extern int mimo_env_observation_size(EnvHandle env, out Size bytes, out Size fields);
-        [DllImport(File)] internal static extern int mimo_env_observation_field(EnvHandle env, Size index, ref FieldStruct field);
-        [DllImport(File)] internal static extern int mimo_env_action_size(EnvHandle env, out Size count);
-        [DllImport(File)] internal static extern int mimo_env_action_bounds(EnvHandle env, float[] low, float[] high, Size count);
-        [DllImport(File)] internal static extern int mimo_env_action_name(EnvHandle env, Size index, out IntPtr name);
-        [DllImport(File)] internal static extern int mimo_env_reset(EnvHandle env, ulong[] seed, byte[] block, Size bytes);
-        [DllImport(File)] internal static extern int mimo_env_step(EnvHandle env, float[] action, Size actions, byte[] block, Size bytes, double[] reward, byte[] terminated, byte[] truncated, Size agents);
+        [DllImport(File)] internal static extern int mimo_env_layout(EnvHandle env, out IntPtr layout);
+        [DllImport(File)] internal static extern int mimo_env_agent(EnvHandle env, Size index, ref AgentInfoStruct info);
+        [DllImport(File)] internal static extern int mimo_env_reset(EnvHandle env, ref ResetConfigStruct config, byte[] block, Size bytes);
+        [DllImport(File)] internal static extern int mimo_env_step(EnvHandle env, float[] action, Size actions, byte[] block, Size bytes, ref EnvResultsStruct results);
         [DllImport(File)] internal static extern int mimo_env_observe(EnvHandle env, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_env_time(EnvHandle env, out double seconds);
         [DllImport(File)] internal static extern int mimo_env_frame_skip(EnvHandle env, out uint steps);
@@ -86,9 +95,6 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_physics_step(EnvHandle env, Size count);
         [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
         [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);
-        [DllImport(File)] internal static extern int mimo_env_reward_term_count(EnvHandle env, Size agent, out Size count);
-        [DllImport(File)] internal static extern int mimo_env_reward_term_name(EnvHandle env, Size agent, Size index, out IntPtr name);
-        [DllImport(File)] internal static extern int mimo_env_reward_terms(EnvHandle env, Size agent, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_count(EnvHandle env, int kind, out Size count);
         [DllImport(File)] internal static extern int mimo_env_find(EnvHandle env, int kind, byte[] name, out int id);
         [DllImport(File)] internal static extern int mimo_env_name(EnvHandle env, int kind, int id, out IntPtr name);
@@ -99,12 +105,11 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_set(EnvHandle env, int quantity, int[] ids, Size idCount, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_env_update(EnvHandle env);
         [DllImport(File)] internal static extern int mimo_env_random(EnvHandle env, double[] values, Size count);
-        [DllImport(File)] internal static extern int mimo_env_outcome(EnvHandle env, Size agent, out byte success, out byte failure);
         [DllImport(File)] internal static extern int mimo_env_gaze(EnvHandle env, Size agent, ref GazeStruct gaze);
         [DllImport(File)] internal static extern int mimo_env_look_angles(EnvHandle env, Size agent, ref Vector3d point, int how, int[] joints, double[] angles, Size capacity, out Size count, double[] errors);
         [DllImport(File)] internal static extern int mimo_env_look_at(EnvHandle env, Size agent, ref Vector3d point, int how, double[] errors);
         [DllImport(File)] internal static extern int mimo_env_project(EnvHandle env, ref PictureConfigStruct config, Vector3d[] points, Size count, [Out] Vector3d[] pixels);
-        [DllImport(File)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, byte[] rgb, Size rgbBytes, float[] depth, Size depthCount, int[] segmentation, Size segmentationCount);
+        [DllImport(File)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, ref PictureStruct picture);
 
         [DllImport(File)] internal static extern IntPtr mimo_face_name(Size index);
         [DllImport(File)] internal static extern int mimo_env_state_size(EnvHandle env, out Size bytes);
@@ -115,11 +120,12 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_batch_create(SceneHandle scene, ref EnvConfigStruct env, ref BatchConfigStruct config, out BatchHandle batch);
         [DllImport(File)] internal static extern void mimo_batch_destroy(IntPtr batch);
         [DllImport(File)] internal static extern int mimo_batch_size(BatchHandle batch, out Size worlds, out Size threads);
+        [DllImport(File)] internal static extern int mimo_batch_layout(BatchHandle batch, out IntPtr layout);
         [DllImport(File)] internal static extern int mimo_batch_world(BatchHandle batch, Size world, out IntPtr env);
         [DllImport(File)] internal static extern int mimo_batch_world_error(BatchHandle batch, Size world, out int status, out IntPtr message);
-        [DllImport(File)] internal static extern int mimo_batch_reset(BatchHandle batch, ulong[] seeds, byte[] mask, Size worlds, byte[] blocks, Size bytes);
+        [DllImport(File)] internal static extern int mimo_batch_reset(BatchHandle batch, ref BatchResetConfigStruct config, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_step(BatchHandle batch, float[] actions, Size count, byte[] blocks, Size bytes, ref BatchResultsStruct results);
-        [DllImport(File)] internal static extern int mimo_batch_send(BatchHandle batch, IntPtr actions, Size count, IntPtr blocks, Size bytes, ref BatchResultsStruct results);
+        [DllImport(File)] internal static extern int mimo_batch_send(BatchHandle batch, float[] actions, Size count, IntPtr blocks, Size bytes, ref BatchResultsStruct results);
         [DllImport(File)] internal static extern int mimo_batch_receive(BatchHandle batch);
         [DllImport(File)] internal static extern int mimo_batch_observe(BatchHandle batch, byte[] mask, Size worlds, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_get(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
@@ -130,9 +136,8 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_senses_config_init(out SensesConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_senses_attach(SceneHandle scene, IntPtr model, ref SensesConfigStruct config, out SensesHandle senses);
         [DllImport(File)] internal static extern void mimo_senses_destroy(IntPtr senses);
-        [DllImport(File)] internal static extern int mimo_senses_observation_size(SensesHandle senses, out Size bytes, out Size fields);
-        [DllImport(File)] internal static extern int mimo_senses_observation_field(SensesHandle senses, Size index, ref FieldStruct field);
-        [DllImport(File)] internal static extern int mimo_senses_reset(SensesHandle senses, IntPtr data, ulong[] seed);
+        [DllImport(File)] internal static extern int mimo_senses_layout(SensesHandle senses, out IntPtr layout);
+        [DllImport(File)] internal static extern int mimo_senses_reset(SensesHandle senses, IntPtr data, ref ResetConfigStruct config);
         [DllImport(File)] internal static extern int mimo_senses_advance(SensesHandle senses, IntPtr data);
         [DllImport(File)] internal static extern int mimo_senses_observe(SensesHandle senses, IntPtr data, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_senses_state_size(SensesHandle senses, out Size bytes);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 
 namespace Mimo
@@ -8,9 +9,14 @@ namespace Mimo
     {
         private GCHandle handle;
 
+        /// <summary>How many elements it has.</summary>
+        internal UIntPtr Length { get; }
+
         internal Pinned(Array array)
         {
-            if (array != null) handle = GCHandle.Alloc(array, GCHandleType.Pinned);
+            if (array == null) return;
+            Length = (UIntPtr)array.Length;
+            handle = GCHandle.Alloc(array, GCHandleType.Pinned);
         }
 
         internal IntPtr Pointer => handle.IsAllocated ? handle.AddrOfPinnedObject() : IntPtr.Zero;
@@ -25,5 +31,26 @@ namespace Mimo
     internal sealed class PinnedText : Pinned
     {
         internal PinnedText(string text) : base(Utf8.Bytes(text)) { }
+    }
+
+    /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
+    internal sealed class PinnedParts : IDisposable
+    {
+        private readonly List<Pinned> parts = new List<Pinned>();
+
+        internal IntPtr Text(string text) { return Keep(Utf8.Bytes(text)); }
+
+        /// <summary>Elements without references.</summary>
+        internal IntPtr Keep(Array array)
+        {
+            var part = new Pinned(array);
+            parts.Add(part);
+            return part.Pointer;
+        }
+
+        public void Dispose()
+        {
+            foreach (var part in parts) part.Dispose();
+        }
     }
 }

@@ -2,10 +2,14 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>How much an MJCF document may ask for, 0 for the default, and whether its files must lie in its own folder.
-    /// What asks for more is refused.</summary>
-    public struct DocumentLimits
+    /// <summary>How a scene starts: where its models come from, and how much its document may ask for, 0 for the default. What
+    /// asks for more is refused.</summary>
+    public sealed class SceneOptions
     {
+        /// <summary>Receives messages about the scene's making, on the calling thread. Exceptions in it are dropped.</summary>
+        public Action<LogRecord> Log;
+        /// <summary>Folder to take built-in models from instead of those inside the library; null: none.</summary>
+        public string ModelFolder;
         /// <summary>Bytes of each file that is read.</summary>
         public ulong MaxFileBytes;
         /// <summary>Pixels of a texture or height field.</summary>
@@ -22,6 +26,39 @@ namespace Mimo
         public ulong MaxWorldBytes;
         /// <summary>Whether includes and assets must lie in the folder of the document that names them, or below.</summary>
         public bool Confined;
+
+        /// <summary>Makes a scene of a document, of which at most one is not null.</summary>
+        internal SceneHandle Make(string name, string file, string xml)
+        {
+            using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml), models = new PinnedText(ModelFolder))
+            {
+                SceneConfigStruct config;
+                MimoException.Check(Native.mimo_scene_config_init(out config, Structs.Size<SceneConfigStruct>()));
+                config.name = n.Pointer;
+                config.file = f.Pointer;
+                config.xml = x.Pointer;
+                config.model_dir = models.Pointer;
+                Limit(ref config);
+                var log = Logging.Tell(Log, out config.log, out config.log_user);
+                SceneHandle made;
+                var status = Native.mimo_scene_create(ref config, out made);
+                made.Log = log;
+                Logging.CheckTold(status, log);
+                return made;
+            }
+        }
+
+        private void Limit(ref SceneConfigStruct config)
+        {
+            config.max_file_bytes = MaxFileBytes;
+            config.max_pixels = MaxPixels;
+            config.max_vertices = MaxVertices;
+            config.max_elements = MaxElements;
+            config.max_keyframes = MaxKeyframes;
+            config.max_iterations = MaxIterations;
+            config.max_world_bytes = MaxWorldBytes;
+            config.confined = Confined ? 1u : 0u;
+        }
     }
 
     /// <summary>Shapes of objects, and what their size is; values are those of mimo.h.</summary>
@@ -58,20 +95,6 @@ namespace Mimo
         public Rgba? Color;
         /// <summary>Part of the world instead of moving freely.</summary>
         public bool Fixed;
-    }
-
-    /// <summary>What a camera or an eye gives; values are those of mimo.h.</summary>
-    [Flags]
-    public enum Vision
-    {
-        /// <summary>Nothing.</summary>
-        None = 0,
-        /// <summary>Colour, bytes, height x width x 3, row 0 is the top.</summary>
-        Rgb = 1,
-        /// <summary>Depth along the camera's axis, float, metres.</summary>
-        Depth = 2,
-        /// <summary>Geom id of each pixel, int; -1 is background.</summary>
-        Segmentation = 4
     }
 
     /// <summary>A camera whose pictures are fields of the observation: "vision/NAME", "vision/NAME_depth",

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 
 namespace Mimo
 {
@@ -16,6 +15,8 @@ namespace Mimo
         public uint Samples;
         /// <summary>Threads that draw one picture, 1 to 64.</summary>
         public uint RenderThreads = 1;
+        /// <summary>Receives messages while senses are attached, on the calling thread. Exceptions in it are dropped.</summary>
+        public Action<LogRecord> Log;
     }
 
     /// <summary>Senses that look at a host's own MuJoCo model, and never change it. Pointers are those of MuJoCo's structs,
@@ -23,24 +24,20 @@ namespace Mimo
     public sealed class Senses : IDisposable
     {
         private readonly SensesHandle handle;
-        private readonly Dictionary<string, Field> byName = new Dictionary<string, Field>();
-        private readonly ulong[] seedOf = new ulong[1];
 
         /// <summary>The last observation.</summary>
         public byte[] Block { get; }
 
         /// <summary>What it consists of.</summary>
-        public IReadOnlyList<Field> Fields { get; }
+        public Layout Layout { get; }
 
         /// <summary>Attaches senses to an mjModel of a host whose mj_version() is given. The scene describes the agents
         /// (with the body "scene"), their skin, the limits of their senses and the cameras.</summary>
         public Senses(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options = null)
         {
             handle = Attach(scene, model, mujocoVersion, options ?? new SensesOptions());
-            UIntPtr bytes, fields;
-            MimoException.Check(Native.mimo_senses_observation_size(handle, out bytes, out fields));
-            Block = new byte[(int)bytes];
-            Fields = ReadFields((int)fields);
+            Layout = new Layout(handle, (out IntPtr layout) => Native.mimo_senses_layout(handle, out layout));
+            Block = new byte[Layout.BlockBytes];
         }
 
         private static SensesHandle Attach(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options)
@@ -55,31 +52,13 @@ namespace Mimo
                 if (options.Render.HasValue) config.render = (uint)options.Render.Value;
                 config.samples = options.Samples;
                 config.render_threads = options.RenderThreads;
+                var log = Logging.Tell(options.Log, out config.log, out config.log_user);
                 SensesHandle made;
-                MimoException.Check(Native.mimo_senses_attach(scene.Handle, model, ref config, out made));
+                var status = Native.mimo_senses_attach(scene.Handle, model, ref config, out made);
+                made.Log = log;
+                Logging.CheckTold(status, log);
                 return made;
             }
-        }
-
-        private IReadOnlyList<Field> ReadFields(int count)
-        {
-            var fields = new Field[count];
-            for (var i = 0; i < count; ++i)
-            {
-                var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
-                MimoException.Check(Native.mimo_senses_observation_field(handle, (UIntPtr)i, ref raw));
-                fields[i] = Field.Of(raw);
-                byName[fields[i].Name] = fields[i];
-            }
-            return fields;
-        }
-
-        /// <summary>A field by its name.</summary>
-        public Field FindField(string name)
-        {
-            Field field;
-            if (byName.TryGetValue(name, out field)) return field;
-            throw new KeyNotFoundException("no field named \"" + name + "\"; there are: " + string.Join(", ", byName.Keys));
         }
 
         /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
@@ -89,8 +68,8 @@ namespace Mimo
         /// one it goes on from the last episode's.</summary>
         public void Reset(IntPtr data, ulong? seed = null)
         {
-            seedOf[0] = seed.GetValueOrDefault();
-            MimoException.Check(Native.mimo_senses_reset(handle, data, seed.HasValue ? seedOf : null));
+            var config = ResetConfigStruct.Of(seed);
+            MimoException.Check(Native.mimo_senses_reset(handle, data, ref config));
         }
 
         /// <summary>One step later, once after each step of the host: senses with a delay take in what the mjData hold.</summary>

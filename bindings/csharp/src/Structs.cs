@@ -40,9 +40,21 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal struct Sizes
+    internal struct LogRecordStruct
     {
-        internal UIntPtr A, B, C, D;
+        internal uint struct_size;
+        internal int level, code;
+        internal uint in_world;
+        internal IntPtr text;
+        internal UIntPtr world;
+        internal double time;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct LayoutInfoStruct
+    {
+        internal uint struct_size, reserved;
+        internal UIntPtr block_bytes, fields, actions, agents, terms;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -52,10 +64,71 @@ namespace Mimo
         internal int dtype;
         internal IntPtr name, unit, frame;
         internal UIntPtr offset, bytes;
-        internal Sizes shape;
-        internal uint ndim;
-        internal int time;
+        internal IntPtr shape;
+        internal UIntPtr ndim;
+        internal double low, high, start, end, period;
+        internal UIntPtr receptors;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ActionStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr name, unit;
+        internal UIntPtr agent;
         internal double low, high;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct TermStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr name;
+        internal UIntPtr agent;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct AgentInfoStruct
+    {
+        internal uint struct_size, action_offset, action_count, reserved;
+        internal IntPtr name;
+        internal double mass, height;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ResetConfigStruct
+    {
+        internal uint struct_size, seeded;
+        internal ulong seed;
+
+        internal static ResetConfigStruct Of(ulong? seed)
+        {
+            return new ResetConfigStruct
+            {
+                struct_size = (uint)Structs.Size<ResetConfigStruct>(), seeded = seed.HasValue ? 1u : 0u,
+                seed = seed.GetValueOrDefault()
+            };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct EnvResultsStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr reward, terminated, truncated, outcome;
+        internal UIntPtr agents;
+        internal IntPtr terms;
+        internal UIntPtr term_count;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct FieldConfigStruct
+    {
+        internal uint struct_size;
+        internal int quantity;
+        internal IntPtr name, elements;
+        internal UIntPtr element_count;
+        internal IntPtr relative_to;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -125,6 +198,18 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct PictureStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr rgb;
+        internal UIntPtr rgb_bytes;
+        internal IntPtr depth;
+        internal UIntPtr depth_count;
+        internal IntPtr segmentation;
+        internal UIntPtr segmentation_count;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct TimingStruct
     {
         internal uint struct_size, reserved;
@@ -141,11 +226,21 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct BatchResetConfigStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr seeds, mask;
+        internal UIntPtr worlds;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct BatchResultsStruct
     {
         internal uint struct_size, reserved;
-        internal IntPtr reward, terminated, truncated;
+        internal IntPtr reward, terminated, truncated, outcome;
         internal UIntPtr agents;
+        internal IntPtr terms;
+        internal UIntPtr term_count;
         internal IntPtr status, was_reset, final_written;
         internal UIntPtr worlds;
         internal IntPtr final_blocks;

@@ -111,8 +111,8 @@ namespace Mimo
             seat = new Seat
             {
                 World = env,
-                Moments = Enumerable.Range(0, env.AgentCount).Select(_ => new TaskMoment(memory, fields)).ToArray(),
-                Verdicts = Enumerable.Range(0, env.AgentCount).Select(_ => new TaskVerdict(terms)).ToArray()
+                Moments = Enumerable.Range(0, env.Layout.Agents).Select(_ => new TaskMoment(memory, fields)).ToArray(),
+                Verdicts = Enumerable.Range(0, env.Layout.Agents).Select(_ => new TaskVerdict(terms)).ToArray()
             };
             seats[world] = seat;
             return seat;
@@ -162,31 +162,9 @@ namespace Mimo
         /// <summary>An exception must not unwind through the library's frames.</summary>
         private static int Fail(Exception error)
         {
-            const int unexpected = -12; // MIMO_E_INTERNAL
             var known = error as MimoException;
-            return Native.mimo_fail(known == null ? unexpected : known.Status,
+            return Native.mimo_fail((int)(known == null ? Status.Internal : known.Status),
                 Utf8.Bytes(known == null ? error.GetType().Name + ": " + error.Message : error.Message));
-        }
-    }
-
-    /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
-    internal sealed class PinnedParts : IDisposable
-    {
-        private readonly List<Pinned> parts = new List<Pinned>();
-
-        internal IntPtr Text(string text) { return text == null ? IntPtr.Zero : Keep(Utf8.Bytes(text)); }
-
-        /// <summary>Elements without references.</summary>
-        internal IntPtr Keep(Array array)
-        {
-            var part = new Pinned(array);
-            parts.Add(part);
-            return part.Pointer;
-        }
-
-        public void Dispose()
-        {
-            foreach (var part in parts) part.Dispose();
         }
     }
 }

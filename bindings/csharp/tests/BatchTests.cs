@@ -18,7 +18,7 @@ internal static partial class Tests
 
     private static byte[] BlockOf(Batch batch, int world)
     {
-        return batch.Blocks.Skip(world * batch.BlockBytes).Take(batch.BlockBytes).ToArray();
+        return batch.Blocks.Skip(world * batch.Layout.BlockBytes).Take(batch.Layout.BlockBytes).ToArray();
     }
 
     private static void WorldsOfBatchesEqualSingleOnes()
@@ -26,18 +26,19 @@ internal static partial class Tests
         using (var batch = ReachBatch(3))
         using (var single = new Env("reach"))
         {
-            var actions = new float[3 * batch.ActionSize];
+            var actions = new float[3 * batch.Layout.Actions.Count];
             for (var i = 0; i < actions.Length; ++i) actions[i] = i % 7 / 7f - 0.4f;
             batch.Reset(new ulong[] { 5, 6, 7 });
             batch.Step(actions);
-            var velocity = batch.FindField("proprioception/velocity");
+            var velocity = batch.Layout.Find("proprioception/velocity");
             float[] ours = new float[47], theirs = new float[47]; // MIMo's joints in reach
             for (var world = 0; world < 3; ++world)
             {
                 single.Reset((ulong)(5 + world));
-                var step = single.Step(actions.Skip(world * batch.ActionSize).Take(batch.ActionSize).ToArray());
+                var step = single.Step(actions.Skip(world * batch.Layout.Actions.Count).Take(batch.Layout.Actions.Count).ToArray());
                 Check(BlockOf(batch, world).SequenceEqual(single.Block), "other bytes in world " + world);
                 Check(batch.StepOf(world).Reward == step.Reward && batch.Rewards[world] == step.Reward, "other rewards");
+                Check(batch.Terms.Skip(2 * world).Take(2).SequenceEqual(single.Terms), "other terms"); // reach has two
                 batch.Read(world, velocity, ours);
                 single.Read(velocity, theirs);
                 Check(ours.SequenceEqual(theirs), "other velocities");
@@ -49,7 +50,7 @@ internal static partial class Tests
     {
         using (var batch = ReachBatch(3))
         {
-            var actions = Enumerable.Repeat(0.3f, 3 * batch.ActionSize).ToArray();
+            var actions = Enumerable.Repeat(0.3f, 3 * batch.Layout.Actions.Count).ToArray();
             batch.Reset(new ulong[] { 5, 6, 7 });
             var states = batch.Save();
             batch.Step(actions);
@@ -83,8 +84,8 @@ internal static partial class Tests
         using (var batch = ReachBatch(2, 1, Autoreset.SameStep))
         {
             batch.Reset(new ulong[] { 1, 2 });
-            var actions = new float[2 * batch.ActionSize];
-            actions[batch.ActionSize] = float.NaN;
+            var actions = new float[2 * batch.Layout.Actions.Count];
+            actions[batch.Layout.Actions.Count] = float.NaN;
             Check(Refused(() => batch.Step(actions)).Message.Contains("world 1"), "which world");
             Check(batch.ErrorOf(0) == "" && batch.ErrorOf(1).Contains("not a number"), "messages");
             batch.Step(null);
@@ -92,6 +93,28 @@ internal static partial class Tests
             try { batch.Reset(new ulong[1]); }
             catch (ArgumentException) { return; }
             throw new Exception("one seed for two worlds");
+        }
+    }
+
+    /// <summary>Where an episode has ended, its last block is kept and the first of the next one is given.</summary>
+    private static void LastBlocksOfEpisodesAreKept()
+    {
+        using (Batch batch = ReachBatch(2, 1, Autoreset.SameStep), plain = ReachBatch(1))
+        using (var single = new Env("reach"))
+        {
+            Check(plain.FinalBlocks == null, "nobody would write there");
+            batch.Reset(new ulong[] { 5, 6 });
+            batch.Step(null);
+            single.Reset(6);
+            single.Step(null);
+            Check(batch.HasFinal(1) && batch.WasReset(1), "an episode of one step");
+            var last = batch.FinalBlocks.Skip(batch.Layout.BlockBytes).ToArray();
+            Check(last.SequenceEqual(single.Block) && !BlockOf(batch, 1).SequenceEqual(single.Block), "other blocks");
+            var velocity = batch.Layout.Find("proprioception/velocity");
+            float[] ours = new float[47], theirs = new float[47]; // MIMo's joints in reach
+            batch.ReadFinal(1, velocity, ours);
+            single.Read(velocity, theirs);
+            Check(ours.SequenceEqual(theirs), "other velocities");
         }
     }
 
@@ -109,6 +132,6 @@ internal static partial class Tests
         var batch = ReachBatch(1);
         var gone = batch.World(0);
         batch.Dispose();
-        Check(Refused(() => gone.Step(null)).StatusName == "MIMO_E_BAD_HANDLE", "stepped after its end");
+        Check(Refused(() => gone.Step(null)).Status == Status.BadHandle, "stepped after its end");
     }
 }

@@ -12,7 +12,26 @@ internal static partial class Tests
         var header = File.ReadAllText(headerFile);
         var numbers = new[] { "MAJOR", "MINOR", "PATCH" }.Select(part => Regex.Match(header, "MIMO_VERSION_" + part + @" (\d+)").Groups[1].Value);
         Check(Library.Version == string.Join(".", numbers), Library.Version);
+        Func<string, uint> number = name => uint.Parse(Regex.Match(header, name + @" (\d+)").Groups[1].Value);
+        Check(Library.ApiVersion == number("MIMO_API_MAJOR") * 1000 + number("MIMO_API_MINOR"), "API " + Library.ApiVersion);
         Check(Regex.IsMatch(Library.MuJoCoVersion, @"^2\.2\.\d+$"), Library.MuJoCoVersion); // the one that is built against
+    }
+
+    private static void TheLibraryKnowsNames()
+    {
+        foreach (var name in new[] { "mimo_env_step", "MIMO_BODY_MASS", "mimo_field", "mimo_field.period" })
+            Check(Library.Supports(name), name);
+        Check(!Library.Supports("mimo_field.colour") && !Library.Supports(null), "names of nothing");
+    }
+
+    /// <summary>What a later version may bring is told apart from mistakes.</summary>
+    private static void UnknownNumbersAreUnsupported()
+    {
+        using (var env = new Env("reach"))
+        {
+            var error = Refused(() => env.Get((Quantity)9999));
+            Check(error.Status == Status.Unsupported && error.Message.Contains("9999") && error.Message.Contains(Library.Version), error.Message);
+        }
     }
 
     /// <summary>What is listed can be made.</summary>
@@ -46,7 +65,7 @@ internal static partial class Tests
                 Refused(() => scene.SetParameter(one.Name, one.High + 1));
             }
             Check(Tasks.Parameters.Single(one => one.Name == "reach/success_reward").Standard == 100, "another reward");
-            Check(Refused(() => scene.GetParameter("reach/luck")).StatusName == "MIMO_E_NOT_FOUND", "another status");
+            Check(Refused(() => scene.GetParameter("reach/luck")).Status == Status.NotFound, "another status");
         }
     }
 
@@ -70,12 +89,14 @@ internal static partial class Tests
     private static void DefaultAgentsAreMade()
     {
         var agent = AgentConfig.Default;
-        Check(agent.vision == 1 && agent.vision_width == 256 && agent.actuation == 0 && agent.limit_threshold == 0.035, "defaults");
-        agent.vision = agent.touch = 0;
+        Check(agent.vision == Vision.Rgb && agent.vision_width == 256, "eyes");
+        Check(agent.actuation == Actuation.Torque && agent.limit_threshold == 0.035, "defaults");
+        agent.vision = 0;
+        agent.touch = 0;
         using (var scene = MimoScene.Builtin("free"))
         {
             scene.AddAgent(agent);
-            using (var env = new Env(scene)) Check(env.AgentCount == 1 && env.Find(Kind.Body, "head") > 0, "no infant");
+            using (var env = new Env(scene)) Check(env.Layout.Agents == 1 && env.Find(Kind.Body, "head") > 0, "no infant");
         }
     }
 }

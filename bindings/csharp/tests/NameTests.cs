@@ -55,26 +55,44 @@ internal static partial class Tests
     {
         var header = File.ReadAllText(headerFile);
         var defined = Regex.Matches(header, @"#define (MIMO_\w+) (-?(?:0x)?[0-9a-f]+)u?\b").Cast<Match>()
-            .ToDictionary(match => match.Groups[1].Value, match => Convert.ToInt32(match.Groups[2].Value.Replace("0x", ""),
-                match.Groups[2].Value.StartsWith("0x") ? 16 : 10));
+            .ToDictionary(match => match.Groups[1].Value, match => ValueOf(match.Groups[2].Value));
         Action<Type, string, string> compare = (type, prefix, all) =>
         {
-            var ours = Enum.GetNames(type).Where(name => name != "Plain" && !(type == typeof(Vision) && name == "None"))
-                .ToDictionary(name => HeaderName(prefix, name), name => (int)Enum.Parse(type, name));
+            var ours = Enum.GetNames(type).ToDictionary(name => HeaderName(prefix, name), name => Convert.ToInt64(Enum.Parse(type, name)));
             var theirs = defined.Where(one => Regex.IsMatch(one.Key, "^MIMO_(" + all + ")$")).ToDictionary(one => one.Key, one => one.Value);
-            var differ = ours.Except(theirs).Union(theirs.Except(ours)).Select(one => one.Key).Distinct().ToList();
+            // Nothing at all is a name of ours where there it is just a 0.
+            var differ = ours.Where(one => one.Value != 0 || theirs.ContainsKey(one.Key)).Except(theirs).Union(theirs.Except(ours))
+                .Select(one => one.Key).Distinct().ToList();
             Check(theirs.Count > 1 && differ.Count == 0, type.Name + ": " + string.Join(" ", differ));
         };
         Check(defined["MIMO_ABI_VERSION"] == Library.Abi, "another ABI version");
         const string kinds = "BODY|JOINT|GEOM|SITE|CAMERA|ACTUATOR|SENSOR|LIGHT|CONTACT|STEP_CONTACT|AGENT|FACE|WORLD";
         compare(typeof(Kind), "MIMO_", kinds + "|WARNING");
         compare(typeof(Quantity), "MIMO_", "NOW|WARNING_COUNT|(?:" + kinds + ")_[A-Z_]+");
+        compare(typeof(Status), "MIMO_E_", "E_[A-Z_]+");
+        compare(typeof(MessageLevel), "MIMO_LOG_", "LOG_[A-Z]+");
+        compare(typeof(Warning), "MIMO_WARNING_", "WARNING_(?!COUNT)[A-Z_]+");
         compare(typeof(Autoreset), "MIMO_AUTORESET_", "AUTORESET_[A-Z_]+");
-        compare(typeof(Render), "MIMO_RENDER_", "RENDER_(?!DEFAULT)[A-Z]+");
+        compare(typeof(Outcome), "MIMO_OUTCOME_", "OUTCOME_[A-Z]+");
+        compare(typeof(Render), "MIMO_RENDER_", "RENDER_[A-Z]+");
         compare(typeof(Shape), "MIMO_SHAPE_", "SHAPE_[A-Z]+");
-        compare(typeof(Vision), "MIMO_VISION_", "VISION_[A-Z]+");
-        compare(typeof(Look), "MIMO_LOOK_", "LOOK_(?!JOINTS)[A-Z]+");
+        compare(typeof(Look), "MIMO_LOOK_", "LOOK_[A-Z]+");
         compare(typeof(FieldType), "MIMO_", "[UIF][0-9]+");
+        compare(typeof(Receptor), "MIMO_RECEPTOR_", "RECEPTOR_[A-Z]+");
+        compare(typeof(Place), "MIMO_PLACE_", "PLACE_[A-Z]+");
+        compare(typeof(Proprioception), "MIMO_PROPRIOCEPTION_", "PROPRIOCEPTION_[A-Z_]+");
+        compare(typeof(Vestibular), "MIMO_VESTIBULAR_", "VESTIBULAR_[A-Z_]+");
+        compare(typeof(Vision), "MIMO_VISION_", "VISION_[A-Z]+");
+        compare(typeof(Actuation), "MIMO_ACTUATION_", "ACTUATION_[A-Z_]+");
+        compare(typeof(Act), "MIMO_ACT_", "ACT_[A-Z_]+");
+        compare(typeof(TouchOutputs), "MIMO_TOUCH_", "TOUCH_[A-Z_]+");
+        compare(typeof(TouchResponse), "MIMO_RESPONSE_", "RESPONSE_[A-Z]+");
+        compare(typeof(TouchFrame), "MIMO_FRAME_", "FRAME_[A-Z]+");
+    }
+
+    private static long ValueOf(string number)
+    {
+        return number.StartsWith("0x") ? Convert.ToInt64(number.Substring(2), 16) : long.Parse(number);
     }
 
     /// <summary>A thing of every kind: each quantity has the width that mimo.h names.</summary>
@@ -91,7 +109,7 @@ internal static partial class Tests
         var widths = new[]
         {
             1, 1, 1, 1, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3, 1, 7, 7, 7, 7, 3, 4, 1, 2, 3, 3, 3, // then contacts
-            2, 2, 3, 9, 1, 3, 3, 2, 2, 1, 1, 3, 3, 3, 1, 3, 1
+            2, 2, 3, 9, 1, 3, 3, 2, 2, 1, 1, 3, 3, 3, 1, 3, 1, 6
         };
         using (var scene = MimoScene.FromXml(all))
         using (var env = new Env(scene, new EnvOptions { StepContacts = true }))
@@ -102,7 +120,7 @@ internal static partial class Tests
                 var kind = names.Keys.SingleOrDefault(one => quantity.ToString().StartsWith(one.ToString()));
                 if (kind == 0)
                 {
-                    var known = quantity == Quantity.WorldGravity ? 3 : 0; // there is nothing else of these
+                    var known = quantity == Quantity.WorldGravity ? 3 : 0; // there is nothing else of these: no contact, no agent
                     Check(env.Get(quantity).Length == known, quantity + " of all");
                     continue;
                 }

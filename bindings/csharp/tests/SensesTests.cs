@@ -22,12 +22,13 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("free"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = agent.touch = 0;
+            agent.vision = 0;
+            agent.touch = 0;
             scene.AddAgent(agent);
             scene.LimitMotor("left_arm", gain: 0.5, delay: 0.02);
             using (var env = new Env(scene))
             {
-                var action = Enumerable.Repeat(0.5f, env.ActionSize).ToArray();
+                var action = Enumerable.Repeat(0.5f, env.Layout.Actions.Count).ToArray();
                 var told = new double[2];
                 var ids = new[] { env.Find(Kind.Actuator, "act:left_elbow"), env.Find(Kind.Actuator, "act:right_elbow") };
                 for (var step = 0; step < 3; ++step)
@@ -41,6 +42,20 @@ internal static partial class Tests
         }
     }
 
+    private static void NoiseFollowsFromTheSeed(Senses senses, IntPtr data, Field position)
+    {
+        Func<ulong, float[]> seen = seed =>
+        {
+            var values = new float[position.Shape[0]];
+            senses.Reset(data, seed);
+            senses.Observe(data);
+            senses.Read(position, values);
+            return values;
+        };
+        var first = seen(5);
+        Check(!first.SequenceEqual(seen(6)) && first.SequenceEqual(seen(5)), "noise of another seed");
+    }
+
     /// <summary>A host with its own MuJoCo: a delay of five steps, and what is remembered as bytes.</summary>
     private static void SensesRemember()
     {
@@ -51,13 +66,15 @@ internal static partial class Tests
         using (var scene = MimoScene.Empty())
         {
             var agent = scene.DefaultAgent();
-            agent.vision = agent.vestibular = agent.touch = 0;
+            agent.vision = 0;
+            agent.vestibular = 0;
+            agent.touch = 0;
             scene.AddAgent(agent, root: "torso");
             scene.LimitSense("proprioception/position", noise: 0.01, delay: 0.05);
             var options = new SensesOptions { Step = 0.01 };
             using (Senses senses = new Senses(scene, model, mj_version(), options), twin = new Senses(scene, model, mj_version(), options))
             {
-                var position = senses.FindField("proprioception/position");
+                var position = senses.Layout.Find("proprioception/position");
                 float[] first = new float[position.Shape[0]], now = new float[first.Length];
                 senses.Reset(data, 5);
                 senses.Observe(data);
@@ -76,6 +93,7 @@ internal static partial class Tests
                 }
                 Check(senses.Block.SequenceEqual(twin.Block), "the twin remembers something else");
                 Check(Refused(() => senses.Load(new byte[3])).Message.Contains("state"), "another message");
+                NoiseFollowsFromTheSeed(senses, data, position);
             }
             Check(Refused(() => new Senses(scene, model, 237)).Message.Contains("mujoco_version"), "another message");
         }

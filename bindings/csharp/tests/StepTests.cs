@@ -1,7 +1,6 @@
 // How worlds go on, what rewards consist of, where time goes and points lie.
 using System;
 using System.Linq;
-using System.Runtime.CompilerServices;
 using Mimo;
 
 internal static partial class Tests
@@ -51,16 +50,21 @@ internal static partial class Tests
         using (var env = new Env("reach"))
         {
             env.Reset(3);
-            Check(env.RewardTerms().Values.All(value => value == 0), "rewarded by a reset");
             var reward = env.Step(null).Reward;
-            var terms = env.RewardTerms();
-            Check(terms.Count == 2 && terms.ContainsKey("success") && terms.Values.Sum() == reward, "other terms");
+            Check(env.Layout.Terms.Count == 2 && env.Terms.Sum() == reward, "the reward is their sum");
+            Check(env.Terms[env.Layout.FindTerm("success")] == 0, "rewarded from afar");
             var at = new double[6];
             env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "right_fingers"), env.Find(Kind.Body, "target") }, at);
             var distance = Math.Sqrt(Enumerable.Range(0, 3).Sum(i => Math.Pow(at[i] - at[3 + i], 2)));
             Check(distance > 0.1, "there already");
-            Near(-distance, terms["distance"], 1e-12, "distance");
-            Check(Refused(() => env.RewardTerms(1)).Message.Contains("agent is 1"), "another message");
+            Near(-distance, env.Terms[env.Layout.FindTerm("distance")], 1e-12, "distance");
+            try { env.Layout.FindTerm("distance", 1); }
+            catch (ArgumentException error)
+            {
+                Check(error.Message.Contains("\"distance\" of agent 1") && error.Message.Contains("success of 0"), error.Message);
+                return;
+            }
+            throw new Exception("there is one agent");
         }
     }
 
@@ -109,6 +113,23 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>From 2 m away the nearest of a ball of 4 cm radius is at 1.96 m.</summary>
+    private static void DepthAndSegmentationAreDrawn()
+    {
+        using (var env = Ball())
+        {
+            var close = new PictureOptions { LookAt = new Vector3d(0, 0, 2), Distance = 2, FieldOfView = 90 };
+            var middle = 240 * 640 + 320;
+            var depth = new float[480 * 640];
+            var geoms = new int[480 * 640];
+            env.Draw(close, null, depth, geoms);
+            Near(1.96, depth[middle], 1e-3, "depth");
+            Check(geoms[middle] == env.Find(Kind.Geom, "ball") && geoms[0] == -1, "the ball and nothing");
+            var error = Refused(() => env.Draw(close, null, new float[3]));
+            Check(error.Status == Status.BufferTooSmall && error.Message.Contains("3"), error.Message);
+        }
+    }
+
     private static void ThingsBelongToBodies()
     {
         using (var env = Ball())
@@ -120,7 +141,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>While a step is under way the collector moves what it may move.</summary>
+    /// <summary>While a step is under way the collector moves what it may move, and its actions are the caller's
+    /// again.</summary>
     private static void SentStepsAreSteps()
     {
         using (Batch plain = ReachBatch(3), sent = ReachBatch(3))
@@ -128,43 +150,21 @@ internal static partial class Tests
             var seeds = new ulong[] { 5, 6, 7 };
             plain.Reset(seeds);
             sent.Reset(seeds);
-            Check(Refused(sent.Receive).StatusName == "MIMO_E_INVALID_ARGUMENT", "nothing was sent");
+            Check(Refused(sent.Receive).Status == Status.InvalidArgument, "nothing was sent");
             for (var step = 0; step < 5; ++step)
             {
-                var actions = Enumerable.Range(0, 3 * plain.ActionSize).Select(i => (i + step) % 7 / 7f - 0.4f).ToArray();
+                var actions = Enumerable.Range(0, 3 * plain.Layout.Actions.Count).Select(i => (i + step) % 7 / 7f - 0.4f).ToArray();
                 plain.Step(actions);
-                sent.Send((float[])actions.Clone());
+                var given = (float[])actions.Clone();
+                sent.Send(given);
+                Array.Clear(given, 0, given.Length);
                 GC.Collect();
-                Check(Refused(() => sent.Step(actions)).StatusName == "MIMO_E_INVALID_ARGUMENT", "a step within a step");
-                Check(Refused(() => sent.Send(null)).StatusName == "MIMO_E_INVALID_ARGUMENT", "sent twice");
+                Check(Refused(() => sent.Step(actions)).Status == Status.InvalidArgument, "a step within a step");
+                Check(Refused(() => sent.Send(null)).Status == Status.InvalidArgument, "sent twice");
                 sent.Receive();
                 Check(plain.Blocks.SequenceEqual(sent.Blocks) && plain.Rewards.SequenceEqual(sent.Rewards), "differ in step " + step);
             }
         }
-    }
-
-    /// <summary>Nobody but the library uses them.</summary>
-    private static void SentActionsStay()
-    {
-        using (var batch = ReachBatch(2))
-        {
-            var actions = SendNew(batch);
-            for (var i = 0; i < 3; ++i)
-            {
-                GC.Collect();
-                GC.WaitForPendingFinalizers();
-            }
-            Check(actions.IsAlive, "the actions were collected");
-            batch.Receive();
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static WeakReference SendNew(Batch batch)
-    {
-        var actions = new float[2 * batch.ActionSize];
-        batch.Send(actions);
-        return new WeakReference(actions);
     }
 
     private static void SentStepsFailAsOthers()
@@ -172,8 +172,8 @@ internal static partial class Tests
         using (var batch = ReachBatch(2))
         {
             batch.Reset(new ulong[] { 1, 2 });
-            var actions = new float[2 * batch.ActionSize];
-            actions[batch.ActionSize] = float.NaN;
+            var actions = new float[2 * batch.Layout.Actions.Count];
+            actions[batch.Layout.Actions.Count] = float.NaN;
             batch.Send(actions);
             Check(Refused(batch.Receive).Message.Contains("world 1"), "which world");
             Check(batch.World(0).Time > 0 && batch.World(1).Time == 0, "one has gone on");
@@ -200,7 +200,7 @@ internal static partial class Tests
     private static byte[] SendAndForget()
     {
         var batch = ReachBatch(2);
-        batch.Send(new float[2 * batch.ActionSize]);
+        batch.Send(new float[2 * batch.Layout.Actions.Count]);
         return batch.Blocks;
     }
 

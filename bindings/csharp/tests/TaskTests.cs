@@ -50,11 +50,12 @@ internal static partial class Tests
     {
         var scene = MimoScene.Builtin("free");
         var infant = scene.DefaultAgent();
-        infant.vision = infant.touch = 0;
+        infant.vision = 0;
+        infant.touch = 0;
         scene.AddAgent(infant);
         scene.ReadJoint("robot:left_elbow");
         scene.SetTask(task);
-        using (var env = new Env(scene)) task.Angles = env.FindField("proprioception/position");
+        using (var env = new Env(scene)) task.Angles = env.Layout.Find("proprioception/position");
         return scene;
     }
 
@@ -65,27 +66,26 @@ internal static partial class Tests
         {
             scene.Dispose();
             GC.Collect(); // nobody but the world holds the task now
-            var goal = env.FindField("goal");
+            var goal = env.Layout.Find("goal");
+            Check(env.Layout.Terms.Select(term => term.Name).SequenceEqual(new[] { "near", "lazy" }), "names of terms");
+            Check(goal.Low == -1 && goal.High == 1, "bounds as declared");
             Check(goal.Unit == "rad" && goal.Shape.SequenceEqual(new[] { 1 }), "the field as declared");
             float[] drawn = new float[1], now = new float[1], reached = new float[2], angle = new float[1];
             env.Reset(4);
             env.Read(goal, drawn);
             Check(drawn[0] > 0 && drawn[0] < 1, "a goal was drawn");
-            var action = new float[env.ActionSize];
+            var action = new float[env.Layout.Actions.Count];
             action[0] = -7; // the least is -1
             for (var number = 1; number <= 5; ++number)
             {
                 var step = env.Step(action);
                 Check(step.Reward == number + 1, "the reward is the sum of its terms");
                 Check(!step.Terminated && step.Truncated == (number == 5), "success goes on, the fifth step is cut");
-                bool success, failure;
-                env.Outcome(0, out success, out failure);
-                Check(success == (number == 2) && !failure, "success");
-                var terms = env.RewardTerms();
-                Check(terms.Count == 2 && terms["near"] == number && terms["lazy"] == 1, "terms");
+                Check(step.Outcome == (number == 2 ? Outcome.Success : Outcome.None), "success");
+                Check(env.Terms.SequenceEqual(new double[] { number, 1 }), "terms");
                 env.Read(goal, now);
-                env.Read(env.FindField("reached"), reached);
-                env.Read(env.FindField("proprioception/position"), angle);
+                env.Read(env.Layout.Find("reached"), reached);
+                env.Read(env.Layout.Find("proprioception/position"), angle);
                 Check(now[0] == drawn[0] && reached[1] == angle[0], "fields");
             }
             using (var twin = env.Clone()) Check(twin.Step(null).Reward == 6, "a clone has the task and its memory");
@@ -105,9 +105,9 @@ internal static partial class Tests
             Check(Refused(() => env.Step(null)).Message.Contains("goal[0] as 2, expected a finite number from -1 to 1"), "the field");
             task.Err = (moment, verdict) => { throw new InvalidOperationException("the ball left the table"); };
             var error = Refused(() => env.Step(null));
-            Check(error.StatusName == "MIMO_E_INTERNAL" && error.Message.EndsWith("InvalidOperationException: the ball left the table"), error.Message);
+            Check(error.Status == Status.Internal && error.Message.EndsWith("InvalidOperationException: the ball left the table"), error.Message);
             task.Err = (moment, verdict) => env.Find(Kind.Body, "unicorn");
-            Check(Refused(() => env.Step(null)).StatusName == "MIMO_E_NOT_FOUND", "the status of what failed inside");
+            Check(Refused(() => env.Step(null)).Status == Status.NotFound, "the status of what failed inside");
             task.Err = (moment, verdict) => { };
             env.Step(null);
             scene.SetTask(null);
@@ -141,11 +141,14 @@ internal static partial class Tests
             {
                 batch.Step(null);
                 Check(batch.Rewards.All(reward => reward == number), "the rewards of step " + number);
+                var expected = number == 2 ? Outcome.Success : Outcome.None;
+                Check(Enumerable.Range(0, worlds).All(world => batch.StepOf(world).Outcome == expected), "outcomes of step " + number);
             }
             Volatile.Write(ref done, true);
             collector.Join();
             Check(task.Threads.Count == 2, task.Threads.Count + " threads");
-            Check(batch.World(3).RewardTerms()["near"] == steps, "terms of a batch's world");
+            for (var world = 0; world < worlds; ++world)
+                Check(batch.Terms[2 * world] == steps && batch.Terms[2 * world + 1] == 0, "terms of world " + world);
         }
     }
 }

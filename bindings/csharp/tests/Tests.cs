@@ -29,57 +29,83 @@ internal static partial class Tests
         throw new Exception("was not refused");
     }
 
+    private static readonly Dictionary<string, Type> structs = new Dictionary<string, Type>
+    {
+        { "mimo_log_record", typeof(LogRecordStruct) },
+        { "mimo_scene_config", typeof(SceneConfigStruct) },
+        { "mimo_object_config", typeof(ObjectConfigStruct) },
+        { "mimo_model_config", typeof(ModelConfigStruct) },
+        { "mimo_camera_config", typeof(CameraConfigStruct) },
+        { "mimo_field_config", typeof(FieldConfigStruct) },
+        { "mimo_agent_config", typeof(AgentConfig) },
+        { "mimo_limits", typeof(LimitsStruct) },
+        { "mimo_layout_info", typeof(LayoutInfoStruct) },
+        { "mimo_field", typeof(FieldStruct) },
+        { "mimo_action", typeof(ActionStruct) },
+        { "mimo_term", typeof(TermStruct) },
+        { "mimo_env_config", typeof(EnvConfigStruct) },
+        { "mimo_agent_info", typeof(AgentInfoStruct) },
+        { "mimo_reset_config", typeof(ResetConfigStruct) },
+        { "mimo_env_results", typeof(EnvResultsStruct) },
+        { "mimo_timing", typeof(TimingStruct) },
+        { "mimo_gaze", typeof(GazeStruct) },
+        { "mimo_picture_config", typeof(PictureConfigStruct) },
+        { "mimo_picture", typeof(PictureStruct) },
+        { "mimo_load_report", typeof(LoadReportStruct) },
+        { "mimo_batch_config", typeof(BatchConfigStruct) },
+        { "mimo_batch_reset_config", typeof(BatchResetConfigStruct) },
+        { "mimo_batch_results", typeof(BatchResultsStruct) },
+        { "mimo_parameter", typeof(ParameterStruct) },
+        { "mimo_task_moment", typeof(TaskMomentStruct) },
+        { "mimo_task_verdict", typeof(TaskVerdictStruct) },
+        { "mimo_task_field", typeof(TaskFieldStruct) },
+        { "mimo_task", typeof(TaskStruct) },
+        { "mimo_senses_config", typeof(SensesConfigStruct) }
+    };
+
     /// <summary>Offsets and sizes are those that the C compiler gives, tests/abi/layout.json.</summary>
     private static void StructsLieAsListed()
     {
-        var types = new Dictionary<string, Type>
+        var listed = Regex.Matches(File.ReadAllText(layoutFile), "\"(mimo_\\w+)\": \\{([^}]*)\\}").Cast<Match>()
+            .ToDictionary(one => one.Groups[1].Value, one => one.Groups[2].Value);
+        var differ = structs.Keys.Except(listed.Keys).Union(listed.Keys.Except(structs.Keys)).ToList();
+        Check(differ.Count == 0, "only here or only there: " + string.Join(" ", differ));
+        foreach (var one in structs) LiesAsListed(one.Key, one.Value, listed[one.Key]);
+    }
+
+    private static void LiesAsListed(string structName, Type type, string part)
+    {
+        var size = int.Parse(Regex.Match(part, "\"size\": (\\d+)").Groups[1].Value);
+        Check(Marshal.SizeOf(type) == size, structName + " has another size than " + size);
+        var listed = Regex.Matches(part, "\"(\\w+)\": \\[(\\d+), (\\d+)\\]").Cast<Match>().ToList();
+        var fields = type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
+        Check(fields.Length == listed.Count, structName + " has another number of fields than " + listed.Count);
+        foreach (var field in listed)
         {
-            { "mimo_scene_config", typeof(SceneConfigStruct) }, { "mimo_agent_config", typeof(AgentConfig) },
-            { "mimo_object_config", typeof(ObjectConfigStruct) }, { "mimo_env_config", typeof(EnvConfigStruct) },
-            { "mimo_camera_config", typeof(CameraConfigStruct) }, { "mimo_field", typeof(FieldStruct) },
-            { "mimo_model_config", typeof(ModelConfigStruct) }, { "mimo_limits", typeof(LimitsStruct) }, { "mimo_gaze", typeof(GazeStruct) }, { "mimo_picture_config", typeof(PictureConfigStruct) },
-            { "mimo_batch_config", typeof(BatchConfigStruct) }, { "mimo_batch_results", typeof(BatchResultsStruct) },
-            { "mimo_load_report", typeof(LoadReportStruct) }, { "mimo_senses_config", typeof(SensesConfigStruct) },
-            { "mimo_timing", typeof(TimingStruct) }, { "mimo_parameter", typeof(ParameterStruct) },
-            { "mimo_task", typeof(TaskStruct) }, { "mimo_task_field", typeof(TaskFieldStruct) },
-            { "mimo_task_moment", typeof(TaskMomentStruct) }, { "mimo_task_verdict", typeof(TaskVerdictStruct) }
-        };
-        var text = File.ReadAllText(layoutFile);
-        foreach (var type in types)
-        {
-            var part = Regex.Match(text, "\"" + type.Key + "\": \\{([^}]*)\\}").Groups[1].Value;
-            var size = int.Parse(Regex.Match(part, "\"size\": (\\d+)").Groups[1].Value);
-            Check(Marshal.SizeOf(type.Value) == size, type.Key + " has another size than " + size);
-            var listed = Regex.Matches(part, "\"(\\w+)\": \\[(\\d+), (\\d+)\\]").Cast<Match>().ToList();
-            var fields = type.Value.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
-            Check(fields.Length == listed.Count, type.Key + " has another number of fields than " + listed.Count);
-            foreach (var field in listed)
-            {
-                var name = field.Groups[1].Value;
-                var offset = (int)Marshal.OffsetOf(type.Value, name);
-                var length = Marshal.SizeOf(fields.Single(f => f.Name == name).FieldType);
-                Check(offset == int.Parse(field.Groups[2].Value) && length == int.Parse(field.Groups[3].Value),
-                    type.Key + "." + name + " lies elsewhere");
-            }
+            var name = field.Groups[1].Value;
+            var offset = (int)Marshal.OffsetOf(type, name);
+            var length = SizeOf(fields.Single(f => f.Name == name).FieldType);
+            Check(offset == int.Parse(field.Groups[2].Value) && length == int.Parse(field.Groups[3].Value),
+                structName + "." + name + " lies elsewhere");
         }
     }
 
+    private static int SizeOf(Type type) { return Marshal.SizeOf(type.IsEnum ? Enum.GetUnderlyingType(type) : type); }
+
     private static void StructsAreBlittable()
     {
-        foreach (var one in new object[] { new AgentConfig(), new EnvConfigStruct(), new FieldStruct(), new ObjectConfigStruct(),
-            new SceneConfigStruct(), new CameraConfigStruct(), new LimitsStruct(), new ModelConfigStruct(), new GazeStruct(), new PictureConfigStruct(), new BatchConfigStruct(),
-            new BatchResultsStruct(), new TimingStruct(), new ParameterStruct(), new LoadReportStruct(), new SensesConfigStruct() })
-            GCHandle.Alloc(one, GCHandleType.Pinned).Free(); // throws for anything else
+        foreach (var type in structs.Values)
+            GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free(); // throws for anything else
     }
 
     private static void ErrorsCarryTheMessage()
     {
         var error = Refused(() => new Env("benchmarc"));
-        Check(error.Status == -5 && error.StatusName == "MIMO_E_NOT_FOUND", error.StatusName);
+        Check(error.Status == Status.NotFound && error.StatusName == "MIMO_E_NOT_FOUND", error.StatusName);
         Check(error.Message.Contains("\"benchmarc\""), error.Message);
         using (var env = new Env("reach"))
         {
-            var action = new float[env.ActionSize];
+            var action = new float[env.Layout.Actions.Count];
             action[1] = float.NaN;
             Check(Refused(() => env.Step(action)).Message == "action[1] is not a number", "another message");
         }
@@ -180,7 +206,7 @@ internal static partial class Tests
         using (var env = new Env("benchmark"))
         {
             env.Reset(7);
-            var eye = env.FindField("vision/eye_left");
+            var eye = env.Layout.Find("vision/eye_left");
             Check(eye.Shape.SequenceEqual(new[] { 256, 256, 3 }), "the default size");
             byte[] rgb = new byte[eye.Bytes], up = new byte[256 * 256 * 4], down = new byte[256 * 256 * 4];
             env.Read(eye, rgb);
@@ -202,24 +228,6 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A box lies on a plane with four contacts and there is room for one: MuJoCo warns.</summary>
-    private static void LogIsDeliveredAndItsExceptionsStay()
-    {
-        const string crowded = "<mujoco><size nconmax='1'/><worldbody><geom type='plane' size='1 1 1'/>" +
-            "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
-        var messages = new List<string>();
-        var options = new EnvOptions { Log = (level, text) => { messages.Add(text); throw new Exception("stays"); } };
-        using (var scene = MimoScene.FromXml(crowded))
-        using (var env = new Env(scene, options))
-        {
-            options.Log = null;
-            GC.Collect();
-            GC.WaitForPendingFinalizers();
-            env.Step(null);
-            Check(messages.Count > 0 && messages[0] != "", "no warning");
-        }
-    }
-
     /// <summary>What a user reads whose library is not there, or of another time.</summary>
     private static int SayWhyNothingOpens()
     {
@@ -229,26 +237,21 @@ internal static partial class Tests
         return 0;
     }
 
+    /// <summary>Methods without parameters and result, in all files.</summary>
+    private static List<Action> All()
+    {
+        return typeof(Tests).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+            .Where(method => method.ReturnType == typeof(void) && method.GetParameters().Length == 0 && !method.Name.Contains("<"))
+            .Select(method => (Action)Delegate.CreateDelegate(typeof(Action), method)).ToList();
+    }
+
     /// <summary>Tests.exe tests/abi/layout.json WHOLE_HEADER, or alone: where no library can be used.</summary>
     private static int Main(string[] arguments)
     {
         if (arguments.Length == 0) return SayWhyNothingOpens();
         layoutFile = arguments[0];
         headerFile = arguments[1];
-        var tests = new Action[]
-        {
-            StructsLieAsListed, StructsAreBlittable, NamesAreFree, EnumsAreThoseOfTheHeader, EveryQuantityIsRead, ErrorsCarryTheMessage, DisposedWorldsAreRefused,
-            BallFallsAsCalculated, LeftHandedFrame, ConversionCommutes, PicturesAndPoses, LogIsDeliveredAndItsExceptionsStay,
-            RightHandedFrame, ContactsCarryTheWeight, SavedStateContinues, ClonesShareTheLog, LocksAndGravity, MassesDiffer, ContactsWithinAStep, SensesAreLimited, MotorsAreLimited, SensesRemember, InfantsArePlacedByTheirSoles,
-            ScenesAreBuilt, FacesShow,
-            LinesOfSightMeet, CamerasAreFieldsAndPictures, DefaultsAreTheLibrarys, WorldsOfBatchesEqualSingleOnes,
-            BatchStatesAndMasks, BatchErrorsAndEnds, WorldsKeepTheirBatchAlive,
-            OwnTasksRewardAndTell, MistakesOfTasksAreErrors, TasksOfBatchesRunOnManyThreads,
-            SentStepsAreSteps, SentActionsStay, SentStepsFailAsOthers, WhatWasSentEndsWithTheBatch, BatchesKnowTheirSize,
-            VersionsAreThoseOfTheHeader, ScenesRoomsAndTasksAreListed, ParametersAreListed, ScenesAreWritten, DefaultAgentsAreMade,
-            WorldsKnowTheirTaskAndTimeSteps, BarePhysicsStepsAreCounted, RewardsConsistOfTerms, TimingTellsWhereTimeGoes,
-            PointsLieWhereAPinholeDrawsThem, ThingsBelongToBodies
-        };
+        var tests = All();
         var failed = 0;
         foreach (var test in tests)
         {
@@ -259,7 +262,7 @@ internal static partial class Tests
                 Console.WriteLine("FAILED " + test.Method.Name + ": " + error.Message);
             }
         }
-        Console.WriteLine("C#: " + (tests.Length - failed) + " passed, " + failed + " failed");
+        Console.WriteLine("C#: " + (tests.Count - failed) + " passed, " + failed + " failed");
         return failed == 0 ? 0 : 1;
     }
 }

@@ -87,7 +87,7 @@ internal static partial class Tests
     {
         using (var env = new Env("reach"))
         {
-            var action = Enumerable.Repeat(0.5f, env.ActionSize).ToArray();
+            var action = Enumerable.Repeat(0.5f, env.Layout.Actions.Count).ToArray();
             env.Reset(3);
             env.Step(action);
             var state = env.Save();
@@ -103,22 +103,6 @@ internal static partial class Tests
             }
             Check(Refused(() => env.Load(new byte[3])).Message.Contains("state"), "another message");
         }
-    }
-
-    /// <summary>The original may go before its clone does.</summary>
-    private static void ClonesShareTheLog()
-    {
-        const string crowded = "<mujoco><size nconmax='1'/><worldbody><geom type='plane' size='1 1 1'/>" +
-            "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
-        var messages = new List<string>();
-        Env clone;
-        using (var scene = MimoScene.FromXml(crowded))
-        using (var env = new Env(scene, new EnvOptions { Log = (level, text) => messages.Add(text) })) clone = env.Clone();
-        GC.Collect();
-        GC.WaitForPendingFinalizers();
-        clone.Step(null);
-        clone.Dispose();
-        Check(messages.Count > 0, "no warning");
     }
 
     private static void LocksAndGravity()
@@ -146,9 +130,10 @@ internal static partial class Tests
             using (var scene = MimoScene.Builtin("free"))
             {
                 var agent = scene.DefaultAgent();
-                agent.vision = agent.touch = 0;
-                agent.vestibular = 1;
-                agent.place = 2;
+                agent.vision = 0;
+                agent.touch = 0;
+                agent.vestibular = Vestibular.Acceleration;
+                agent.place = Place.Soles;
                 agent.position = new Vector3d(0.5, 0, height);
                 scene.AddAgent(agent);
                 using (var env = new Env(scene))
@@ -174,7 +159,9 @@ internal static partial class Tests
             using (var scene = MimoScene.FromXml(arm))
             {
                 var agent = scene.DefaultAgent();
-                agent.vision = agent.vestibular = agent.touch = 0;
+                agent.vision = 0;
+                agent.vestibular = 0;
+                agent.touch = 0;
                 scene.AddAgent(agent, root: "arm");
                 scene.ReadJoint("hinge");
                 if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 0.004); // two time steps of 2 ms
@@ -186,7 +173,7 @@ internal static partial class Tests
                     for (var i = 0; i < 3; ++i)
                     {
                         env.Step(null);
-                        env.Read(env.FindField("proprioception/velocity"), one);
+                        env.Read(env.Layout.Find("proprioception/velocity"), one);
                         seen.Add(one[0]);
                     }
                     return seen.ToArray();
@@ -206,7 +193,8 @@ internal static partial class Tests
         {
             scene.SetRoom("playroom");
             var agent = scene.DefaultAgent();
-            agent.vision = agent.touch = 0;
+            agent.vision = 0;
+            agent.touch = 0;
             Check(scene.AddAgents(agent) == 1, "one infant");
             scene.AddModel("cup", new Vector3d(1, 0.5, 0.5), xml: cup);
             scene.Weld("cup");
@@ -249,7 +237,7 @@ internal static partial class Tests
             env.SetFace("fear");
             env.Draw(close, afraid);
             Check(!sad.SequenceEqual(afraid), "it looks the same");
-            Check(Refused(() => env.SetFace("boredom")).StatusName == "MIMO_E_NOT_FOUND", "another status");
+            Check(Refused(() => env.SetFace("boredom")).Status == Status.NotFound, "another status");
         }
     }
 
@@ -293,13 +281,13 @@ internal static partial class Tests
             using (var env = new Env(scene, options))
             {
                 env.Reset(1);
-                Check(env.FindField("vision/eye_left").Shape.SequenceEqual(new[] { 8, 16, 3 }), "rows first");
-                Check(env.FindField("vision/palm").Bytes == 8 * 8 * 3, "palm");
+                Check(env.Layout.Find("vision/eye_left").Shape.SequenceEqual(new[] { 8, 16, 3 }), "rows first");
+                Check(env.Layout.Find("vision/palm").Bytes == 8 * 8 * 3, "palm");
                 var geoms = new int[32 * 24];
-                env.Read(env.FindField("vision/wall_segmentation"), geoms);
+                env.Read(env.Layout.Find("vision/wall_segmentation"), geoms);
                 Check(geoms.Contains(env.Find(Kind.Geom, "floor")), "no floor");
                 byte[] seen = new byte[32 * 24 * 4], drawn = new byte[32 * 24 * 4];
-                env.ReadRgba(env.FindField("vision/wall"), seen, true);
+                env.ReadRgba(env.Layout.Find("vision/wall"), seen, true);
                 env.Draw(new PictureOptions { Camera = "wall", Width = 32, Height = 24, BottomUp = true }, drawn);
                 Check(seen.SequenceEqual(drawn), "the field and the picture differ");
             }

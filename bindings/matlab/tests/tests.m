@@ -5,7 +5,8 @@ function tests()
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
                  @scenes_step_by_step, @two_infants, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
-                 @worlds_move_on_their_own, @points_and_looks, @steps_in_two_halves};
+                 @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @steps_in_two_halves};
+  all_of_them = [all_of_them, layout_tests(), results_tests()];
   failed = 0;
   for i = 1:numel(all_of_them)
     try
@@ -64,22 +65,13 @@ function errors_have_identifiers()
   refused(@() mimo_gaze(world, 2), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'visoin', 1), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'vision', 0.5), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_create('reach', 'touch', 2 ^ 20), 'mimo:UNSUPPORTED');  % a bit that the library does not know
   refused(@() mimo_create('reach', 'vision'), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'face', 'boredom'), 'mimo:NOT_FOUND');
   refused(@() mimo_create('reach', 'cameras', struct('nmae', 'wall')), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('nowhere.xml'), 'mimo:NOT_FOUND');
   mimo_close(world);
   refused(@() mimo_step(world, []), 'mimo:BAD_HANDLE');
-end
-
-function refused(action, identifier)
-  try
-    action();
-  catch problem
-    assert(strcmp(problem.identifier, identifier), [problem.identifier ': ' problem.message]);
-    return
-  end
-  error('was not refused');
 end
 
 function worlds_survive_clear()
@@ -117,6 +109,10 @@ function options_reach_the_world()
   [~, ~, ~, second] = mimo_step(world, []);
   assert(~first && second);
   mimo_close(world);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'proprioception', 2 ^ 31);  % MIMO_PROPRIOCEPTION_ALL
+  seen = mimo_reset(world, 1);
+  assert(all(isfield(seen, {'proprioception_joint_torque', 'proprioception_effort'})));  % which are not by default
+  mimo_close(world);
   world = mimo_create('reach', 'parameters', {'reach/episode_steps', 1});
   mimo_reset(world, 1);
   [~, ~, ~, truncated] = mimo_step(world, []);
@@ -138,8 +134,12 @@ function senses_are_limited()
   assert(~isequal(before.proprioception_velocity, first.proprioception_velocity));
   refused(@() mimo_create('reach', 'limits', struct('gain', 2)), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'motor_limits', struct('path', 'tail')), 'mimo:NOT_FOUND');
-  assert(strcmp(mimo_load(limited, mimo_save(plain)), 'delay/proprioception/velocity'));
-  assert(isempty(mimo_load(limited, mimo_save(limited))));
+  report = mimo_load(limited, mimo_save(plain));
+  assert(isequal(report.fresh, {'delay/proprioception/velocity'}) && isempty(report.ignored));
+  report = mimo_load(plain, mimo_save(limited));
+  assert(isempty(report.fresh) && isequal(report.ignored, {'delay/proprioception/velocity'}));
+  report = mimo_load(limited, mimo_save(limited));
+  assert(isempty(report.fresh) && isempty(report.ignored));
   % Motors get half of what they are told, a step late.
   weak = mimo_create('reach', 'motor_limits', struct('path', {'right_arm', 'act:right_elbow'}, 'gain', {1, 0.5}, 'delay', 0.01));
   mimo_step(weak, ones(size(mimo_bounds(weak))));
@@ -339,15 +339,6 @@ function help_says_how_to_call()
   end
 end
 
-function said = message_of(action)
-  said = '';
-  try
-    action();
-  catch problem
-    said = regexprep(problem.message, '^mimo_mex: ', '');  % so begin Octave's
-  end
-end
-
 % What the library counts from 0, MATLAB counts from 1; names stay as they are.
 function messages_count_from_one()
   worlds = mimo_create('reach', 'worlds', 3);
@@ -503,7 +494,9 @@ end
 function library_and_worlds_tell()
   known = mimo_version();
   assert(~isempty(regexp(known.library, '^\d+\.\d+\.\d+$', 'once')) && known.abi >= 0);
-  assert(strcmp(known.mujoco, '2.2.2'));
+  assert(strcmp(known.mujoco, '2.2.2') && known.api >= 10);  % 0.10 is the first that has layouts
+  assert(mimo_supports('mimo_batch_step') && mimo_supports('MIMO_SITE_VELOCITY') && mimo_supports('mimo_field.period'));
+  assert(~mimo_supports('mimo_batch_stop') && ~mimo_supports('mimo_field.perioe') && islogical(mimo_supports('')));
   assert(ismember('standup', mimo_names('scene')) && ismember('playroom', mimo_names('room')));
   assert(isequal(size(mimo_names('face')), [7 1]) && ismember('reach', mimo_names('task')));
   refused(@() mimo_names('body'), 'mimo:INVALID_ARGUMENT');
@@ -523,16 +516,18 @@ function library_and_worlds_tell()
   assert(strcmp(info.task, 'reach') && info.frame_skip == 2 && info.timestep == 0.005);
   assert(info.worlds == 2 && info.threads == 1);
   mimo_reset(worlds, 3);
-  [~, reward, ~, truncated] = mimo_step(worlds, []);
+  [~, ~, ~, truncated] = mimo_step(worlds, []);
   assert(all(truncated));
-  [names, terms] = mimo_rewards(worlds);
-  assert(iscellstr(names) && isequal(size(terms), [numel(names) 2]));
-  assert(max(abs(sum(terms, 1) - reward)) < 1e-12 && all(reward ~= 0));
-  refused(@() mimo_rewards(worlds, 2), 'mimo:INVALID_ARGUMENT');
   timing = mimo_timing(worlds, 'reset');
   assert(isequal(timing.steps, [1 1]) && all(timing.physics > 0) && all(timing.total >= timing.physics));
   assert(isequal(mimo_timing(worlds).total, [0 0]));
   mimo_close(worlds);
+
+  % Mass and height are those of the original's tables.
+  world = mimo_create('free', 'vision', 0, 'touch', 0);
+  agent = mimo_info(world).agents;
+  assert(isempty(agent.name) && abs(agent.mass - 10.90487) < 1e-8 && abs(agent.height - 0.778) < 1e-8);
+  mimo_close(world);
 end
 
 function failures_of_each_world()
@@ -584,6 +579,30 @@ function points_and_looks()
   mimo_close(world);
 end
 
+% From 2 m above a floor it is 2 m away, and all that is seen.
+function pictures_have_depth()
+  file = [tempname() '.xml'];
+  text = fopen(file, 'w');
+  fprintf(text, '<mujoco><worldbody><geom name="first" size=".1" pos="0 0 -5"/><geom name="floor" type="plane" size="9 9 .1"/></worldbody></mujoco>');
+  fclose(text);
+  scene = mimo_scene(file);
+  delete(file);
+  world = mimo_create(scene);
+  mimo_close(scene);
+  above = struct('look_at', [0 0 0], 'distance', 2, 'elevation', -90, 'azimuth', 90, 'fovy', 60);
+  [rgb, depth, segmentation] = mimo_picture(world, 6, 8, above);
+  assert(isa(rgb, 'uint8') && isequal(size(rgb), [6 8 3]) && isequal(size(depth), [6 8]) && isequal(size(segmentation), [6 8]));
+  assert(max(abs(depth(:) - 2)) < 1e-3, mat2str(depth));
+  geoms = mimo_names(world, 'geom');
+  assert(all(strcmp(geoms(segmentation(:) + 1), 'floor')));
+  % A point 1 m to the right of the middle, 2 m away, lies by its tangent of 0.5 to that of half the field of view.
+  pixels = mimo_project(world, [1; 0; 0], 6, 8, above);
+  assert(max(abs(pixels - [4 + 3 * 0.5 / tan(30 * pi / 180); 3; 2])) < 1e-6, mat2str(pixels));
+  refused(@() mimo_picture(world, 6, 8, struct('hight', 1)), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_picture(world, 6, 8, struct('distance', 0)), 'mimo:INVALID_ARGUMENT');
+  mimo_close(world);
+end
+
 function steps_in_two_halves()
   one = mimo_create('reach', 'worlds', 2);
   other = mimo_create('reach', 'worlds', 2);
@@ -594,10 +613,12 @@ function steps_in_two_halves()
   mimo_send(one, actions);
   refused(@() mimo_observation(one), 'mimo:INVALID_ARGUMENT');  % it is being written
   refused(@() mimo_send(one, actions), 'mimo:INVALID_ARGUMENT');
-  [seen, reward, terminated, truncated] = mimo_receive(one);
-  [other_seen, other_reward, other_terminated, other_truncated] = mimo_step(other, actions);
+  assert(numel(mimo_layout(one).actions) == size(actions, 1));  % that never changes
+  [seen, reward, terminated, truncated, info] = mimo_receive(one);
+  [other_seen, other_reward, other_terminated, other_truncated, other_info] = mimo_step(other, actions);
   assert(isequal(reward, other_reward) && all(reward ~= 0) && isequal(seen, other_seen));
   assert(isequal({terminated, truncated}, {other_terminated, other_truncated}) && islogical(truncated));
+  assert(isequal(info, other_info));
   actions(1, 2) = NaN;
   mimo_send(one, actions);
   said = message_of(@() mimo_receive(one));

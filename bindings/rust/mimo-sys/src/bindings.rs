@@ -12,8 +12,10 @@ pub const MIMO_VERSION_PATCH: u32 = 0;
 pub const MIMO_ABI_VERSION: u32 = 0;
 #[doc = "Version of what is declared here, 0.10; docs/abi.md says what may change."]
 pub const MIMO_API_MAJOR: u32 = 0;
-#[doc = "Grows when something is added: `#if MIMO_API_MAJOR > 0 || MIMO_API_MINOR >= 9`."]
+#[doc = "Grows when something is added."]
 pub const MIMO_API_MINOR: u32 = 10;
+#[doc = "Both in one number, for `#if MIMO_API_VERSION >= 1002`: 1.2 or newer."]
+pub const MIMO_API_VERSION: u32 = 10;
 #[doc = "The call did what it says."]
 pub const MIMO_OK: u32 = 0;
 #[doc = "An argument is NULL, out of range or not finite."]
@@ -32,7 +34,7 @@ pub const MIMO_E_MODEL: i32 = -6;
 pub const MIMO_E_SIMULATION: i32 = -7;
 #[doc = "The renderer failed."]
 pub const MIMO_E_RENDER: i32 = -8;
-#[doc = "Not possible here, for example no OSMesa on this machine."]
+#[doc = "Not possible here, or not known to this version: the message says which."]
 pub const MIMO_E_UNSUPPORTED: i32 = -9;
 #[doc = "An allocation failed."]
 pub const MIMO_E_OUT_OF_MEMORY: i32 = -10;
@@ -44,6 +46,22 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
 pub const MIMO_LOG_INFO: u32 = 2;
+#[doc = "More contacts than the model's nconmax: some are missing."]
+pub const MIMO_WARNING_CONTACTS_DROPPED: u32 = 1;
+#[doc = "More constraints than the model's njmax: some are missing."]
+pub const MIMO_WARNING_CONSTRAINTS_DROPPED: u32 = 2;
+#[doc = "A position that is no number, or huge: the world has failed."]
+pub const MIMO_WARNING_BAD_POSITION: u32 = 3;
+#[doc = "The same of a velocity."]
+pub const MIMO_WARNING_BAD_VELOCITY: u32 = 4;
+#[doc = "The same of an acceleration."]
+pub const MIMO_WARNING_BAD_ACCELERATION: u32 = 5;
+#[doc = "A control that is no number, or huge: the step took all as 0."]
+pub const MIMO_WARNING_BAD_CONTROL: u32 = 6;
+#[doc = "The inertia matrix is nearly singular."]
+pub const MIMO_WARNING_INERTIA: u32 = 7;
+#[doc = "The solver stopped at its last iteration; counted, not told."]
+pub const MIMO_WARNING_NOT_CONVERGED: u32 = 8;
 #[doc = "size: radius."]
 pub const MIMO_SHAPE_SPHERE: u32 = 1;
 #[doc = "size: radius, half length of the cylindrical part (along z)."]
@@ -68,10 +86,8 @@ pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
 pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
 #[doc = "proprioception/effort, 0 to 1: see docs/guide/muscles.md."]
 pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
-#[doc = "All but JOINT_TORQUE and EFFORT, as the original."]
-pub const MIMO_PROPRIOCEPTION_DEFAULT: u32 = 47;
-#[doc = "Everything."]
-pub const MIMO_PROPRIOCEPTION_ALL: u32 = 127;
+#[doc = "All that the loaded library has."]
+pub const MIMO_PROPRIOCEPTION_ALL: u32 = 2147483648;
 #[doc = "Colour, uint8 H x W x 3, row 0 is the top."]
 pub const MIMO_VISION_RGB: u32 = 1;
 #[doc = "Depth along the camera's axis, float32 H x W, metres."]
@@ -120,10 +136,10 @@ pub const MIMO_ACT_LEFT_LEG: u32 = 256;
 pub const MIMO_ACT_RIGHT_FOOT: u32 = 512;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_FOOT: u32 = 1024;
-#[doc = "Everything."]
-pub const MIMO_ACT_ALL: u32 = 2047;
+#[doc = "All that the loaded library has."]
+pub const MIMO_ACT_ALL: u32 = 2147483648;
 #[doc = "No motor at all; excludes the other bits."]
-pub const MIMO_ACT_NONE: u32 = 2147483648;
+pub const MIMO_ACT_NONE: u32 = 1073741824;
 #[doc = "touch/force, N x 3: normal force and friction, N."]
 pub const MIMO_TOUCH_FORCE: u32 = 1;
 #[doc = "touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE."]
@@ -133,17 +149,33 @@ pub const MIMO_TOUCH_SLIP: u32 = 4;
 #[doc = "touch/friction_use, N x 1: share of the possible friction in use; 1: all."]
 pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
 #[doc = "The nearest sensor feels all of a touch."]
-pub const MIMO_TOUCH_NEAREST: u32 = 1;
-#[doc = "Weights fall linearly with the distance along the skin, to 0 at twice the spacing."]
-pub const MIMO_TOUCH_LINEAR: u32 = 2;
-#[doc = "Weights fall as a bell of deviation 2/3 spacing, cut off at twice the spacing."]
-pub const MIMO_TOUCH_GAUSSIAN: u32 = 3;
+pub const MIMO_RESPONSE_NEAREST: u32 = 1;
+#[doc = "Weights fall linearly with the distance along the skin, to 0 at 2 spacings."]
+pub const MIMO_RESPONSE_LINEAR: u32 = 2;
+#[doc = "Weights fall as a bell of deviation 2/3 spacing, cut off at 2 spacings."]
+pub const MIMO_RESPONSE_GAUSSIAN: u32 = 3;
 #[doc = "The frame of the body that the sensor sits on."]
 pub const MIMO_FRAME_BODY: u32 = 1;
 #[doc = "The frame of the world."]
 pub const MIMO_FRAME_WORLD: u32 = 2;
-#[doc = "Of the skin at the sensor: outward normal, two tangents; see mimo_env_touch_sensors."]
+#[doc = "Of the skin at the sensor: outward normal, two tangents; see MIMO_RECEPTOR_FRAME."]
 pub const MIMO_FRAME_SKIN: u32 = 3;
+#[doc = "uint8_t"]
+pub const MIMO_U8: u32 = 1;
+#[doc = "int32_t"]
+pub const MIMO_I32: u32 = 2;
+#[doc = "float"]
+pub const MIMO_F32: u32 = 3;
+#[doc = "double"]
+pub const MIMO_F64: u32 = 4;
+#[doc = "1, id of the body that it sits on."]
+pub const MIMO_RECEPTOR_BODY: u32 = 1;
+#[doc = "1, id of the geom whose surface it lies on."]
+pub const MIMO_RECEPTOR_GEOM: u32 = 2;
+#[doc = "3, m, in the frame of its body."]
+pub const MIMO_RECEPTOR_POSITION: u32 = 3;
+#[doc = "9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is the body's x axis\nprojected on the skin, or its y axis where x is within 10 degrees of the normal; the second is the normal x the\nfirst. A receptor that stands for a whole small geom sits in its middle and counts as looking along the body's x\naxis."]
+pub const MIMO_RECEPTOR_FRAME: u32 = 4;
 #[doc = "As the model says; built-in scenes say sparse."]
 pub const MIMO_JACOBIAN_MODEL: u32 = 0;
 #[doc = "As the original solves; for comparing trajectories to the last digit."]
@@ -166,20 +198,12 @@ pub const MIMO_RENDER_SKY: u32 = 4;
 pub const MIMO_RENDER_HAZE: u32 = 8;
 #[doc = "Fog, as the scene's MJCF describes it."]
 pub const MIMO_RENDER_FOG: u32 = 16;
-#[doc = "Everything but fog."]
-pub const MIMO_RENDER_DEFAULT: u32 = 15;
-#[doc = "uint8_t"]
-pub const MIMO_U8: u32 = 1;
-#[doc = "int32_t"]
-pub const MIMO_I32: u32 = 2;
-#[doc = "float"]
-pub const MIMO_F32: u32 = 3;
-#[doc = "double"]
-pub const MIMO_F64: u32 = 4;
-#[doc = "Belongs to the end of the step."]
-pub const MIMO_AT_END: u32 = 1;
-#[doc = "Belongs to the start of the last physics step, one time step before the end."]
-pub const MIMO_AT_LAST_START: u32 = 2;
+#[doc = "Neither."]
+pub const MIMO_OUTCOME_NONE: u32 = 0;
+#[doc = "The agent has done what its task wants."]
+pub const MIMO_OUTCOME_SUCCESS: u32 = 1;
+#[doc = "It has failed."]
+pub const MIMO_OUTCOME_FAILURE: i32 = -1;
 #[doc = "Rigid bodies; 0 is the world."]
 pub const MIMO_BODY: u32 = 1;
 #[doc = "Joints: hinges, slides, balls, free joints."]
@@ -308,32 +332,28 @@ pub const MIMO_AGENT_FACE: u32 = 48;
 pub const MIMO_WORLD_GRAVITY: u32 = 49;
 #[doc = "Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable with\n0, to count anew."]
 pub const MIMO_WARNING_COUNT: u32 = 50;
+#[doc = "Site: 6, linear (m/s) of its position and angular (rad/s), world frame."]
+pub const MIMO_SITE_VELOCITY: u32 = 51;
+#[doc = "Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:\ndocs/tasks.md. None where a task has no such thing."]
+pub const MIMO_AGENT_GOAL: u32 = 52;
+#[doc = "Agent: see MIMO_AGENT_GOAL."]
+pub const MIMO_AGENT_ACHIEVED: u32 = 53;
 #[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
 pub const MIMO_NOW: u32 = 1073741824;
-#[doc = "Per sensor: outward normal 3, first tangent 3, second tangent 3; body frame."]
-pub const MIMO_TOUCH_FRAME_VALUES: u32 = 9;
 #[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
 pub const MIMO_LOOK_EYES: u32 = 0;
 #[doc = "The head turns first, so that the eyes have to turn little."]
 pub const MIMO_LOOK_HEAD: u32 = 1;
-#[doc = "As many joints as looking takes at most."]
-pub const MIMO_LOOK_JOINTS: u32 = 8;
 #[doc = "Four bytes a pixel, the last one 255."]
 pub const MIMO_PICTURE_RGBA: u32 = 1;
 #[doc = "Row 0 is the bottom, as in OpenGL's textures; of depth, too."]
 pub const MIMO_PICTURE_BOTTOM_UP: u32 = 2;
 #[doc = "Worlds go on when an episode has ended, until mimo_batch_reset."]
 pub const MIMO_AUTORESET_NONE: u32 = 0;
-#[doc = "The step after the end of an episode starts a new one instead of acting: its reward is 0, both flags are 0, its block\nis that of the reset."]
+#[doc = "The step after the end of an episode starts a new one instead of acting: its reward, its flags, outcome and terms are\n0, its block is that of the reset."]
 pub const MIMO_AUTORESET_NEXT_STEP: u32 = 1;
 #[doc = "The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is\nthe first of the new one; the last block of the old one goes to final_blocks."]
 pub const MIMO_AUTORESET_SAME_STEP: u32 = 2;
-#[doc = "Neither."]
-pub const MIMO_OUTCOME_NONE: u32 = 0;
-#[doc = "The agent has done it: its episode ends well, unless the verdict says it goes on."]
-pub const MIMO_OUTCOME_SUCCESS: u32 = 1;
-#[doc = "It has failed: its episode ends badly, unless the verdict says it goes on."]
-pub const MIMO_OUTCOME_FAILURE: i32 = -1;
 #[doc = "Largest memory_bytes of a task, and most bytes of its fields together."]
 pub const MIMO_TASK_MEMORY_LIMIT: u32 = 1048576;
 #[doc = "Result of a call: MIMO_OK or one of the negative MIMO_E_ constants."]
@@ -341,6 +361,17 @@ pub type mimo_status = i32;
 extern "C" {
     #[doc = "ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails."]
     pub fn mimo_abi_version() -> u32;
+}
+extern "C" {
+    #[doc = "MIMO_API_VERSION of the header that the loaded library was built with. Never fails."]
+    pub fn mimo_api_version() -> u32;
+}
+extern "C" {
+    #[doc = "Whether the loaded library knows a name of this interface: a function (\"mimo_env_step\"), a constant"]
+    #[doc = "(\"MIMO_BODY_MASS\"), a struct (\"mimo_field\") or a member of one (\"mimo_field.period\"); for programs that load the"]
+    #[doc = "library at run time."]
+    #[doc = "@return 1 or 0; 0 for NULL."]
+    pub fn mimo_supports(name: *const std::os::raw::c_char) -> i32;
 }
 extern "C" {
     #[doc = "Version of the loaded library, \"major.minor.patch\". Static string."]
@@ -387,11 +418,29 @@ extern "C" {
     #[doc = "@return status, after mimo_last_error() was set to the message."]
     pub fn mimo_fail(status: mimo_status, message: *const std::os::raw::c_char) -> mimo_status;
 }
+#[doc = "A message. It lasts until the function that receives it returns."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_log_record {
+    #[doc = "Of the library's struct: what lies beyond it is not there."]
+    pub struct_size: u32,
+    #[doc = "MIMO_LOG_WARNING or MIMO_LOG_INFO."]
+    pub level: i32,
+    #[doc = "What it is about: a MIMO_WARNING_ constant where physics warns, else 0."]
+    pub code: i32,
+    #[doc = "1: a world's physics warns; 0: a scene, a model or a renderer has something to say."]
+    pub in_world: u32,
+    #[doc = "One line, UTF-8."]
+    pub text: *const std::os::raw::c_char,
+    #[doc = "Number of the world in its batch; 0 for a single one."]
+    pub world: usize,
+    #[doc = "Simulated seconds since the world's reset; 0 where in_world is 0."]
+    pub time: f64,
+}
 #[doc = "Receives messages; NULL in a config means silence. Called on the thread that called the library, before"]
-#[doc = "that call returns; the message is valid during the callback only. Must not call back into the library with"]
-#[doc = "the same handle, nor throw or longjmp."]
+#[doc = "that call returns. Must not call back into the library with the same handle, nor throw or longjmp."]
 pub type mimo_log_fn = ::std::option::Option<
-    unsafe extern "C" fn(user: *mut std::os::raw::c_void, level: i32, message: *const std::os::raw::c_char),
+    unsafe extern "C" fn(user: *mut std::os::raw::c_void, record: *const mimo_log_record),
 >;
 #[doc = "A description of what is to be simulated. It may be changed or destroyed once environments exist."]
 #[repr(C)]
@@ -555,8 +604,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control takes over the"]
-    #[doc = "locks of the joints that it moves."]
+    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control"]
+    #[doc = "takes over the locks of the joints that it moves."]
     #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
     #[doc = "@param value rad or m, within the joint's range."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has."]
@@ -618,6 +667,42 @@ extern "C" {
     #[doc = "        is in use."]
     pub fn mimo_scene_add_camera(scene: *mut mimo_scene, config: *const mimo_camera_config) -> mimo_status;
 }
+#[doc = "A further field of the observation, of MIMO_F32: a quantity of parts of the scene, where a world is asked for it with"]
+#[doc = "mimo_env_get otherwise. Its shape is elements x values of each; elements alone where they have one value each; and"]
+#[doc = "one axis of all values where they differ in that. Of the world it is its values."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_field_config {
+    #[doc = "sizeof(mimo_field_config), set by mimo_field_config_init."]
+    pub struct_size: u32,
+    #[doc = "A quantity of access.h that every world has as many of: not of contacts. Poses and"]
+    #[doc = "velocities of bodies are those of the start of the last physics step, with MIMO_NOW"]
+    #[doc = "those of the step's end."]
+    pub quantity: i32,
+    #[doc = "Of the field, \"toys/position\"; needed; no other field has it."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Names of bodies, joints, sites, sensors...; of agents \"\" for a sole one."]
+    pub elements: *const *const std::os::raw::c_char,
+    #[doc = "Length of elements, at least 1. Not for MIMO_WORLD_: 0."]
+    pub element_count: usize,
+    #[doc = "Of positions, orientations, poses and velocities: the body in whose frame they are,"]
+    #[doc = "moving along with it; NULL: in the world's."]
+    pub relative_to: *const std::os::raw::c_char,
+}
+extern "C" {
+    #[doc = "Fills a config with defaults: MIMO_BODY_POSITION in the world's frame, without name and elements."]
+    #[doc = "@param size sizeof(mimo_field_config) as the caller knows it."]
+    pub fn mimo_field_config_init(config: *mut mimo_field_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Has something observed. Its field comes after those of all agents and cameras and belongs to the scene; limits of"]
+    #[doc = "senses do not concern it."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a name in use, a quantity that is not observed, relative_to where nothing has a"]
+    #[doc = "        frame; MIMO_E_UNSUPPORTED for an unknown quantity. From mimo_env_create and mimo_senses_attach:"]
+    #[doc = "        MIMO_E_NOT_FOUND for what the model does not have, with a list of what it has; MIMO_E_UNSUPPORTED for what"]
+    #[doc = "        attached senses cannot know, such as goals."]
+    pub fn mimo_scene_add_field(scene: *mut mimo_scene, config: *const mimo_field_config) -> mimo_status;
+}
 extern "C" {
     #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
     #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
@@ -670,7 +755,8 @@ pub struct mimo_agent_config {
     pub position: [f64; 3usize],
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
-    #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception."]
+    #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:"]
+    #[doc = "all but JOINT_TORQUE and EFFORT."]
     pub proprioception: u32,
     #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both."]
     pub vestibular: u32,
@@ -692,7 +778,7 @@ pub struct mimo_agent_config {
     pub normalize_actions: u32,
     #[doc = "MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE."]
     pub touch: u32,
-    #[doc = "MIMO_TOUCH_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much."]
+    #[doc = "MIMO_RESPONSE_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much."]
     pub touch_response: i32,
     #[doc = "MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components."]
     pub touch_frame: i32,
@@ -717,8 +803,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
-    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach, standup,"]
-    #[doc = "selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as"]
+    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach,"]
+    #[doc = "standup, selfbody and catch the senses of the experiments, and no eyes; in catch muscles; elsewhere the same as"]
     #[doc = "mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(
@@ -839,9 +925,9 @@ extern "C" {
     #[doc = "before. A task sees the controls that arrive."]
     #[doc = "@param path   a motor by its name, \"act:left_elbow\", or one of its muscles, \"act:left_elbow/negative\"; a part of the"]
     #[doc = "              body, as MIMO_ACT_ names it: \"trunk\", \"head\", \"eyes\", \"right_arm\", \"left_arm\", \"right_hand\","]
-    #[doc = "              \"left_hand\", \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\", all. Where several calls concern an"]
-    #[doc = "              action, the last one counts."]
-    #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_env_action_bounds gives it; blur is 0."]
+    #[doc = "              \"left_hand\", \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\", all. Where several calls"]
+    #[doc = "              concern an action, the last one counts."]
+    #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur is 0."]
     #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent"]
     #[doc = "        has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of"]
     #[doc = "        motors with MIMO_E_UNSUPPORTED: the host commands them."]
@@ -851,6 +937,164 @@ extern "C" {
         path: *const std::os::raw::c_char,
         limits: *const mimo_limits,
     ) -> mimo_status;
+}
+#[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes. It belongs to the world, the batch or the senses that it describes, and is refused\n(MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have its layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_layout {
+    _unused: [u8; 0],
+}
+#[doc = "The sizes of everything, for one world."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_layout_info {
+    #[doc = "sizeof(mimo_layout_info), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Size of an observation block, a multiple of 64. It should be 64-byte aligned."]
+    pub block_bytes: usize,
+    #[doc = "Number of fields."]
+    pub fields: usize,
+    #[doc = "Number of actions of all agents together."]
+    pub actions: usize,
+    #[doc = "Number of agents: of rewards, flags and outcomes."]
+    pub agents: usize,
+    #[doc = "Number of reward terms of all agents together."]
+    pub terms: usize,
+}
+extern "C" {
+    #[doc = "Tells the sizes. Set info->struct_size first."]
+    pub fn mimo_layout_describe(layout: *const mimo_layout, info: *mut mimo_layout_info) -> mimo_status;
+}
+#[doc = "One field of the observation block."]
+#[doc = ""]
+#[doc = "When it is true: what a step gives belongs to the time from start to end, in seconds after the step's end; both are 0"]
+#[doc = "for what is true then, both are negative for what is late or belongs to the start of the last physics step, and start"]
+#[doc = "is before end for what was gathered meanwhile. After a reset, and from mimo_env_observe, it belongs to now, but for"]
+#[doc = "what is late."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_field {
+    #[doc = "sizeof(mimo_field), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "MIMO_U8, MIMO_I32, MIMO_F32 or MIMO_F64."]
+    pub dtype: i32,
+    #[doc = "Path, \"proprioception/position\", \"vision/eye_left\"."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "\"rad\", \"m/s^2\", \"\" for none."]
+    pub unit: *const std::os::raw::c_char,
+    #[doc = "Frame of reference: \"joint\", \"site\", \"camera\", \"\" for none."]
+    pub frame: *const std::os::raw::c_char,
+    #[doc = "Bytes from the start of the block, a multiple of 64."]
+    pub offset: usize,
+    #[doc = "Length."]
+    pub bytes: usize,
+    #[doc = "ndim sizes; the last one changes fastest."]
+    pub shape: *const usize,
+    #[doc = "At least 1."]
+    pub ndim: usize,
+    #[doc = "Smallest possible value; -infinity where there is none."]
+    pub low: f64,
+    #[doc = "Largest possible value; infinity where there is none."]
+    pub high: f64,
+    #[doc = "Seconds after the step's end, <= 0."]
+    pub start: f64,
+    #[doc = "Seconds after the step's end, start <= end <= 0."]
+    pub end: f64,
+    #[doc = "Seconds from one new value to the next: those of a step."]
+    pub period: f64,
+    #[doc = "On how many receptors it reports, in the order of its first axis; 0: it is not of skin."]
+    pub receptors: usize,
+}
+extern "C" {
+    #[doc = "Describes the index-th field. Set field->struct_size first."]
+    pub fn mimo_layout_field(layout: *const mimo_layout, index: usize, field: *mut mimo_field)
+        -> mimo_status;
+}
+extern "C" {
+    #[doc = "Finds a field by its name. Errors: MIMO_E_NOT_FOUND; the message lists names that are there."]
+    pub fn mimo_layout_find(
+        layout: *const mimo_layout,
+        name: *const std::os::raw::c_char,
+        index: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "What one element of a field is: the joint, sensor or actuator it belongs to, \"robot:left_elbow\"."]
+    #[doc = "@param field   index of the field."]
+    #[doc = "@param element position in the flattened field."]
+    #[doc = "@param label   receives a string; \"\" for pictures and touch, which have no labels."]
+    pub fn mimo_layout_label(
+        layout: *const mimo_layout,
+        field: usize,
+        element: usize,
+        label: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "How many values a quantity (MIMO_RECEPTOR_POSITION ...) has for all receptors of a field together."]
+    pub fn mimo_layout_receptor_width(
+        layout: *const mimo_layout,
+        field: usize,
+        quantity: i32,
+        value_count: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Where a field's receptors are: a quantity of all of them, one after the other."]
+    #[doc = "@param value_count length of values, as mimo_layout_receptor_width gives it."]
+    pub fn mimo_layout_receptors(
+        layout: *const mimo_layout,
+        field: usize,
+        quantity: i32,
+        values: *mut f64,
+        value_count: usize,
+    ) -> mimo_status;
+}
+#[doc = "One action: the control input of one motor, as a share of its largest torque, or what agent.h says."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_action {
+    #[doc = "sizeof(mimo_action), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "Its actuator's, \"act:left_elbow\", or its muscle's."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "\"rad\" under position control without normalize_actions; \"\" for none."]
+    pub unit: *const std::os::raw::c_char,
+    #[doc = "Whose it is."]
+    pub agent: usize,
+    #[doc = "Smallest value, a number of a float; -infinity where there is none."]
+    pub low: f64,
+    #[doc = "Largest value."]
+    pub high: f64,
+}
+extern "C" {
+    #[doc = "Describes the index-th action. Set action->struct_size first."]
+    pub fn mimo_layout_action(
+        layout: *const mimo_layout,
+        index: usize,
+        action: *mut mimo_action,
+    ) -> mimo_status;
+}
+#[doc = "A part of an agent's reward; the reward is their sum."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_term {
+    #[doc = "sizeof(mimo_term), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "\"distance\"."]
+    pub name: *const std::os::raw::c_char,
+    #[doc = "Whose reward."]
+    pub agent: usize,
+}
+extern "C" {
+    #[doc = "Describes the index-th term of mimo_env_results. Set term->struct_size first."]
+    pub fn mimo_layout_term(layout: *const mimo_layout, index: usize, term: *mut mimo_term) -> mimo_status;
 }
 #[doc = "A world: physics, agents, senses, observation layout."]
 #[repr(C)]
@@ -884,7 +1128,8 @@ pub struct mimo_env_config {
     pub log_user: *mut std::os::raw::c_void,
     #[doc = "See mimo_task_name; NULL: the scene's own. Every agent has the task for itself."]
     pub task: *const std::os::raw::c_char,
-    #[doc = "MIMO_RENDER_ bits (_DEFAULT): what pictures show. What is left out costs nothing."]
+    #[doc = "MIMO_RENDER_ bits: what pictures show; what is left out costs nothing. Default: all but"]
+    #[doc = "fog."]
     pub render: u32,
     #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or"]
     #[doc = "what the model tells OSMesa."]
@@ -943,6 +1188,10 @@ pub struct mimo_agent_info {
     pub height: f64,
 }
 extern "C" {
+    #[doc = "What it observes, acts with and is rewarded for."]
+    pub fn mimo_env_layout(env: *const mimo_env, layout: *mut *const mimo_layout) -> mimo_status;
+}
+extern "C" {
     #[doc = "Name of the task. The string is owned by the environment."]
     pub fn mimo_env_task(env: *const mimo_env, name: *mut *const std::os::raw::c_char) -> mimo_status;
 }
@@ -951,52 +1200,76 @@ extern "C" {
     pub fn mimo_env_frame_skip(env: *const mimo_env, frame_skip: *mut u32) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Number of agents; also the length of the reward, terminated and truncated arrays of a step."]
-    pub fn mimo_env_agent_count(env: *const mimo_env, count: *mut usize) -> mimo_status;
-}
-extern "C" {
     #[doc = "Describes the index-th agent. Set info->struct_size first."]
     pub fn mimo_env_agent(env: *const mimo_env, index: usize, info: *mut mimo_agent_info) -> mimo_status;
 }
+#[doc = "How an episode starts. Who sets nothing but struct_size gets what NULL gives."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_reset_config {
+    #[doc = "sizeof(mimo_reset_config), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "1: the random numbers start anew from seed; 0: they go on."]
+    pub seeded: u32,
+    #[doc = "Any number; 0 where seeded is 0."]
+    pub seed: u64,
+}
 extern "C" {
     #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
-    #[doc = "@param seed  points to the seed of the world's random numbers; NULL goes on with its own stream."]
-    #[doc = "@param block receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
+    #[doc = "@param config NULL: the world's random numbers go on."]
+    #[doc = "@param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
     pub fn mimo_env_reset(
         env: *mut mimo_env,
-        seed: *const u64,
+        config: *const mimo_reset_config,
         block: *mut std::os::raw::c_void,
         block_bytes: usize,
     ) -> mimo_status;
 }
+#[doc = "Where the results of a step go, beside the observation. All are optional: NULL is not written."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_env_results {
+    #[doc = "sizeof(mimo_env_results), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "One per agent."]
+    pub reward: *mut f64,
+    #[doc = "One per agent, 1 when its episode has ended by success or failure."]
+    pub terminated: *mut u8,
+    #[doc = "One per agent, 1 when its episode is cut off: by its step limit, or by its task."]
+    pub truncated: *mut u8,
+    #[doc = "One per agent, a MIMO_OUTCOME_ constant, also where that does not end the episode."]
+    pub outcome: *mut i32,
+    #[doc = "Length of the four arrays above, as mimo_layout_info says."]
+    pub agents: usize,
+    #[doc = "The terms that rewards are the sums of, of all agents, as mimo_layout_term names them."]
+    pub terms: *mut f64,
+    #[doc = "Length of terms, as mimo_layout_info says."]
+    pub term_count: usize,
+}
 extern "C" {
     #[doc = "Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards."]
-    #[doc = "@param action       all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
-    #[doc = "                    controls as they are (0 after a reset, or as set by mimo_env_set)."]
-    #[doc = "@param block        receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
-    #[doc = "@param reward       one per agent; may be NULL."]
-    #[doc = "@param terminated   one per agent, 1 when its episode has ended by success or failure; may be NULL."]
-    #[doc = "@param truncated    one per agent, 1 when the episode has reached its step limit; may be NULL."]
-    #[doc = "@param agents       length of the last three arrays, 0 if all are NULL."]
+    #[doc = "@param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
+    #[doc = "               controls as they are (0 after a reset, or as set by mimo_env_set)."]
+    #[doc = "@param block   receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
+    #[doc = "@param results NULL: not wanted."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
     #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
-    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), but whatever would simulate,"]
-    #[doc = "        sense, draw, write values, save or clone answers MIMO_E_SIMULATION."]
+    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be"]
+    #[doc = "        written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
         action_count: usize,
         block: *mut std::os::raw::c_void,
         block_bytes: usize,
-        reward: *mut f64,
-        terminated: *mut u8,
-        truncated: *mut u8,
-        agents: usize,
+        results: *const mimo_env_results,
     ) -> mimo_status;
 }
 extern "C" {
     #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
-    #[doc = "state, so after a step it differs from the step's block in the fields with time MIMO_AT_LAST_START. Until the next"]
+    #[doc = "state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next"]
     #[doc = "step mimo_env_get gives values of the current state, too."]
     pub fn mimo_env_observe(
         env: *mut mimo_env,
@@ -1005,8 +1278,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Bare physics: count physics steps with the controls as they are, without actuation, senses or task."]
-    #[doc = "What MuJoCo alone costs; also for hosts that bring senses and control of their own."]
+    #[doc = "Bare physics: count physics steps with the controls as they are, without senses and task. Muscles pull on and adapt"]
+    #[doc = "their activation; no action is on its way. What MuJoCo alone costs; also for hosts that bring senses and control of"]
+    #[doc = "their own."]
     #[doc = "@param count 0 to 1000000."]
     #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
     pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
@@ -1051,118 +1325,6 @@ extern "C" {
     pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Number of terms of an agent's reward, which is their sum."]
-    pub fn mimo_env_reward_term_count(env: *const mimo_env, agent: usize, count: *mut usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Name of the index-th term, \"distance\". The string is owned by the environment."]
-    pub fn mimo_env_reward_term_name(
-        env: *const mimo_env,
-        agent: usize,
-        index: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The terms of the last step's reward, 0 after a reset. @param count length of values."]
-    pub fn mimo_env_reward_terms(
-        env: *const mimo_env,
-        agent: usize,
-        values: *mut f64,
-        count: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Whether an agent's last step was a success or a failure (0 or 1), also where that does not end the episode."]
-    pub fn mimo_env_outcome(
-        env: *const mimo_env,
-        agent: usize,
-        success: *mut u8,
-        failure: *mut u8,
-    ) -> mimo_status;
-}
-#[doc = "One field of the observation block."]
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct mimo_field {
-    #[doc = "sizeof(mimo_field), set by the caller."]
-    pub struct_size: u32,
-    #[doc = "MIMO_U8, MIMO_I32, MIMO_F32 or MIMO_F64."]
-    pub dtype: i32,
-    #[doc = "Path, \"proprioception/position\", \"vision/eye_left\". Owned by the environment."]
-    pub name: *const std::os::raw::c_char,
-    #[doc = "\"rad\", \"m/s^2\", \"\" for none. Owned by the environment."]
-    pub unit: *const std::os::raw::c_char,
-    #[doc = "Frame of reference: \"joint\", \"site\", \"camera\", \"\" for none. Owned by the environment."]
-    pub frame: *const std::os::raw::c_char,
-    #[doc = "Bytes from the start of the block, a multiple of 64."]
-    pub offset: usize,
-    #[doc = "Length."]
-    pub bytes: usize,
-    #[doc = "C order; the first ndim entries count, the others are 0."]
-    pub shape: [usize; 4usize],
-    #[doc = "1 to 4."]
-    pub ndim: u32,
-    #[doc = "MIMO_AT_END or MIMO_AT_LAST_START."]
-    pub time: i32,
-    #[doc = "Smallest possible value; -infinity where there is none."]
-    pub low: f64,
-    #[doc = "Largest possible value; infinity where there is none."]
-    pub high: f64,
-}
-extern "C" {
-    #[doc = "Size of an observation block."]
-    #[doc = "@param bytes  receives the block's size, a multiple of 64; may be NULL. The block should be 64-byte aligned."]
-    #[doc = "@param fields receives the number of fields; may be NULL."]
-    pub fn mimo_env_observation_size(
-        env: *const mimo_env,
-        bytes: *mut usize,
-        fields: *mut usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Describes the index-th field. Set field->struct_size first."]
-    pub fn mimo_env_observation_field(
-        env: *const mimo_env,
-        index: usize,
-        field: *mut mimo_field,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "What one element of a field is: the joint, sensor or actuator it belongs to, \"robot:left_elbow\"."]
-    #[doc = "@param element position in the flattened field; pictures and touch have no labels."]
-    #[doc = "@param label   receives a string owned by the environment."]
-    pub fn mimo_env_observation_label(
-        env: *const mimo_env,
-        index: usize,
-        element: usize,
-        label: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Number of actions of all agents together."]
-    pub fn mimo_env_action_size(env: *const mimo_env, count: *mut usize) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Bounds of the actions. An action is the control input of one motor, as a share of its largest torque; under position"]
-    #[doc = "control it is an angle; with normalize_actions all bounds are -1 and 1."]
-    #[doc = "@param low, high arrays of count elements; either may be NULL."]
-    pub fn mimo_env_action_bounds(
-        env: *const mimo_env,
-        low: *mut f32,
-        high: *mut f32,
-        count: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Name of the index-th action, its actuator's: \"act:left_elbow\". The string is owned by the environment."]
-    pub fn mimo_env_action_name(
-        env: *const mimo_env,
-        index: usize,
-        name: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
     #[doc = "How many of a kind (MIMO_BODY ...) the world has."]
     pub fn mimo_env_count(env: *const mimo_env, kind: i32, count: *mut usize) -> mimo_status;
 }
@@ -1204,7 +1366,7 @@ extern "C" {
     #[doc = "Reads a quantity of many at once, one after the other."]
     #[doc = "What is never computed (positions and velocities of joints, controls, forces that you apply, and all of W) is"]
     #[doc = "current. Poses, positions, orientations, centres of mass and velocities of bodies belong to where the last physics"]
-    #[doc = "step started (MIMO_AT_LAST_START), or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or"]
+    #[doc = "step started, or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or"]
     #[doc = "set position, if that came later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and"]
     #[doc = "contacts are computed by physics steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and"]
     #[doc = "mimo_env_look_angles look at the current positions and change none of these values."]
@@ -1238,9 +1400,9 @@ extern "C" {
     #[doc = "A lock holds its joint softly, from the next step on; the angle lies within the joint's range."]
     #[doc = "Masses cost about as much as several physics steps, however many are given at once."]
     #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its range;"]
-    #[doc = "        MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position control;"]
-    #[doc = "        for a light that follows a body; for the face of an agent without faces. Nothing is written then."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its"]
+    #[doc = "        range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position"]
+    #[doc = "        control; for a light that follows a body; for the face of an agent without faces. Nothing is written then."]
     pub fn mimo_env_set(
         env: *mut mimo_env,
         quantity: i32,
@@ -1254,29 +1416,6 @@ extern "C" {
     #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get gives those of now"]
     #[doc = "until the next step. The trajectory stays as it was."]
     pub fn mimo_env_update(env: *mut mimo_env) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The touch sensors of an agent, in the order of its touch fields. A sensor that stands for a whole small geom sits in"]
-    #[doc = "its middle and counts as looking along the body's x axis. The first tangent is the body's x axis projected on the"]
-    #[doc = "skin, or its y axis where x is within 10 degrees of the normal; the second is the normal x the first."]
-    #[doc = "@param agent     index of the agent."]
-    #[doc = "@param bodies    n ids; may be NULL."]
-    #[doc = "@param geoms     n ids; may be NULL."]
-    #[doc = "@param positions n x 3, metres, in the frame of the sensor's body, C order; may be NULL."]
-    #[doc = "@param frames    n x MIMO_TOUCH_FRAME_VALUES; may be NULL."]
-    #[doc = "@param capacity  how many sensors the arrays have room for."]
-    #[doc = "@param count     receives how many there are, 0 where touch is off; may be NULL."]
-    #[doc = "Errors: MIMO_E_BUFFER_TOO_SMALL when there are more than capacity and an array is given; count is set all the same."]
-    pub fn mimo_env_touch_sensors(
-        env: *const mimo_env,
-        agent: usize,
-        bodies: *mut i32,
-        geoms: *mut i32,
-        positions: *mut f64,
-        frames: *mut f64,
-        capacity: usize,
-        count: *mut usize,
-    ) -> mimo_status;
 }
 #[doc = "Where an infant looks."]
 #[repr(C)]
@@ -1314,7 +1453,7 @@ extern "C" {
     #[doc = "@param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD"]
     #[doc = "                swivel and tilt of the head before them. May be NULL."]
     #[doc = "@param angles   receives their angles, rad, cut to the joints' ranges; may be NULL."]
-    #[doc = "@param capacity how many joints the arrays have room for."]
+    #[doc = "@param capacity how many joints the arrays have room for; 0 where both are NULL, to learn the count."]
     #[doc = "@param count    receives how many there are; may be NULL."]
     #[doc = "@param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;"]
     #[doc = "                may be NULL."]
@@ -1373,20 +1512,35 @@ extern "C" {
     #[doc = "@param size sizeof(mimo_picture_config) as the caller knows it."]
     pub fn mimo_picture_config_init(config: *mut mimo_picture_config, size: usize) -> mimo_status;
 }
+#[doc = "Where a picture goes. What is NULL is not drawn."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_picture {
+    #[doc = "sizeof(mimo_picture), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA."]
+    pub rgb: *mut u8,
+    #[doc = "Length of rgb."]
+    pub rgb_bytes: usize,
+    #[doc = "height x width, metres along the camera's axis."]
+    pub depth: *mut f32,
+    #[doc = "Length of depth."]
+    pub depth_count: usize,
+    #[doc = "height x width geom ids, -1 is background."]
+    pub segmentation: *mut i32,
+    #[doc = "Length of segmentation."]
+    pub segmentation_count: usize,
+}
 extern "C" {
     #[doc = "Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays."]
-    #[doc = "@param rgb          height x width x 3 bytes, or 4 with MIMO_PICTURE_RGBA; NULL with rgb_bytes 0: not wanted."]
-    #[doc = "@param depth        height x width floats, metres along the camera's axis; NULL with depth_count 0: not wanted."]
-    #[doc = "@param segmentation height x width geom ids, -1 is background; NULL with segmentation_count 0: not wanted."]
+    #[doc = "@param config  NULL means defaults."]
+    #[doc = "@param picture says where it goes."]
     pub fn mimo_env_render(
         env: *mut mimo_env,
         config: *const mimo_picture_config,
-        rgb: *mut u8,
-        rgb_bytes: usize,
-        depth: *mut f32,
-        depth_count: usize,
-        segmentation: *mut i32,
-        segmentation_count: usize,
+        picture: *const mimo_picture,
     ) -> mimo_status;
 }
 extern "C" {
@@ -1509,8 +1663,12 @@ extern "C" {
     pub fn mimo_batch_size(batch: *const mimo_batch, worlds: *mut usize, threads: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "One world as an environment. All functions of environments work on it, between the batch's own calls: what its"]
-    #[doc = "observations and actions are (the same for all worlds), names, contacts, pictures, state, single steps."]
+    #[doc = "What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive."]
+    pub fn mimo_batch_layout(batch: *const mimo_batch, layout: *mut *const mimo_layout) -> mimo_status;
+}
+extern "C" {
+    #[doc = "One world as an environment. All functions of environments work on it, between the batch's own calls: names,"]
+    #[doc = "contacts, pictures, state, single steps."]
     #[doc = "Different worlds may then be used by different threads, or by tasks of other batches."]
     #[doc = "@param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between"]
     #[doc = "           mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT."]
@@ -1527,25 +1685,36 @@ extern "C" {
         message: *mut *const std::os::raw::c_char,
     ) -> mimo_status;
 }
+#[doc = "Which worlds start an episode, and how. Who sets nothing but struct_size gets what NULL gives."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_batch_reset_config {
+    #[doc = "sizeof(mimo_batch_reset_config), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "One for each world; NULL: every world goes on with its own random numbers."]
+    pub seeds: *const u64,
+    #[doc = "Which worlds; NULL: all."]
+    pub mask: *const u8,
+    #[doc = "Length of seeds and mask; 0 if both are NULL."]
+    pub worlds: usize,
+}
 extern "C" {
     #[doc = "Starts episodes."]
-    #[doc = "@param seeds  one for each world; NULL: every world goes on with its own random numbers."]
-    #[doc = "@param mask   which worlds; NULL: all."]
-    #[doc = "@param worlds length of seeds and mask; 0 if both are NULL."]
+    #[doc = "@param config NULL: in all worlds, with their own random numbers."]
     #[doc = "@param blocks receives the observations of the worlds that were reset; may be NULL with block_bytes 0."]
     pub fn mimo_batch_reset(
         batch: *mut mimo_batch,
-        seeds: *const u64,
-        mask: *const u8,
-        worlds: usize,
+        config: *const mimo_batch_reset_config,
         blocks: *mut std::os::raw::c_void,
         block_bytes: usize,
     ) -> mimo_status;
 }
 #[doc = "Where the results of a step go, beside the observations. All are optional: NULL is not written."]
 #[doc = "A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,"]
-#[doc = "terminated 0 and truncated 1; one whose actions are refused (see mimo_env_step) does not move, and only its status"]
-#[doc = "is written."]
+#[doc = "terminated 0, truncated 1, outcome and terms 0; one whose actions are refused (see mimo_env_step) does not move, and"]
+#[doc = "only its status is written."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch_results {
@@ -1559,8 +1728,14 @@ pub struct mimo_batch_results {
     pub terminated: *mut u8,
     #[doc = "worlds x agents."]
     pub truncated: *mut u8,
-    #[doc = "Length of the three arrays above."]
+    #[doc = "worlds x agents, MIMO_OUTCOME_ constants."]
+    pub outcome: *mut i32,
+    #[doc = "Length of the four arrays above: worlds x agents."]
     pub agents: usize,
+    #[doc = "worlds x terms, as in mimo_env_results."]
+    pub terms: *mut f64,
+    #[doc = "Length of terms: worlds x terms."]
+    pub term_count: usize,
     #[doc = "Per world: MIMO_OK, or why it failed (also when it was restarted)."]
     pub status: *mut mimo_status,
     #[doc = "Per world: 1 when this step started a new episode: the block is its first."]
@@ -1577,7 +1752,7 @@ pub struct mimo_batch_results {
 }
 extern "C" {
     #[doc = "Goes one step on in all worlds."]
-    #[doc = "@param actions worlds x mimo_env_action_size; NULL with action_count 0 leaves all controls as they are."]
+    #[doc = "@param actions worlds x actions of mimo_layout_info; NULL with action_count 0 leaves all controls as they are."]
     #[doc = "@param blocks  receives the observations; NULL with block_bytes 0 skips the senses."]
     #[doc = "@param results NULL: not wanted."]
     #[doc = "Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on."]
@@ -1591,9 +1766,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Starts a step and returns at once, so that the caller can do something else meanwhile. The arrays belong to the"]
-    #[doc = "batch until mimo_batch_receive; the results struct itself does not. Nothing but mimo_batch_receive and"]
-    #[doc = "mimo_batch_destroy can be called in between."]
+    #[doc = "Starts a step and returns at once, so that the caller can do something else meanwhile. Until mimo_batch_receive the"]
+    #[doc = "actions are read, and the blocks and what results points to are written: they have to stay where they are. The struct"]
+    #[doc = "results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between."]
     pub fn mimo_batch_send(
         batch: *mut mimo_batch,
         actions: *const f32,
@@ -1768,7 +1943,7 @@ pub struct mimo_task_moment {
 pub struct mimo_task_verdict {
     #[doc = "Of the library's struct: what lies beyond it is not there."]
     pub struct_size: u32,
-    #[doc = "MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE."]
+    #[doc = "MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE; the latter two end the episode."]
     pub outcome: i32,
     #[doc = "Of a task without terms. Of one with terms it stays 0: the reward is their sum."]
     pub reward: f64,
@@ -1846,7 +2021,7 @@ pub struct mimo_task {
     pub reset: mimo_task_reset_fn,
     #[doc = "Needed."]
     pub evaluate: mimo_task_evaluate_fn,
-    #[doc = "Names of the terms that the reward is the sum of (mimo_env_reward_term_name)."]
+    #[doc = "Names of the terms that the reward is the sum of (mimo_layout_term)."]
     #[doc = "NULL: it is one number, the term \"reward\"."]
     pub terms: *const *const std::os::raw::c_char,
     #[doc = "Length of terms, up to 1000."]
@@ -1938,52 +2113,18 @@ extern "C" {
     pub fn mimo_senses_destroy(senses: *mut mimo_senses);
 }
 extern "C" {
-    #[doc = "Size of an observation block, as mimo_env_observation_size."]
-    pub fn mimo_senses_observation_size(
-        senses: *const mimo_senses,
-        bytes: *mut usize,
-        fields: *mut usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Describes the index-th field, as mimo_env_observation_field. Its strings are owned by the senses."]
-    pub fn mimo_senses_observation_field(
-        senses: *const mimo_senses,
-        index: usize,
-        field: *mut mimo_field,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "What one element of a field is, as mimo_env_observation_label. The string is owned by the senses."]
-    pub fn mimo_senses_observation_label(
-        senses: *const mimo_senses,
-        index: usize,
-        element: usize,
-        label: *mut *const std::os::raw::c_char,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "The touch sensors of an agent, as mimo_env_touch_sensors."]
-    pub fn mimo_senses_touch_sensors(
-        senses: *const mimo_senses,
-        agent: usize,
-        bodies: *mut i32,
-        geoms: *mut i32,
-        positions: *mut f64,
-        frames: *mut f64,
-        capacity: usize,
-        count: *mut usize,
-    ) -> mimo_status;
+    #[doc = "What is observed. There are no actions and no terms in it."]
+    pub fn mimo_senses_layout(senses: *const mimo_senses, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
     #[doc = "Starts an episode: nothing was sensed before what the data hold. Noise and memory start anew. Who never calls it"]
     #[doc = "begins with the first mimo_senses_advance, as with seed 0."]
     #[doc = "@param data as in mimo_senses_observe; after mj_forward, as an environment's reset gives it."]
-    #[doc = "@param seed points to the seed of the noise, that of an environment's reset; NULL goes on from the last episode's."]
+    #[doc = "@param config the seed of the noise, as in an environment's reset; NULL goes on from the last episode's."]
     pub fn mimo_senses_reset(
         senses: *mut mimo_senses,
         data: *const std::os::raw::c_void,
-        seed: *const u64,
+        config: *const mimo_reset_config,
     ) -> mimo_status;
 }
 extern "C" {

@@ -63,11 +63,15 @@ fn listed() -> Layout {
 
 #[test]
 fn structs_lie_as_listed() {
-    assert!(listed().len() > 100);
-    assert_eq!(listed(), compiled());
+    let (listed, compiled) = (listed(), compiled());
+    assert!(listed.len() > 100);
+    let names = listed.keys().chain(compiled.keys());
+    let wrong: Vec<_> = names.filter(|&name| listed.get(name) != compiled.get(name)).collect();
+    assert!(wrong.is_empty(), "not as in tests/abi/layout.json: {:?}", wrong);
 }
 
 #[test]
-fn library_is_of_this_abi() {
+fn library_is_of_this_version() {
     assert_eq!(MIMO_ABI_VERSION, unsafe { mimo_abi_version() });
+    assert_eq!(MIMO_API_VERSION, unsafe { mimo_api_version() });
 }

@@ -2,6 +2,8 @@
 use crate::error::{Error, Kind, Result};
 use crate::field::{Field, Type};
 use std::fmt;
+use std::os::raw::c_void;
+use std::ptr::null_mut;
 use std::sync::Arc;
 
 /// Blocks are made of these, so that fields lie at multiples of 64 bytes in memory too.
@@ -79,6 +81,14 @@ impl Block {
     /// An `f64` field of the first world; see [`Observation::f64`].
     pub fn f64(&self, name: &str) -> Result<&[f64]> {
         self.world(0).f64(name)
+    }
+}
+
+/// Pointer and length of a block for the library; no block is NULL and 0.
+pub(crate) fn memory(block: Option<&mut Block>) -> (*mut c_void, usize) {
+    match block {
+        Some(block) => (block.lines.as_mut_ptr().cast(), block.as_bytes().len()),
+        None => (null_mut(), 0),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Cameras whose pictures are fields of observations.
-use crate::config::{defaults, pointer};
 use crate::error::{c_string, Result};
+use crate::structs::{defaults, pointer};
 use crate::sys;
 use std::ffi::CString;
 

@@ -12,7 +12,7 @@ pub enum Kind {
     BadHandle,
     /// A buffer is shorter than needed; nothing was written.
     BufferTooSmall,
-    /// The library does not know something that a config asks for.
+    /// A struct is of a size that the library does not know.
     StructSize,
     /// No body, joint, scene, file... of that name; the message lists names that are there.
     NotFound,
@@ -22,7 +22,7 @@ pub enum Kind {
     Simulation,
     /// The renderer failed.
     Render,
-    /// Not possible here, for example no OSMesa on this machine.
+    /// Not possible here, or not known to the loaded library: the message says which.
     Unsupported,
     /// An allocation failed.
     OutOfMemory,
@@ -57,6 +57,27 @@ impl Kind {
     /// For the library, as the result of a callback.
     pub(crate) fn status(self) -> sys::mimo_status {
         STATUSES.iter().find(|entry| entry.1 == self).map_or(sys::MIMO_E_INTERNAL, |entry| entry.0)
+    }
+}
+
+/// What became of one world of a batch in a step. Prints as the library's name for it, "MIMO_E_SIMULATION".
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[repr(transparent)]
+pub struct Status(sys::mimo_status);
+
+impl Status {
+    /// It did what was asked.
+    pub const OK: Status = Status(sys::MIMO_OK as i32);
+
+    /// Why it did not; None if it did.
+    pub fn error(self) -> Option<Kind> {
+        (self != Status::OK).then(|| Kind::of(self.0))
+    }
+}
+
+impl fmt::Debug for Status {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        out.write_str(&text(unsafe { sys::mimo_status_name(self.0) }))
     }
 }
 
@@ -98,10 +119,15 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// The error of a status. Has to be called on the thread of the call, before another one fails.
 pub(crate) fn check(status: sys::mimo_status) -> Result<()> {
-    if status == sys::MIMO_OK as i32 {
-        return Ok(());
+    match Status(status).error() {
+        None => Ok(()),
+        Some(kind) => Err(Error::new(kind, text(unsafe { sys::mimo_last_error() }))),
     }
-    Err(Error::new(Kind::of(status), text(unsafe { sys::mimo_last_error() })))
+}
+
+/// The same for a message that the library gave otherwise.
+pub(crate) fn told(status: sys::mimo_status, message: *const c_char) -> Option<Error> {
+    Status(status).error().map(|kind| Error::new(kind, text(message)))
 }
 
 /// A copy of a string of the library's; "" for NULL.

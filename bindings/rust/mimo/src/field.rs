@@ -1,9 +1,11 @@
 //! What stands where in a block.
+use crate::error::{text, Error, Kind, Result};
 use crate::sys;
 use std::ops::Range;
 
 /// Type of a field's elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Type {
     /// `u8`
     U8,
@@ -15,8 +17,26 @@ pub enum Type {
     F64,
 }
 
+impl Type {
+    fn of(dtype: i32) -> Option<Type> {
+        match dtype as u32 {
+            sys::MIMO_U8 => Some(Type::U8),
+            sys::MIMO_I32 => Some(Type::I32),
+            sys::MIMO_F32 => Some(Type::F32),
+            sys::MIMO_F64 => Some(Type::F64),
+            _ => None,
+        }
+    }
+}
+
 /// One field of an observation block.
+///
+/// What a step gives belongs to the time from `start` to `end`, in seconds after the step's end: both are 0 for what is
+/// true then, both are negative for what is late or belongs to the start of the last physics step, and `start` is before
+/// `end` for what was gathered meanwhile. After a reset, and from [`World::observe`](crate::World::observe), it belongs to
+/// now, but for what is late.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Field {
     /// Path, "proprioception/position"; fields of a named agent start with its name.
     pub name: String,
@@ -30,35 +50,44 @@ pub struct Field {
     pub shape: Vec<usize>,
     /// Where it lies in the block of one world, bytes.
     pub bytes: Range<usize>,
-    /// Whether it belongs to the end of a step; else to the start of the last physics step.
-    pub at_end: bool,
     /// Smallest possible value; -infinity where there is none.
     pub low: f64,
     /// Largest possible value; infinity where there is none.
     pub high: f64,
+    /// Seconds after the step's end, <= 0.
+    pub start: f64,
+    /// Seconds after the step's end, `start` <= `end` <= 0.
+    pub end: f64,
+    /// Seconds from one new value to the next: those of a step.
+    pub period: f64,
+    /// On how many receptors of the skin it reports, in the order of its first axis; 0: it is not of skin.
+    pub receptors: usize,
 }
 
 impl Field {
-    /// The description of a field by the library, which lies in a block as it says. None for a type of elements that
-    /// this crate does not know.
-    pub(crate) fn of(raw: &sys::mimo_field) -> Option<Field> {
-        let dtype = match raw.dtype as u32 {
-            sys::MIMO_U8 => Type::U8,
-            sys::MIMO_I32 => Type::I32,
-            sys::MIMO_F32 => Type::F32,
-            sys::MIMO_F64 => Type::F64,
-            _ => return None,
-        };
-        Some(Field {
-            name: crate::error::text(raw.name),
-            unit: crate::error::text(raw.unit),
-            frame: crate::error::text(raw.frame),
+    /// The library's description, which lies in a block as it says.
+    ///
+    /// # Safety
+    /// The library has filled it, and its owner lives.
+    pub(crate) unsafe fn of(raw: &sys::mimo_field) -> Result<Field> {
+        let name = text(raw.name);
+        let dtype = Type::of(raw.dtype).ok_or_else(|| {
+            let message = format!("the type {} of the field \"{}\" is not known here", raw.dtype, name);
+            Error::new(Kind::Unsupported, message)
+        })?;
+        Ok(Field {
+            name,
+            unit: text(raw.unit),
+            frame: text(raw.frame),
             dtype,
-            shape: raw.shape[..raw.ndim as usize].to_vec(),
+            shape: std::slice::from_raw_parts(raw.shape, raw.ndim).to_vec(),
             bytes: raw.offset..raw.offset + raw.bytes,
-            at_end: raw.time == sys::MIMO_AT_END as i32,
             low: raw.low,
             high: raw.high,
+            start: raw.start,
+            end: raw.end,
+            period: raw.period,
+            receptors: raw.receptors,
         })
     }
 }

@@ -1,10 +1,13 @@
 //! Where an infant looks, and making it look.
 use crate::error::{check, Result};
+use crate::structs::described;
 use crate::sys;
 use crate::world::World;
+use std::ptr::null_mut;
 
 /// One eye's line of sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Sightline {
     /// Of the eye's camera, world, m.
     pub position: [f64; 3],
@@ -14,6 +17,7 @@ pub struct Sightline {
 
 /// Where both eyes look.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Gaze {
     /// Of the left eye.
     pub left: Sightline,
@@ -47,6 +51,7 @@ impl Look {
 
 /// Joints that make an infant look at a point.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LookAngles {
     /// Ids: pan, tilt and torsion of the left eye, then of the right one; before them swivel and tilt of the head with
     /// [`Look::Head`].
@@ -60,9 +65,7 @@ pub struct LookAngles {
 impl World {
     /// Where an infant looks, by the poses of its eyes' cameras as they are.
     pub fn gaze(&self, agent: usize) -> Result<Gaze> {
-        let mut raw: sys::mimo_gaze = unsafe { std::mem::zeroed() };
-        raw.struct_size = std::mem::size_of_val(&raw) as u32;
-        check(unsafe { sys::mimo_env_gaze(self.handle(), agent, &mut raw) })?;
+        let raw: sys::mimo_gaze = described(|raw| unsafe { sys::mimo_env_gaze(self.handle(), agent, raw) })?;
         Ok(Gaze {
             left: Sightline { position: raw.left_position, direction: raw.left_direction },
             right: Sightline { position: raw.right_position, direction: raw.right_direction },
@@ -74,24 +77,16 @@ impl World {
 
     /// Angles of the joints that make an infant look at a point (world, m); nothing moves.
     pub fn look_angles(&mut self, agent: usize, point: [f64; 3], how: Look) -> Result<LookAngles> {
-        const MOST: usize = sys::MIMO_LOOK_JOINTS as usize;
-        let (mut joints, mut angles, mut errors) = (vec![0; MOST], vec![0.0; MOST], [0.0; 2]);
-        let mut count = 0;
-        check(unsafe {
-            sys::mimo_env_look_angles(
-                self.handle(),
-                agent,
-                point.as_ptr(),
-                how.number(),
-                joints.as_mut_ptr(),
-                angles.as_mut_ptr(),
-                MOST,
-                &mut count,
-                errors.as_mut_ptr(),
-            )
-        })?;
-        joints.truncate(count);
-        angles.truncate(count);
+        let (env, at, how, mut count) = (self.handle(), point.as_ptr(), how.number(), 0);
+        let mut ask = |joints, angles, capacity, errors| {
+            check(unsafe {
+                sys::mimo_env_look_angles(env, agent, at, how, joints, angles, capacity, &mut count, errors)
+            })?;
+            Ok(count)
+        };
+        let count = ask(null_mut(), null_mut(), 0, null_mut())?;
+        let (mut joints, mut angles, mut errors) = (vec![0; count], vec![0.0; count], [0.0; 2]);
+        ask(joints.as_mut_ptr(), angles.as_mut_ptr(), count, errors.as_mut_ptr())?;
         Ok(LookAngles { joints, angles, errors })
     }
 

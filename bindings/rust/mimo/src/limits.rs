@@ -1,6 +1,6 @@
 //! How much less an agent senses than there is to be sensed, or does than it wants.
-use crate::config::defaults;
 use crate::error::Result;
+use crate::structs::defaults;
 use crate::sys;
 
 /// Limits of a sense, for [`Scene::limit_sense`](crate::Scene::limit_sense), or of the way to a motor, for

@@ -1,5 +1,6 @@
 //! What the library brings along, by name.
 use crate::error::{check, text, Result};
+use crate::structs::described;
 use crate::sys;
 use std::os::raw::c_char;
 
@@ -29,6 +30,7 @@ fn names(by_index: unsafe extern "C" fn(usize) -> *const c_char) -> Vec<String> 
 
 /// A number by which a task can be changed, with [`Scene::set_parameter`](crate::Scene::set_parameter).
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Parameter {
     /// "reach/success_reward".
     pub name: String,
@@ -50,9 +52,7 @@ pub fn parameters() -> Result<Vec<Parameter>> {
 }
 
 fn parameter(index: usize) -> Result<Parameter> {
-    let mut raw: sys::mimo_parameter = unsafe { std::mem::zeroed() };
-    raw.struct_size = std::mem::size_of_val(&raw) as u32;
-    check(unsafe { sys::mimo_parameter_describe(index, &mut raw) })?;
+    let raw: sys::mimo_parameter = described(|raw| unsafe { sys::mimo_parameter_describe(index, raw) })?;
     Ok(Parameter {
         name: text(raw.name),
         description: text(raw.description),

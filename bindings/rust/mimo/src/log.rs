@@ -1,12 +1,14 @@
 //! Messages of the library, delivered to a closure.
 use crate::sys;
+use std::ffi::CStr;
 use std::fmt;
-use std::os::raw::{c_char, c_void};
+use std::os::raw::c_void;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::Arc;
 
 /// How much a message matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Level {
     /// Something is not as the user probably meant it.
     Warning,
@@ -14,15 +16,32 @@ pub enum Level {
     Info,
 }
 
+/// A message.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LogRecord<'a> {
+    /// How much it matters.
+    pub level: Level,
+    /// What it is about: a `MIMO_WARNING_` constant where physics warns, else 0.
+    pub code: u32,
+    /// One line.
+    pub text: &'a str,
+    /// The world whose physics warns, by its number in its batch (0 for a single one); None where a scene, a model or a
+    /// renderer has something to say.
+    pub world: Option<usize>,
+    /// Simulated seconds since that world's reset; 0 where there is none.
+    pub time: f64,
+}
+
 /// A closure behind a thin pointer that the library keeps. Whoever owns a handle made with it owns a share of it.
 /// `Sync`, because clones of a world share it, and each may be on a thread of its own.
 #[derive(Clone)]
 pub(crate) struct Log(Arc<Closure>);
 
-type Closure = Box<dyn Fn(Level, &str) + Send + Sync>;
+type Closure = Box<dyn Fn(&LogRecord) + Send + Sync>;
 
 impl Log {
-    pub(crate) fn new(log: impl Fn(Level, &str) + Send + Sync + 'static) -> Log {
+    pub(crate) fn new(log: impl Fn(&LogRecord) + Send + Sync + 'static) -> Log {
         Log(Arc::new(Box::new(log)))
     }
 }
@@ -42,8 +61,15 @@ pub(crate) fn raw(log: &Option<Log>) -> (sys::mimo_log_fn, *mut c_void) {
 }
 
 /// A panic must not cross the C frames above: the closure's message is lost then, nothing else.
-unsafe extern "C" fn forward(user: *mut c_void, level: i32, message: *const c_char) {
-    let log = &*(user as *const Closure);
-    let level = if level == sys::MIMO_LOG_WARNING as i32 { Level::Warning } else { Level::Info };
-    let _ = catch_unwind(AssertUnwindSafe(|| log(level, &crate::error::text(message))));
+unsafe extern "C" fn forward(user: *mut c_void, record: *const sys::mimo_log_record) {
+    let (log, told) = (&*(user as *const Closure), &*record);
+    let text = CStr::from_ptr(told.text).to_string_lossy();
+    let record = LogRecord {
+        level: if told.level == sys::MIMO_LOG_WARNING as i32 { Level::Warning } else { Level::Info },
+        code: told.code as u32,
+        text: &text,
+        world: (told.in_world == 1).then_some(told.world),
+        time: told.time,
+    };
+    let _ = catch_unwind(AssertUnwindSafe(|| log(&record)));
 }

@@ -1,29 +1,41 @@
 //! Pictures for people.
-use crate::config::{defaults, pointer};
 use crate::error::{c_string, check, Result};
+use crate::structs::{defaults, pointer, sized};
 use crate::sys;
 use crate::world::World;
 use std::ffi::CString;
-use std::ptr::null_mut;
 
-/// What to draw for people: by default a free camera that sees the infant from the front.
+/// What to draw for people: by default a free camera that sees the infant from the front, in colour.
 #[derive(Clone, Debug)]
-pub struct Picture {
+pub struct PictureConfig {
     raw: sys::mimo_picture_config,
     camera: Option<CString>,
+    outputs: u32,
 }
 
 // The pointer inside is set for the length of a call only.
-unsafe impl Send for Picture {}
-unsafe impl Sync for Picture {}
+unsafe impl Send for PictureConfig {}
+unsafe impl Sync for PictureConfig {}
 
-impl Picture {
+/// Pictures of one camera. What is empty is not drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Picture {
+    /// Height x width x 3 bytes, or 4.
+    pub rgb: Vec<u8>,
+    /// Height x width, metres along the camera's axis.
+    pub depth: Vec<f32>,
+    /// Height x width ids of geoms; -1 is background.
+    pub segmentation: Vec<i32>,
+}
+
+impl PictureConfig {
     /// Width and height in pixels, 1 to 4096.
-    pub fn new(width: u32, height: u32) -> Result<Picture> {
+    pub fn new(width: u32, height: u32) -> Result<PictureConfig> {
         let mut raw = defaults(sys::mimo_picture_config_init)?;
         raw.width = width;
         raw.height = height;
-        Ok(Picture { raw, camera: None })
+        Ok(PictureConfig { raw, camera: None, outputs: sys::MIMO_VISION_RGB })
     }
 
     /// From a camera of the model.
@@ -55,9 +67,22 @@ impl Picture {
         self
     }
 
-    fn colors(&self) -> usize {
+    /// `MIMO_VISION_` bits: what is drawn; colour unless set.
+    pub fn outputs(&mut self, bits: u32) -> &mut Self {
+        self.outputs = bits;
+        self
+    }
+
+    /// Memory for what is drawn.
+    pub fn new_picture(&self) -> Picture {
+        let pixels = self.raw.width as usize * self.raw.height as usize;
         let channels = if self.raw.format & sys::MIMO_PICTURE_RGBA != 0 { 4 } else { 3 };
-        self.raw.width as usize * self.raw.height as usize * channels
+        let wanted = |bit, count| if self.outputs & bit != 0 { count } else { 0 };
+        Picture {
+            rgb: vec![0; wanted(sys::MIMO_VISION_RGB, pixels * channels)],
+            depth: vec![0.0; wanted(sys::MIMO_VISION_DEPTH, pixels)],
+            segmentation: vec![0; wanted(sys::MIMO_VISION_SEGMENTATION, pixels)],
+        }
     }
 
     fn raw(&self) -> sys::mimo_picture_config {
@@ -65,25 +90,49 @@ impl Picture {
     }
 }
 
+impl Picture {
+    fn raw(&mut self) -> sys::mimo_picture {
+        sys::mimo_picture {
+            rgb: start(&mut self.rgb),
+            rgb_bytes: self.rgb.len(),
+            depth: start(&mut self.depth),
+            depth_count: self.depth.len(),
+            segmentation: start(&mut self.segmentation),
+            segmentation_count: self.segmentation.len(),
+            ..sized()
+        }
+    }
+}
+
+/// NULL for what is empty.
+fn start<T>(values: &mut [T]) -> *mut T {
+    if values.is_empty() {
+        return std::ptr::null_mut();
+    }
+    values.as_mut_ptr()
+}
+
 impl World {
-    /// Draws the current state: height x width x 3 bytes, or 4.
-    pub fn render(&mut self, picture: &Picture) -> Result<Vec<u8>> {
-        let mut colors = vec![0; picture.colors()];
-        check(unsafe {
-            let (to, bytes) = (colors.as_mut_ptr(), colors.len());
-            sys::mimo_env_render(self.handle(), &picture.raw(), to, bytes, null_mut(), 0, null_mut(), 0)
-        })?;
-        Ok(colors)
+    /// Draws the current state.
+    pub fn render(&mut self, config: &PictureConfig) -> Result<Picture> {
+        let mut picture = config.new_picture();
+        self.render_into(config, &mut picture)?;
+        Ok(picture)
+    }
+
+    /// The same into memory that is there, of [`PictureConfig::new_picture`].
+    pub fn render_into(&mut self, config: &PictureConfig, picture: &mut Picture) -> Result<()> {
+        check(unsafe { sys::mimo_env_render(self.handle(), &config.raw(), &picture.raw()) })
     }
 
     /// Where points of the world (m) lie in the picture that [`render`](Self::render) draws of this state: pixels to the
     /// right of its left edge, pixels below its upper edge, and depth along the camera's axis, m. What has no depth above
     /// 0 is behind the camera, and its pixels mean nothing.
-    pub fn project(&self, picture: &Picture, points: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
+    pub fn project(&self, config: &PictureConfig, points: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
         let mut pixels = vec![[0.0; 3]; points.len()];
         check(unsafe {
-            let (from, to) = (points.as_ptr() as *const f64, pixels.as_mut_ptr() as *mut f64);
-            sys::mimo_env_project(self.handle(), &picture.raw(), from, points.len(), to)
+            let (from, to) = (points.as_ptr().cast(), pixels.as_mut_ptr().cast());
+            sys::mimo_env_project(self.handle(), &config.raw(), from, points.len(), to)
         })?;
         Ok(pixels)
     }

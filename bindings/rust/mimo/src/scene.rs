@@ -1,8 +1,13 @@
 //! Scenes: rooms, objects and infants.
+use crate::agent::AgentConfig;
 use crate::camera::Camera;
-use crate::config::{defaults, pointer, AgentConfig, Model, Object};
 use crate::error::{c_string, check, text, Result};
+use crate::field_config::FieldConfig;
 use crate::limits::Limits;
+use crate::log::Log;
+use crate::object::{Model, Object};
+use crate::scene_config::SceneConfig;
+use crate::structs::{defaults, pointer};
 use crate::sys;
 use crate::task::{self, Shared, Task};
 use std::ptr::{null, null_mut, NonNull};
@@ -13,93 +18,41 @@ pub struct Scene {
     handle: NonNull<sys::mimo_scene>,
     // Worlds made of it take a share.
     pub(crate) task: Option<Shared>,
+    // Outlives the handle, which points to it.
+    _log: Option<Log>,
 }
 
 // `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
 unsafe impl Send for Scene {}
 unsafe impl Sync for Scene {}
 
-/// How much an MJCF document may ask for, 0 for the default, and whether its files must lie in its own folder. What asks
-/// for more is refused.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct DocumentLimits {
-    /// Bytes of each file that is read.
-    pub max_file_bytes: u64,
-    /// Pixels of a texture or height field.
-    pub max_pixels: u64,
-    /// Vertices of a mesh or skin, and its faces.
-    pub max_vertices: u64,
-    /// Elements of the document, and those that composites become.
-    pub max_elements: u64,
-    /// Keyframes of the document.
-    pub max_keyframes: u64,
-    /// Iterations of each solver in a physics step.
-    pub max_iterations: u64,
-    /// What the buffers of one world may need, as estimated.
-    pub max_world_bytes: u64,
-    /// Whether includes and assets must lie in the folder of the document that names them, or below.
-    pub confined: bool,
-}
-
-/// Where a scene comes from; at most one of them is given.
-#[derive(Default)]
-struct Source<'a> {
-    name: Option<&'a str>,
-    file: Option<&'a str>,
-    xml: Option<&'a str>,
-    limits: DocumentLimits,
-}
-
 impl Scene {
+    /// A scene of a config.
+    pub fn new(config: &SceneConfig) -> Result<Scene> {
+        let mut handle = null_mut();
+        config.with_raw(|raw| check(unsafe { sys::mimo_scene_create(raw, &mut handle) }))?;
+        let handle = NonNull::new(handle).expect("a handle");
+        Ok(Scene { handle, task: None, _log: config.log.clone() })
+    }
+
     /// An empty world.
     pub fn empty() -> Result<Scene> {
-        Scene::create(Source::default())
+        Scene::new(&SceneConfig::empty()?)
     }
 
     /// A built-in scene: "reach", "benchmark", ...; see [`builtin_scenes`](crate::builtin_scenes).
     pub fn builtin(name: &str) -> Result<Scene> {
-        Scene::create(Source { name: Some(name), ..Source::default() })
+        Scene::new(&SceneConfig::builtin(name)?)
     }
 
     /// An MJCF file. Its includes may name built-in files as "mimo/mitten.xml".
     pub fn file(path: &str) -> Result<Scene> {
-        Scene::create(Source { file: Some(path), ..Source::default() })
+        Scene::new(&SceneConfig::file(path)?)
     }
 
     /// MJCF text; relative paths in it start from the working directory.
     pub fn xml(text: &str) -> Result<Scene> {
-        Scene::create(Source { xml: Some(text), ..Source::default() })
-    }
-
-    /// An MJCF file from somebody who is not trusted, or one that needs more than is usual.
-    pub fn file_within(path: &str, limits: DocumentLimits) -> Result<Scene> {
-        Scene::create(Source { file: Some(path), limits, ..Source::default() })
-    }
-
-    /// The same for MJCF text.
-    pub fn xml_within(text: &str, limits: DocumentLimits) -> Result<Scene> {
-        Scene::create(Source { xml: Some(text), limits, ..Source::default() })
-    }
-
-    fn create(source: Source) -> Result<Scene> {
-        let name = source.name.map(c_string).transpose()?;
-        let file = source.file.map(c_string).transpose()?;
-        let xml = source.xml.map(c_string).transpose()?;
-        let mut config = defaults(sys::mimo_scene_config_init)?;
-        config.name = pointer(&name);
-        config.file = pointer(&file);
-        config.xml = pointer(&xml);
-        config.max_file_bytes = source.limits.max_file_bytes;
-        config.max_pixels = source.limits.max_pixels;
-        config.max_vertices = source.limits.max_vertices;
-        config.max_elements = source.limits.max_elements;
-        config.max_keyframes = source.limits.max_keyframes;
-        config.max_iterations = source.limits.max_iterations;
-        config.max_world_bytes = source.limits.max_world_bytes;
-        config.confined = source.limits.confined.into();
-        let mut handle = null_mut();
-        check(unsafe { sys::mimo_scene_create(&config, &mut handle) })?;
-        Ok(Scene { handle: NonNull::new(handle).expect("a handle"), task: None })
+        Scene::new(&SceneConfig::xml(text)?)
     }
 
     pub(crate) fn handle(&self) -> *mut sys::mimo_scene {
@@ -191,6 +144,11 @@ impl Scene {
     /// Has a camera observed; its fields come after those of all infants.
     pub fn add_camera(&mut self, camera: &Camera) -> Result<()> {
         camera.with_raw(|raw| check(unsafe { sys::mimo_scene_add_camera(self.handle(), raw) }))
+    }
+
+    /// Has something else observed; its field comes after those of all infants and cameras.
+    pub fn add_field(&mut self, field: &FieldConfig) -> Result<()> {
+        field.with_raw(|raw| check(unsafe { sys::mimo_scene_add_field(self.handle(), raw) }))
     }
 
     /// Gives all worlds made from now on a task of one's own, in place of the scene's.

@@ -1,16 +1,16 @@
 //! Senses on a simulation that is not this library's.
-use crate::block::Block;
-use crate::config::{defaults, pointer};
-use crate::error::{c_string, check, Error, Kind, Result};
-use crate::field::Field;
-use crate::log::{Level, Log};
+use crate::block::{memory, Block};
+use crate::error::{c_string, check, Result};
+use crate::layout::Layout;
+use crate::log::{self, Log, LogRecord};
+use crate::reset::Reset;
 use crate::scene::Scene;
 use crate::state::LoadReport;
+use crate::structs::{defaults, pointer};
 use crate::sys;
-use crate::world::memory;
 use std::ffi::CString;
 use std::os::raw::c_void;
-use std::ptr::{null, null_mut, NonNull};
+use std::ptr::{null_mut, NonNull};
 
 /// Senses that look at a host's own MuJoCo model, and never change it.
 #[derive(Debug)]
@@ -48,9 +48,7 @@ impl SensesConfig {
         if self.renderer.is_some() {
             raw.renderer = pointer(&self.renderer);
         }
-        let (log, log_user) = crate::log::raw(&self.log);
-        raw.log = log;
-        raw.log_user = log_user;
+        (raw.log, raw.log_user) = log::raw(&self.log);
         use_it(&raw)
     }
 
@@ -93,7 +91,7 @@ impl SensesConfig {
 
     /// Receives the library's messages while senses are attached, on the calling thread. A panic in it is caught and
     /// dropped.
-    pub fn log(&mut self, log: impl Fn(Level, &str) + Send + Sync + 'static) -> &mut Self {
+    pub fn log(&mut self, log: impl Fn(&LogRecord) + Send + Sync + 'static) -> &mut Self {
         self.log = Some(Log::new(log));
         self
     }
@@ -116,35 +114,23 @@ impl Senses {
         self.handle.as_ptr()
     }
 
-    /// The fields of its observations, in their order.
-    pub fn fields(&self) -> Result<Vec<Field>> {
-        let mut count = 0;
-        check(unsafe { sys::mimo_senses_observation_size(self.handle(), null_mut(), &mut count) })?;
-        (0..count).map(|index| self.field(index)).collect()
-    }
-
-    fn field(&self, index: usize) -> Result<Field> {
-        let mut raw: sys::mimo_field = unsafe { std::mem::zeroed() };
-        raw.struct_size = std::mem::size_of_val(&raw) as u32;
-        check(unsafe { sys::mimo_senses_observation_field(self.handle(), index, &mut raw) })?;
-        Field::of(&raw).ok_or_else(|| Error::new(Kind::Unsupported, format!("unknown dtype {}", raw.dtype)))
+    /// What is observed. There are no actions and no terms in it.
+    pub fn layout(&self) -> Result<Layout<'_>> {
+        unsafe { Layout::of(|layout| sys::mimo_senses_layout(self.handle(), layout)) }
     }
 
     /// Memory for its observations, zero at first.
     pub fn new_block(&self) -> Result<Block> {
-        let mut bytes = 0;
-        check(unsafe { sys::mimo_senses_observation_size(self.handle(), &mut bytes, null_mut()) })?;
-        Ok(Block::new(bytes, 1, self.fields()?.into()))
+        self.layout()?.new_blocks(1)
     }
 
-    /// Starts an episode: nothing was sensed before what the data hold. Noise follows from the seed; None: it goes on
-    /// from the last episode's.
+    /// Starts an episode: nothing was sensed before what the data hold. Noise follows from the seed; without one it goes
+    /// on from the last episode's.
     ///
     /// # Safety
     /// As [`Senses::observe`].
-    pub unsafe fn reset(&mut self, data: *const c_void, seed: Option<u64>) -> Result<()> {
-        let seed = seed.as_ref().map_or(null(), |seed| seed as *const u64);
-        check(sys::mimo_senses_reset(self.handle(), data, seed))
+    pub unsafe fn reset(&mut self, data: *const c_void, how: Reset) -> Result<()> {
+        check(sys::mimo_senses_reset(self.handle(), data, &how.raw()))
     }
 
     /// One step later, once after each step of the host: senses with a delay take in what the data hold.

@@ -1,39 +1,64 @@
-//! How a world goes on: its time steps, what their rewards consist of, and where the time goes.
+//! How a world goes on.
+use crate::block::{memory, Block};
 use crate::error::{check, text, Result};
+use crate::reset::Reset;
+use crate::results::{Results, Step};
 use crate::sys;
 use crate::world::World;
 use std::ptr::null;
-use std::time::Duration;
-
-/// One part of a reward.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RewardTerm {
-    /// "distance".
-    pub name: String,
-    /// What it adds to the reward.
-    pub value: f64,
-}
-
-/// Where the time of steps went, with [`EnvConfig::timing`](crate::EnvConfig::timing).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Timing {
-    /// Steps counted.
-    pub steps: u64,
-    /// Everything.
-    pub total: Duration,
-    /// MuJoCo's steps.
-    pub physics: Duration,
-    /// Sense of touch.
-    pub touch: Duration,
-    /// Drawing the eyes' pictures.
-    pub vision: Duration,
-    /// Joint senses.
-    pub proprioception: Duration,
-    /// Accelerometer and gyroscope.
-    pub vestibular: Duration,
-}
 
 impl World {
+    /// Starts an episode; without a block nothing is observed.
+    pub fn reset(&mut self, how: Reset, block: Option<&mut Block>) -> Result<()> {
+        let (bytes, count) = memory(block);
+        check(unsafe { sys::mimo_env_reset(self.handle(), &how.raw(), bytes, count) })
+    }
+
+    /// Goes one step on, in a world of one agent. No actions leave the controls as they are; actions are clipped to
+    /// their bounds, NaN is refused. Without a block the senses are skipped. Where there are several agents, or terms of
+    /// the reward are wanted, use [`step_into`](Self::step_into).
+    pub fn step(&mut self, action: &[f32], block: Option<&mut Block>) -> Result<Step> {
+        let mut step = Step::default();
+        let raw = step.raw();
+        self.step_raw(action, block, &raw)?;
+        Ok(step)
+    }
+
+    /// Goes one step on. `action` holds the actions of all agents, `results` receives what they got.
+    pub fn step_into(
+        &mut self,
+        action: &[f32],
+        block: Option<&mut Block>,
+        results: &mut Results,
+    ) -> Result<()> {
+        let raw = results.raw()?;
+        self.step_raw(action, block, &raw)
+    }
+
+    fn step_raw(
+        &mut self,
+        action: &[f32],
+        block: Option<&mut Block>,
+        results: &sys::mimo_env_results,
+    ) -> Result<()> {
+        let (bytes, count) = memory(block);
+        let values = if action.is_empty() { null() } else { action.as_ptr() };
+        check(unsafe { sys::mimo_env_step(self.handle(), values, action.len(), bytes, count, results) })
+    }
+
+    /// The observation of the current state, without changing the trajectory.
+    pub fn observe(&mut self, block: &mut Block) -> Result<()> {
+        let (bytes, count) = memory(Some(block));
+        check(unsafe { sys::mimo_env_observe(self.handle(), bytes, count) })
+    }
+
+    /// Simulated seconds since reset.
+    pub fn time(&self) -> Result<f64> {
+        let mut seconds = 0.0;
+        check(unsafe { sys::mimo_env_time(self.handle(), &mut seconds) })?;
+        Ok(seconds)
+    }
+
     /// Name of the task.
     pub fn task(&self) -> Result<String> {
         let mut name = null();
@@ -58,43 +83,5 @@ impl World {
     /// Bare physics: so many physics steps with the controls as they are, without senses or task.
     pub fn physics_step(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::mimo_env_physics_step(self.handle(), count) })
-    }
-
-    /// The terms of the last step's reward, which is their sum; 0 after a reset.
-    pub fn reward_terms(&self, agent: usize) -> Result<Vec<RewardTerm>> {
-        let mut count = 0;
-        check(unsafe { sys::mimo_env_reward_term_count(self.handle(), agent, &mut count) })?;
-        let mut values = vec![0.0; count];
-        check(unsafe { sys::mimo_env_reward_terms(self.handle(), agent, values.as_mut_ptr(), count) })?;
-        let term = |(index, value)| Ok(RewardTerm { name: self.term_name(agent, index)?, value });
-        values.into_iter().enumerate().map(term).collect()
-    }
-
-    fn term_name(&self, agent: usize, index: usize) -> Result<String> {
-        let mut name = null();
-        check(unsafe { sys::mimo_env_reward_term_name(self.handle(), agent, index, &mut name) })?;
-        Ok(text(name))
-    }
-
-    /// Where the time of steps went since the last [`reset_timing`](Self::reset_timing); all zero in a world that was made
-    /// without [`EnvConfig::timing`](crate::EnvConfig::timing).
-    pub fn timing(&self) -> Result<Timing> {
-        let mut raw: sys::mimo_timing = unsafe { std::mem::zeroed() };
-        raw.struct_size = std::mem::size_of_val(&raw) as u32;
-        check(unsafe { sys::mimo_env_timing(self.handle(), &mut raw) })?;
-        Ok(Timing {
-            steps: raw.steps,
-            total: Duration::from_secs_f64(raw.total),
-            physics: Duration::from_secs_f64(raw.physics),
-            touch: Duration::from_secs_f64(raw.touch),
-            vision: Duration::from_secs_f64(raw.vision),
-            proprioception: Duration::from_secs_f64(raw.proprioception),
-            vestibular: Duration::from_secs_f64(raw.vestibular),
-        })
-    }
-
-    /// Starts counting anew.
-    pub fn reset_timing(&mut self) -> Result<()> {
-        check(unsafe { sys::mimo_env_timing_reset(self.handle()) })
     }
 }

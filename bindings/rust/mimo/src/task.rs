@@ -1,8 +1,10 @@
 //! Tasks of one's own, which run inside reset and step, in a batch on all of its threads.
 use crate::error::{c_string, Kind, Result};
 use crate::field::{Field, Type};
+use crate::results::Outcome;
+use crate::structs::defaults;
 use crate::sys;
-use crate::world::{Outcome, World};
+use crate::world::World;
 use std::any::Any;
 use std::ffi::CString;
 use std::fmt;
@@ -12,6 +14,7 @@ use std::sync::Arc;
 
 /// What a task is told: of whom it is asked, and what happened.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Moment<'a> {
     /// Number of the world in its batch; 0 for a single one.
     pub world: usize,
@@ -33,7 +36,7 @@ pub struct Moment<'a> {
 }
 
 impl Moment<'_> {
-    /// A field of single precision numbers (see [`World::fields`]) in the observation of this step.
+    /// A field of single precision numbers (see [`Layout::fields`](crate::Layout::fields)) in the observation of this step.
     pub fn f32(&self, field: &Field) -> Option<&[f32]> {
         let bytes = self.block?.get(field.bytes.clone())?;
         let aligned = bytes.as_ptr().align_offset(std::mem::align_of::<f32>()) == 0;
@@ -46,12 +49,13 @@ impl Moment<'_> {
 
 /// What a task says of a step. Nothing is said at first: no reward, and the episode goes on.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Verdict<'a> {
     /// The reward of a task without terms; of one with terms it stays 0, for the reward is their sum.
     pub reward: f64,
     /// One for each of [`Task::terms`].
     pub terms: &'a mut [f64],
-    /// Success, failure or neither.
+    /// Success, failure or neither; the former two end the episode.
     pub outcome: Outcome,
     /// Success or failure does not end the episode.
     pub goes_on: bool,
@@ -150,7 +154,7 @@ pub(crate) fn share(
     let names: Vec<*const c_char> = terms.iter().map(|name| name.as_ptr()).collect();
     let count = fields.iter().map(|field| field.shape.iter().product::<usize>()).sum();
     let kept = Arc::new(Kept { task: Box::new(task), memory, terms: terms.len(), fields: count });
-    let mut raw = crate::config::defaults(sys::mimo_task_init)?;
+    let mut raw = defaults(sys::mimo_task_init)?;
     raw.user = Arc::as_ptr(&kept) as *mut c_void;
     raw.memory_bytes = memory.saturating_mul(std::mem::size_of::<f64>());
     raw.reset = Some(reset);
@@ -167,7 +171,7 @@ fn texts(field: &TaskField) -> Result<[CString; 3]> {
 }
 
 fn raw_field((field, texts): (&TaskField, &[CString; 3])) -> Result<sys::mimo_task_field> {
-    let mut raw = crate::config::defaults(sys::mimo_task_field_init)?;
+    let mut raw = defaults(sys::mimo_task_field_init)?;
     (raw.name, raw.unit, raw.frame) = (texts[0].as_ptr(), texts[1].as_ptr(), texts[2].as_ptr());
     (raw.shape, raw.ndim) = (field.shape.as_ptr(), field.shape.len() as u32);
     (raw.low, raw.high) = (field.low, field.high);
@@ -223,16 +227,12 @@ unsafe extern "C" fn evaluate(
     let (kept, mut moment) = parts(user, told);
     let raw = &mut *verdict;
     let terms = slice_mut(raw.terms, kept.terms);
-    let mut ours = Verdict { reward: 0.0, terms, outcome: Outcome::Open, goes_on: false, truncated: false };
+    let mut ours = Verdict { reward: 0.0, terms, outcome: Outcome::NONE, goes_on: false, truncated: false };
     let status = status(|| kept.task.evaluate(World::of(env as *mut sys::mimo_env), &mut moment, &mut ours));
     raw.reward = ours.reward;
     raw.goes_on = ours.goes_on.into();
     raw.truncated = ours.truncated.into();
-    raw.outcome = match ours.outcome {
-        Outcome::Open => sys::MIMO_OUTCOME_NONE as i32,
-        Outcome::Success => sys::MIMO_OUTCOME_SUCCESS as i32,
-        Outcome::Failure => sys::MIMO_OUTCOME_FAILURE,
-    };
+    raw.outcome = ours.outcome.0;
     status
 }
 

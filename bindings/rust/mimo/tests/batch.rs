@@ -1,6 +1,6 @@
 //! Many worlds do what single ones do.
-use mimo::sys::{MIMO_AUTORESET_SAME_STEP, MIMO_BODY, MIMO_BODY_POSITION};
-use mimo::{Batch, BatchConfig, Env, EnvConfig, Scene};
+use mimo::sys::{MIMO_AUTORESET_SAME_STEP, MIMO_BODY, MIMO_BODY_POSITION, MIMO_JOINT, MIMO_JOINT_VELOCITY};
+use mimo::{Batch, BatchConfig, BatchReset, Env, EnvConfig, Kind, Reset, Scene, Status};
 
 fn reach(worlds: u32, steps: u32) -> Batch {
     let mut scene = Scene::builtin("reach").unwrap();
@@ -18,18 +18,21 @@ fn worlds_equal_single_ones() {
     let mut batch = reach(3, 0);
     let mut blocks = batch.new_blocks().unwrap();
     let mut results = batch.new_results().unwrap();
-    let count = batch.world(0).unwrap().action_size().unwrap();
+    let count = batch.layout().unwrap().action_count();
     let actions: Vec<f32> = (0..3 * count).map(|i| (i % 7) as f32 / 7.0 - 0.4).collect();
-    batch.reset(Some(&[5, 6, 7]), Some(&mut blocks)).unwrap();
+    batch.reset(BatchReset::new().seeds(&[5, 6, 7]), Some(&mut blocks)).unwrap();
     batch.step(&actions, Some(&mut blocks), &mut results).unwrap();
 
     let mut single = Env::make("reach").unwrap();
-    let mut block = single.new_block().unwrap();
+    let (mut block, mut step) = (single.new_block().unwrap(), single.new_results().unwrap());
+    assert_eq!(batch.layout().unwrap().fields(), single.layout().unwrap().fields());
+    let terms = single.layout().unwrap().term_count();
     for world in 0..3 {
-        single.reset(Some(5 + world as u64), None).unwrap();
-        let step = single.step(&actions[world * count..][..count], Some(&mut block)).unwrap();
+        single.reset(Reset::new().seed(5 + world as u64), None).unwrap();
+        single.step_into(&actions[world * count..][..count], Some(&mut block), &mut step).unwrap();
         assert_eq!(blocks.world(world).as_bytes(), block.as_bytes());
-        assert_eq!(results.reward[world], step.reward);
+        assert_eq!(results.reward[world..=world], step.reward);
+        assert_eq!(results.terms[world * terms..][..terms], step.terms);
     }
 }
 
@@ -39,29 +42,36 @@ fn final_blocks_are_of_the_old_episode() {
     let mut blocks = batch.new_blocks().unwrap();
     let mut results = batch.new_results().unwrap();
     results.final_blocks = Some(batch.new_blocks().unwrap());
-    batch.reset(Some(&[1, 2]), Some(&mut blocks)).unwrap();
+    batch.reset(BatchReset::new().seeds(&[1, 2]), Some(&mut blocks)).unwrap();
     batch.step(&[], Some(&mut blocks), &mut results).unwrap();
-    assert_eq!((results.truncated, results.was_reset), (vec![1, 1], vec![1, 1]));
-    assert_eq!(results.final_written, [1, 1]);
+    assert_eq!((results.truncated, results.was_reset), (vec![true, true], vec![true, true]));
+    assert_eq!(results.final_written, [true, true]);
     assert_ne!(results.final_blocks.unwrap().as_bytes(), blocks.as_bytes());
 }
 
 #[test]
 fn quantities_of_all_worlds_and_errors() {
     let mut batch = reach(2, 0);
-    batch.reset(Some(&[1, 2]), None).unwrap();
+    batch.reset(BatchReset::new().seeds(&[1, 2]), None).unwrap();
     let head = batch.world(1).unwrap().find(MIMO_BODY, "head").unwrap();
     let mut places = [0.0; 6];
     batch.get_into(MIMO_BODY_POSITION, &[head], &mut places).unwrap();
     assert_eq!(places[3..].to_vec(), batch.world(1).unwrap().get(MIMO_BODY_POSITION, &[head]).unwrap());
 
-    let count = batch.world(0).unwrap().action_size().unwrap();
+    let count = batch.layout().unwrap().action_count();
     let mut actions = vec![0.0; 2 * count];
     actions[count] = f32::NAN;
     let mut results = batch.new_results().unwrap();
     assert!(batch.step(&actions, None, &mut results).is_err());
-    assert_eq!(batch.world_error(0).unwrap(), "");
-    assert!(batch.world_error(1).unwrap().contains("not a number"));
+    assert_eq!(batch.world_error(0), Ok(None));
+    let refused = batch.world_error(1).unwrap().unwrap();
+    assert_eq!(refused.kind(), Kind::InvalidArgument);
+    assert!(refused.message().contains("not a number"));
+    results.terms.pop();
+    assert_eq!(batch.step(&[], None, &mut results).unwrap_err().kind(), Kind::BufferTooSmall);
+    results.outcome.pop();
+    let error = batch.step(&[], None, &mut results).unwrap_err();
+    assert_eq!(error.message(), "arrays of the results have lengths [2, 2, 1], expected 2 each");
     assert!(batch.world(2).is_err());
 }
 
@@ -70,9 +80,9 @@ fn futures_of_one_present_and_masks() {
     let mut batch = reach(3, 0);
     let (mut first, mut second) = (batch.new_blocks().unwrap(), batch.new_blocks().unwrap());
     let mut results = batch.new_results().unwrap();
-    let count = batch.world(0).unwrap().action_size().unwrap();
+    let count = batch.layout().unwrap().action_count();
     let actions = vec![0.3; 3 * count];
-    batch.reset(Some(&[5, 6, 7]), None).unwrap();
+    batch.reset(BatchReset::new().seeds(&[5, 6, 7]), None).unwrap();
     let states = batch.save().unwrap();
     batch.step(&actions, Some(&mut first), &mut results).unwrap();
     batch.load(&states, None).unwrap();
@@ -89,7 +99,7 @@ fn futures_of_one_present_and_masks() {
     assert!(batch.load(&states, Some(&[true])).is_err());
 
     let before = second.clone();
-    batch.reset_where(&[false, true, false], Some(&mut second)).unwrap();
+    batch.reset(BatchReset::new().mask(&[false, true, false]), Some(&mut second)).unwrap();
     assert_eq!(batch.world(1).unwrap().time().unwrap(), 0.0);
     assert!(batch.world(0).unwrap().time().unwrap() > 0.0);
     assert_eq!(second.world(0).as_bytes(), before.world(0).as_bytes());
@@ -101,4 +111,36 @@ fn futures_of_one_present_and_masks() {
     let mut now = batch.new_blocks().unwrap();
     batch.observe(&mut now).unwrap();
     assert_eq!(now.world(1).as_bytes(), second.world(1).as_bytes());
+}
+
+/// Seeds for all, but only one of them starts anew: its random numbers are those of its seed, and of a world of its own.
+#[test]
+fn seeds_and_masks_of_a_reset() {
+    let mut batch = reach(2, 0);
+    let mut blocks = batch.new_blocks().unwrap();
+    batch.reset(BatchReset::new(), Some(&mut blocks)).unwrap();
+    let before = blocks.clone();
+    batch.reset(BatchReset::new().seeds(&[8, 9]).mask(&[false, true]), Some(&mut blocks)).unwrap();
+    let mut single = Env::make("reach").unwrap();
+    let mut block = single.new_block().unwrap();
+    single.reset(Reset::new().seed(9), Some(&mut block)).unwrap();
+    assert_eq!(blocks.world(0).as_bytes(), before.world(0).as_bytes());
+    assert_eq!(blocks.world(1).as_bytes(), block.as_bytes());
+    let error = batch.reset(BatchReset::new().seeds(&[8, 9]).mask(&[true]), None).unwrap_err();
+    assert_eq!(error.message(), "mask has 1 entries, expected 2, as many as seeds");
+    assert!(batch.reset(BatchReset::new().seeds(&[8]), None).is_err());
+}
+
+/// A joint at 1e200 rad/s: MuJoCo gives such a world up.
+#[test]
+fn worlds_fail_one_by_one() {
+    let mut batch = reach(2, 0);
+    let mut results = batch.new_results().unwrap();
+    let world = batch.world(1).unwrap();
+    let elbow = world.find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    world.set(MIMO_JOINT_VELOCITY, &[elbow], &[1e200]).unwrap();
+    assert_eq!(batch.step(&[], None, &mut results).unwrap_err().kind(), Kind::Simulation);
+    assert_eq!((results.status[0], results.status[1].error()), (Status::OK, Some(Kind::Simulation)));
+    assert_eq!(format!("{:?}", results.status), "[MIMO_OK, MIMO_E_SIMULATION]");
+    assert_eq!(batch.world_error(1).unwrap().unwrap().kind(), Kind::Simulation);
 }

@@ -1,8 +1,8 @@
 //! Tasks of one's own, locks, gravity, random numbers.
 use mimo::sys::*;
 use mimo::{
-    Batch, BatchConfig, Env, EnvConfig, Error, Kind, Moment, Outcome, Result, Scene, Task, TaskField,
-    Verdict, World,
+    Batch, BatchConfig, BatchReset, Env, EnvConfig, Error, Kind, Moment, Outcome, Reset, Result, Scene, Task,
+    TaskField, Verdict, World,
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::Arc;
@@ -37,7 +37,7 @@ impl Task for Counter {
         assert_eq!(moment.step as f64, moment.memory[0]);
         verdict.reward = moment.memory[0];
         if moment.memory[0] == 3.0 {
-            verdict.outcome = Outcome::Success;
+            verdict.outcome = Outcome::SUCCESS;
         }
         Ok(())
     }
@@ -61,7 +61,7 @@ fn own_task_rewards_and_ends() {
     config.threads(2);
     let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
     drop(scene);
-    env.reset(Some(1), None).unwrap();
+    env.reset(Reset::new().seed(1), None).unwrap();
     env.step(&[], None).unwrap();
     let mut twin = env.try_clone().unwrap();
     drop(env);
@@ -69,9 +69,9 @@ fn own_task_rewards_and_ends() {
     let step = twin.step(&[], None).unwrap();
     assert_eq!((step.reward, step.terminated), (2.0, false));
     let step = twin.step(&[], None).unwrap();
-    assert_eq!((step.reward, step.terminated), (3.0, true));
+    assert_eq!((step.reward, step.terminated, step.outcome), (3.0, true, Outcome::SUCCESS));
 
-    batch.reset(Some(&[1, 2]), None).unwrap();
+    batch.reset(BatchReset::new().seeds(&[1, 2]), None).unwrap();
     let joint = batch.world(0).unwrap().find(MIMO_JOINT, "robot:left_elbow").unwrap();
     let mut angles = [0.0; 2];
     batch.get_into(MIMO_JOINT_POSITION, &[joint], &mut angles).unwrap();
@@ -100,7 +100,7 @@ fn scenes_are_built() {
     scene.lock("robot:left_elbow", -0.5).unwrap();
     scene.set_pose("robot:right_elbow", -0.7).unwrap();
     let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
-    env.reset(Some(1), None).unwrap();
+    env.reset(Reset::new().seed(1), None).unwrap();
     let joints = ["robot:left_elbow", "robot:right_elbow"].map(|name| env.find(MIMO_JOINT, name).unwrap());
     assert_eq!(env.get(MIMO_JOINT_POSITION, &joints).unwrap(), [-0.5, -0.7]);
     assert_eq!(env.locked(joints[0]).unwrap(), Some(-0.5));
@@ -125,7 +125,7 @@ fn limited_senses() {
         scene.read_joint(0, "robot:right_elbow").unwrap();
         let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
         let mut block = env.new_block().unwrap();
-        env.reset(Some(1), Some(&mut block)).unwrap();
+        env.reset(Reset::new().seed(1), Some(&mut block)).unwrap();
         let speed = |block: &mimo::Block| block.f32("proprioception/velocity").unwrap().to_vec();
         let mut seen = vec![speed(&block)];
         for _ in 0..4 {
@@ -160,7 +160,7 @@ fn limited_motors() {
     };
     let mut plain = build(None);
     let mut late = build(Some(mimo::Limits { gain: 0.5, delay: 0.02, ..mimo::Limits::default() }));
-    let action = vec![0.5; late.action_size().unwrap()];
+    let action = vec![0.5; late.layout().unwrap().action_count()];
     let motors = ["act:left_elbow", "act:right_elbow"].map(|name| late.find(MIMO_ACTUATOR, name).unwrap());
     for expected in [[0.0, 0.5], [0.0, 0.5], [0.25, 0.5]] {
         late.step(&action, None).unwrap();
@@ -187,7 +187,6 @@ fn senses_refuse_what_is_no_model() {
     assert_eq!(attach(999).err().unwrap().kind(), Kind::Unsupported);
 }
 
-/// Fails or panics, as its number says.
 /// Two terms, a goal that each episode draws, a success that goes on, a cut after five steps.
 struct Goal {
     position: mimo::Field,
@@ -217,7 +216,7 @@ impl Task for Goal {
         verdict.terms[0] = moment.step as f64;
         verdict.terms[1] = moment.action.map_or(0.0, |action| -f64::from(action[0]));
         moment.fields[2] = angle.unwrap_or(9.0);
-        verdict.outcome = if moment.step == 2 { Outcome::Success } else { Outcome::Open };
+        verdict.outcome = if moment.step == 2 { Outcome::SUCCESS } else { Outcome::NONE };
         verdict.goes_on = true;
         verdict.truncated = moment.step == 5;
         if moment.step == 6 {
@@ -232,7 +231,7 @@ fn one_joint() -> (Scene, mimo::Field) {
     let mut scene = scene(Broken(0));
     scene.read_joint(0, "robot:left_elbow").unwrap();
     let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
-    let fields = env.fields().unwrap();
+    let fields = env.layout().unwrap().fields().unwrap();
     (scene, fields.into_iter().find(|field| field.name == "proprioception/position").unwrap())
 }
 
@@ -247,20 +246,21 @@ fn terms_fields_and_ends_of_an_own_task() {
         (goal.unit.as_str(), goal.shape.as_slice(), goal.low, goal.high),
         ("rad", &[1][..], -1.0, 1.0)
     );
-    env.reset(Some(4), Some(&mut block)).unwrap();
+    env.reset(Reset::new().seed(4), Some(&mut block)).unwrap();
     let drawn = block.f32("goal").unwrap()[0];
     assert!(drawn > 0.0);
-    let mut action = vec![0.0; env.action_size().unwrap()];
+    let mut action = vec![0.0; env.layout().unwrap().action_count()];
     action[0] = -7.0; // the least is -1
+    let named = env.layout().unwrap().terms().unwrap();
+    assert_eq!(named.iter().map(|term| term.name.as_str()).collect::<Vec<_>>(), ["near", "lazy"]);
+    let mut results = env.new_results().unwrap();
     for number in 1..=5 {
-        let step = env.step(&action, Some(&mut block)).unwrap();
-        assert_eq!(step.reward, f64::from(number) + 1.0);
-        assert_eq!((step.terminated, step.truncated), (false, number == 5));
+        env.step_into(&action, Some(&mut block), &mut results).unwrap();
+        assert_eq!(results.reward, [f64::from(number) + 1.0]);
+        assert_eq!((results.terminated[0], results.truncated[0]), (false, number == 5));
+        assert_eq!(results.outcome, [if number == 2 { Outcome::SUCCESS } else { Outcome::NONE }]);
+        assert_eq!(results.terms, [f64::from(number), 1.0]);
         assert_eq!(block.f32("goal").unwrap(), [drawn]);
-        let terms = env.reward_terms(0).unwrap();
-        assert_eq!(terms.iter().map(|term| term.name.as_str()).collect::<Vec<_>>(), ["near", "lazy"]);
-        assert_eq!(terms.iter().map(|term| term.value).collect::<Vec<_>>(), [f64::from(number), 1.0]);
-        assert_eq!(env.outcome(0).unwrap(), if number == 2 { Outcome::Success } else { Outcome::Open });
         let angle = block.f32("proprioception/position").unwrap()[0];
         assert_eq!(block.f32("reached").unwrap(), [0.0, angle]);
     }
@@ -270,12 +270,60 @@ fn terms_fields_and_ends_of_an_own_task() {
     let mut config = BatchConfig::new(4).unwrap();
     config.threads(2);
     let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
-    batch.reset(Some(&[4, 5, 6, 7]), None).unwrap();
+    batch.reset(BatchReset::new().seeds(&[4, 5, 6, 7]), None).unwrap();
     let mut results = batch.new_results().unwrap();
     for number in 1..=5 {
         batch.step(&[], None, &mut results).unwrap();
         assert_eq!(results.reward, [f64::from(number); 4]);
+        assert_eq!(results.terms, [f64::from(number), 0.0].repeat(4));
+        let outcome = if number == 2 { Outcome::SUCCESS } else { Outcome::NONE };
+        assert_eq!((results.outcome.as_slice(), results.truncated[3]), (&[outcome; 4][..], number == 5));
     }
+}
+
+/// One point for the first, two for the second.
+struct Points;
+
+impl Task for Points {
+    fn evaluate(&self, _: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+        verdict.reward = moment.agent as f64 + 1.0;
+        verdict.outcome = [Outcome::FAILURE, Outcome::NONE][moment.agent];
+        Ok(())
+    }
+}
+
+#[test]
+fn two_infants_have_results_of_their_own() {
+    let mut scene = Scene::builtin("free").unwrap();
+    for (name, y) in [("anna", 0.5), ("ben", -0.5)] {
+        let mut agent = mimo::AgentConfig::new().unwrap();
+        agent.name(name).unwrap().vision(0, 8, 8).touch(0, 1.0);
+        agent
+            .place([0.0, y, 0.5], [1.0, 0.0, 0.0, 0.0])
+            .acts([MIMO_ACT_EYES, MIMO_ACT_LEFT_ARM][(y < 0.0) as usize]);
+        scene.add_agent(&agent).unwrap();
+    }
+    scene.set_task(Points).unwrap();
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let layout = env.layout().unwrap();
+    assert_eq!((layout.agent_count(), layout.term_count(), layout.action_count()), (2, 2, 10)); // 6 of eyes, 4 of an arm
+    let actions = layout.actions().unwrap();
+    let (anna, ben) = (env.agent(0).unwrap(), env.agent(1).unwrap());
+    assert_eq!(
+        (anna.name.as_str(), anna.actions, ben.name.as_str(), ben.actions),
+        ("anna", 0..6, "ben", 6..10)
+    );
+    assert!(actions.iter().enumerate().all(|(i, action)| action.agent == (i >= 6) as usize));
+    assert!((anna.mass - 10.905).abs() < 5e-4, "{}", anna.mass); // the original's
+    let terms = layout.terms().unwrap();
+    assert_eq!((terms[0].agent, terms[1].agent, terms[1].name.as_str()), (0, 1, "reward"));
+    let mut results = env.new_results().unwrap();
+    env.step_into(&[], None, &mut results).unwrap();
+    assert_eq!((results.reward.as_slice(), results.terms.as_slice()), (&[1.0, 2.0][..], &[1.0, 2.0][..]));
+    assert_eq!(results.outcome, [Outcome::FAILURE, Outcome::NONE]);
+    assert_eq!(results.terminated, [true, false]);
+    assert!(env.step(&[], None).unwrap_err().message().contains("agents is 1"));
+    assert_eq!(env.agent(2).unwrap_err().kind(), Kind::InvalidArgument);
 }
 
 #[test]
@@ -293,6 +341,7 @@ fn descriptions_of_tasks_are_checked() {
     assert_eq!(error.message(), "task: there are two terms \"near\"");
 }
 
+/// Fails or panics, as its number says.
 struct Broken(u32);
 
 impl Task for Broken {
@@ -318,7 +367,7 @@ fn errors_and_panics_of_tasks_are_errors_of_the_step() {
         let mut results = batch.new_results().unwrap();
         let error = batch.step(&[], None, &mut results).unwrap_err();
         assert!(error.kind() == kind && error.message().ends_with(why), "{}", error);
-        assert!(batch.world_error(1).unwrap().ends_with(why));
+        assert!(batch.world_error(1).unwrap().unwrap().message().ends_with(why));
     }
     let mut scene = scene(Broken(1));
     scene.clear_task().unwrap();
@@ -331,7 +380,7 @@ fn panic_while_stepping_receives() {
     let dropped = Arc::new(AtomicUsize::new(0));
     let scene = scene(Counter { dropped });
     let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(2).unwrap()).unwrap();
-    batch.reset(Some(&[1, 2]), None).unwrap();
+    batch.reset(BatchReset::new().seeds(&[1, 2]), None).unwrap();
     let mut results = batch.new_results().unwrap();
     let panicked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
         batch.step_while(&[], None, &mut results, || panic!("meanwhile")).unwrap()

@@ -1,6 +1,6 @@
 //! Faces, gaze, cameras and pictures.
 use mimo::sys::*;
-use mimo::{Camera, Env, EnvConfig, Kind, Look, Picture, Scene};
+use mimo::{Camera, Env, EnvConfig, Kind, Look, Object, PictureConfig, Reset, Scene};
 
 /// The scene "free" with a small infant that sees nothing by itself.
 fn room() -> Scene {
@@ -20,7 +20,7 @@ fn faces_show_in_pictures() {
     assert_eq!(mimo::faces().len(), 7); // no emotion, and the six basic ones
     let mut env = world(&room());
     assert_eq!(env.face(0).unwrap(), "sadness");
-    let mut close = Picture::new(64, 64).unwrap();
+    let mut close = PictureConfig::new(64, 64).unwrap();
     let head = env.find(MIMO_BODY, "head").unwrap();
     let place = env.get(MIMO_BODY_POSITION, &[head]).unwrap();
     close.free([place[0], place[1], place[2] + 0.07], 0.3, 180.0, 0.0);
@@ -69,32 +69,60 @@ fn cameras_are_fields_and_pictures() {
 
     let mut env = Env::new(&scene, &config).unwrap();
     let mut block = env.new_block().unwrap();
-    env.reset(Some(1), Some(&mut block)).unwrap();
+    env.reset(Reset::new().seed(1), Some(&mut block)).unwrap();
     assert_eq!(block.u8("vision/palm").unwrap().len(), 8 * 8 * 3);
     let floor = env.find(MIMO_GEOM, "floor").unwrap();
     assert!(block.i32("vision/wall_segmentation").unwrap().contains(&floor));
 
-    let mut picture = Picture::new(32, 24).unwrap();
+    let mut picture = PictureConfig::new(32, 24).unwrap();
     picture.camera("wall").unwrap();
     let plain = env.render(&picture).unwrap();
-    assert_eq!(plain, block.u8("vision/wall").unwrap());
+    assert_eq!(plain.rgb, block.u8("vision/wall").unwrap());
+    assert!(plain.depth.is_empty() && plain.segmentation.is_empty());
     let flipped = env.render(picture.format(MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP)).unwrap();
-    assert_eq!(flipped[..3], plain[23 * 32 * 3..][..3]);
-    assert_eq!((flipped.len(), flipped[3]), (32 * 24 * 4, 255));
+    assert_eq!(flipped.rgb[..3], plain.rgb[23 * 32 * 3..][..3]);
+    assert_eq!((flipped.rgb.len(), flipped.rgb[3]), (32 * 24 * 4, 255));
 
     scene.add_camera(&nowhere).unwrap();
     assert_eq!(Env::new(&scene, &config).err().unwrap().kind(), Kind::NotFound);
 }
 
+/// A ball of 4 cm radius, 2 m before the camera: its nearest point is 1.96 m away.
+#[test]
+fn pictures_of_depth_and_of_what_is_there() {
+    let mut scene = Scene::empty().unwrap();
+    scene.add_object(Object::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
+    let mut env = world(&scene);
+    let mut config = PictureConfig::new(33, 33).unwrap();
+    config.free([0.0, 0.0, 2.0], 2.0, 90.0, 0.0).fovy(20.0);
+    config.outputs(MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+    let mut picture = config.new_picture();
+    env.render_into(&config, &mut picture).unwrap();
+    let (middle, ball) = (16 * 33 + 16, env.find(MIMO_GEOM, "ball").unwrap());
+    assert!(picture.rgb.is_empty());
+    assert!((picture.depth[middle] - 1.96).abs() < 1e-3, "{}", picture.depth[middle]);
+    assert_eq!((picture.segmentation[middle], picture.segmentation[0]), (ball, -1));
+    picture.depth.pop();
+    assert_eq!(env.render_into(&config, &mut picture).unwrap_err().kind(), Kind::BufferTooSmall);
+}
+
+/// Receptors of the skin that docs/guide/touch.md counts.
 #[test]
 fn skin_is_where_touch_is() {
-    let mut env = Env::make("benchmark").unwrap();
-    let sensors = env.touch_sensors(0).unwrap();
-    assert_eq!(sensors.len(), 5685); // docs/guide/touch.md
+    let env = Env::make("benchmark").unwrap();
+    let layout = env.layout().unwrap();
+    let touch = layout.find("touch/force").unwrap();
+    let field = layout.field(touch).unwrap();
+    let receptors = layout.receptors(touch).unwrap();
+    assert_eq!((field.receptors, receptors.len(), field.shape), (5685, 5685, vec![5685, 3]));
     let on_the_body = |id| env.body_of(MIMO_GEOM, id).unwrap();
-    assert!(sensors.iter().all(|sensor| on_the_body(sensor.geom) == sensor.body));
-    let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    assert!(sensors.iter().all(|sensor| (length(&sensor.frame[..3]) - 1.0).abs() < 1e-12));
-    env.update().unwrap();
-    assert!(env.touch_sensors(1).is_err());
+    assert!(receptors.iter().all(|receptor| on_the_body(receptor.geom) == receptor.body));
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    for receptor in &receptors {
+        let (normal, tangent) = receptor.frame.split_at(3);
+        assert!((dot(normal, normal) - 1.0).abs() < 1e-12 && dot(normal, &tangent[..3]).abs() < 1e-12);
+    }
+    assert_eq!(layout.receptor_values(touch, MIMO_RECEPTOR_POSITION).unwrap()[3..6], receptors[1].position);
+    assert_eq!(layout.receptor_values(touch, 99).unwrap_err().kind(), Kind::Unsupported);
+    assert_eq!(layout.field(layout.find("vision/eye_left").unwrap()).unwrap().receptors, 0);
 }

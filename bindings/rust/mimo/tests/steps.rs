@@ -1,6 +1,6 @@
 //! How worlds go on, what rewards consist of, where time goes, and what there is by name.
 use mimo::sys::{MIMO_BODY, MIMO_BODY_POSITION, MIMO_JOINT, MIMO_JOINT_POSITION};
-use mimo::{Batch, BatchConfig, Env, EnvConfig, Kind, Object, Picture, Scene, Timing};
+use mimo::{Batch, BatchConfig, Env, EnvConfig, Kind, Object, PictureConfig, Reset, Scene, Timing};
 use std::time::Duration;
 
 /// A ball at a height of 2 m in an empty world.
@@ -20,7 +20,9 @@ fn worlds_know_their_task_and_time_steps() {
     config.frame_skip(3);
     let mut env = ball(&config);
     assert_eq!((env.task().unwrap().as_str(), env.frame_skip()), ("none", Ok(3)));
-    env.step_agents(&[], None, &mut []).unwrap();
+    let mut results = env.new_results().unwrap();
+    assert!(results.reward.is_empty() && results.terms.is_empty());
+    env.step_into(&[], None, &mut results).unwrap();
     assert!((env.time().unwrap() - 0.015).abs() < 1e-15);
 }
 
@@ -40,17 +42,16 @@ fn bare_physics_steps_are_counted() {
 #[test]
 fn rewards_consist_of_terms() {
     let mut env = Env::make("reach").unwrap();
-    env.reset(Some(3), None).unwrap();
-    assert!(env.reward_terms(0).unwrap().iter().all(|term| term.value == 0.0));
-    let reward = env.step(&[], None).unwrap().reward;
-    let terms = env.reward_terms(0).unwrap();
+    env.reset(Reset::new().seed(3), None).unwrap();
+    let mut results = env.new_results().unwrap();
+    env.step_into(&[], None, &mut results).unwrap();
+    let terms = env.layout().unwrap().terms().unwrap();
     assert_eq!(terms.iter().map(|term| term.name.as_str()).collect::<Vec<_>>(), ["distance", "success"]);
-    assert_eq!(terms.iter().map(|term| term.value).sum::<f64>(), reward);
+    assert_eq!(results.terms.iter().sum::<f64>(), results.reward[0]);
     let ids = ["right_fingers", "target"].map(|name| env.find(MIMO_BODY, name).unwrap());
     let at = env.get(MIMO_BODY_POSITION, &ids).unwrap();
     let distance = (0..3).map(|i| (at[i] - at[3 + i]).powi(2)).sum::<f64>().sqrt();
-    assert!((terms[0].value + distance).abs() < 1e-12 && distance > 0.1, "{:?} {}", terms, distance);
-    assert!(env.reward_terms(1).unwrap_err().message().contains("agent is 1"));
+    assert!((results.terms[0] + distance).abs() < 1e-12 && distance > 0.1, "{:?} {}", results, distance);
 }
 
 #[test]
@@ -79,7 +80,7 @@ fn timing_tells_where_time_goes() {
 #[test]
 fn points_lie_where_a_pinhole_draws_them() {
     let env = ball(&EnvConfig::new().unwrap());
-    let mut ahead = Picture::new(640, 480).unwrap();
+    let mut ahead = PictureConfig::new(640, 480).unwrap();
     ahead.free([0.0, 0.0, 1.0], 2.0, 90.0, 0.0).fovy(90.0); // looks along +y: right is +x
     let seen = env.project(&ahead, &[[0.0, 0.0, 1.0], [0.5, 0.0, 1.25], [0.0, -3.0, 1.0]]).unwrap();
     let near = |one: [f64; 3], other: [f64; 3]| (0..3).all(|i| (one[i] - other[i]).abs() < 1e-9);

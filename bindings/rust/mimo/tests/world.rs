@@ -1,6 +1,9 @@
 //! One world, driven as a user drives it.
 use mimo::sys::*;
-use mimo::{AgentConfig, Env, EnvConfig, Kind, Level, Object, Scene};
+use mimo::{
+    AgentConfig, Batch, BatchConfig, Env, EnvConfig, Kind, Level, LogRecord, Object, Reset, Scene,
+    SceneConfig,
+};
 use std::sync::{Arc, Mutex};
 
 /// An empty world with one ball at a height of 2 m: physics that can be computed by hand.
@@ -35,9 +38,10 @@ fn hangs_on(env: &Env, mut body: i32, root: i32) -> bool {
 fn ball_falls_as_calculated() {
     let mut env = ball();
     let id = env.find(MIMO_BODY, "ball").unwrap();
-    env.reset(Some(1), None).unwrap();
+    env.reset(Reset::new().seed(1), None).unwrap();
+    let mut results = env.new_results().unwrap(); // nobody to be rewarded
     for _ in 0..10 {
-        env.step_agents(&[], None, &mut []).unwrap(); // nobody to be rewarded
+        env.step_into(&[], None, &mut results).unwrap();
     }
     let n = (env.time().unwrap() / 0.005).round();
     assert!(n >= 10.0);
@@ -51,7 +55,7 @@ fn ball_falls_as_calculated() {
 fn fields_are_views_of_the_block() {
     let mut env = Env::make("benchmark").unwrap();
     let mut block = env.new_block().unwrap();
-    env.reset(Some(7), Some(&mut block)).unwrap();
+    env.reset(Reset::new().seed(7), Some(&mut block)).unwrap();
     let picture = block.u8("vision/eye_left").unwrap();
     assert_eq!(picture.len(), 256 * 256 * 3); // the default size
     assert!(block.as_bytes().as_ptr_range().contains(&picture.as_ptr()));
@@ -69,7 +73,7 @@ fn an_infant_stands_where_its_soles_are_put() {
         let mut scene = Scene::builtin("free").unwrap();
         let mut agent = scene.default_agent().unwrap();
         agent.vision(0, 8, 8).vestibular(MIMO_VESTIBULAR_ACCELERATION);
-        agent.place_by(MIMO_PLACE_SOLES as i32, [0.5, 0.0, height], [1.0, 0.0, 0.0, 0.0]);
+        agent.place_by(MIMO_PLACE_SOLES, [0.5, 0.0, height], [1.0, 0.0, 0.0, 0.0]);
         scene.add_agent(&agent).unwrap();
         let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
         let ids = [env.find(MIMO_BODY, "left_foot").unwrap(), env.find(MIMO_BODY, "right_foot").unwrap()];
@@ -87,7 +91,7 @@ fn errors_carry_kind_and_message() {
     assert!(error.message().contains("\"benchmarc\"") && error.message().contains("benchmark"), "{}", error);
 
     let mut env = Env::make("reach").unwrap();
-    let mut action = vec![0.0; env.action_size().unwrap()];
+    let mut action = vec![0.0; env.layout().unwrap().action_count()];
     action[1] = f32::NAN;
     let error = env.step(&action, None).unwrap_err();
     assert_eq!((error.kind(), error.message()), (Kind::InvalidArgument, "action[1] is not a number"));
@@ -103,9 +107,9 @@ fn errors_carry_kind_and_message() {
 fn block_of_another_world_is_refused() {
     let mut small = Env::make("reach").unwrap();
     let mut block = small.new_block().unwrap();
-    small.reset(Some(1), Some(&mut block)).unwrap();
+    small.reset(Reset::new().seed(1), Some(&mut block)).unwrap();
     let before = block.as_bytes().to_vec();
-    let error = Env::make("benchmark").unwrap().reset(Some(1), Some(&mut block)).unwrap_err();
+    let error = Env::make("benchmark").unwrap().reset(Reset::new().seed(1), Some(&mut block)).unwrap_err();
     assert_eq!(error.kind(), Kind::BufferTooSmall);
     assert_eq!(before, block.as_bytes());
 }
@@ -114,8 +118,8 @@ fn block_of_another_world_is_refused() {
 fn saved_state_continues_to_the_bit() {
     let mut env = Env::make("reach").unwrap();
     let (mut first, mut second) = (env.new_block().unwrap(), env.new_block().unwrap());
-    let action = vec![0.5; env.action_size().unwrap()];
-    env.reset(Some(3), None).unwrap();
+    let action = vec![0.5; env.layout().unwrap().action_count()];
+    env.reset(Reset::new().seed(3), None).unwrap();
     env.step(&action, None).unwrap();
     let state = env.save().unwrap();
     let mut clone = env.try_clone().unwrap();
@@ -141,31 +145,92 @@ fn agent_config_reaches_the_world() {
     assert!(folder.join("scene.xml").exists());
     std::fs::remove_dir_all(&folder).unwrap();
     let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
-    assert_eq!(env.action_size(), Ok(4)); // shoulder (three) and elbow
+    assert_eq!(env.layout().unwrap().action_count(), 4); // shoulder (three) and elbow
     assert_eq!(env.new_block().unwrap().f32("anna/vision/eye_left_depth").unwrap().len(), 32 * 16);
 }
 
+/// What was said: level, code, text, world, time.
+type Heard = Arc<Mutex<Vec<(Level, u32, String, Option<usize>, f64)>>>;
+
 /// A panic in the callback must not unwind through the library.
-#[test]
-fn log_panics_stay_inside() {
-    let heard = Arc::new(Mutex::new(Vec::new()));
-    let copy = heard.clone();
-    let mut config = EnvConfig::new().unwrap();
-    config.log(move |level, message| {
-        if let Ok(mut heard) = copy.lock() {
-            heard.push((level, message.to_string()));
+fn listener(heard: &Heard) -> impl Fn(&LogRecord) + Send + Sync + 'static {
+    let heard = heard.clone();
+    move |record| {
+        if let Ok(mut heard) = heard.lock() {
+            heard.push((record.level, record.code, record.text.to_string(), record.world, record.time));
         }
         panic!("dropped at the border");
-    });
+    }
+}
+
+#[test]
+fn messages_say_what_where_and_when() {
+    let heard = Heard::default();
+    let mut config = EnvConfig::new().unwrap();
+    config.log(listener(&heard));
     let scene = Scene::xml(CROWDED).unwrap();
     let mut env = Env::new(&scene, &config).unwrap();
-    env.step_agents(&[], None, &mut []).unwrap();
+    let mut results = env.new_results().unwrap();
+    env.step_into(&[], None, &mut results).unwrap();
     let heard = heard.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    assert!(
-        heard.iter().any(|(level, message)| *level == Level::Warning && !message.is_empty()),
-        "{:?}",
-        heard
-    );
+    let (level, code, text, world, time) = heard.first().unwrap();
+    assert_eq!((*level, *code, *world), (Level::Warning, MIMO_WARNING_CONTACTS_DROPPED, Some(0)), "{}", text);
+    assert!((0.0..=env.time().unwrap()).contains(time) && !text.is_empty());
+    assert!(env.warnings().unwrap()[MIMO_WARNING_CONTACTS_DROPPED as usize] > 0);
+}
+
+#[test]
+fn messages_of_a_batch_name_their_worlds() {
+    let heard = Heard::default();
+    let mut config = EnvConfig::new().unwrap();
+    config.log(listener(&heard));
+    let scene = Scene::xml(CROWDED).unwrap();
+    let mut batch = Batch::new(&scene, &config, &BatchConfig::new(2).unwrap()).unwrap();
+    let mut results = batch.new_results().unwrap();
+    batch.step(&[], None, &mut results).unwrap();
+    let heard = heard.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    for world in 0..2 {
+        assert!(heard.iter().any(|record| record.3 == Some(world)), "{:?}", heard);
+    }
+}
+
+/// An infant that lies half a metre below the floor.
+#[test]
+fn scenes_warn_of_places() {
+    let heard = Heard::default();
+    let mut config = SceneConfig::builtin("free").unwrap();
+    let mut scene = Scene::new(config.log(listener(&heard))).unwrap();
+    let mut agent = scene.default_agent().unwrap();
+    agent.vision(0, 8, 8).touch(0, 1.0);
+    agent.place_by(MIMO_PLACE_LOWEST, [0.0, 0.0, -0.5], [1.0, 0.0, 0.0, 0.0]);
+    scene.add_agent(&agent).unwrap();
+    Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let heard = heard.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let (level, code, text, world, time) = heard.first().unwrap();
+    assert_eq!((*level, *code, *world, *time), (Level::Warning, 0, None, 0.0), "{}", text);
+}
+
+/// Three elements in the world, of which two are allowed.
+#[test]
+fn documents_are_limited() {
+    let mut config = SceneConfig::xml(CROWDED).unwrap();
+    let make = |config: &SceneConfig| Env::new(&Scene::new(config).unwrap(), &EnvConfig::new().unwrap());
+    assert!(make(&config).is_ok());
+    config.limits(mimo::DocumentLimits { max_elements: 2, ..Default::default() });
+    assert_eq!(make(&config).unwrap_err().kind(), Kind::Model);
+}
+
+#[test]
+fn the_library_tells_what_it_knows() {
+    assert_eq!((mimo::abi_version(), mimo::api_version()), (MIMO_ABI_VERSION, MIMO_API_VERSION));
+    for known in ["mimo_env_step", "MIMO_BODY_MASS", "mimo_field", "mimo_field.period"] {
+        assert!(mimo::supports(known), "{}", known);
+    }
+    for unknown in ["mimo_env_stop", "MIMO_BODY_MAS", "mimo_field.time", "", "mimo_\0field"] {
+        assert!(!mimo::supports(unknown), "{}", unknown);
+    }
+    let error = Env::make("reach").unwrap().get(9999, &[0]).unwrap_err();
+    assert_eq!(error.kind(), Kind::Unsupported);
 }
 
 /// Two boxes on each other with room for a single contact: MuJoCo warns.
@@ -182,7 +247,7 @@ fn handles_move_between_threads() {
     needs::<mimo::Batch>();
     needs::<mimo::Block>();
     let env = Env::make("reach").unwrap();
-    let count = env.action_size().unwrap();
+    let count = env.layout().unwrap().action_count();
     let env = std::thread::spawn(move || {
         let mut env = env;
         env.step(&vec![0.0; count], None).unwrap();
@@ -206,6 +271,6 @@ fn everything_prints() {
     assert!(said.contains("\"proprioception/position\"") && said.len() < block.as_bytes().len() / 10);
     assert!(format!("{:?}", *env).starts_with("World { handle: 0x"));
     let mut config = EnvConfig::new().unwrap();
-    config.log(|_, _| ());
+    config.log(|_| ());
     assert!(format!("{:?} {:?}", env, config).contains("log: Some(Log)"));
 }

@@ -1,0 +1,152 @@
+using System;
+
+namespace Mimo
+{
+    // What an AgentConfig is made of; values are those of mimo.h.
+
+    /// <summary>Which point of an agent lies at its position.</summary>
+    public enum Place
+    {
+        /// <summary>None: it gets the scene's own place.</summary>
+        Scene = 0,
+        /// <summary>The origin of its root body; standing soles are 0.33 m below.</summary>
+        Root = 1,
+        /// <summary>The middle between its feet from above, at the height of the lowest point of them.</summary>
+        Soles = 2,
+        /// <summary>Its root body from above, at the height of its lowest point.</summary>
+        Lowest = 3
+    }
+
+    /// <summary>What an agent senses of its own body.</summary>
+    [Flags]
+    public enum Proprioception : uint
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>Joint velocities, rad/s.</summary>
+        Velocity = 0x01,
+        /// <summary>Three-axis torque sensors at the joints, Nm.</summary>
+        Torque = 0x02,
+        /// <summary>Limit sensors, 1 at a joint's limit.</summary>
+        Limit = 0x04,
+        /// <summary>Controls and torques of motors, targets, or what muscles do.</summary>
+        Actuation = 0x08,
+        /// <summary>Torque about each joint's own axis, Nm.</summary>
+        JointTorque = 0x10,
+        /// <summary>Joint angles, rad.</summary>
+        Position = 0x20,
+        /// <summary>Effort, 0 to 1.</summary>
+        Effort = 0x40,
+        /// <summary>All that the library has.</summary>
+        All = 0x80000000
+    }
+
+    /// <summary>What the sense of balance feels.</summary>
+    [Flags]
+    public enum Vestibular : uint
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>Acceleration, gravity included, m/s^2.</summary>
+        Acceleration = 0x1,
+        /// <summary>Angular velocity, rad/s.</summary>
+        AngularVelocity = 0x2
+    }
+
+    /// <summary>What a camera or an eye gives.</summary>
+    [Flags]
+    public enum Vision : uint
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>Colour, bytes, height x width x 3, row 0 is the top.</summary>
+        Rgb = 0x1,
+        /// <summary>Depth along the camera's axis, float, metres.</summary>
+        Depth = 0x2,
+        /// <summary>Geom id of each pixel, int; -1 is background.</summary>
+        Segmentation = 0x4
+    }
+
+    /// <summary>What an action is.</summary>
+    public enum Actuation : uint
+    {
+        /// <summary>A motor's share of its largest torque.</summary>
+        Torque = 0,
+        /// <summary>The angle to which a soft lock takes a joint, rad.</summary>
+        Position = 1,
+        /// <summary>The activation of a muscle, two a motor, of the original MIMo's model.</summary>
+        Muscle = 2,
+        /// <summary>The same by MuJoCo's muscle model.</summary>
+        MujocoMuscle = 3
+    }
+
+    /// <summary>Parts of an infant that have motors; 0: the scene's own choice.</summary>
+    [Flags]
+    public enum Act : uint
+    {
+        /// <summary>Three motors.</summary>
+        Trunk = 0x01,
+        /// <summary>Three.</summary>
+        Head = 0x02,
+        /// <summary>Three an eye.</summary>
+        Eyes = 0x04,
+        /// <summary>Shoulder (three) and elbow.</summary>
+        RightArm = 0x08,
+        /// <summary>The same on the left.</summary>
+        LeftArm = 0x10,
+        /// <summary>Wrist (three) and fingers.</summary>
+        RightHand = 0x20,
+        /// <summary>The same on the left.</summary>
+        LeftHand = 0x40,
+        /// <summary>Hip (three) and knee.</summary>
+        RightLeg = 0x80,
+        /// <summary>The same on the left.</summary>
+        LeftLeg = 0x100,
+        /// <summary>Ankle (three) and toes.</summary>
+        RightFoot = 0x200,
+        /// <summary>The same on the left.</summary>
+        LeftFoot = 0x400,
+        /// <summary>All that the library has.</summary>
+        All = 0x80000000,
+        /// <summary>No motor at all; excludes the others.</summary>
+        None = 0x40000000
+    }
+
+    /// <summary>What skin feels, each a field.</summary>
+    [Flags]
+    public enum TouchOutputs : uint
+    {
+        /// <summary>No touch.</summary>
+        None = 0,
+        /// <summary>"touch/force", N x 3: normal force and friction, N.</summary>
+        Force = 0x1,
+        /// <summary>"touch/force", N x 1: the normal force alone, N; instead of Force.</summary>
+        NormalForce = 0x2,
+        /// <summary>"touch/slip", N x 2: how it slides over the skin, along its tangents, m/s.</summary>
+        Slip = 0x4,
+        /// <summary>"touch/friction_use", N x 1: share of the possible friction in use; 1: all.</summary>
+        FrictionUse = 0x8
+    }
+
+    /// <summary>Which touch sensors feel how much of a touch.</summary>
+    public enum TouchResponse
+    {
+        /// <summary>The nearest one feels all of it.</summary>
+        Nearest = 1,
+        /// <summary>Weights fall linearly with the distance along the skin, to 0 at 2 spacings.</summary>
+        Linear = 2,
+        /// <summary>Weights fall as a bell of deviation 2/3 spacing, cut off at 2 spacings.</summary>
+        Gaussian = 3
+    }
+
+    /// <summary>The frame of touch forces with three components.</summary>
+    public enum TouchFrame
+    {
+        /// <summary>That of the body that the sensor sits on.</summary>
+        Body = 1,
+        /// <summary>That of the world.</summary>
+        World = 2,
+        /// <summary>Of the skin at the sensor, see Receptor.Frame.</summary>
+        Skin = 3
+    }
+}

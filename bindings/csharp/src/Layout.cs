@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.InteropServices;
+
+namespace Mimo
+{
+    /// <summary>What a world, a batch or attached senses observe, act with and are rewarded for; of a batch, what each of
+    /// its worlds does. It never changes.</summary>
+    public sealed class Layout
+    {
+        private readonly LayoutHandle handle;
+
+        /// <summary>Size of an observation block.</summary>
+        public int BlockBytes { get; }
+
+        /// <summary>Number of agents.</summary>
+        public int Agents { get; }
+
+        /// <summary>The fields of the block.</summary>
+        public IReadOnlyList<Field> Fields { get; }
+
+        /// <summary>The actions of all agents.</summary>
+        public IReadOnlyList<ActionInfo> Actions { get; }
+
+        /// <summary>What rewards consist of, of all agents; in the order of Env.Terms.</summary>
+        public IReadOnlyList<TermInfo> Terms { get; }
+
+        internal delegate int LayoutCall(out IntPtr layout);
+
+        internal Layout(SafeHandle owner, LayoutCall ask)
+        {
+            IntPtr lent;
+            MimoException.Check(ask(out lent));
+            handle = new LayoutHandle(lent, owner);
+            var info = new LayoutInfoStruct { struct_size = (uint)Structs.Size<LayoutInfoStruct>() };
+            MimoException.Check(Native.mimo_layout_describe(handle, ref info));
+            BlockBytes = (int)info.block_bytes;
+            Agents = (int)info.agents;
+            Fields = All(info.fields, index => new Field(handle, index));
+            Actions = All(info.actions, index => ActionInfo.Of(handle, index));
+            Terms = All(info.terms, index => TermInfo.Of(handle, index));
+        }
+
+        private static T[] All<T>(UIntPtr count, Func<UIntPtr, T> byIndex)
+        {
+            return Enumerable.Range(0, (int)count).Select(index => byIndex((UIntPtr)(uint)index)).ToArray();
+        }
+
+        /// <summary>A field by its name.</summary>
+        public Field Find(string name)
+        {
+            UIntPtr index;
+            MimoException.Check(Native.mimo_layout_find(handle, Utf8.Bytes(name), out index));
+            return Fields[(int)index];
+        }
+
+        /// <summary>Where a term of an agent's reward stands in Terms, and so in Env.Terms.</summary>
+        public int FindTerm(string name, int agent = 0)
+        {
+            for (var i = 0; i < Terms.Count; ++i)
+                if (Terms[i].Name == name && Terms[i].Agent == agent) return i;
+            throw new ArgumentException("no term \"" + name + "\" of agent " + agent + "; there are: " +
+                string.Join(", ", Terms.Select(term => term.Name + " of " + term.Agent)), nameof(name));
+        }
+    }
+
+    /// <summary>One action: the control input of one motor.</summary>
+    public sealed class ActionInfo
+    {
+        /// <summary>Its actuator's, "act:left_elbow", or its muscle's.</summary>
+        public string Name { get; private set; }
+        /// <summary>"rad" for angles; "" for none.</summary>
+        public string Unit { get; private set; }
+        /// <summary>Whose it is.</summary>
+        public int Agent { get; private set; }
+        /// <summary>Smallest value; -infinity where there is none.</summary>
+        public double Low { get; private set; }
+        /// <summary>Largest value; infinity where there is none.</summary>
+        public double High { get; private set; }
+
+        internal static ActionInfo Of(LayoutHandle layout, UIntPtr index)
+        {
+            var raw = new ActionStruct { struct_size = (uint)Structs.Size<ActionStruct>() };
+            MimoException.Check(Native.mimo_layout_action(layout, index, ref raw));
+            return new ActionInfo
+            {
+                Name = Utf8.Of(raw.name), Unit = Utf8.Of(raw.unit), Agent = (int)raw.agent, Low = raw.low, High = raw.high
+            };
+        }
+    }
+
+    /// <summary>A part of an agent's reward, which is their sum.</summary>
+    public sealed class TermInfo
+    {
+        /// <summary>"distance".</summary>
+        public string Name { get; private set; }
+        /// <summary>Whose reward.</summary>
+        public int Agent { get; private set; }
+
+        internal static TermInfo Of(LayoutHandle layout, UIntPtr index)
+        {
+            var raw = new TermStruct { struct_size = (uint)Structs.Size<TermStruct>() };
+            MimoException.Check(Native.mimo_layout_term(layout, index, ref raw));
+            return new TermInfo { Name = Utf8.Of(raw.name), Agent = (int)raw.agent };
+        }
+    }
+}

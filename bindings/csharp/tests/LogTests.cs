@@ -1,0 +1,76 @@
+// Messages: what they say, whom they are from, and how long they are told.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Mimo;
+
+internal static partial class Tests
+{
+    // A box lies on a plane with four contacts and there is room for one: MuJoCo warns.
+    private const string Crowded = "<mujoco><size nconmax='1'/><worldbody><geom type='plane' size='1 1 1'/>" +
+        "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
+
+    private static void LogIsDeliveredAndItsExceptionsStay()
+    {
+        var records = new List<LogRecord>();
+        var options = new EnvOptions { Log = record => { records.Add(record); throw new Exception("stays"); } };
+        using (var scene = MimoScene.FromXml(Crowded))
+        using (var env = new Env(scene, options))
+        {
+            options.Log = null;
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            env.Reset();
+            records.Clear();
+            env.Step(null);
+            var told = records.Single();
+            Check(told.Level == MessageLevel.Warning && told.Code == Warning.ContactsDropped && told.Text != "", "no warning");
+            Check(told.World == 0 && told.Time >= 0 && told.Time <= env.Time, "another time: " + told.Time);
+        }
+    }
+
+    /// <summary>The original may go before its clone does.</summary>
+    private static void ClonesShareTheLog()
+    {
+        var records = new List<LogRecord>();
+        Env clone;
+        using (var scene = MimoScene.FromXml(Crowded))
+        using (var env = new Env(scene, new EnvOptions { Log = records.Add })) clone = env.Clone();
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        clone.Step(null);
+        clone.Dispose();
+        Check(records.Count > 0, "no warning");
+    }
+
+    private static void WorldsOfBatchesSayWhoTheyAre()
+    {
+        var worlds = new HashSet<int?>();
+        using (var scene = MimoScene.FromXml(Crowded))
+        using (var batch = new Batch(scene, 3, new EnvOptions { Log = record => worlds.Add(record.World) }))
+        {
+            worlds.Clear();
+            batch.Step(null);
+            Check(worlds.SetEquals(new int?[] { 0, 1, 2 }), string.Join(" ", worlds));
+        }
+    }
+
+    /// <summary>An infant that starts within a box of 1 m.</summary>
+    private static void ScenesAreToldOfToo()
+    {
+        var records = new List<LogRecord>();
+        using (var scene = MimoScene.Empty(new SceneOptions { Log = records.Add }))
+        {
+            scene.AddObject(new ObjectOptions { Name = "block", Shape = Shape.Box, Size = new Vector3d(0.5, 0.5, 0.5), Fixed = true });
+            var agent = scene.DefaultAgent();
+            agent.vision = Vision.None;
+            agent.touch = TouchOutputs.None;
+            agent.place = Place.Lowest;
+            scene.AddAgent(agent);
+            GC.Collect();
+            new Env(scene).Dispose();
+            var told = records.Single(record => record.Text.Contains("block"));
+            Check(told.Level == MessageLevel.Warning && told.World == null && told.Time == 0, told.Text);
+        }
+    }
+}

@@ -1,0 +1,224 @@
+/* What worlds observe, act with and are rewarded for: the description, and the observations themselves. */
+#include "mimo_layout.h"
+
+#include <string.h>
+
+#include "mimo_arrays.h"
+
+enum { kName = 128 };
+
+static mimo_field field_at(const worlds* all, size_t index) {
+  mimo_field field = {0};
+  field.struct_size = sizeof field;
+  mimo_check(mimo_layout_field(all->layout, index, &field));
+  return field;
+}
+
+static size_t index_of(const worlds* all, const mxArray* name) {
+  size_t index = 0;
+  mimo_check(mimo_layout_find(all->layout, mimo_text(name, "field"), &index));
+  return index;
+}
+
+/* Whatever the locale is. */
+static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+static int is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/* "touch/force" becomes touch_force: names of MATLAB's members have letters, digits and _, a letter first. */
+static void member_name(const char* path, char name[kName]) {
+  size_t used = 0;
+  if (!is_letter(path[0])) name[used++] = 'x';
+  for (; *path != '\0' && used + 1 < kName; ++path) name[used++] = is_letter(*path) || is_digit(*path) ? *path : '_';
+  name[used] = '\0';
+}
+
+const char* mimo_ambiguous_field(const worlds* all) {
+  mxArray* members = mxCreateStructMatrix(1, 1, 0, NULL);
+  size_t i;
+  for (i = 0; i < all->sizes.fields; ++i) {
+    const mimo_field field = field_at(all, i);
+    char name[kName];
+    member_name(field.name, name);
+    if (mxGetFieldNumber(members, name) >= 0) return field.name;
+    mxAddField(members, name);
+  }
+  return NULL;
+}
+
+static const char* type_of(const mimo_field* field) {
+  switch (field->dtype) {
+    case MIMO_U8: return "uint8";
+    case MIMO_I32: return "int32";
+    case MIMO_F32: return "single";
+    default: return "double";
+  }
+}
+
+static void set_number(mxArray* to, size_t i, const char* name, double value) {
+  mxSetField(to, i, name, mxCreateDoubleScalar(value));
+}
+
+static void set_text(mxArray* to, size_t i, const char* name, const char* text) {
+  mxSetField(to, i, name, mxCreateString(text));
+}
+
+static mxArray* fields_of(const worlds* all) {
+  static const char* members[] = {"name",  "member", "type", "size", "unit",   "frame",    "offset",
+                                  "bytes", "low",    "high", "time", "period", "receptors"};
+  mxArray* fields = mxCreateStructMatrix(all->sizes.fields, 1, 13, members);
+  size_t i;
+  for (i = 0; i < all->sizes.fields; ++i) {
+    const mimo_field field = field_at(all, i);
+    mxArray* time = mxCreateDoubleMatrix(1, 2, mxREAL);
+    char member[kName];
+    member_name(field.name, member);
+    mxGetPr(time)[0] = field.start;
+    mxGetPr(time)[1] = field.end;
+    set_text(fields, i, "name", field.name);
+    set_text(fields, i, "member", member);
+    set_text(fields, i, "type", type_of(&field));
+    mxSetField(fields, i, "size", mimo_size_of(&field));
+    set_text(fields, i, "unit", field.unit);
+    set_text(fields, i, "frame", field.frame);
+    set_number(fields, i, "offset", (double)field.offset);
+    set_number(fields, i, "bytes", (double)field.bytes);
+    set_number(fields, i, "low", field.low);
+    set_number(fields, i, "high", field.high);
+    mxSetField(fields, i, "time", time);
+    set_number(fields, i, "period", field.period);
+    set_number(fields, i, "receptors", (double)field.receptors);
+  }
+  return fields;
+}
+
+static mxArray* actions_of(const worlds* all) {
+  static const char* members[] = {"name", "unit", "agent", "low", "high"};
+  mxArray* actions = mxCreateStructMatrix(all->sizes.actions, 1, 5, members);
+  size_t i;
+  for (i = 0; i < all->sizes.actions; ++i) {
+    mimo_action action = {0};
+    action.struct_size = sizeof action;
+    mimo_check(mimo_layout_action(all->layout, i, &action));
+    set_text(actions, i, "name", action.name);
+    set_text(actions, i, "unit", action.unit);
+    set_number(actions, i, "agent", (double)action.agent + 1);
+    set_number(actions, i, "low", action.low);
+    set_number(actions, i, "high", action.high);
+  }
+  return actions;
+}
+
+static mxArray* terms_of(const worlds* all) {
+  static const char* members[] = {"name", "agent"};
+  mxArray* terms = mxCreateStructMatrix(all->sizes.terms, 1, 2, members);
+  size_t i;
+  for (i = 0; i < all->sizes.terms; ++i) {
+    mimo_term term = {0};
+    term.struct_size = sizeof term;
+    mimo_check(mimo_layout_term(all->layout, i, &term));
+    set_text(terms, i, "name", term.name);
+    set_number(terms, i, "agent", (double)term.agent + 1);
+  }
+  return terms;
+}
+
+/* struct = layout(number): of one world */
+static void layout(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  (void)nout;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_any_worlds_of(in[0]);
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add(out[0], "fields", fields_of(all));
+  mimo_add(out[0], "actions", actions_of(all));
+  mimo_add(out[0], "terms", terms_of(all));
+  mimo_add_number(out[0], "agents", (double)all->sizes.agents);
+  mimo_add_number(out[0], "block_bytes", (double)all->sizes.block_bytes);
+}
+
+/* labels = labels(number, field): a cell array of the field's size */
+static void labels(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  mimo_field field;
+  size_t index, i;
+  (void)nout;
+  mimo_need(nin == 2, "expected a world and a field");
+  all = mimo_any_worlds_of(in[0]);
+  index = index_of(all, in[1]);
+  field = field_at(all, index);
+  out[0] = mimo_cells_of(&field);
+  for (i = 0; i < mimo_elements(&field); ++i) {
+    const char* label = NULL;
+    mimo_check(mimo_layout_label(all->layout, index, i, &label));
+    mxSetCell(out[0], mimo_place_of(&field, i), mxCreateString(label));
+  }
+}
+
+static int32_t receptor_quantity(const mxArray* name) {
+  static const char* quantities[] = {"body", "geom", "position", "frame"}; /* MIMO_RECEPTOR_BODY is 1 */
+  const char* asked = mimo_text(name, "quantity");
+  int32_t i = 0;
+  while (i < 4 && strcmp(quantities[i], asked) != 0) ++i;
+  if (i == 4) mimo_refuse("quantity is \"%s\", expected body, geom, position or frame", asked);
+  return i + 1;
+}
+
+/* values = receptors(number, field, quantity): a row a receptor */
+static void receptors(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  int32_t quantity;
+  size_t index, count, width = 0, i;
+  double* values;
+  (void)nout;
+  mimo_need(nin == 3, "expected a world, a field and a quantity");
+  all = mimo_any_worlds_of(in[0]);
+  index = index_of(all, in[1]);
+  quantity = receptor_quantity(in[2]);
+  mimo_check(mimo_layout_receptor_width(all->layout, index, quantity, &width));
+  values = mxCalloc(width + 1, sizeof *values);
+  mimo_check(mimo_layout_receptors(all->layout, index, quantity, values, width));
+  count = field_at(all, index).receptors;
+  if (count > 0) width /= count;
+  out[0] = mxCreateDoubleMatrix(count, width, mxREAL);
+  for (i = 0; i < count * width; ++i) mxGetPr(out[0])[i % width * count + i / width] = values[i];
+}
+
+/* struct = observation(number, 'double' or 'single', 'last' or 'final') */
+static void observation(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  const char *precision, *which;
+  stack blocks;
+  size_t i;
+  (void)nout;
+  mimo_need(nin == 3, "expected a world, 'double' or 'single', and 'last' or 'final'");
+  all = mimo_worlds_of(in[0]);
+  precision = mimo_text(in[1], "precision");
+  which = mimo_text(in[2], "which");
+  mimo_need(strcmp(precision, "double") == 0 || strcmp(precision, "single") == 0,
+            "the precision is 'double' or 'single'");
+  mimo_need(strcmp(which, "last") == 0 || strcmp(which, "final") == 0, "which observation is 'last' or 'final'");
+  mimo_need(which[0] == 'l' || all->finals != NULL, "there are final observations with the option autoreset 2 only");
+  blocks.data = which[0] == 'l' ? all->blocks : all->finals;
+  blocks.bytes = all->sizes.block_bytes;
+  blocks.count = all->count;
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  for (i = 0; i < all->sizes.fields; ++i) {
+    const mimo_field field = field_at(all, i);
+    char name[kName];
+    member_name(field.name, name);
+    mimo_add(out[0], name, mimo_array_of(&field, blocks, precision[0] == 's'));
+  }
+}
+
+/* bytes = block(number): the observation as the library wrote it, a column a world */
+static void block(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  (void)nout;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_worlds_of(in[0]);
+  out[0] = mxCreateNumericMatrix(all->sizes.block_bytes, all->count, mxUINT8_CLASS, mxREAL);
+  memcpy(mxGetData(out[0]), all->blocks, all->count * all->sizes.block_bytes);
+}
+
+const mimo_command mimo_layout_commands[] = {{"layout", layout},           {"labels", labels}, {"receptors", receptors},
+                                             {"observation", observation}, {"block", block},   {NULL, NULL}};

@@ -1,0 +1,61 @@
+/*
+ * Messages of the library. It tells them in the middle of a call, where MATLAB must not be called: its errors would
+ * jump over the library. So they wait here.
+ */
+#include "mimo_messages.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+enum { kKept = 256, kText = 1024 };
+
+typedef struct message {
+  double number, time;
+  size_t world;
+  int32_t level, code;
+  uint32_t in_world;
+  char text[kText];
+} message;
+
+/* A ring: where it is full, the oldest message goes. */
+static message kept[kKept];
+static size_t oldest, count;
+
+void* mimo_teller(double number) { return (void*)(uintptr_t)number; }
+
+void mimo_keep_message(void* user, const mimo_log_record* record) {
+  message* to = &kept[(oldest + count) % kKept];
+  if (count < kKept)
+    ++count;
+  else
+    oldest = (oldest + 1) % kKept;
+  to->number = (double)(uintptr_t)user;
+  to->level = record->level;
+  to->code = record->code;
+  to->in_world = record->in_world;
+  to->world = record->world;
+  to->time = record->time;
+  snprintf(to->text, sizeof to->text, "%s", mimo_counted(record->text));
+}
+
+/* Empty where a message comes from no world. */
+static mxArray* of_world(const message* from, double value) {
+  return from->in_world ? mxCreateDoubleScalar(value) : mxCreateDoubleMatrix(0, 0, mxREAL);
+}
+
+mxArray* mimo_take_messages(void) {
+  static const char* members[] = {"number", "level", "code", "text", "world", "time"};
+  mxArray* all = mxCreateStructMatrix(count, 1, 6, members);
+  size_t i;
+  for (i = 0; i < count; ++i) {
+    const message* from = &kept[(oldest + i) % kKept];
+    mxSetFieldByNumber(all, i, 0, mxCreateDoubleScalar(from->number));
+    mxSetFieldByNumber(all, i, 1, mxCreateString(from->level == MIMO_LOG_WARNING ? "warning" : "info"));
+    mxSetFieldByNumber(all, i, 2, mxCreateDoubleScalar(from->code));
+    mxSetFieldByNumber(all, i, 3, mxCreateString(from->text));
+    mxSetFieldByNumber(all, i, 4, of_world(from, (double)from->world + 1));
+    mxSetFieldByNumber(all, i, 5, of_world(from, from->time));
+  }
+  count = 0;
+  return all;
+}

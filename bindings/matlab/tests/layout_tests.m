@@ -1,0 +1,162 @@
+% Tests of what worlds observe and act with.
+function all_of_them = layout_tests()
+  all_of_them = {@fields_lie_where_it_says, @labels_are_names, @late_fields_say_so, @actions_are_described, ...
+                 @receptors_lie_on_the_skin, @fields_on_request, @members_are_told_apart};
+end
+
+% In the block, in C's order.
+function fields_lie_where_it_says()
+  worlds = mimo_create('benchmark', 'worlds', 2, 'vision', 7, 'vision_height', 8, 'vision_width', 16);
+  seen = mimo_reset(worlds, 7);
+  layout = mimo_layout(worlds);
+  blocks = mimo_mex('block', worlds);
+  assert(layout.block_bytes == size(blocks, 1) && layout.agents == 1);
+  assert(isequal({layout.fields.member}, fieldnames(seen)'));
+  for i = 1:numel(layout.fields)
+    field = layout.fields(i);
+    raw = typecast(blocks(field.offset + (1:field.bytes), 2), field.type);
+    expected = permute(reshape(raw, fliplr(field.size)), numel(field.size):-1:1);
+    its = of_second(seen.(field.member));
+    assert(isequal(double(expected), double(its)), field.name);
+    assert(all(its(:) >= field.low) && all(its(:) <= field.high), field.name);
+    assert(abs(field.period - 0.01) < 1e-12, field.name);
+  end
+  eye = field_of(layout, 'vision/eye_left');
+  assert(strcmp(eye.member, 'vision_eye_left') && isequal(eye.size, [8 16 3]) && strcmp(eye.type, 'uint8'));
+  assert(isequal([eye.low eye.high], [0 255]) && eye.receptors == 0);
+  touch = field_of(layout, 'touch/force');
+  assert(strcmp(touch.unit, 'N') && touch.receptors == size(seen.touch_force, 1) && touch.low == -Inf);
+  mimo_close(worlds);
+end
+
+function labels_are_names()
+  world = mimo_create('benchmark', 'vision', 0);
+  mimo_reset(world, 7);
+  for step = 1:5, seen = mimo_step(world, ones(size(mimo_bounds(world)))); end
+  layout = mimo_layout(world);
+  names = mimo_labels(world, 'proprioception/position');
+  assert(isequal(size(names), size(seen.proprioception_position)));
+  angles = mimo_get(world, 'joint_position', names);
+  assert(max(abs(angles - seen.proprioception_position)) < 1e-6 && numel(unique(angles)) > 10);
+  names = mimo_labels(world, 'proprioception/torque');
+  assert(isequal(size(names), field_of(layout, 'proprioception/torque').size));
+  sensors = regexprep(names, '/[xyz]$', '');  % one a row, with an axis a column
+  assert(isequal(sensors(:, 1), sensors(:, 2)) && all(strcmp(regexp(names(:, 3), '/[xyz]$', 'match', 'once'), '/z')));
+  torques = reshape(mimo_get(world, 'sensor_value', sensors(:, 1)), 3, [])';
+  assert(max(max(abs(torques - seen.proprioception_torque))) < 1e-5 && numel(unique(torques)) > 10);
+  names = mimo_labels(world, 'touch/force');
+  assert(isequal(size(names), size(seen.touch_force)) && all(strcmp(names(:), '')));
+  refused(@() mimo_labels(world, 'touch/pain'), 'mimo:NOT_FOUND');
+  said = message_of(@() mimo_labels(world, 'touch/pain'));
+  assert(~isempty(strfind(said, 'touch/force')), said);
+  mimo_close(world);
+end
+
+% Accelerations are those that the last physics step, of 5 ms, began with; a delay comes to that.
+function late_fields_say_so()
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'limits', struct('path', 'vestibular', 'delay', 0.03));
+  layout = mimo_layout(world);
+  late = field_of(layout, 'vestibular/acceleration');
+  assert(max(abs(late.time - [-0.035 -0.035])) < 1e-12, mat2str(late.time));
+  assert(isequal(field_of(layout, 'proprioception/position').time, [0 0]));
+  mimo_close(world);
+end
+
+% Under position control bounds are the ranges of the joints; muscles are activated from 0 to 1.
+function actions_are_described()
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 8, 'actuation', 1);  % the right arm
+  actions = mimo_layout(world).actions;
+  assert(numel(actions) == 4 && all(strcmp({actions.unit}, 'rad')) && all([actions.agent] == 1));
+  elbow = actions(strcmp({actions.name}, 'act:right_elbow'));
+  assert(max(abs([elbow.low; elbow.high] - mimo_get(world, 'joint_range', 'robot:right_elbow'))) < 1e-6);
+  [low, high] = mimo_bounds(world);
+  assert(isequal(low, [actions.low]') && isequal(high, [actions.high]'));
+  mimo_close(world);
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 8, 'actuation', 2);
+  actions = mimo_layout(world).actions;
+  assert(numel(actions) == 8 && all([actions.low] == 0) && all([actions.high] == 1) && all(strcmp({actions.unit}, '')));
+  assert(isequal(strrep({actions(1:4).name}, 'negative', 'positive'), {actions(5:8).name}));
+  mimo_close(world);
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 2 ^ 30);
+  assert(isempty(mimo_layout(world).actions) && isequal(size(mimo_bounds(world)), [0 1]));
+  mimo_close(world);
+  world = mimo_create('playdate', 'vision', 0, 'touch', 0);
+  actions = mimo_layout(world).actions;
+  assert(isequal(unique([actions.agent]), [1 2]) && mimo_layout(world).agents == 2);
+  mimo_close(world);
+end
+
+% The skin of a sphere: 10 cm from its middle, looking away from it.
+function receptors_lie_on_the_skin()
+  file = [tempname() '.xml'];
+  text = fopen(file, 'w');
+  fprintf(text, ['<mujoco><worldbody><geom type="plane" size="1 1 .1"/><body name="ball" pos="0 0 1"><freejoint/>' ...
+                 '<geom name="skin" size=".1" pos=".2 0 0"/></body></worldbody></mujoco>']);
+  fclose(text);
+  scene = mimo_scene(file);
+  delete(file);
+  mimo_scene_add(scene, 'agent', 'body', 'scene', 'root', 'ball', 'vision', 0, 'vestibular', 0);
+  mimo_scene_add(scene, 'skin', 'spacing', 0.02);
+  world = mimo_create(scene);
+  mimo_close(scene);
+  positions = mimo_receptors(world, 'touch/force', 'position');
+  count = size(positions, 1);
+  area = 4 * pi * 0.1 ^ 2;
+  assert(abs(count * 0.02 ^ 2 / area - 1) < 0.25, sprintf('%d', count));
+  assert(count == size(mimo_reset(world, 1).touch_force, 1));
+  from_middle = positions - repmat([0.2 0 0], count, 1);
+  assert(max(abs(sqrt(sum(from_middle .^ 2, 2)) - 0.1)) < 1e-9);
+  frames = mimo_receptors(world, 'touch/force', 'frame');
+  assert(max(max(abs(frames(:, 1:3) - from_middle / 0.1))) < 1e-9);
+  assert(max(max(abs(cross(frames(:, 1:3), frames(:, 4:6)) - frames(:, 7:9)))) < 1e-9);
+  assert(max(abs(sum(frames(:, 1:3) .* frames(:, 4:6), 2))) < 1e-9);
+  bodies = mimo_receptors(world, 'touch/force', 'body');
+  geoms = mimo_receptors(world, 'touch/force', 'geom');
+  names = mimo_names(world, 'body');
+  assert(isequal(size(bodies), [count 1]) && all(strcmp(names(bodies + 1), 'ball')));
+  names = mimo_names(world, 'geom');
+  assert(all(strcmp(names(geoms + 1), 'skin')));
+  said = message_of(@() mimo_receptors(world, 'touch/force', 'temperature'));
+  assert(strcmp(said, 'quantity is "temperature", expected body, geom, position or frame'), said);
+  mimo_close(world);
+end
+
+% A ball falls at g t. The box is turned by 90 degrees about z: what is at its -y is at -x of its own frame.
+function fields_on_request()
+  scene = mimo_scene('free');
+  mimo_scene_add(scene, 'agent', 'vision', 0, 'touch', 0);
+  mimo_scene_add(scene, 'object', 'name', 'ball', 'position', [3 0 2]);
+  mimo_scene_add(scene, 'object', 'name', 'box', 'shape', 5, 'size', [.1 .1 .1], 'position', [3 1 3], 'orientation', [1 0 0 1]);
+  mimo_scene_add(scene, 'field', 'name', 'toys/position', 'elements', {'ball', 'box'});
+  mimo_scene_add(scene, 'field', 'name', 'toys/velocity', 'quantity', 'body_velocity_now', 'elements', 'ball');
+  mimo_scene_add(scene, 'field', 'name', 'toys/apart', 'quantity', 'body_position_now', 'elements', 'ball', 'relative_to', 'box');
+  refused(@() mimo_scene_add(scene, 'field', 'name', 'toys/apart', 'elements', 'ball'), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'field', 'name', 'x', 'quantity', 'body_temperature', 'elements', 'ball'), 'mimo:NOT_FOUND');
+  refused(@() mimo_scene_add(scene, 'field', 'name', 'x', 'quantity', 'contact_force'), 'mimo:INVALID_ARGUMENT');
+  world = mimo_create(scene);
+  mimo_close(scene);
+  seen = mimo_reset(world, 1);
+  assert(max(max(abs(seen.toys_position - [3 0 2; 3 1 3]))) < 1e-6, mat2str(seen.toys_position));
+  assert(max(abs(seen.toys_apart(:) - [-1; 0; -1])) < 1e-6, mat2str(seen.toys_apart));
+  seen = mimo_step(world, []);
+  assert(max(abs(seen.toys_velocity(:) - [0; 0; -9.81 * 0.01; 0; 0; 0])) < 1e-6, mat2str(seen.toys_velocity));
+  layout = mimo_layout(world);
+  assert(strcmp(field_of(layout, 'toys/position').unit, 'm'));
+  assert(max(abs(field_of(layout, 'toys/position').time + 0.005)) < 1e-12);
+  assert(isequal(field_of(layout, 'toys/apart').time, [0 0]));
+  mimo_close(world);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'fields', struct('name', 'hands', 'elements', {{'left_hand', 'right_hand'}}));
+  assert(isequal(size(mimo_reset(world, 1).hands), [2 3]));
+  mimo_close(world);
+  refused(@() mimo_create('free', 'fields', struct('name', 'tail', 'elements', 'tail')), 'mimo:NOT_FOUND');
+end
+
+% Names that differ in the library only.
+function members_are_told_apart()
+  twins = struct('name', {'toys/head', 'toys_head'}, 'elements', 'head');
+  said = message_of(@() mimo_create('free', 'vision', 0, 'touch', 0, 'fields', twins));
+  assert(strcmp(said, 'field "toys_head" has the same name in MATLAB as another one'), said);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'fields', struct('name', '2nd', 'elements', 'head'));
+  assert(isequal(size(mimo_reset(world, 1).x2nd), [1 3]));
+  mimo_close(world);
+end

@@ -1,0 +1,174 @@
+//! What something observes, acts with and is rewarded for.
+use crate::block::Block;
+use crate::error::{c_string, check, text, Result};
+use crate::field::Field;
+use crate::rows::row;
+use crate::structs::described;
+use crate::sys;
+use std::ptr::null;
+
+/// What a [`World`](crate::World), a [`Batch`](crate::Batch) (each world of it alike) or [`Senses`](crate::Senses) observe,
+/// act with and are rewarded for. It never changes.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout<'a> {
+    // Belongs to its owner.
+    handle: &'a sys::mimo_layout,
+    info: sys::mimo_layout_info,
+}
+
+/// One action: the control input of one motor, as a share of its largest torque, or what
+/// [`AgentConfig::actuation`](crate::AgentConfig::actuation) makes of it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Action {
+    /// Its actuator's, "act:left_elbow", or its muscle's.
+    pub name: String,
+    /// "rad" under position control without normalised actions; "" for none.
+    pub unit: String,
+    /// Whose it is.
+    pub agent: usize,
+    /// Smallest value, a number of an `f32`; -infinity where there is none.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+}
+
+/// A part of an agent's reward, which is the sum of them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Term {
+    /// "distance".
+    pub name: String,
+    /// Whose reward.
+    pub agent: usize,
+}
+
+/// A place where skin feels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Receptor {
+    /// Id of the body that it sits on.
+    pub body: i32,
+    /// Id of the geom whose surface it lies on.
+    pub geom: i32,
+    /// In the frame of the body, m.
+    pub position: [f64; 3],
+    /// Rows: outward normal, two tangents; in the frame of the body.
+    pub frame: [f64; 9],
+}
+
+impl<'a> Layout<'a> {
+    /// # Safety
+    /// What is asked gives the layout of something that lives as long as `'a`.
+    pub(crate) unsafe fn of(
+        ask: impl FnOnce(*mut *const sys::mimo_layout) -> sys::mimo_status,
+    ) -> Result<Layout<'a>> {
+        let mut handle = null();
+        check(ask(&mut handle))?;
+        let info = described(|info| sys::mimo_layout_describe(handle, info))?;
+        Ok(Layout { handle: &*handle, info })
+    }
+
+    /// Size of an observation block in bytes, a multiple of 64.
+    pub fn block_bytes(&self) -> usize {
+        self.info.block_bytes
+    }
+
+    /// Number of agents: of rewards, flags and outcomes.
+    pub fn agent_count(&self) -> usize {
+        self.info.agents
+    }
+
+    /// Number of actions of all agents together.
+    pub fn action_count(&self) -> usize {
+        self.info.actions
+    }
+
+    /// Number of reward terms of all agents together.
+    pub fn term_count(&self) -> usize {
+        self.info.terms
+    }
+
+    /// The fields of an observation, in the order of the block.
+    pub fn fields(&self) -> Result<Vec<Field>> {
+        (0..self.info.fields).map(|index| self.field(index)).collect()
+    }
+
+    /// The index-th field.
+    pub fn field(&self, index: usize) -> Result<Field> {
+        let raw = described(|raw| unsafe { sys::mimo_layout_field(self.handle, index, raw) })?;
+        unsafe { Field::of(&raw) }
+    }
+
+    /// Index of a field by its name.
+    pub fn find(&self, name: &str) -> Result<usize> {
+        let name = c_string(name)?;
+        let mut index = 0;
+        check(unsafe { sys::mimo_layout_find(self.handle, name.as_ptr(), &mut index) })?;
+        Ok(index)
+    }
+
+    /// What each element of a field is: the joint, sensor or actuator that it belongs to, "robot:left_elbow"; "" in
+    /// pictures and touch.
+    pub fn labels(&self, field: usize) -> Result<Vec<String>> {
+        let elements = self.field(field)?.shape.iter().product::<usize>();
+        (0..elements).map(|element| self.label(field, element)).collect()
+    }
+
+    fn label(&self, field: usize, element: usize) -> Result<String> {
+        let mut label = null();
+        check(unsafe { sys::mimo_layout_label(self.handle, field, element, &mut label) })?;
+        Ok(text(label))
+    }
+
+    /// Where a field's receptors are, in the order of its first axis.
+    pub fn receptors(&self, field: usize) -> Result<Vec<Receptor>> {
+        let bodies = self.receptor_values(field, sys::MIMO_RECEPTOR_BODY)?;
+        let geoms = self.receptor_values(field, sys::MIMO_RECEPTOR_GEOM)?;
+        let positions = self.receptor_values(field, sys::MIMO_RECEPTOR_POSITION)?;
+        let frames = self.receptor_values(field, sys::MIMO_RECEPTOR_FRAME)?;
+        let receptor = |i: usize| Receptor {
+            body: bodies[i] as i32,
+            geom: geoms[i] as i32,
+            position: row(&positions, i),
+            frame: row(&frames, i),
+        };
+        Ok((0..bodies.len()).map(receptor).collect())
+    }
+
+    /// A quantity (`MIMO_RECEPTOR_POSITION` ...) of all receptors of a field, one after the other.
+    pub fn receptor_values(&self, field: usize, quantity: u32) -> Result<Vec<f64>> {
+        let (handle, quantity, mut count) = (self.handle, quantity as i32, 0);
+        check(unsafe { sys::mimo_layout_receptor_width(handle, field, quantity, &mut count) })?;
+        let mut values = vec![0.0; count];
+        check(unsafe { sys::mimo_layout_receptors(handle, field, quantity, values.as_mut_ptr(), count) })?;
+        Ok(values)
+    }
+
+    /// The actions of all agents, in their order.
+    pub fn actions(&self) -> Result<Vec<Action>> {
+        (0..self.info.actions).map(|index| self.action(index)).collect()
+    }
+
+    fn action(&self, index: usize) -> Result<Action> {
+        let raw: sys::mimo_action =
+            described(|raw| unsafe { sys::mimo_layout_action(self.handle, index, raw) })?;
+        let (name, unit) = (text(raw.name), text(raw.unit));
+        Ok(Action { name, unit, agent: raw.agent, low: raw.low, high: raw.high })
+    }
+
+    /// What the terms of [`Results`](crate::Results) are, in their order.
+    pub fn terms(&self) -> Result<Vec<Term>> {
+        (0..self.info.terms).map(|index| self.term(index)).collect()
+    }
+
+    fn term(&self, index: usize) -> Result<Term> {
+        let raw: sys::mimo_term = described(|raw| unsafe { sys::mimo_layout_term(self.handle, index, raw) })?;
+        Ok(Term { name: text(raw.name), agent: raw.agent })
+    }
+
+    /// Memory for observations of so many worlds.
+    pub(crate) fn new_blocks(&self, worlds: usize) -> Result<Block> {
+        Ok(Block::new(self.block_bytes(), worlds, self.fields()?.into()))
+    }
+}

@@ -1,0 +1,173 @@
+//! What steps give, beside observations.
+use crate::block::{memory, Block};
+use crate::error::{Error, Kind, Result, Status};
+use crate::layout::Layout;
+use crate::structs::sized;
+use crate::sys;
+
+/// Whether an agent has done what its task wants, also where that does not end the episode.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(transparent)]
+pub struct Outcome(pub(crate) i32);
+
+impl Outcome {
+    /// Neither success nor failure.
+    pub const NONE: Outcome = Outcome(sys::MIMO_OUTCOME_NONE as i32);
+    /// It has done it.
+    pub const SUCCESS: Outcome = Outcome(sys::MIMO_OUTCOME_SUCCESS as i32);
+    /// It has failed.
+    pub const FAILURE: Outcome = Outcome(sys::MIMO_OUTCOME_FAILURE);
+}
+
+/// What a step gave a single agent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Step {
+    /// Reward of the task.
+    pub reward: f64,
+    /// The episode has ended by success or failure.
+    pub terminated: bool,
+    /// The episode is cut off: by its step limit, or by its task.
+    pub truncated: bool,
+    /// Success, failure or neither.
+    pub outcome: Outcome,
+}
+
+impl Step {
+    pub(crate) fn raw(&mut self) -> sys::mimo_env_results {
+        sys::mimo_env_results {
+            reward: &mut self.reward,
+            terminated: flags(std::slice::from_mut(&mut self.terminated)),
+            truncated: flags(std::slice::from_mut(&mut self.truncated)),
+            outcome: &mut self.outcome.0,
+            agents: 1,
+            ..sized()
+        }
+    }
+}
+
+/// What a step gave all agents of a world, and what their rewards consist of. Made by
+/// [`World::new_results`](crate::World::new_results), overwritten by each step.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Results {
+    /// One for each agent.
+    pub reward: Vec<f64>,
+    /// Whose episode has ended by success or failure.
+    pub terminated: Vec<bool>,
+    /// Whose episode is cut off: by its step limit, or by its task.
+    pub truncated: Vec<bool>,
+    /// Success, failure or neither.
+    pub outcome: Vec<Outcome>,
+    /// The terms that rewards are the sums of, as [`Layout::terms`] names them.
+    pub terms: Vec<f64>,
+}
+
+impl Results {
+    pub(crate) fn of(layout: &Layout) -> Results {
+        let agents = layout.agent_count();
+        Results {
+            reward: vec![0.0; agents],
+            terminated: vec![false; agents],
+            truncated: vec![false; agents],
+            outcome: vec![Outcome::NONE; agents],
+            terms: vec![0.0; layout.term_count()],
+        }
+    }
+
+    /// For the library, which writes to it as long as it lies where it is.
+    pub(crate) fn raw(&mut self) -> Result<sys::mimo_env_results> {
+        let agents = self.reward.len();
+        same_length(agents, &[self.terminated.len(), self.truncated.len(), self.outcome.len()])?;
+        Ok(sys::mimo_env_results {
+            reward: self.reward.as_mut_ptr(),
+            terminated: flags(&mut self.terminated),
+            truncated: flags(&mut self.truncated),
+            outcome: self.outcome.as_mut_ptr().cast(),
+            agents,
+            terms: self.terms.as_mut_ptr(),
+            term_count: self.terms.len(),
+            ..sized()
+        })
+    }
+}
+
+/// What a step of a batch gave, beside the observations. Made by [`Batch::new_results`](crate::Batch::new_results),
+/// overwritten by each step.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct BatchResults {
+    /// Rewards, worlds x agents.
+    pub reward: Vec<f64>,
+    /// Where an episode has ended by success or failure, worlds x agents.
+    pub terminated: Vec<bool>,
+    /// Where an episode is cut off: by its step limit, or by its task, worlds x agents.
+    pub truncated: Vec<bool>,
+    /// Success, failure or neither, worlds x agents.
+    pub outcome: Vec<Outcome>,
+    /// The terms that rewards are the sums of, worlds x [`Layout::terms`].
+    pub terms: Vec<f64>,
+    /// Whether a world's simulation failed, also where it was restarted.
+    pub status: Vec<Status>,
+    /// Which worlds this step started anew: their observation is the first of an episode.
+    pub was_reset: Vec<bool>,
+    /// Of which worlds the final block was written.
+    pub final_written: Vec<bool>,
+    /// With `MIMO_AUTORESET_SAME_STEP`: last observations of the episodes that ended. None: not wanted.
+    pub final_blocks: Option<Block>,
+}
+
+impl BatchResults {
+    pub(crate) fn of(layout: &Layout, worlds: usize) -> BatchResults {
+        let agents = worlds * layout.agent_count();
+        BatchResults {
+            reward: vec![0.0; agents],
+            terminated: vec![false; agents],
+            truncated: vec![false; agents],
+            outcome: vec![Outcome::NONE; agents],
+            terms: vec![0.0; worlds * layout.term_count()],
+            status: vec![Status::OK; worlds],
+            was_reset: vec![false; worlds],
+            final_written: vec![false; worlds],
+            final_blocks: None,
+        }
+    }
+
+    /// For the library, which writes to it as long as it lies where it is.
+    pub(crate) fn raw(&mut self) -> Result<sys::mimo_batch_results> {
+        let (agents, worlds) = (self.reward.len(), self.status.len());
+        same_length(agents, &[self.terminated.len(), self.truncated.len(), self.outcome.len()])?;
+        same_length(worlds, &[self.was_reset.len(), self.final_written.len()])?;
+        let (final_blocks, final_bytes) = memory(self.final_blocks.as_mut());
+        Ok(sys::mimo_batch_results {
+            reward: self.reward.as_mut_ptr(),
+            terminated: flags(&mut self.terminated),
+            truncated: flags(&mut self.truncated),
+            outcome: self.outcome.as_mut_ptr().cast(),
+            agents,
+            terms: self.terms.as_mut_ptr(),
+            term_count: self.terms.len(),
+            status: self.status.as_mut_ptr().cast(),
+            was_reset: flags(&mut self.was_reset),
+            final_written: flags(&mut self.final_written),
+            worlds,
+            final_blocks,
+            final_bytes,
+            ..sized()
+        })
+    }
+}
+
+/// C knows one length for each group of arrays.
+fn same_length(expected: usize, lengths: &[usize]) -> Result<()> {
+    if lengths.iter().all(|&length| length == expected) {
+        return Ok(());
+    }
+    let message = format!("arrays of the results have lengths {:?}, expected {} each", lengths, expected);
+    Err(Error::new(Kind::InvalidArgument, message))
+}
+
+/// The library writes 0 and 1, of which bools are made.
+fn flags(flags: &mut [bool]) -> *mut u8 {
+    flags.as_mut_ptr().cast()
+}

@@ -1,0 +1,8 @@
+//! Numbers that come in rows of a fixed length, one behind the other.
+
+/// The i-th row.
+pub(crate) fn row<const N: usize>(values: &[f64], i: usize) -> [f64; N] {
+    let mut row = [0.0; N];
+    row.copy_from_slice(&values[N * i..N * (i + 1)]);
+    row
+}

@@ -1,0 +1,46 @@
+//! The library's structs, which start with their size.
+use crate::error::{c_string, check, text, Result};
+use crate::sys;
+use std::ffi::CString;
+use std::mem::{size_of, MaybeUninit};
+use std::os::raw::c_char;
+use std::ptr::null;
+
+type Init<T> = unsafe extern "C" fn(*mut T, usize) -> sys::mimo_status;
+
+/// A struct of the library's that is zero but for its size.
+pub(crate) fn sized<T>() -> T {
+    let mut raw = MaybeUninit::<T>::zeroed();
+    // They start with their size. All in them is numbers and pointers, for which zeros are values too.
+    unsafe {
+        raw.as_mut_ptr().cast::<u32>().write(size_of::<T>() as u32);
+        raw.assume_init()
+    }
+}
+
+/// A struct as its _init function fills it.
+pub(crate) fn defaults<T>(init: Init<T>) -> Result<T> {
+    let mut raw = sized();
+    check(unsafe { init(&mut raw, size_of::<T>()) })?;
+    Ok(raw)
+}
+
+/// A struct as a function of the library's fills it that is told its size.
+pub(crate) fn described<T>(describe: impl FnOnce(*mut T) -> sys::mimo_status) -> Result<T> {
+    let mut raw = sized();
+    check(describe(&mut raw))?;
+    Ok(raw)
+}
+
+/// A string for a config; NULL for none.
+pub(crate) fn pointer(text: &Option<CString>) -> *const c_char {
+    text.as_ref().map_or(null(), |text| text.as_ptr())
+}
+
+/// A string of a config; None for NULL.
+pub(crate) fn given(string: *const c_char) -> Result<Option<CString>> {
+    if string.is_null() {
+        return Ok(None);
+    }
+    c_string(&text(string)).map(Some)
+}

@@ -1,0 +1,52 @@
+//! Steps allocate nothing on this side either; what the library does is counted in its own tests. A file of its own, for
+//! the allocator is that of the whole program.
+use mimo::{Batch, BatchConfig, Env, EnvConfig, Scene};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.with(|count| count.set(count.get() + 1));
+        System.alloc(layout)
+    }
+
+    unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
+        System.dealloc(memory, layout)
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// How often memory was asked for.
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = COUNT.with(Cell::get);
+    work();
+    COUNT.with(Cell::get) - before
+}
+
+#[test]
+fn steps_allocate_nothing() {
+    let mut env = Env::make("reach").unwrap();
+    let (mut block, mut results) = (env.new_block().unwrap(), env.new_results().unwrap());
+    let action = vec![0.1; env.layout().unwrap().action_count()];
+    assert!(allocations(|| drop(env.new_block().unwrap())) > 0); // it does count
+    let steps = || {
+        env.step(&action, Some(&mut block)).unwrap();
+        env.step_into(&action, Some(&mut block), &mut results).unwrap();
+    };
+    assert_eq!(allocations(steps), 0);
+
+    let mut scene = Scene::builtin("reach").unwrap();
+    scene.add_agents(None).unwrap();
+    let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(2).unwrap()).unwrap();
+    let (mut blocks, mut results) = (batch.new_blocks().unwrap(), batch.new_results().unwrap());
+    let actions = action.repeat(2);
+    assert_eq!(allocations(|| batch.step(&actions, Some(&mut blocks), &mut results).unwrap()), 0);
+}
