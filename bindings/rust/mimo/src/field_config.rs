@@ -7,7 +7,7 @@ use std::ptr::null;
 
 /// A further field of the observation, of `f32`: a quantity of parts of the scene, where [`World::get`](crate::World::get)
 /// is asked for it otherwise. Its shape is elements x values of each; elements alone where they have one value each; and
-/// one number, all values, where they differ in that.
+/// one axis of all values where they differ in that. Of the world it is its values.
 #[derive(Clone, Debug)]
 pub struct FieldConfig {
     raw: sys::mimo_field_config,
