@@ -108,7 +108,7 @@ def table():
                     what = "reached, and has a reason not to be" if why is not None else "not reached, without a reason"
                     wrong.append(f"{language}: {function} is {what}")
                 used.add(why)
-                cells.append("yes" if function in names else f"[{why + 1}](#reasons)" if why is not None else "no")
+                cells.append("yes" if function in names else f"({why + 1})" if why is not None else "no")
             lines.append(f"| `{function}` | {' | '.join(cells)} |")
     unused = [pattern for i, (_, pattern, _) in enumerate(REASONS) if i not in used]
     wrong += [f"nothing is left of the reason for {pattern}" for pattern in unused]
