@@ -2,6 +2,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Mimo;
 
 internal static partial class Tests
@@ -72,5 +73,33 @@ internal static partial class Tests
             var told = records.Single(record => record.Text.Contains("block"));
             Check(told.Level == MessageLevel.Warning && told.World == null && told.Time == 0, told.Text);
         }
+    }
+
+    /// <summary>On a thread of its own, so that nothing on a stack holds the delegate.</summary>
+    private static void NobodyHoldsTheLogOfWhatIsGone()
+    {
+        WeakReference records = null;
+        var thread = new Thread(() => records = LogAndDispose());
+        thread.Start();
+        thread.Join();
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        GC.Collect();
+        Check(!records.IsAlive, "kept for good");
+    }
+
+    private static WeakReference LogAndDispose()
+    {
+        var records = new List<LogRecord>();
+        using (var scene = MimoScene.FromXml(Crowded, new SceneOptions { Log = records.Add }))
+        using (var env = new Env(scene, new EnvOptions { Log = records.Add }))
+        using (env.Clone())
+        using (var batch = new Batch(scene, 2, new EnvOptions { Log = records.Add }))
+        {
+            Refused(() => new Env(scene, new EnvOptions { Log = records.Add, Samples = 3 }));
+            Refused(() => MimoScene.Builtin("bench", new SceneOptions { Log = records.Add }));
+            batch.Step(null);
+        }
+        return new WeakReference(records);
     }
 }
