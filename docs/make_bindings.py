@@ -31,6 +31,42 @@ REASONS = [
         "MATLAB runs its code on one thread only, and the library asks a task from its own threads while it steps:"
         " rewards are computed after the step, from named access.",
     ),
+    (
+        "C++ Python Rust C# MATLAB",
+        "mimo_last_error_of",
+        "A call of the wrapper ends with its error on the thread that failed, where mimo_last_error is its own.",
+    ),
+    (
+        "Python",
+        "mimo_status_name",
+        "Each status is an exception class with a name of its own.",
+    ),
+    (
+        "Python",
+        "mimo_env_make",
+        "mimo.World(name) makes the scene itself, so that worlds can be copied and pickled.",
+    ),
+    (
+        "MATLAB",
+        "mimo_env_(create|make|destroy|layout|reset|step|observe|set|state_save|state_load|clone)",
+        "A number stands for a batch, if only of one world, and the batch's functions do it; a clone is a second one"
+        " that loads the state.",
+    ),
+    (
+        "MATLAB",
+        "mimo_(env|batch)_get_float",
+        "MATLAB's numbers are double.",
+    ),
+    (
+        "MATLAB",
+        "mimo_agent_config_init",
+        "An agent starts from what its scene gives (mimo_scene_default_agent).",
+    ),
+    (
+        "MATLAB",
+        "mimo_senses_.*",
+        "MATLAB has no MuJoCo data of a host that they could look at.",
+    ),
 ]
 
 
@@ -72,7 +108,7 @@ def table():
                     what = "reached, and has a reason not to be" if why is not None else "not reached, without a reason"
                     wrong.append(f"{language}: {function} is {what}")
                 used.add(why)
-                cells.append("yes" if function in names else f"[{why + 1}](#reasons)" if why is not None else "no")
+                cells.append("yes" if function in names else f"({why + 1})" if why is not None else "no")
             lines.append(f"| `{function}` | {' | '.join(cells)} |")
     unused = [pattern for i, (_, pattern, _) in enumerate(REASONS) if i not in used]
     wrong += [f"nothing is left of the reason for {pattern}" for pattern in unused]

@@ -57,9 +57,9 @@ int main() try {
   }
   const float height = block.view<float>(env.layout().field("head_height"))[0];
   std::printf("after %d steps the head is at %.2f m; return %.2f\n", steps, height, sum);
-  const auto names = env.term_names();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    std::printf("  %s: %.3f in the last step\n", names[i].c_str(), results.terms[i]);
+  const auto terms = env.layout().terms();
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    std::printf("  %s: %.3f in the last step\n", terms[i].name, results.terms[i]);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -26,7 +26,7 @@ typedef struct mimo_scene_config {
   void *log_user;        /**< Passed to log. */
   /* What a document may ask for; 0 means the default. What asks for more is refused with MIMO_E_MODEL. */
   uint64_t max_file_bytes;  /**< Bytes of each file that is read. Default 268435456. */
-  uint64_t max_pixels;      /**< Pixels of a texture or height field. Default 67108864. */
+  uint64_t max_pixels;      /**< Pixels of a texture, height field or shadow map. Default 67108864. */
   uint64_t max_vertices;    /**< Vertices of a mesh or skin, and its faces. Default 1000000. */
   uint64_t max_elements;    /**< Elements of the document, and those that composites become. Default 40000. */
   uint64_t max_keyframes;   /**< Default 10000. */

@@ -9,7 +9,7 @@
 namespace cli {
 
 std::vector<std::int32_t> infants(const mimo::Env& env);  // their root bodies, agents or not
-std::string prefix(const mimo_agent_info& agent);          // of its fields
+std::string prefix(const mimo_agent_info& agent);         // of its fields
 std::size_t touch_sensors(const mimo::Env& env);          // of all agents
 
 const char* dtype_name(const mimo_field& field);

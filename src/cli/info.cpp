@@ -22,10 +22,10 @@ std::string time_text(const mimo_field& field) {
 
 // Infinite bounds become null: JSON has no infinity.
 Json describe(const mimo_field& field) {
-  return {{"name", field.name},     {"dtype", dtype_name(field)}, {"shape", shape(field)}, {"unit", field.unit},
-          {"frame", field.frame},   {"start", field.start},       {"end", field.end},      {"period", field.period},
-          {"low", field.low},       {"high", field.high},         {"offset", field.offset},
-          {"receptors", field.receptors}};
+  return {{"name", field.name}, {"dtype", dtype_name(field)}, {"shape", shape(field)},
+          {"unit", field.unit}, {"frame", field.frame},       {"start", field.start},
+          {"end", field.end},   {"period", field.period},     {"low", field.low},
+          {"high", field.high}, {"offset", field.offset},     {"receptors", field.receptors}};
 }
 
 // What each action is and may be.

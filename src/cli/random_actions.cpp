@@ -4,8 +4,7 @@
 
 namespace cli {
 
-RandomActions::RandomActions(const mimo::Env& env, std::uint64_t seed)
-    : generator_(seed) {
+RandomActions::RandomActions(const mimo::Env& env, std::uint64_t seed) : generator_(seed) {
   for (const mimo_action& action : env.layout().actions()) {  // an actuator without ctrlrange has no bounds
     bounds_.push_back({std::isfinite(action.low) ? action.low : -1, std::isfinite(action.high) ? action.high : 1});
   }

@@ -20,7 +20,6 @@ class Present {
   void make_room(const mjModel& model);
 
  private:
-
   std::vector<double> numbers_;
   std::unique_ptr<mjData> data_;  // MuJoCo's struct, whose poses and stack are our own
 };

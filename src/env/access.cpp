@@ -154,7 +154,9 @@ void read_all(const Source& source, Quantity quantity, const Ids& ids, Span<T> v
 template <typename T>
 void read_at(const World& world, Quantity quantity, const Ids& ids, bool now, Span<T> values) {
   if (now) require_known_now(quantity);
-  if (!now || traits(quantity).moment == Moment::kAlways) return read_all({world.model(), world.data(), &world}, quantity, ids, values);
+  if (!now || traits(quantity).moment == Moment::kAlways) {
+    return read_all({world.model(), world.data(), &world}, quantity, ids, values);
+  }
   engine::Present present;
   read_all({world.model(), present.of(world.physics()), &world}, quantity, ids, values);
 }

@@ -83,7 +83,7 @@ struct Traits {
   int width;  // 0: depends on the element
   bool writable;
   Moment moment;
-  const char* unit = "";        // of all values; "" where they differ
+  const char* unit = "";  // of all values; "" where they differ
   Spatial spatial = Spatial::kNone;
   const char* slide_unit = "";  // of joints that slide; `unit` is that of hinges
 };

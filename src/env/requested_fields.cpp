@@ -87,8 +87,7 @@ RequestedFields::Reader RequestedFields::reader_of(const mjModel& model, const F
   return reader;
 }
 
-observation::Field RequestedFields::field_of(const mjModel& model, const FieldOptions& wanted,
-                                             Reader& reader) const {
+observation::Field RequestedFields::field_of(const mjModel& model, const FieldOptions& wanted, Reader& reader) const {
   const Traits& what = traits(wanted.quantity);
   observation::Field field;
   std::vector<int> widths;

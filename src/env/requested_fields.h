@@ -35,8 +35,8 @@ class RequestedFields : public observation::Sense {
   void read(const mjModel& model, const mjData& data, const Reader& reader);
 
   const World* world_;
-  std::vector<Reader> readers_;   // one per field
-  std::vector<double> values_;    // room for those of a field
+  std::vector<Reader> readers_;  // one per field
+  std::vector<double> values_;   // room for those of a field
   engine::Present present_;
 };
 

@@ -47,7 +47,9 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
   for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
-  if (!options_.fields.empty()) observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
+  if (!options_.fields.empty()) {
+    observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
+  }
   for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds());
   limits_.make_room(layout());
   bounded_.resize(action_size_);

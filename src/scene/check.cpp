@@ -160,6 +160,7 @@ void check(pugi::xml_node root, const Limits& limits) {
     if (is(node, "lengthrange")) check_length_range(node);
     if (is(node, "numeric")) check_numeric(node);
     if (is(node, "composite")) check_composite_skin(node, limits);
+    if (is(node, "quality")) check_shadows(node, limits);
     if (!is(node.parent(), "asset")) return;
     if (is(node, "texture")) check_texture(node, limits);
     if (is(node, "hfield")) check_height_field(node, limits);

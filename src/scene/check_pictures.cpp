@@ -101,4 +101,10 @@ void check_height_field(pugi::xml_node field, const Limits& limits) {
   if (field.attribute("file")) require_pixels(field, picture_size(field, "file", sizeof(float), limits), limits);
 }
 
+// OSMesa draws the shadows of a light into a picture of their own.
+void check_shadows(pugi::xml_node quality, const Limits& limits) {
+  const double size = number(quality, "shadowsize").value_or(0);
+  require_pixels(quality, {size, size}, limits);
+}
+
 }  // namespace mimo::scene

@@ -3,33 +3,33 @@
  * constants, errors, and that what they do not know of is as if it were not there. ./dev freeze keeps a copy together
  * with the header of its time; those never change, and go on running on the libraries that follow.
  */
-#include <mimo/mimo.h>
 #include <math.h>
+#include <mimo/mimo.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static int failed = 0;
 
-#define CHECK(condition)                                                                                       \
-  do {                                                                                                         \
-    if (!(condition)) {                                                                                        \
-      ++failed;                                                                                                \
-      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error());             \
-    }                                                                                                          \
+#define CHECK(condition)                                                                          \
+  do {                                                                                            \
+    if (!(condition)) {                                                                           \
+      ++failed;                                                                                   \
+      fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, mimo_last_error()); \
+    }                                                                                             \
   } while (0)
 #define OK(call) CHECK((call) == MIMO_OK)
 
 static int messages = 0;
 
-static void count_message(void *user, const mimo_log_record *record) {
+static void count_message(void* user, const mimo_log_record* record) {
   CHECK(user == &messages && record->struct_size >= sizeof *record);
   CHECK(record->level >= MIMO_LOG_WARNING && record->text != NULL && record->code >= 0);
   ++messages;
 }
 
 static void versions(void) {
-  mimo_env *none = NULL;
+  mimo_env* none = NULL;
   CHECK(mimo_abi_version() == MIMO_ABI_VERSION);
   CHECK(strcmp(mimo_status_name(MIMO_E_NOT_FOUND), "MIMO_E_NOT_FOUND") == 0);
   CHECK(mimo_version()[0] != '\0' && mimo_mujoco_version()[0] != '\0');
@@ -39,7 +39,7 @@ static void versions(void) {
 }
 
 /* An infant with small eyes, a ball and a camera in the room "free". What follows a struct in memory stays as it is. */
-static mimo_scene *make_scene(void) {
+static mimo_scene* make_scene(void) {
   struct {
     mimo_agent_config config;
     uint64_t after;
@@ -48,9 +48,9 @@ static mimo_scene *make_scene(void) {
   mimo_object_config ball;
   mimo_camera_config wall;
   mimo_limits limits;
-  mimo_senses *senses = NULL;
+  mimo_senses* senses = NULL;
   mimo_senses_config senses_config;
-  mimo_scene *scene = NULL;
+  mimo_scene* scene = NULL;
   size_t number = 9;
   double value = 0;
   OK(mimo_scene_config_init(&room, sizeof room));
@@ -103,13 +103,13 @@ static mimo_scene *make_scene(void) {
   return scene;
 }
 
-static const mimo_layout *layout_of(const mimo_env *env) {
-  const mimo_layout *layout = NULL;
+static const mimo_layout* layout_of(const mimo_env* env) {
+  const mimo_layout* layout = NULL;
   OK(mimo_env_layout(env, &layout));
   return layout;
 }
 
-static mimo_layout_info sizes_of(const mimo_env *env) {
+static mimo_layout_info sizes_of(const mimo_env* env) {
   mimo_layout_info info;
   memset(&info, 0, sizeof info);
   info.struct_size = sizeof info;
@@ -117,7 +117,7 @@ static mimo_layout_info sizes_of(const mimo_env *env) {
   return info;
 }
 
-static mimo_field field_named(const mimo_env *env, const char *name) {
+static mimo_field field_named(const mimo_env* env, const char* name) {
   mimo_field field;
   size_t index = 0;
   memset(&field, 0, sizeof field);
@@ -128,7 +128,7 @@ static mimo_field field_named(const mimo_env *env, const char *name) {
 }
 
 /* A receptor lies on a body, and its normal is a unit vector. */
-static void check_receptors(const mimo_env *env) {
+static void check_receptors(const mimo_env* env) {
   size_t index = 0, count = 0;
   double *bodies, *frames;
   OK(mimo_layout_find(layout_of(env), "touch/force", &index));
@@ -144,21 +144,22 @@ static void check_receptors(const mimo_env *env) {
   free(frames);
 }
 
-static void check_fields(const mimo_env *env) {
+static void check_fields(const mimo_env* env) {
   const mimo_field eye = field_named(env, "vision/eye_left"), depth = field_named(env, "vision/eye_left_depth"),
                    joints = field_named(env, "proprioception/position"), touch = field_named(env, "touch/force"),
                    wall = field_named(env, "vision/wall");
-  const char *label = NULL;
+  const char* label = NULL;
   CHECK(eye.dtype == MIMO_U8 && eye.ndim == 3 && eye.shape[0] == 16 && eye.shape[2] == 3 && eye.bytes == 768);
   CHECK(depth.dtype == MIMO_F32 && depth.ndim == 2 && strcmp(depth.unit, "m") == 0);
-  CHECK(joints.dtype == MIMO_F32 && joints.start == 0 && joints.end == 0 && joints.period > 0 && joints.offset % 64 == 0);
+  CHECK(joints.dtype == MIMO_F32 && joints.start == 0 && joints.end == 0 && joints.period > 0 &&
+        joints.offset % 64 == 0);
   CHECK(touch.ndim == 2 && touch.shape[1] == 3 && touch.end == -0.005);
   CHECK(wall.bytes == 8 * 8 * 3);
   OK(mimo_layout_label(layout_of(env), 0, 0, &label));
 }
 
 /* Steps, states, names. A ball falls by g h^2 n (n + 1) / 2 in n steps of h = 5 ms. */
-static void live(mimo_env *env) {
+static void live(mimo_env* env) {
   mimo_reset_config seed;
   mimo_env_results results;
   int32_t outcome = 9;
@@ -170,9 +171,9 @@ static void live(mimo_env *env) {
   int32_t toy = -1, elbow = -1, body = -1;
   mimo_agent_info infant;
   uint8_t *block, *again, *state;
-  float *action;
+  float* action;
   mimo_action first;
-  mimo_env *twin = NULL;
+  mimo_env* twin = NULL;
   bytes = sizes_of(env).block_bytes;
   count = sizes_of(env).actions;
   CHECK(sizes_of(env).agents == 1 && bytes % 64 == 0 && count > 0);
@@ -239,11 +240,11 @@ static void live(mimo_env *env) {
   free(block);
 }
 
-static void see(mimo_env *env) {
+static void see(mimo_env* env) {
   static uint8_t rgb[8 * 8 * 4];
   const double point[3] = {1, 0, 0.5};
   double errors[2], pixels[3];
-  const char *name = NULL;
+  const char* name = NULL;
   double face = -1;
   int32_t fear = -1;
   size_t contacts = 0;
@@ -281,9 +282,9 @@ static void see(mimo_env *env) {
   CHECK(timing.steps == 20);
 }
 
-static mimo_status evaluate(void *user, const mimo_env *env, const mimo_task_moment *moment,
-                            mimo_task_verdict *verdict) {
-  double *steps = moment->memory;
+static mimo_status evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
+                            mimo_task_verdict* verdict) {
+  double* steps = moment->memory;
   (void)env;
   *steps += 1;
   CHECK(moment->struct_size >= sizeof *moment && verdict->struct_size >= sizeof *verdict);
@@ -291,13 +292,13 @@ static mimo_status evaluate(void *user, const mimo_env *env, const mimo_task_mom
   CHECK(moment->block == NULL && moment->block_bytes == 0 && verdict->goes_on == 0 && verdict->truncated == 0);
   moment->fields[1] = (float)*steps;
   verdict->terms[0] = *steps + 10 * (double)moment->world + 100 * (double)moment->agent;
-  verdict->terms[1] = *(const double *)user;
+  verdict->terms[1] = *(const double*)user;
   verdict->outcome = *steps == 2 ? MIMO_OUTCOME_SUCCESS : MIMO_OUTCOME_NONE;
   return MIMO_OK;
 }
 
 /* Two worlds with a task of their own. */
-static void live_together(mimo_scene *scene) {
+static void live_together(mimo_scene* scene) {
   static double thousand = 1000;
   const uint64_t seeds[2] = {1, 2};
   double reward[2] = {0, 0}, parts[4] = {0, 0, 0, 0};
@@ -312,13 +313,13 @@ static void live_together(mimo_scene *scene) {
   mimo_batch_config config;
   mimo_batch_results results;
   mimo_batch_reset_config start;
-  mimo_batch *batch = NULL;
+  mimo_batch* batch = NULL;
   mimo_task_field goal;
   const size_t two = 2;
-  const char *const terms[2] = {"steps", "thousand"};
-  const mimo_layout *layout = NULL;
+  const char* const terms[2] = {"steps", "thousand"};
+  const mimo_layout* layout = NULL;
   mimo_term term;
-  mimo_env *world = NULL;
+  mimo_env* world = NULL;
   OK(mimo_task_field_init(&goal, sizeof goal));
   CHECK(goal.ndim == 0 && goal.low < -1e308 && goal.high > 1e308);
   goal.name = "goal";
@@ -383,8 +384,8 @@ static void live_together(mimo_scene *scene) {
 
 int main(void) {
   mimo_env_config config;
-  mimo_scene *scene;
-  mimo_env *env = NULL;
+  mimo_scene* scene;
+  mimo_env* env = NULL;
   versions();
   scene = make_scene();
   OK(mimo_env_config_init(&config, sizeof config));

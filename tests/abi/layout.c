@@ -178,7 +178,6 @@ int main(void) {
   FIELD(mimo_layout_info, agents);
   FIELD(mimo_layout_info, terms);
 
-
   BEGIN(mimo_field);
   FIELD(mimo_field, struct_size);
   FIELD(mimo_field, dtype);

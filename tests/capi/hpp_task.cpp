@@ -66,8 +66,8 @@ void check_told(mimo::Env& env) {
     const mimo::Result result = {all.reward[0], all.terminated[0] != 0, all.truncated[0] != 0, all.outcome[0]};
     CHECK(result.reward == step + 1 && !result.terminated && result.truncated == (step == 3));
     CHECK(block.view<float>(goal)[0] == drawn && block.view<float>(reached)[5] == 5);
-    const std::vector<std::string> names = env.term_names();
-    CHECK(names.size() == 2 && names[0] == "near" && all.terms[0] == step && all.terms[1] == 1);
+    const std::vector<mimo_term> terms = env.layout().terms();
+    CHECK(terms.size() == 2 && std::string(terms[0].name) == "near" && all.terms[0] == step && all.terms[1] == 1);
     CHECK(result.outcome == MIMO_OUTCOME_NONE);
   }
 }

@@ -46,8 +46,8 @@ static void check_times(void) {
   mimo_env_destroy(env);
 }
 
-/* Anna's actions are angles, Ben's shares; the lower of the two joints that bend the hip goes from -17 to 30.5 degrees, as in the
- * original's model. */
+/* Anna's actions are angles, Ben's shares; the lower of the two joints that bend the hip goes from -17 to 30.5
+ * degrees, as in the original's model. */
 static void check_actions(void) {
   mimo_scene_config room;
   mimo_agent_config infant;

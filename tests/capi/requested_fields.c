@@ -56,9 +56,7 @@ static const float* values(const mimo_env* env, const char* name) {
 
 static void reset(mimo_env* env, uint64_t seed) { CHECK_OK(mimo_env_reset(env, SEED(seed), block, sizeof block)); }
 
-static void step(mimo_env* env) {
-  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, NULL));
-}
+static void step(mimo_env* env) { CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, NULL)); }
 
 static void check_values(const mimo_env* env, const char* name, const double* expected, size_t count) {
   const float* actual = values(env, name);

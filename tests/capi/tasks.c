@@ -90,8 +90,7 @@ static void check_term_names(void) {
   CHECK_TEXT("distance", term_name(env, 0));
   CHECK_TEXT("success", term_name(env, 1));
   term.struct_size = sizeof term;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 2, but there are 2 terms",
-              mimo_layout_term(layout_of(env), 2, &term));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "index is 2, but there are 2 terms", mimo_layout_term(layout_of(env), 2, &term));
   mimo_env_destroy(env);
 }
 

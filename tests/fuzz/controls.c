@@ -89,8 +89,9 @@ static void ask(input* in) {
   double numbers[4];
   size_t contacts;
   const char* text;
+  mimo_term term = {.struct_size = sizeof term};
   CALL(mimo_env_random(env, numbers, 4));
-  CALL(mimo_env_reward_term_name(env, take_byte(in), take_byte(in), &text));
+  CALL(mimo_layout_term(layout_of(env), take_byte(in), &term));
   CALL(mimo_env_count(env, MIMO_CONTACT, &contacts));
   CALL(mimo_env_name(env, take_byte(in), take_byte(in), &text));
   CALL(mimo_layout_label(layout_of(env), take_byte(in), take_byte(in), &text));

@@ -6,22 +6,22 @@
 
 #include "support/capi.h"
 
-#define EACH_FUNCTION(DO)  \
-  DO(agent_config_init)    \
-  DO(env_agent)            \
-  DO(env_config_init)      \
-  DO(env_create)           \
-  DO(env_destroy)          \
-  DO(env_layout)           \
-  DO(env_make)             \
-  DO(env_reset)            \
-  DO(env_step)             \
-  DO(env_time)             \
-  DO(last_error)           \
-  DO(layout_describe)      \
-  DO(scene_add_agent)      \
-  DO(scene_config_init)    \
-  DO(scene_create)         \
+#define EACH_FUNCTION(DO) \
+  DO(agent_config_init)   \
+  DO(env_agent)           \
+  DO(env_config_init)     \
+  DO(env_create)          \
+  DO(env_destroy)         \
+  DO(env_layout)          \
+  DO(env_make)            \
+  DO(env_reset)           \
+  DO(env_step)            \
+  DO(env_time)            \
+  DO(last_error)          \
+  DO(layout_describe)     \
+  DO(scene_add_agent)     \
+  DO(scene_config_init)   \
+  DO(scene_create)        \
   DO(scene_destroy)
 
 typedef struct library {

@@ -59,8 +59,7 @@ static void in_the_child(const args* parents) {
   for (i = 0; i < row_count; ++i) {
     const row* r = &all_rows[i];
     args a = good_args(0);
-    if (!(r->uses & (ON_SCENE | ON_ROOM | ON_EMPTY | ON_CART | ON_ENV | ON_BATCH | ON_SENSES | ON_LAYOUT)))
-      continue;
+    if (!(r->uses & (ON_SCENE | ON_ROOM | ON_EMPTY | ON_CART | ON_ENV | ON_BATCH | ON_SENSES | ON_LAYOUT))) continue;
     a.scene = parents->scene;
     a.room = parents->room;
     remember_memory();

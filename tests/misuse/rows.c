@@ -90,8 +90,7 @@ static mimo_status check_destroy_senses(args* a) {
   mimo_senses_destroy((mimo_senses*)a->env);
   mimo_senses_destroy((mimo_senses*)a->batch);
   mimo_senses_destroy(no_handle());
-  return CHECKED(strcmp(before, mimo_last_error()) == 0 &&
-                 mimo_senses_state_size(a->senses, &count) == MIMO_OK);
+  return CHECKED(strcmp(before, mimo_last_error()) == 0 && mimo_senses_state_size(a->senses, &count) == MIMO_OK);
 }
 
 static int send_first = 1;

@@ -28,7 +28,7 @@ ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "se
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
 
 #define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
-#define QUANTITIES                                                                          \
+#define QUANTITIES                                                                           \
   UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_AGENT_ACHIEVED + 1, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \

@@ -143,9 +143,11 @@ ROW(mimo_scene_add_camera, ON_SCENE, mimo_scene_add_camera(a->scene, a->camera_c
     DO(no_camera_body, MIMO_E_NOT_FOUND, "ghost"), DO(watched_already, E_ARG, "watcher"))
 ROW(mimo_field_config_init, 0, mimo_field_config_init(a->field_config, sizeof *a->field_config + a->more_bytes),
     INIT(field_config, mimo_field_config, "config"))
-#define QUANTITY_FIELD(n, status) \
-  { FAULT_FIELD_I32, "quantity is " #n, MEMBER(field_config), FIELD(mimo_field_config, quantity), n, 0, NULL, status, \
-    "quantity" }
+#define QUANTITY_FIELD(n, status)                                                                                     \
+  {                                                                                                                   \
+    FAULT_FIELD_I32, "quantity is " #n, MEMBER(field_config), FIELD(mimo_field_config, quantity), n, 0, NULL, status, \
+        "quantity"                                                                                                    \
+  }
 ROW(mimo_scene_add_field, ON_SCENE, mimo_scene_add_field(a->scene, a->field_config), NO_NULL(field_config, "config"),
     CONFIG(field_config, mimo_field_config, "config"), QUANTITY_FIELD(0, MIMO_E_UNSUPPORTED),
     QUANTITY_FIELD(-1, MIMO_E_UNSUPPORTED), QUANTITY_FIELD(999, MIMO_E_UNSUPPORTED),

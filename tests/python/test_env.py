@@ -100,6 +100,16 @@ def test_info_has_terms_and_success():
     assert sum(info["reward_terms"].values()) == reward
 
 
+def test_info_tells_success():
+    env = mimo.make("reach")
+    _, info = env.reset(seed=1)
+    assert info == {"is_success": False, "is_failure": False, "reward_terms": {"distance": 0, "success": 0}}
+    env.world.bodies("target").position = env.world.bodies("right_fingers").position  # the ball is in the hand
+    _, _, terminated, _, info = env.step(np.zeros(8))
+    assert (terminated, info["is_success"], info["is_failure"]) == (True, True, False)
+    assert env.reset()[1]["is_success"] is False
+
+
 def test_episodes_are_cut_off():
     env = mimo.make("reach", max_steps=3)
     env.reset(seed=1)

@@ -79,6 +79,7 @@ TEST_F(SceneHostile, PicturesThatAreTooLarge) {
   expect_refused("<asset><hfield nrow='2147483647' ncol='2' size='1 1 1 1'/></asset>", "max_pixels");
   expect_refused("<asset><hfield nrow='65536' ncol='65536' size='1 1 1 1'/></asset>", "max_pixels");
   expect_refused("<asset><texture type='cube' file='none.png' gridsize='65536 65536'/></asset>", "gridsize");
+  expect_refused("<visual><quality shadowsize='100000000'/></visual>", "<quality> of 100000000 x 100000000 pixels");
 }
 
 TEST_F(SceneHostile, LimitsCanBeRaisedAndLowered) {

@@ -66,7 +66,8 @@ std::vector<float> draw_actions(const mimo::Env& env, Random& random) {
   std::vector<float> actions;
   for (const mimo_action& action : env.layout().actions()) {
     const double from = std::max(action.low, -10.0), to = std::min(action.high, 10.0);
-    actions.push_back(static_cast<float>(from < to ? std::uniform_real_distribution<double>(from, to)(random) : action.low));
+    const double drawn = from < to ? std::uniform_real_distribution<double>(from, to)(random) : action.low;
+    actions.push_back(static_cast<float>(drawn));
   }
   return actions;
 }

@@ -12,11 +12,15 @@ namespace Mimo
             MimoException.Check(Native.mimo_batch_step(handle, actions, LengthOf(actions), Blocks, (UIntPtr)Blocks.Length, ref places));
         }
 
-        /// <summary>Starts a step and returns at once. Until Receive blocks and rewards are not to be read, and everything
-        /// else is refused; the actions may be changed.</summary>
+        /// <summary>Starts a step and returns at once. Until Receive the actions are not to be changed, blocks and rewards are
+        /// not to be read, and everything else is refused.</summary>
         public void Send(float[] actions)
         {
-            MimoException.Check(Native.mimo_batch_send(handle, actions, LengthOf(actions), blocks, (UIntPtr)Blocks.Length, ref places));
+            var sent = new Pinned(actions);
+            var status = Native.mimo_batch_send(handle, sent.Pointer, sent.Length, blocks, (UIntPtr)Blocks.Length, ref places);
+            if (status == 0) handle.KeepSent(sent);
+            else sent.Dispose();
+            MimoException.Check(status);
         }
 
         /// <summary>Waits for the step that was sent. Exceptions are as those of Step.</summary>

@@ -74,6 +74,7 @@ namespace Mimo
         internal Logging Log;
         internal Tasking Task;
         internal readonly PinnedParts Kept = new PinnedParts();
+        private Pinned sent;
 
         internal BatchHandle() : base(IntPtr.Zero, true) { }
 
@@ -83,9 +84,17 @@ namespace Mimo
         {
             Native.mimo_batch_destroy(handle); // waits for what was sent
             Kept.Dispose();
+            sent?.Dispose();
             Log?.Release();
             Task?.Release();
             return true;
+        }
+
+        /// <summary>The actions of a step that was sent stay until the next is: the one before was received by then.</summary>
+        internal void KeepSent(Pinned actions)
+        {
+            sent?.Dispose();
+            sent = actions;
         }
     }
 

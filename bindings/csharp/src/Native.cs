@@ -125,7 +125,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_batch_world_error(BatchHandle batch, Size world, out int status, out IntPtr message);
         [DllImport(File)] internal static extern int mimo_batch_reset(BatchHandle batch, ref BatchResetConfigStruct config, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_step(BatchHandle batch, float[] actions, Size count, byte[] blocks, Size bytes, ref BatchResultsStruct results);
-        [DllImport(File)] internal static extern int mimo_batch_send(BatchHandle batch, float[] actions, Size count, IntPtr blocks, Size bytes, ref BatchResultsStruct results);
+        [DllImport(File)] internal static extern int mimo_batch_send(BatchHandle batch, IntPtr actions, Size count, IntPtr blocks, Size bytes, ref BatchResultsStruct results);
         [DllImport(File)] internal static extern int mimo_batch_receive(BatchHandle batch);
         [DllImport(File)] internal static extern int mimo_batch_observe(BatchHandle batch, byte[] mask, Size worlds, byte[] blocks, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_get(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);

@@ -163,6 +163,27 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>Reach wants the right fingers at the ball (docs/tasks.md).</summary>
+    private static void GoalsAreObserved()
+    {
+        using (var scene = MimoScene.Builtin("reach"))
+        {
+            scene.AddAgent(scene.DefaultAgent());
+            scene.AddField("goal", Quantity.AgentGoal, new[] { "" });
+            scene.AddField("achieved", Quantity.AgentAchieved, new[] { "" });
+            using (var env = new Env(scene))
+            {
+                env.Reset(2);
+                env.Step(null);
+                var places = new double[6];
+                env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "target"), env.Find(Kind.Body, "right_fingers") }, places);
+                Check(env.Get(Quantity.AgentGoal).Concat(env.Get(Quantity.AgentAchieved)).SequenceEqual(places), "read");
+                var observed = ValuesOf(env, "goal").Concat(ValuesOf(env, "achieved"));
+                Check(observed.SequenceEqual(places.Select(place => (float)place)), "observed");
+            }
+        }
+    }
+
     private static float[] ValuesOf(Env env, string name)
     {
         var field = env.Layout.Find(name);

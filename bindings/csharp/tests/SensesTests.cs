@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text;
@@ -99,5 +101,27 @@ internal static partial class Tests
         }
         mj_deleteData(data);
         mj_deleteModel(model);
+    }
+
+    /// <summary>A height field of more triangles than the ray renderer takes, 24 floats each and 2^31 of them: OSMesa draws
+    /// it.</summary>
+    private static void SensesTellWhoDraws()
+    {
+        const string hills = "<mujoco><asset><hfield name='hills' nrow='7000' ncol='7000' size='1 1 1 1'/></asset><worldbody>" +
+            "<geom type='hfield' hfield='hills'/><camera name='above' pos='0 0 2'/></worldbody></mujoco>";
+        var file = Path.GetTempFileName();
+        File.WriteAllText(file, hills);
+        var model = mj_loadXML(Encoding.UTF8.GetBytes(file + "\0"), IntPtr.Zero, new byte[500], 500);
+        File.Delete(file);
+        Check(model != IntPtr.Zero, "no model");
+        var records = new List<LogRecord>();
+        using (var scene = MimoScene.Empty())
+        {
+            scene.AddCamera(new CameraOptions { Name = "above", Width = 8, Height = 8 });
+            new Senses(scene, model, mj_version(), new SensesOptions { Log = records.Add }).Dispose();
+        }
+        mj_deleteModel(model);
+        var told = records.Single();
+        Check(told.Level == MessageLevel.Info && told.World == null && told.Text.Contains("OSMesa"), told.Text);
     }
 }

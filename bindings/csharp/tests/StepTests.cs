@@ -1,6 +1,7 @@
 // How worlds go on, what rewards consist of, where time goes and points lie.
 using System;
 using System.Linq;
+using System.Runtime.CompilerServices;
 using Mimo;
 
 internal static partial class Tests
@@ -141,8 +142,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>While a step is under way the collector moves what it may move, and its actions are the caller's
-    /// again.</summary>
+    /// <summary>While a step is under way the collector moves what it may move.</summary>
     private static void SentStepsAreSteps()
     {
         using (Batch plain = ReachBatch(3), sent = ReachBatch(3))
@@ -155,9 +155,7 @@ internal static partial class Tests
             {
                 var actions = Enumerable.Range(0, 3 * plain.Layout.Actions.Count).Select(i => (i + step) % 7 / 7f - 0.4f).ToArray();
                 plain.Step(actions);
-                var given = (float[])actions.Clone();
-                sent.Send(given);
-                Array.Clear(given, 0, given.Length);
+                sent.Send((float[])actions.Clone());
                 GC.Collect();
                 Check(Refused(() => sent.Step(actions)).Status == Status.InvalidArgument, "a step within a step");
                 Check(Refused(() => sent.Send(null)).Status == Status.InvalidArgument, "sent twice");
@@ -165,6 +163,30 @@ internal static partial class Tests
                 Check(plain.Blocks.SequenceEqual(sent.Blocks) && plain.Rewards.SequenceEqual(sent.Rewards), "differ in step " + step);
             }
         }
+    }
+
+    /// <summary>Nobody but the library uses them.</summary>
+    private static void SentActionsStay()
+    {
+        using (var batch = ReachBatch(2))
+        {
+            var actions = SendNew(batch);
+            for (var i = 0; i < 3; ++i)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+            }
+            Check(actions.IsAlive, "the actions were collected");
+            batch.Receive();
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static WeakReference SendNew(Batch batch)
+    {
+        var actions = new float[2 * batch.Layout.Actions.Count];
+        batch.Send(actions);
+        return new WeakReference(actions);
     }
 
     private static void SentStepsFailAsOthers()

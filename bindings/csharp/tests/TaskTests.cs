@@ -115,6 +115,17 @@ internal static partial class Tests
         }
     }
 
+    private static void StepsWithTask(Batch batch, int worlds, int steps)
+    {
+        for (var number = 1; number <= steps; ++number)
+        {
+            batch.Step(null);
+            Check(batch.Rewards.All(reward => reward == number), "the rewards of step " + number);
+            var expected = number == 2 ? Outcome.Success : Outcome.None;
+            Check(Enumerable.Range(0, worlds).All(world => batch.StepOf(world).Outcome == expected), "outcomes of step " + number);
+        }
+    }
+
     /// <summary>The collector stops all threads, also those of the library that are at work in a task.</summary>
     private static void TasksOfBatchesRunOnManyThreads()
     {
@@ -137,15 +148,15 @@ internal static partial class Tests
             });
             batch.Reset(Enumerable.Range(1, worlds).Select(seed => (ulong)seed).ToArray());
             collector.Start();
-            for (var number = 1; number <= steps; ++number)
+            try
             {
-                batch.Step(null);
-                Check(batch.Rewards.All(reward => reward == number), "the rewards of step " + number);
-                var expected = number == 2 ? Outcome.Success : Outcome.None;
-                Check(Enumerable.Range(0, worlds).All(world => batch.StepOf(world).Outcome == expected), "outcomes of step " + number);
+                StepsWithTask(batch, worlds, steps);
             }
-            Volatile.Write(ref done, true);
-            collector.Join();
+            finally
+            {
+                Volatile.Write(ref done, true);
+                collector.Join();
+            }
             Check(task.Threads.Count == 2, task.Threads.Count + " threads");
             for (var world = 0; world < worlds; ++world)
                 Check(batch.Terms[2 * world] == steps && batch.Terms[2 * world + 1] == 0, "terms of world " + world);

@@ -83,6 +83,21 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>Half a metre from an axis about which it turns at 2 rad/s: v = w r.</summary>
+    private static void SitesMoveWithTheirBodies()
+    {
+        const string arm = "<mujoco><worldbody><body><joint axis='0 0 1'/><geom size='.1' pos='.5 0 0'/><site name='tip' pos='.5 0 0'/>" +
+            "</body></worldbody></mujoco>";
+        using (var scene = MimoScene.FromXml(arm))
+        using (var env = new Env(scene))
+        {
+            env.Set(Quantity.JointVelocity, null, 2);
+            var velocity = env.Get(Quantity.SiteVelocity | Quantity.Now);
+            var expected = new[] { 0, 1, 0, 0, 0, 2.0 };
+            for (var i = 0; i < 6; ++i) Near(expected[i], velocity[i], 1e-12, "velocity " + i);
+        }
+    }
+
     private static void SavedStateContinues()
     {
         using (var env = new Env("reach"))

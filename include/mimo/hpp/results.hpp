@@ -31,7 +31,7 @@ struct Results {
   std::vector<double> reward;
   std::vector<std::uint8_t> terminated, truncated;
   std::vector<std::int32_t> outcome;  ///< MIMO_OUTCOME_ constants.
-  std::vector<double> terms;          ///< Of all agents' rewards, as Env::term_names names them.
+  std::vector<double> terms;          ///< Of all agents' rewards, as Layout::terms names them.
 
   /// For the C interface. Throws std::invalid_argument where vectors of agents differ in length.
   mimo_env_results raw() {
