@@ -470,7 +470,7 @@ pub struct mimo_scene_config {
     pub log_user: *mut std::os::raw::c_void,
     #[doc = "Bytes of each file that is read. Default 268435456."]
     pub max_file_bytes: u64,
-    #[doc = "Pixels of a texture or height field. Default 67108864."]
+    #[doc = "Pixels of a texture, height field or shadow map. Default 67108864."]
     pub max_pixels: u64,
     #[doc = "Vertices of a mesh or skin, and its faces. Default 1000000."]
     pub max_vertices: u64,
