@@ -26,7 +26,7 @@ unsafe impl Sync for SceneConfig {}
 pub struct DocumentLimits {
     /// Bytes of each file that is read.
     pub max_file_bytes: u64,
-    /// Pixels of a texture or height field.
+    /// Pixels of a texture, height field or shadow map.
     pub max_pixels: u64,
     /// Vertices of a mesh or skin, and its faces.
     pub max_vertices: u64,
