@@ -19,12 +19,10 @@ fn make_world() -> mimo::Result<Env> {
 
 fn print(layout: &Layout) -> mimo::Result<()> {
     for field in layout.fields()? {
+        let shape = format!("{:?}", field.shape);
         println!(
             "{:<26} {:>12} {:<6} {:6.3} s after a step",
-            field.name,
-            format!("{:?}", field.shape),
-            field.unit,
-            field.end
+            field.name, shape, field.unit, field.end
         );
     }
     Ok(())
