@@ -26,25 +26,6 @@ bool moves_bodies(Quantity quantity) {
          quantity == Quantity::kLightPosition || quantity == Quantity::kLightDirection;
 }
 
-// A reset does not take these back: who made a world fail with one of them has to be able to do so.
-bool outlives_resets(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kBodyMass:
-    case Quantity::kGeomSize:
-    case Quantity::kGeomFriction:
-    case Quantity::kGeomColor:
-    case Quantity::kJointDamping:
-    case Quantity::kJointLock:
-    case Quantity::kActuatorGear:
-    case Quantity::kLightPosition:
-    case Quantity::kLightDirection:
-    case Quantity::kLightColor:
-    case Quantity::kAgentFace:
-    case Quantity::kWorldGravity: return true;
-    default: return false;
-  }
-}
-
 double norm(const double* numbers, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += numbers[i] * numbers[i];
@@ -231,7 +212,7 @@ void write_masses(engine::Physics& physics, const Ids& ids, Span<const double> m
 
 void require_writable(Quantity quantity) {
   const Traits& what = traits(quantity);
-  require(what.writable, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
+  require(what.writing != Writing::kNever, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
 }
 
 void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<const double> values) {
@@ -248,7 +229,8 @@ void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<
 
 void set(World& world, Quantity quantity, const Ids& ids, Span<const double> values) {
   engine::Physics& physics = world.physics();
-  if (!outlives_resets(quantity)) physics.require_usable();
+  // Who made a world fail with what a reset does not take back has to be able to take it back.
+  if (traits(quantity).writing != Writing::kWorld) physics.require_usable();
   check_settable(world, quantity, ids, values);
   if (quantity == Quantity::kBodyMass) return write_masses(physics, ids, values);
   const double* from = values.data();

@@ -77,11 +77,18 @@ enum class Moment {
 // What it is in space, so that it can be seen from another frame than the world's.
 enum class Spatial { kNone, kPosition, kOrientation, kPose, kVelocity };
 
+// Whether a quantity can be written, and where to.
+enum class Writing {
+  kNever,
+  kState,  // of the world, which has none when it has failed
+  kWorld,  // outlives resets
+};
+
 struct Traits {
   const char* name;
   Kind kind;
   int width;  // 0: depends on the element
-  bool writable;
+  Writing writing;
   Moment moment;
   const char* unit = "";  // of all values; "" where they differ
   Spatial spatial = Spatial::kNone;
