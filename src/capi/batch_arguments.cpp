@@ -1,28 +1,17 @@
 #include "capi/batch_arguments.h"
 
 #include "capi/check.h"
+#include "capi/results.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
 namespace {
 
-void check_results(const batch::Batch& batch, const mimo_batch_results& theirs) {
-  check_reserved(theirs.reserved, "results: reserved");
-  check_length<double>(theirs.agents, "results: agents");
-  check_length<double>(theirs.term_count, "results: term_count");
+void check_all(const batch::Batch& batch, const mimo_batch_results& theirs) {
+  const env::World& each = batch.world(0);
+  check_results(theirs, batch.size() * each.agents().size(), batch.size() * each.term_count());
   check_length<double>(theirs.worlds, "results: worlds");
-  const std::size_t agents = batch.size() * batch.world(0).agents().size();
-  const std::size_t terms = batch.size() * batch.world(0).term_count();
-  const bool any_agents = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr ||
-                          theirs.outcome != nullptr;
   const bool any_worlds = theirs.status != nullptr || theirs.was_reset != nullptr || theirs.final_written != nullptr;
-  if (any_agents && theirs.agents < agents) {
-    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated, truncated and outcome need {}",
-         theirs.agents, agents);
-  }
-  if (theirs.terms != nullptr && theirs.term_count < terms) {
-    fail(Status::kBufferTooSmall, "results: term_count is {}, but terms needs {}", theirs.term_count, terms);
-  }
   if (any_worlds && theirs.worlds < batch.size()) {
     fail(Status::kBufferTooSmall, "results: worlds is {}, but status, was_reset and final_written need {}",
          theirs.worlds, batch.size());
@@ -47,7 +36,7 @@ batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t blo
   output.blocks = blocks_of(batch, blocks, block_bytes, "blocks");
   if (results == nullptr) return output;
   const mimo_batch_results theirs = read_struct(results, "results");
-  check_results(batch, theirs);
+  check_all(batch, theirs);
   output.reward = theirs.reward;
   output.terminated = theirs.terminated;
   output.truncated = theirs.truncated;

@@ -4,6 +4,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/reset.h"
+#include "capi/results.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
@@ -21,29 +22,13 @@ Span<T> optional(T* values, std::size_t count) {
   return values == nullptr ? Span<T>() : Span<T>(values, count);
 }
 
-void check_results(const env::World& world, const mimo_env_results& theirs) {
-  check_reserved(theirs.reserved, "results: reserved");
-  check_length<double>(theirs.agents, "results: agents");
-  check_length<double>(theirs.term_count, "results: term_count");
-  const bool any = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr ||
-                   theirs.outcome != nullptr;
-  if (any && theirs.agents < world.agents().size()) {
-    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated, truncated and outcome need {}",
-         theirs.agents, world.agents().size());
-  }
-  if (theirs.terms != nullptr && theirs.term_count < world.term_count()) {
-    fail(Status::kBufferTooSmall, "results: term_count is {}, but terms needs {}", theirs.term_count,
-         world.term_count());
-  }
-}
-
 env::Results results_of(const env::World& world, const mimo_env_results* results) {
   if (results == nullptr) return {};
   const mimo_env_results theirs = read_struct(results, "results");
-  check_results(world, theirs);
-  const std::size_t agents = world.agents().size();
+  const std::size_t agents = world.agents().size(), terms = world.term_count();
+  check_results(theirs, agents, terms);
   return {optional(theirs.reward, agents), optional(theirs.terminated, agents), optional(theirs.truncated, agents),
-          optional(theirs.outcome, agents), optional(theirs.terms, world.term_count())};
+          optional(theirs.outcome, agents), optional(theirs.terms, terms)};
 }
 
 }  // namespace

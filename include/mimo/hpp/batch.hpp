@@ -48,8 +48,7 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
 
   /// One seed for each world; none: they go on with their own random numbers.
   void reset(const std::vector<std::uint64_t> &seeds, Block &blocks) {
-    mimo_batch_reset_config config = {};
-    config.struct_size = sizeof config;
+    mimo_batch_reset_config config = detail::described<mimo_batch_reset_config>();
     config.seeds = seeds.empty() ? nullptr : seeds.data();
     config.worlds = seeds.size();
     check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));

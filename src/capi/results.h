@@ -1,0 +1,25 @@
+// What the results of a step have in common, of one world and of many.
+#pragma once
+
+#include "capi/check.h"
+
+namespace mimo::capi {
+
+// For as many agents and terms as there are in all worlds.
+template <typename Theirs>
+void check_results(const Theirs& theirs, std::size_t agents, std::size_t terms) {
+  check_reserved(theirs.reserved, "results: reserved");
+  check_length<double>(theirs.agents, "results: agents");
+  check_length<double>(theirs.term_count, "results: term_count");
+  const bool any = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr ||
+                   theirs.outcome != nullptr;
+  if (any && theirs.agents < agents) {
+    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated, truncated and outcome need {}",
+         theirs.agents, agents);
+  }
+  if (theirs.terms != nullptr && theirs.term_count < terms) {
+    fail(Status::kBufferTooSmall, "results: term_count is {}, but terms needs {}", theirs.term_count, terms);
+  }
+}
+
+}  // namespace mimo::capi
