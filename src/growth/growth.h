@@ -1,0 +1,35 @@
+// How old, big and strong an infant is asked to be.
+#pragma once
+
+namespace mimo::growth {
+
+enum class Sex : int { kMean, kFemale, kMale };
+
+// Who: driven by the growth standards of the WHO, around the 18-month body. Original: the rules of MIMo v2, for those
+// who compare.
+enum class Model : int { kWho, kOriginal };
+
+constexpr double kOldest = 24;  // months
+constexpr double kMostZ = 3;
+
+struct Growth {
+  double age = 18;                // months, of size and mass
+  double physiological_age = 18;  // months, of strength, range of motion and tone
+  Sex sex = Sex::kMean;
+  Model model = Model::kWho;
+  // Standard deviations from the median of its age and sex.
+  double z_length = 0;
+  double z_weight = 0;
+  double z_head = 0;
+  bool absolute = false;  // length and weight are the WHO's; else they are in its proportion to the 18-month body
+  double strength_exponent = 1.7;  // strength of a muscle's cross-section over the length of infants of its age
+  double neck_strength = 1;        // factor
+  double birth_tone = 1.5;         // stiffness of a newborn's joints, as a factor
+  double contracture = 1;          // share of the newborn's lack of extension
+  bool keep_spacing = false;       // touch sensors are as far apart as at 18 months; else there are as many
+};
+
+// Throws Status::kInvalidArgument for a number that is out of its range, naming it as mimo_growth does.
+void check(const Growth& growth);
+
+}  // namespace mimo::growth
