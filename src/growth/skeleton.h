@@ -28,6 +28,7 @@ struct Joint {
   double springref = 0;           // rad
   double stiffness = 0;           // N m / rad
   double damping = 0;             // N m s / rad
+  double frictionloss = 0;        // N m
   double armature = 0;            // kg m^2
 };
 
