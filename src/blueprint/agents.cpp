@@ -111,6 +111,14 @@ void Agents::limit_motor(std::size_t agent, const std::string& path, const obser
   at(agent).motors.push_back({path, concern, limits});
 }
 
+void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene) {
+  env::AgentOptions& options = at(agent);
+  require(options.root.empty(), "agent {} is body \"{}\" and what hangs on it, but only infants grow", agent,
+          options.root);
+  scene.grow(options.prefix(), growth);
+  options.growth = growth;
+}
+
 void Agents::set_touch(std::size_t agent, const std::string& body, double spacing, const scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
   const std::vector<std::string> names = scene.body_names(options.prefix());

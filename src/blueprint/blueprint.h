@@ -26,6 +26,7 @@ struct Draft {
 
   std::size_t add_agent(const AgentPlan& plan) { return agents.add(plan, scene); }
   std::size_t add_agents(const AgentPlan& plan) { return agents.add_all(plan, scene); }
+  void grow(std::size_t agent, const growth::Growth& growth) { agents.grow(agent, growth, scene); }
   void add_camera(const CameraPlan& plan) { cameras.add(plan, scene); }
 };
 

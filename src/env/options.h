@@ -8,6 +8,7 @@
 
 #include "actuation/motor_path.h"
 #include "engine/physics.h"
+#include "growth/growth.h"
 #include "observation/limited_senses.h"
 #include "render/renderer.h"
 #include "senses/proprioception.h"
@@ -27,6 +28,7 @@ struct AgentOptions {
   senses::VisionOptions vision;
   actuation::Options actuation;
   senses::TouchOptions touch;
+  growth::Growth growth;                        // of an infant
   std::string face;                             // that it shows at first; "": the model's own
   std::vector<observation::PathLimits> limits;  // of its senses
   std::vector<actuation::MotorLimits> motors;   // and of the paths to its motors

@@ -25,6 +25,10 @@ constexpr const char* kTouch = "mimo:touch";           // tuple: bodies with ski
 constexpr const char* kRootPose = "mimo:root";  // numbers: position and orientation of an infant's root
 constexpr const char* kPose = "mimo:pose";      // tuple: hinges and slides, and where they are
 
+// Of an infant that is not the one of 18 months, said by the library itself.
+constexpr const char* kGrowth = "mimo:growth";  // numbers: age in months; stature, and length of its arms, as factors
+constexpr const char* kBornSizes = "mimo:born_sizes";  // numbers: three sizes at 18 months for each geom of its tree
+
 // Of an infant's parts: a body, and how names of others begin.
 constexpr const char* kRootBody = "mimo_location";
 constexpr const char* kJoint = "robot:";         // hinges, "robot:left_elbow"

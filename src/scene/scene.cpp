@@ -14,6 +14,7 @@
 #include "scene/buffers.h"
 #include "scene/compiler.h"
 #include "scene/defaults.h"
+#include "scene/growing.h"
 #include "scene/inertias.h"
 #include "scene/joints.h"
 #include "scene/lines.h"
@@ -279,6 +280,12 @@ void Scene::choose_motors(const std::string& prefix, unsigned groups) {
   document_ = settled(std::move(changed));
 }
 
+void Scene::grow(const std::string& prefix, const growth::Growth& growth) {
+  const pugi::xml_document trial = copy(*document_);
+  scene::grow(trial.document_element(), prefix, growth);
+  grown_[prefix] = growth;
+}
+
 std::vector<std::string> Scene::infants() const {
   std::istringstream words(custom_text(document_->document_element(), names::kInfants));
   return {std::istream_iterator<std::string>(words), {}};
@@ -388,6 +395,7 @@ pugi::xml_document Scene::finished() const {
   // Keyframes are positions of all joints that the document had by itself.
   while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
   settle(root);
+  for (const auto& [prefix, growth] : grown_) scene::grow(root, prefix, growth);
   for (const auto& [prefix, place] : anchored_) put_by_anchor(document, prefix, place, limits_);
   if (unplaced_) find_spot(document, *unplaced_, limits_);
   if (!start_welds_.empty()) add_start_welds(root, start_welds_, compile_quietly(document, limits_));

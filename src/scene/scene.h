@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/log.h"
+#include "growth/growth.h"
 #include "scene/composition.h"
 #include "scene/guest.h"
 #include "scene/library.h"
@@ -77,6 +78,9 @@ class Scene {
                 Anchor anchor = Anchor::kRoot);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
+  // Gives an infant, also one that the document brings along, another age; the last one counts. Throws what
+  // growth::grown throws.
+  void grow(const std::string& prefix, const growth::Growth& growth);
   // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
   std::vector<std::string> infants() const;
   // What it gives its next infant by itself.
@@ -118,9 +122,10 @@ class Scene {
   LogSink log_;
   Document document_;
   bool built_in_;
-  std::optional<std::string> unplaced_;    // prefix of the infant for whom nobody named a place
-  std::map<std::string, Place> anchored_;  // by prefix: infants whose roots follow from where their soles are
-  std::vector<std::string> to_check_;      // prefixes of infants whose places may be taken
+  std::optional<std::string> unplaced_;          // prefix of the infant for whom nobody named a place
+  std::map<std::string, growth::Growth> grown_;  // by prefix: what of another age is to be made of infants
+  std::map<std::string, Place> anchored_;        // by prefix: infants whose roots follow from where their soles are
+  std::vector<std::string> to_check_;            // prefixes of infants whose places may be taken
   int bodies_ = 0;
   int objects_ = 0;
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last

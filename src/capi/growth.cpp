@@ -1,0 +1,84 @@
+#include "capi/growth.h"
+
+#include <cmath>
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/structs.h"
+#include "growth/percentile.h"
+
+namespace mimo::capi {
+namespace {
+
+mimo_growth default_growth() {
+  const growth::Growth ours;
+  mimo_growth growth{};
+  growth.struct_size = sizeof growth;
+  growth.sex = static_cast<std::int32_t>(ours.sex);
+  growth.model = static_cast<std::int32_t>(ours.model);
+  growth.age = ours.age;
+  growth.physiological_age = ours.physiological_age;
+  growth.strength_exponent = ours.strength_exponent;
+  growth.neck_strength = ours.neck_strength;
+  growth.birth_tone = ours.birth_tone;
+  growth.contracture = ours.contracture;
+  return growth;
+}
+
+void take_percentile(const mimo_growth& config, growth::Growth& growth) {
+  if (config.percentile == 0) return;
+  require(config.z_length == 0 && config.z_weight == 0 && config.z_head == 0,
+          "percentile is {} and z_length, z_weight, z_head are {}, {}, {}; expected one or the other",
+          config.percentile, config.z_length, config.z_weight, config.z_head);
+  growth.z_length = growth.z_weight = growth.z_head = growth::z_of_percentile(config.percentile);
+}
+
+}  // namespace
+
+growth::Growth growth_from(const mimo_growth* given, const char* argument) {
+  const mimo_growth config = read_struct(given, default_growth(), argument);
+  check_choice(config.sex, MIMO_SEX_MEAN, MIMO_SEX_MALE, "sex");
+  check_choice(config.model, MIMO_GROWTH_WHO, MIMO_GROWTH_ORIGINAL, "model");
+  check_flag(config.matures_apart, "matures_apart");
+  check_flag(config.absolute, "absolute");
+  check_flag(config.keep_spacing, "keep_spacing");
+  growth::Growth growth;
+  growth.age = config.age;
+  growth.physiological_age = config.matures_apart != 0 ? config.physiological_age : config.age;
+  growth.sex = static_cast<growth::Sex>(config.sex);
+  growth.model = static_cast<growth::Model>(config.model);
+  growth.z_length = config.z_length;
+  growth.z_weight = config.z_weight;
+  growth.z_head = config.z_head;
+  growth.absolute = config.absolute != 0;
+  growth.strength_exponent = config.strength_exponent;
+  growth.neck_strength = config.neck_strength;
+  growth.birth_tone = config.birth_tone;
+  growth.contracture = config.contracture;
+  growth.keep_spacing = config.keep_spacing != 0;
+  take_percentile(config, growth);
+  growth::check(growth);
+  return growth;
+}
+
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_growth_init(mimo_growth* growth, size_t size) noexcept {
+  return guard([&] { write_struct(growth, size, default_growth(), "growth"); });
+}
+
+mimo_status mimo_scene_grow(mimo_scene* scene, size_t agent, const mimo_growth* growth) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const growth::Growth ours = growth_from(growth, "growth");
+    blueprint.edit([&](blueprint::Draft& draft) { draft.grow(agent, ours); });
+  });
+}
+
+}  // extern "C"
