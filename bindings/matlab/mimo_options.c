@@ -43,6 +43,25 @@ const option mimo_agent_options[] = {
     {NULL, kText, 0},
 };
 
+/* The member model is the option "growth". */
+const option mimo_growth_options[] = {
+    OPTION(mimo_growth, sex, kSigned),
+    OPTION(mimo_growth, age, kNumber),
+    OPTION(mimo_growth, physiological_age, kNumber),
+    OPTION(mimo_growth, z_length, kNumber),
+    OPTION(mimo_growth, z_weight, kNumber),
+    OPTION(mimo_growth, z_head, kNumber),
+    OPTION(mimo_growth, percentile, kNumber),
+    OPTION(mimo_growth, strength_exponent, kNumber),
+    OPTION(mimo_growth, neck_strength, kNumber),
+    OPTION(mimo_growth, birth_tone, kNumber),
+    OPTION(mimo_growth, contracture, kNumber),
+    OPTION(mimo_growth, absolute, kUnsigned),
+    OPTION(mimo_growth, keep_spacing, kUnsigned),
+    {"growth", kSigned, offsetof(mimo_growth, model)},
+    {NULL, kText, 0},
+};
+
 const option mimo_env_options[] = {
     OPTION(mimo_env_config, frame_skip, kUnsigned),     OPTION(mimo_env_config, jacobian, kSigned),
     OPTION(mimo_env_config, disable, kUnsigned),        OPTION(mimo_env_config, renderer, kText),
@@ -207,6 +226,13 @@ static void set_option(void* config, const option* option, const mxArray* value)
     case kFour: mimo_read_numbers((double*)member, 4, option->name, value); break;
     default: *(const char**)member = mimo_text(value, option->name); break;
   }
+}
+
+int mimo_has_any(const properties* given, const option* options) {
+  const option* one;
+  for (one = options; one->name != NULL; ++one)
+    if (mimo_has(given, one->name)) return 1;
+  return 0;
 }
 
 void mimo_set_known(void* config, const option* options, properties* given) {

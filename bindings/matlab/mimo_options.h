@@ -32,9 +32,12 @@ typedef struct option {
   size_t offset;
 } option;
 
-extern const option mimo_scene_options[], mimo_agent_options[], mimo_env_options[], mimo_batch_options[],
+extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_options[], mimo_env_options[], mimo_batch_options[],
     mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[], mimo_limit_options[],
     mimo_picture_options[], mimo_no_options[];
+
+/* Whether anything of the list is given. */
+int mimo_has_any(const properties* given, const option* options);
 
 /* Takes out what the list has and sets it; the second raises an error if anything is left: "no option X of a lock". */
 void mimo_set_known(void* config, const option* options, properties* given);

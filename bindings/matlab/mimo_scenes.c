@@ -21,18 +21,29 @@ static size_t take_agent(properties* given) {
   return (size_t)number - 1;
 }
 
-/* A position counts where a place is said, so whoever gives one means it. */
-static mimo_agent_config take_agent_config(mimo_scene* scene, properties* given) {
+/* How old it is, where that is said. */
+static const mimo_growth* take_growth(properties* given, mimo_growth* growth) {
+  if (!mimo_has_any(given, mimo_growth_options)) return NULL;
+  mimo_check(mimo_growth_init(growth, sizeof *growth));
+  growth->matures_apart = mimo_has(given, "physiological_age");
+  mimo_set_known(growth, mimo_growth_options, given);
+  return growth;
+}
+
+/* A position counts where a place is said, so whoever gives one means it. The growth is where the config points to. */
+static mimo_agent_config take_agent_config(mimo_scene* scene, properties* given, mimo_growth* growth) {
   const int is_placed = mimo_has(given, "position") || mimo_has(given, "orientation");
   mimo_agent_config config;
   mimo_check(mimo_scene_default_agent(scene, &config, sizeof config));
   mimo_set_known(&config, mimo_agent_options, given);
   if (is_placed && config.place == MIMO_PLACE_SCENE) config.place = MIMO_PLACE_ROOT;
+  config.growth = take_growth(given, growth);
   return config;
 }
 
 static double add_agent(mimo_scene* scene, properties* given) {
-  const mimo_agent_config config = take_agent_config(scene, given);
+  mimo_growth growth;
+  const mimo_agent_config config = take_agent_config(scene, given, &growth);
   size_t agent = 0;
   mimo_set_all(NULL, mimo_no_options, given, "an agent");
   mimo_check(mimo_scene_add_agent(scene, &config, &agent));
@@ -40,7 +51,8 @@ static double add_agent(mimo_scene* scene, properties* given) {
 }
 
 static double add_agents(mimo_scene* scene, properties* given) {
-  const mimo_agent_config config = take_agent_config(scene, given);
+  mimo_growth growth;
+  const mimo_agent_config config = take_agent_config(scene, given, &growth);
   size_t count = 0;
   mimo_set_all(NULL, mimo_no_options, given, "agents");
   mimo_check(mimo_scene_add_agents(scene, &config, &count));
@@ -288,7 +300,8 @@ static void add_parameters(mimo_scene* scene, properties* given) {
 /* The usual case in one call: a scene with its own infants, which have the options in common. */
 static mimo_scene* furnished_scene(const mxArray* name, properties* given, double number) {
   mimo_scene* scene = open_scene(name, given, number);
-  const mimo_agent_config agent = take_agent_config(scene, given);
+  mimo_growth growth;
+  const mimo_agent_config agent = take_agent_config(scene, given, &growth);
   add_parameters(scene, given);
   mimo_check(mimo_scene_add_agents(scene, &agent, NULL));
   add_each(scene, given, "limits", add_limits);

@@ -121,6 +121,7 @@ typedef struct mimo_agent_config {
   const char *root;            /**< With body "scene": the body of the model that the agent consists of, with all below
                                     it; "world": everything. NULL: an infant. */
   const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels; NULL: the infant's head. */
+  const mimo_growth *growth;   /**< How old it is; NULL: 18 months. */
 } mimo_agent_config;
 
 /**

@@ -1,11 +1,11 @@
 /**
  * @file mimo/growth.h
- * Infants of another age than 18 months.
+ * Infants of any age from birth to two years.
  */
 #ifndef MIMO_GROWTH_H
 #define MIMO_GROWTH_H
 
-#include "scene.h"
+#include "status.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -20,7 +20,16 @@ extern "C" {
 #define MIMO_GROWTH_WHO 0      /**< The WHO's child growth standards and measured infants: docs/guide/growth.md. */
 #define MIMO_GROWTH_ORIGINAL 1 /**< The rules of MIMo's second version, for those who compare. */
 
-/** How old, large and strong an infant is. */
+/**
+ * How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months. From
+ * it follow lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness, damping and
+ * friction of joints. The infant starts in the same pose, as far as its joints go, its lowest point where that would be
+ * at 18 months. With all defaults it is that body, to the last bit. Objects and rooms stay; what tasks do about it,
+ * docs/tasks.md says.
+ * Errors, of the call that is given it: MIMO_E_INVALID_ARGUMENT for numbers out of their range, an agent that is no
+ * infant, and a combination that no infant can have, where no girth of its limbs gives that mass; MIMO_E_UNSUPPORTED
+ * for an infant in the scene's MJCF whose parts somebody has changed.
+ */
 typedef struct mimo_growth {
   uint32_t struct_size;     /**< sizeof(mimo_growth), set by mimo_growth_init. */
   int32_t sex;              /**< A MIMO_SEX_ constant. Default MIMO_SEX_MEAN. */
@@ -50,19 +59,6 @@ typedef struct mimo_growth {
  * @param size sizeof(mimo_growth) as the caller knows it.
  */
 MIMO_API mimo_status mimo_growth_init(mimo_growth *growth, size_t size) MIMO_NOEXCEPT;
-
-/**
- * Gives an infant another age, for environments made and senses attached from now on: lengths, girths, masses and
- * inertias, eyes and cameras, skin, strength, joints' range, stiffness, damping and friction. It starts in the same
- * pose, as far as its joints go, its lowest point where that was. At 18 months with all defaults it is the body that
- * it was, to the last bit. Objects and rooms stay; what tasks do about it, docs/tasks.md says.
- * @param agent  number of an infant; also one that the scene's MJCF brings along (body "scene").
- * @param growth NULL: 18 months again. The last call counts.
- * Errors: MIMO_E_INVALID_ARGUMENT for numbers out of their range, an agent that is no infant, and a combination that no
- *         infant can have: no girth of its limbs would give it that mass; MIMO_E_UNSUPPORTED for an infant's body that
- *         somebody has changed the parts of.
- */
-MIMO_API mimo_status mimo_scene_grow(mimo_scene *scene, size_t agent, const mimo_growth *growth) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -7,8 +7,8 @@
  *     status.h       versions, results of calls, what went wrong
  *     log.h          messages
  *     scene.h        rooms, objects, models, cameras, as a description
+ *     growth.h       how old infants are
  *     agent.h        infants: where they are, what they sense, what of them acts
- *     growth.h       infants of another age
  *     observation.h  what a block of observations, an array of actions and a reward consist of
  *     env.h          a world: making it, steps, rewards, timing
  *     access.h       joints, bodies, contacts by name; what differs from world to world
@@ -53,8 +53,8 @@
 #include "status.h"
 #include "log.h"
 #include "scene.h"
-#include "agent.h"
 #include "growth.h"
+#include "agent.h"
 #include "observation.h"
 #include "env.h"
 #include "access.h"

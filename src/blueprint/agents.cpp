@@ -73,7 +73,9 @@ std::size_t Agents::add(const AgentPlan& plan, scene::Scene& scene) {
   AgentPlan own = plan;
   own.options.root.empty() ? join_as_infant(own, scene) : join_as_part(own);
   agents_.push_back(std::move(own.options));
-  return agents_.size() - 1;
+  const std::size_t number = agents_.size() - 1;
+  if (own.growth) grow(number, *own.growth, scene);
+  return number;
 }
 
 std::size_t Agents::add_all(const AgentPlan& plan, scene::Scene& scene) {
@@ -113,7 +115,7 @@ void Agents::limit_motor(std::size_t agent, const std::string& path, const obser
 
 void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
-  require(options.root.empty(), "agent {} is body \"{}\" and what hangs on it, but only infants grow", agent,
+  require(options.root.empty(), "growth: agent {} is body \"{}\" with what hangs on it, but only infants grow", agent,
           options.root);
   scene.grow(options.prefix(), growth);
   options.growth = growth;

@@ -13,9 +13,10 @@ namespace mimo::blueprint {
 // An agent as it is asked for.
 struct AgentPlan {
   env::AgentOptions options;
-  std::string body = "mitten";        // "scene": the document brings it along
-  std::optional<scene::Place> place;  // nothing: the scene's own
-  unsigned acts = 0;                  // scene::Group bits; 0: the scene's own choice
+  std::string body = "mitten";           // "scene": the document brings it along
+  std::optional<scene::Place> place;     // nothing: the scene's own
+  unsigned acts = 0;                     // scene::Group bits; 0: the scene's own choice
+  std::optional<growth::Growth> growth;  // nothing: 18 months
 };
 
 // An infant as the scene usually has it.

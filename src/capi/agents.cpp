@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "capi/check.h"
+#include "capi/growth.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/pose.h"
@@ -191,6 +192,7 @@ blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
     plan.place = {pose(config.position, config.orientation), static_cast<scene::Anchor>(config.place)};
   }
   plan.acts = acts(config);
+  if (config.growth != nullptr) plan.growth = growth_from(*config.growth, "growth");
   return plan;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/model.h"
 #include "engine/physics.h"
 #include "env/access.h"
+#include "growth/growth.h"
 #include "mimo/mimo.h"
 #include "observation/field.h"
 #include "scene/groups.h"
@@ -49,6 +50,12 @@ static_assert(same(MIMO_WARNING_BAD_CONTROL, engine::Warning::kBadControl));
 static_assert(same(MIMO_WARNING_INERTIA, engine::Warning::kInertia));
 static_assert(same(MIMO_WARNING_NOT_CONVERGED, engine::Warning::kNotConverged));
 static_assert(same(MIMO_WARNING_NOT_CONVERGED + 1, engine::kWarnings));
+
+static_assert(same(MIMO_SEX_MEAN, growth::Sex::kMean));
+static_assert(same(MIMO_SEX_FEMALE, growth::Sex::kFemale));
+static_assert(same(MIMO_SEX_MALE, growth::Sex::kMale));
+static_assert(same(MIMO_GROWTH_WHO, growth::Model::kWho));
+static_assert(same(MIMO_GROWTH_ORIGINAL, growth::Model::kOriginal));
 
 static_assert(same(MIMO_OUTCOME_NONE, tasks::Outcome::kNone));
 static_assert(same(MIMO_OUTCOME_SUCCESS, tasks::Outcome::kSuccess));

@@ -4,7 +4,6 @@
 
 #include "capi/check.h"
 #include "capi/guard.h"
-#include "capi/objects.h"
 #include "capi/structs.h"
 #include "growth/percentile.h"
 
@@ -36,8 +35,8 @@ void take_percentile(const mimo_growth& config, growth::Growth& growth) {
 
 }  // namespace
 
-growth::Growth growth_from(const mimo_growth* given, const char* argument) {
-  const mimo_growth config = read_struct(given, default_growth(), argument);
+growth::Growth growth_from(const mimo_growth& given, const char* argument) {
+  const mimo_growth config = read_struct(&given, argument);
   check_choice(config.sex, MIMO_SEX_MEAN, MIMO_SEX_MALE, "sex");
   check_choice(config.model, MIMO_GROWTH_WHO, MIMO_GROWTH_ORIGINAL, "model");
   check_flag(config.matures_apart, "matures_apart");
@@ -71,14 +70,6 @@ extern "C" {
 
 mimo_status mimo_growth_init(mimo_growth* growth, size_t size) noexcept {
   return guard([&] { write_struct(growth, size, default_growth(), "growth"); });
-}
-
-mimo_status mimo_scene_grow(mimo_scene* scene, size_t agent, const mimo_growth* growth) noexcept {
-  return guard(scene, [&] {
-    blueprint::Blueprint& blueprint = open(scene).blueprint;
-    const growth::Growth ours = growth_from(growth, "growth");
-    blueprint.edit([&](blueprint::Draft& draft) { draft.grow(agent, ours); });
-  });
 }
 
 }  // extern "C"

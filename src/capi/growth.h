@@ -6,7 +6,7 @@
 
 namespace mimo::capi {
 
-// Throws for what is out of range; NULL is the body of 18 months.
-growth::Growth growth_from(const mimo_growth* config, const char* argument);
+// Throws for what is out of range.
+growth::Growth growth_from(const mimo_growth& config, const char* argument);
 
 }  // namespace mimo::capi

@@ -41,6 +41,17 @@ Json describe_actions(const mimo::Env& env) {
   return actions;
 }
 
+// A quantity of all parts of a kind that have a name; a number where each has one.
+Json by_name(const mimo::Env& env, int kind, int quantity) {
+  Json values = Json::object();
+  for (const std::int32_t id : env.ids(kind)) {
+    const std::string name = env.name(kind, id);
+    const std::vector<double> of_it = env.get_values(quantity, {id});
+    if (!name.empty()) values[name] = of_it.size() == 1 ? Json(of_it[0]) : Json(of_it);
+  }
+  return values;
+}
+
 Json describe(const mimo::Env& env) {
   const auto joints = env.ids(MIMO_JOINT);
   const auto agents = env.agents();
@@ -54,7 +65,8 @@ Json describe(const mimo::Env& env) {
                {"touch_sensors", touch_sensors(env)},
                {"agents", agents.size()},
                {"mass_kg", agents.empty() ? Json() : Json(agents[0].mass)},
-               {"height_m", agents.empty() ? Json() : Json(agents[0].height)}};
+               {"height_m", agents.empty() ? Json() : Json(agents[0].height)},
+               {"stature_m", agents.empty() ? Json() : Json(agents[0].height)}};
   info["task"] = env.task();
   info["timestep_s"] = env.timestep();
   info["frame_skip"] = env.frame_skip();
@@ -63,6 +75,9 @@ Json describe(const mimo::Env& env) {
   info["observation_fields"] = Json::array();
   for (const mimo_field& field : env.layout().fields()) info["observation_fields"].push_back(describe(field));
   info["actions"] = describe_actions(env);
+  info["geom_sizes"] = by_name(env, MIMO_GEOM, MIMO_GEOM_SIZE);
+  info["joint_ranges"] = by_name(env, MIMO_JOINT, MIMO_JOINT_RANGE);
+  info["gears"] = by_name(env, MIMO_ACTUATOR, MIMO_ACTUATOR_GEAR);
   return info;
 }
 
@@ -114,7 +129,7 @@ void add_info(CLI::App& program) {
   command->footer(
       "The world is the one that mimo_env_make(scene) and mimo.make(scene) give, but for what options change.\n"
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
-      "motors. mass_kg and height_m are the first agent's. The time of a field is when it is true, from the\n"
+      "motors. mass_kg and stature_m are the first agent's. The time of a field is when it is true, from the\n"
       "end of a step: 0 is that end, -5 the start of its last physics step, more where senses are late.\n"
       "Examples:\n"
       "  mimo info\n"

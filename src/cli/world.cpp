@@ -176,6 +176,7 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
                   "Body of the infant: mitten or fingers. A file that holds an infant\n"
                   "keeps that one; a file without gets one only if this is given")
       ->type_name("BODY");
+  add_age_options(command, options.age);
 }
 
 void add_vision_options(CLI::App& command, WorldOptions& options, const std::string& usual) {
@@ -242,6 +243,8 @@ mimo::Scene make_scene(const WorldOptions& options, Senses senses) {
   const mimo_agent_config usual = scene.default_agent();
   const std::string body = body_of_scene(options, usual);
   mimo_agent_config agent = agent_config(options, senses, usual);
+  const std::optional<mimo_growth> growth = growth_of(options.age);
+  if (growth) agent.growth = &*growth;
   if (body.empty()) {
     make_agent_of_all(options, agent);
     scene.add_agent(agent);

@@ -6,11 +6,14 @@
 #include <mimo/mimo.hpp>
 #include <string>
 
+#include "age.h"
+
 namespace cli {
 
 struct WorldOptions {
   std::string scene = "benchmark";  // a built-in name or a file
   std::string body;                 // "" means the default of the scene
+  AgeOptions age;
   std::string renderer = "auto";
   std::uint32_t samples = 0;         // a pixel; 0: the renderer's own
   std::uint32_t render_threads = 1;  // that draw one picture

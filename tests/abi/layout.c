@@ -50,6 +50,24 @@ int main(void) {
   FIELD(mimo_scene_config, confined);
   FIELD(mimo_scene_config, limits_reserved);
 
+  BEGIN(mimo_growth);
+  FIELD(mimo_growth, struct_size);
+  FIELD(mimo_growth, sex);
+  FIELD(mimo_growth, age);
+  FIELD(mimo_growth, physiological_age);
+  FIELD(mimo_growth, matures_apart);
+  FIELD(mimo_growth, model);
+  FIELD(mimo_growth, z_length);
+  FIELD(mimo_growth, z_weight);
+  FIELD(mimo_growth, z_head);
+  FIELD(mimo_growth, percentile);
+  FIELD(mimo_growth, strength_exponent);
+  FIELD(mimo_growth, neck_strength);
+  FIELD(mimo_growth, birth_tone);
+  FIELD(mimo_growth, contracture);
+  FIELD(mimo_growth, absolute);
+  FIELD(mimo_growth, keep_spacing);
+
   BEGIN(mimo_agent_config);
   FIELD(mimo_agent_config, struct_size);
   FIELD(mimo_agent_config, place);
@@ -76,6 +94,7 @@ int main(void) {
   FIELD(mimo_agent_config, face);
   FIELD(mimo_agent_config, root);
   FIELD(mimo_agent_config, vestibular_at);
+  FIELD(mimo_agent_config, growth);
 
   BEGIN(mimo_limits);
   FIELD(mimo_limits, struct_size);

@@ -134,6 +134,14 @@ static void deep_xml(args* a) {
 static void no_orientation(args* a) { memset(a->agent_config->orientation, 0, sizeof a->agent_config->orientation); }
 static void bad_agent_name(args* a) { a->agent_config->name = "an na"; }
 static void unknown_body(args* a) { a->agent_config->body = "centaur"; }
+static void apart(args* a) {
+  a->growth->matures_apart = 1;
+  a->growth->physiological_age = 25;
+}
+static void two_measures(args* a) {
+  a->growth->percentile = 10;
+  a->growth->z_head = 1;
+}
 static void taken_agent(args* a) { CHECK_OK(mimo_scene_add_agent(a->room, NULL, NULL)); }
 static void unknown_part(args* a) { a->part = "tail"; }
 static void bad_model_name(args* a) { a->model_config->name = "te/a"; }

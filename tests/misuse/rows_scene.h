@@ -35,6 +35,8 @@ ROW(mimo_task_field_init, 0, mimo_task_field_init(a->task_field, sizeof *a->task
     INIT(task_field, mimo_task_field, "field"))
 ROW(mimo_task_init, 0, mimo_task_init(a->task, sizeof *a->task + a->more_bytes), INIT(task, mimo_task, "task"))
 
+ROW(mimo_growth_init, 0, mimo_growth_init(a->growth, sizeof *a->growth + a->more_bytes),
+    INIT(growth, mimo_growth, "growth"))
 ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more_bytes),
     INIT(limits, mimo_limits, "limits"))
 
@@ -52,6 +54,16 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
 #define AGENT_REAL(f, ...) BAD_REAL(agent_config, mimo_agent_config, f, __VA_ARGS__)
 #define AGENT(f, n) BAD_FIELD(agent_config, mimo_agent_config, f, n, #f)
 #define AGENT_UNKNOWN(f, n) UNKNOWN_FIELD(agent_config, mimo_agent_config, f, n, #f)
+#define GROWTH_REAL(f, n) BAD_REAL(growth, mimo_growth, f, n, #f)
+#define GROWTH_RANGE(f, low, high) UNREAL(growth, mimo_growth, f, #f), GROWTH_REAL(f, low), GROWTH_REAL(f, high)
+#define GROWTH_UNKNOWN(f, n) UNKNOWN_FIELD(growth, mimo_growth, f, n, #f)
+#define GROWTH                                                                                                     \
+  CONFIG(growth, mimo_growth, "growth"), GROWTH_RANGE(age, -0.01, 24.01), GROWTH_UNKNOWN(sex, 3),                  \
+      GROWTH_UNKNOWN(sex, -1), GROWTH_UNKNOWN(matures_apart, 2), GROWTH_UNKNOWN(model, 2),                         \
+      GROWTH_RANGE(z_length, -3.01, 3.01), GROWTH_RANGE(z_weight, -3.01, 3.01), GROWTH_RANGE(z_head, -3.01, 3.01), \
+      GROWTH_RANGE(percentile, 0.13, 99.87), GROWTH_RANGE(strength_exponent, -0.1, 5.1),                           \
+      GROWTH_RANGE(neck_strength, -0.1, 10.1), GROWTH_RANGE(birth_tone, 0.09, 10.1),                               \
+      GROWTH_RANGE(contracture, -0.1, 1.1), GROWTH_UNKNOWN(absolute, 2), GROWTH_UNKNOWN(keep_spacing, 2)
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))
@@ -72,7 +84,8 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
-    DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"))
+    DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"), GROWTH,
+    DO(apart, E_ARG, "physiological_age"), DO(two_measures, E_ARG, "percentile"))
 ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_config, a->count), NULL_OK(agent_config),
     NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4),
     AGENT_UNKNOWN(vision, 8), UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),

@@ -39,6 +39,7 @@ typedef struct args {
   mimo_field_config* field_config;
   mimo_model_config* model_config;
   mimo_gaze* gaze;
+  mimo_growth* growth;
   mimo_limits* limits;
   mimo_senses_config* senses_config;
   mimo_load_report* report;

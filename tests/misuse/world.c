@@ -261,6 +261,7 @@ static void make_structs(void) {
   good.field_config = region(sizeof *good.field_config + TAIL);
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
+  good.growth = region(sizeof *good.growth + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
   good.senses_config = region(sizeof *good.senses_config + TAIL);
   good.report = region(sizeof *good.report + TAIL);
@@ -313,6 +314,9 @@ static void fill_configs(void) {
   CHECK_OK(mimo_task_field_init(good.task_field, sizeof *good.task_field));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
   CHECK_OK(mimo_field_config_init(good.field_config, sizeof *good.field_config));
+  CHECK_OK(mimo_growth_init(good.growth, sizeof *good.growth));
+  good.growth->age = 6;
+  good.agent_config->growth = good.growth;
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
   CHECK_OK(mimo_senses_config_init(good.senses_config, sizeof *good.senses_config));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));

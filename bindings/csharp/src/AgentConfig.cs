@@ -60,6 +60,6 @@ namespace Mimo
         public double touch_scale;
         /// <summary>Slip below counts as none, m/s.</summary>
         public double touch_slip_threshold;
-        internal IntPtr face, root, vestibular_at;
+        internal IntPtr face, root, vestibular_at, growth;
     }
 }

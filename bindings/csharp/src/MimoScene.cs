@@ -40,16 +40,18 @@ namespace Mimo
         /// that body of the scene's own MJCF with all below it, "world" for everything; its vestibular organ is at the site or
         /// body vestibularAt.</summary>
         public int AddAgent(AgentConfig config, string name = null, string face = null, string root = null,
-            string vestibularAt = null)
+            string vestibularAt = null, Growth? growth = null)
         {
             using (PinnedText n = new PinnedText(name), f = new PinnedText(face), body = new PinnedText("scene"),
                 r = new PinnedText(root), v = new PinnedText(vestibularAt))
+            using (PinnedGrowth age = new PinnedGrowth(growth))
             {
                 if (name != null) config.name = n.Pointer;
                 if (face != null) config.face = f.Pointer;
                 if (root != null) config.body = body.Pointer;
                 config.root = r.Pointer;
                 config.vestibular_at = v.Pointer;
+                config.growth = age.Pointer;
                 UIntPtr agent;
                 MimoException.Check(Native.mimo_scene_add_agent(Handle, ref config, out agent));
                 return (int)agent;
@@ -57,12 +59,16 @@ namespace Mimo
         }
 
         /// <summary>Adds all infants that the scene names, each at a place of its own; in a scene that names none a single
-        /// one. Gives how many they are.</summary>
-        public int AddAgents(AgentConfig config)
+        /// one. Gives how many they are. Without a growth they are 18 months old.</summary>
+        public int AddAgents(AgentConfig config, Growth? growth = null)
         {
-            UIntPtr count;
-            MimoException.Check(Native.mimo_scene_add_agents(Handle, ref config, out count));
-            return (int)count;
+            using (PinnedGrowth age = new PinnedGrowth(growth))
+            {
+                config.growth = age.Pointer;
+                UIntPtr count;
+                MimoException.Check(Native.mimo_scene_add_agents(Handle, ref config, out count));
+                return (int)count;
+            }
         }
 
         /// <summary>Gives a scene that has none a room, one of Rooms.Names: "playroom".</summary>

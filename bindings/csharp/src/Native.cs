@@ -35,6 +35,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_camera_config_init(out CameraConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_picture_config_init(out PictureConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_batch_config_init(out BatchConfigStruct config, Size size);
+        [DllImport(File)] internal static extern int mimo_growth_init(out Growth growth, Size size);
         [DllImport(File)] internal static extern int mimo_limits_init(out LimitsStruct limits, Size size);
         [DllImport(File)] internal static extern int mimo_field_config_init(out FieldConfigStruct config, Size size);
 

@@ -33,6 +33,12 @@ namespace Mimo
         internal PinnedText(string text) : base(Utf8.Bytes(text)) { }
     }
 
+    /// <summary>A growth that stays in place; null is a null pointer.</summary>
+    internal sealed class PinnedGrowth : Pinned
+    {
+        internal PinnedGrowth(Growth? growth) : base(growth == null ? null : new[] { growth.Value }) { }
+    }
+
     /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
     internal sealed class PinnedParts : IDisposable
     {

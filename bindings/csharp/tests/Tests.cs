@@ -38,6 +38,7 @@ internal static partial class Tests
         { "mimo_camera_config", typeof(CameraConfigStruct) },
         { "mimo_field_config", typeof(FieldConfigStruct) },
         { "mimo_agent_config", typeof(AgentConfig) },
+        { "mimo_growth", typeof(Growth) },
         { "mimo_limits", typeof(LimitsStruct) },
         { "mimo_layout_info", typeof(LayoutInfoStruct) },
         { "mimo_field", typeof(FieldStruct) },

@@ -54,6 +54,8 @@ inline mimo_env_config env_config() { return detail::defaults(mimo_env_config_in
 inline mimo_batch_config batch_config() { return detail::defaults(mimo_batch_config_init); }
 inline mimo_picture_config picture_config() { return detail::defaults(mimo_picture_config_init); }
 inline mimo_limits limits() { return detail::defaults(mimo_limits_init); }
+/// The body of 18 months.
+inline mimo_growth growth() { return detail::defaults(mimo_growth_init); }
 /// Of a host with that mj_version(), sizeof(mjModel) and sizeof(mjData).
 inline mimo_senses_config senses_config(int mujoco_version, std::size_t model_size, std::size_t data_size) {
   mimo_senses_config config = detail::defaults(mimo_senses_config_init);

@@ -68,6 +68,27 @@ class SceneConfig(Struct):
     ]
 
 
+class Growth(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("sex", c_int32),
+        ("age", c_double),
+        ("physiological_age", c_double),
+        ("matures_apart", c_uint32),
+        ("model", c_int32),
+        ("z_length", c_double),
+        ("z_weight", c_double),
+        ("z_head", c_double),
+        ("percentile", c_double),
+        ("strength_exponent", c_double),
+        ("neck_strength", c_double),
+        ("birth_tone", c_double),
+        ("contracture", c_double),
+        ("absolute", c_uint32),
+        ("keep_spacing", c_uint32),
+    ]
+
+
 class AgentConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -95,6 +116,7 @@ class AgentConfig(Struct):
         ("face", c_char_p),
         ("root", c_char_p),
         ("vestibular_at", c_char_p),
+        ("growth", ctypes.POINTER(Growth)),
     ]
 
 
@@ -492,6 +514,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_add_agents": (_status, [_Handle, _config(AgentConfig), _Out_size]),
     "mimo_scene_set_touch": (_status, [_Handle, c_size_t, c_char_p, c_double]),
     "mimo_scene_read_joint": (_status, [_Handle, c_size_t, c_char_p]),
+    "mimo_growth_init": (_status, [_config(Growth), c_size_t]),
     "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
     "mimo_scene_limit_sense": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),
     "mimo_scene_limit_motor": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),

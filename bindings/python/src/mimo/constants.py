@@ -42,6 +42,21 @@ class Place(IntEnum):
     LOWEST = 3
 
 
+class Sex(IntEnum):
+    """Whose growth an infant follows."""
+
+    MEAN = 0
+    FEMALE = 1
+    MALE = 2
+
+
+class GrowthModel(IntEnum):
+    """Where the sizes of an infant's body come from: the WHO's standards of growth, or the rules of MIMo v2."""
+
+    WHO = 0
+    ORIGINAL = 1
+
+
 class Actuation(IntEnum):
     """What an action is: a motor's share of its largest torque, a joint's angle, or a muscle's activation."""
 

@@ -22,11 +22,13 @@ from .constants import (
     Actuation,
     Disable,
     Frame,
+    GrowthModel,
     Jacobian,
     Place,
     Proprioception,
     Quantity,
     Render,
+    Sex,
     Shape,
     Touch,
     TouchResponse,
@@ -51,8 +53,27 @@ class DocumentOptions(TypedDict, total=False):
     confined: bool
 
 
-class AgentOptions(TypedDict, total=False):
-    """One infant: where it is, what it senses, what of it acts."""
+class GrowthOptions(TypedDict, total=False):
+    """How old an infant is (months), how large and strong for its age."""
+
+    age: float
+    physiological_age: float
+    sex: Sex
+    growth: GrowthModel
+    z_length: float
+    z_weight: float
+    z_head: float
+    percentile: float
+    strength_exponent: float
+    neck_strength: float
+    birth_tone: float
+    contracture: float
+    absolute: bool
+    keep_spacing: bool
+
+
+class AgentOptions(GrowthOptions, total=False):
+    """One infant: where it is, how old it is, what it senses, what of it acts."""
 
     name: str
     body: str

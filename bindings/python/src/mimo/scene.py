@@ -12,13 +12,14 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .arguments import number_of, real_number, several, vector
-from .constants import NOW, Place, Quantity
+from .arguments import number_of, real_number, several, vector, whole_number
+from .constants import NOW, GrowthModel, Place, Quantity
 from .options import (
     AgentOptions,
     CameraOptions,
     DocumentOptions,
     FieldOptions,
+    GrowthOptions,
     ModelOptions,
     Numbers,
     ObjectOptions,
@@ -120,7 +121,11 @@ class Scene(Handle):
         check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
         standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
-        fill(config, options, AgentOptions, standard)
+        growth = {name: value for name, value in options.items() if name in enums(GrowthOptions)}
+        agent = {name: value for name, value in options.items() if name not in growth}
+        fill(config, agent, AgentOptions, standard)
+        if growth:
+            config.growth = ctypes.pointer(grown(growth))
         given = options.keys() & {"position", "orientation"}
         if given and "place" not in options:
             config.place = Place.ROOT
@@ -298,6 +303,17 @@ class Scene(Handle):
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _rebuilt, (self._start, copy.deepcopy(self._steps))
+
+
+def grown(options: Mapping[str, Any]) -> _abi.Growth:
+    """What the library is told of an infant's age."""
+    growth = _abi.Growth()
+    check(LIB.mimo_growth_init(growth, ctypes.sizeof(growth)))
+    members = dict(options)
+    growth.model = whole_number("growth", members.pop("growth", growth.model), GrowthModel)
+    growth.matures_apart = "physiological_age" in members
+    fill(growth, members, GrowthOptions)
+    return growth
 
 
 def _limits(**values: float) -> _abi.Limits:

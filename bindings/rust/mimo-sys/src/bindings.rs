@@ -72,6 +72,16 @@ pub const MIMO_SHAPE_ELLIPSOID: u32 = 3;
 pub const MIMO_SHAPE_CYLINDER: u32 = 4;
 #[doc = "size: three half lengths."]
 pub const MIMO_SHAPE_BOX: u32 = 5;
+#[doc = "The mean of the medians of girls and boys."]
+pub const MIMO_SEX_MEAN: u32 = 0;
+#[doc = "A girl."]
+pub const MIMO_SEX_FEMALE: u32 = 1;
+#[doc = "A boy."]
+pub const MIMO_SEX_MALE: u32 = 2;
+#[doc = "The WHO's child growth standards and measured infants: docs/guide/growth.md."]
+pub const MIMO_GROWTH_WHO: u32 = 0;
+#[doc = "The rules of MIMo's second version, for those who compare."]
+pub const MIMO_GROWTH_ORIGINAL: u32 = 1;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 #[doc = "Three-axis torque sensors at the joints, Nm."]
@@ -725,6 +735,60 @@ extern "C" {
     #[doc = "        for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
     pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
+#[doc = "How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months. From"]
+#[doc = "it follow lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness, damping and"]
+#[doc = "friction of joints. The infant starts in the same pose, as far as its joints go, its lowest point where that would be"]
+#[doc = "at 18 months. With all defaults it is that body, to the last bit. Objects and rooms stay; what tasks do about it,"]
+#[doc = "docs/tasks.md says."]
+#[doc = "Errors, of the call that is given it: MIMO_E_INVALID_ARGUMENT for numbers out of their range, an agent that is no"]
+#[doc = "infant, and a combination that no infant can have, where no girth of its limbs gives that mass; MIMO_E_UNSUPPORTED"]
+#[doc = "for an infant in the scene's MJCF whose parts somebody has changed."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_growth {
+    #[doc = "sizeof(mimo_growth), set by mimo_growth_init."]
+    pub struct_size: u32,
+    #[doc = "A MIMO_SEX_ constant. Default MIMO_SEX_MEAN."]
+    pub sex: i32,
+    #[doc = "Months, 0 (a newborn) to 24: of size and mass. Default 18."]
+    pub age: f64,
+    #[doc = "Months, 0 to 24, where matures_apart is 1: of strength, range of motion and tone."]
+    pub physiological_age: f64,
+    #[doc = "1: physiological_age counts; 0 (default): it is the age."]
+    pub matures_apart: u32,
+    #[doc = "A MIMO_GROWTH_ constant. Default MIMO_GROWTH_WHO."]
+    pub model: i32,
+    #[doc = "Of its length: standard deviations from the median of age and sex, -3 to 3."]
+    pub z_length: f64,
+    #[doc = "Of its weight, the same."]
+    pub z_weight: f64,
+    #[doc = "Of its head's circumference, the same."]
+    pub z_head: f64,
+    #[doc = "0.135 to 99.865: all three of these at once, which are 0 then; 0: they count."]
+    pub percentile: f64,
+    #[doc = "Strength of a muscle's cross-section goes with this power of the median length at the"]
+    #[doc = "physiological age, 0 to 5; 0: it is the same at all ages. Default 1.7."]
+    pub strength_exponent: f64,
+    #[doc = "Factor of the neck's strength at its age, 0 to 10. Default 1."]
+    pub neck_strength: f64,
+    #[doc = "Factor of the stiffness of a newborn's joints, 0.1 to 10; it is 1 from 6 months on."]
+    #[doc = "Default 1.5."]
+    pub birth_tone: f64,
+    #[doc = "Share of a young infant's lack of extension in hips, knees and elbows, 0 to 1."]
+    #[doc = "Default 1."]
+    pub contracture: f64,
+    #[doc = "1: length and weight are the WHO's; 0 (default): in the WHO's proportion to the body of"]
+    #[doc = "18 months, which is 4.5 % shorter and 3 % heavier than its median."]
+    pub absolute: u32,
+    #[doc = "1: touch sensors are as far apart as at 18 months and so fewer; 0 (default): there"]
+    #[doc = "are as many, and their distances grow with the body."]
+    pub keep_spacing: u32,
+}
+extern "C" {
+    #[doc = "Fills a growth with that of the infant as it is without: 18 months, mean of the sexes, median."]
+    #[doc = "@param size sizeof(mimo_growth) as the caller knows it."]
+    pub fn mimo_growth_init(growth: *mut mimo_growth, size: usize) -> mimo_status;
+}
 extern "C" {
     #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\","]
     #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named"]
@@ -795,6 +859,8 @@ pub struct mimo_agent_config {
     pub root: *const std::os::raw::c_char,
     #[doc = "Site or body whose motion the vestibular sense feels; NULL: the infant's head."]
     pub vestibular_at: *const std::os::raw::c_char,
+    #[doc = "How old it is; NULL: 18 months."]
+    pub growth: *const mimo_growth,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]

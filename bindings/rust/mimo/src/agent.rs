@@ -1,10 +1,12 @@
 //! Infants as a scene describes them, and as a world has them.
 use crate::error::{c_string, text, Result};
+use crate::growth::Growth;
 use crate::structs::{defaults, described, given, pointer};
 use crate::sys;
 use crate::world::World;
 use std::ffi::CString;
 use std::ops::Range;
+use std::ptr::null;
 
 /// One infant: where it is, what it senses, what of it acts. Made by [`Scene::default_agent`](crate::Scene) or
 /// [`AgentConfig::new`].
@@ -16,6 +18,7 @@ pub struct AgentConfig {
     face: Option<CString>,
     root: Option<CString>,
     vestibular_at: Option<CString>,
+    growth: Option<Growth>,
 }
 
 // The pointers inside are set for the length of a call only.
@@ -32,13 +35,14 @@ impl AgentConfig {
         let name = c_string(&text(raw.name))?;
         let body = c_string(&text(raw.body))?;
         let (face, root, vestibular_at) = (given(raw.face)?, given(raw.root)?, given(raw.vestibular_at)?);
-        Ok(AgentConfig { raw, name, body, face, root, vestibular_at })
+        Ok(AgentConfig { raw, name, body, face, root, vestibular_at, growth: None })
     }
 
     pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_agent_config) -> R) -> R {
         let (name, body, face) = (self.name.as_ptr(), self.body.as_ptr(), pointer(&self.face));
         let (root, vestibular_at) = (pointer(&self.root), pointer(&self.vestibular_at));
-        use_it(&sys::mimo_agent_config { name, body, face, root, vestibular_at, ..self.raw })
+        let growth = self.growth.as_ref().map_or(null(), |growth| growth.raw() as *const _);
+        use_it(&sys::mimo_agent_config { name, body, face, root, vestibular_at, growth, ..self.raw })
     }
 
     /// "" for a sole agent; else the prefix of its fields and model names, "anna/...".
@@ -64,6 +68,12 @@ impl AgentConfig {
     pub fn vestibular_at(&mut self, name: &str) -> Result<&mut Self> {
         self.vestibular_at = Some(c_string(name)?);
         Ok(self)
+    }
+
+    /// How old it is; otherwise 18 months.
+    pub fn growth(&mut self, growth: Growth) -> &mut Self {
+        self.growth = Some(growth);
+        self
     }
 
     /// The face that it shows at first, see [`faces`](crate::faces).
