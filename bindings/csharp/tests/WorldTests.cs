@@ -40,6 +40,23 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006.
+    /// Ours of 18 months weighs 10.905 kg.</summary>
+    private static void InfantsOfAnyAge()
+    {
+        using (var scene = MimoScene.Builtin("free"))
+        {
+            var agent = scene.DefaultAgent();
+            agent.vision = 0;
+            var growth = Growth.OfAge(24.5);
+            Check(Refused(() => scene.AddAgent(agent, growth: growth)).Message.Contains("age is 24.5"), "another message");
+            growth.age = 6;
+            growth.sex = Sex.Female;
+            scene.AddAgent(agent, growth: growth);
+            using (var env = new Env(scene)) Near(7.297 / 10.585 * 10.905, env.Agents[0].Mass, 0.04, "mass of a girl");
+        }
+    }
+
     private const string HeavyBall = "<mujoco><option timestep='0.005'/><worldbody><geom type='plane' size='5 5 .1'/>" +
         "<body name='ball' pos='0 0 .3'><freejoint/><geom size='0.1' mass='2'/></body></worldbody></mujoco>";
 

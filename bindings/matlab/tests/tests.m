@@ -4,7 +4,7 @@ function tests()
                  @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
-                 @scenes_step_by_step, @two_infants, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
+                 @scenes_step_by_step, @two_infants, @infants_of_any_age, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
                  @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @steps_in_two_halves};
   all_of_them = [all_of_them, layout_tests(), results_tests()];
   failed = 0;
@@ -29,6 +29,17 @@ function shapes_and_precision()
   single_ones = mimo_observation(world, 'single');
   assert(isa(single_ones.touch_force, 'single') && isequal(double(single_ones.touch_force), seen.touch_force));
   mimo_close(world);
+end
+
+% A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006. Ours of
+% 18 months weighs 10.905 kg.
+function infants_of_any_age()
+  world = mimo_create('free', 'vision', 0, 'age', 6, 'sex', 1);
+  info = mimo_info(world);
+  assert(abs(info.agents(1).mass - 7.297 / 10.585 * 10.905) < 0.04);
+  mimo_close(world);
+  said = message_of(@() mimo_create('free', 'vision', 0, 'age', 24.5));
+  assert(~isempty(strfind(said, 'age is 24.5')), said);
 end
 
 % The bytes of a picture stand in the block in the order row, column, colour.

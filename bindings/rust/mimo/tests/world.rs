@@ -131,6 +131,22 @@ fn saved_state_continues_to_the_bit() {
     assert_eq!(first.as_bytes(), second.as_bytes());
 }
 
+// A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006. Ours of
+// 18 months weighs 10.905 kg.
+#[test]
+fn infants_of_any_age() {
+    let mut scene = Scene::builtin("free").unwrap();
+    let mut agent = AgentConfig::new().unwrap();
+    agent.vision(0, 1, 1).growth(Growth::of_age(24.5).unwrap());
+    assert!(scene.add_agent(&agent).unwrap_err().to_string().contains("age is 24.5"));
+    let mut girl = Growth::of_age(6.0).unwrap();
+    girl.sex(MIMO_SEX_FEMALE);
+    agent.growth(girl);
+    scene.add_agent(&agent).unwrap();
+    let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    assert!((env.agent(0).unwrap().mass - 7.297 / 10.585 * 10.905).abs() < 0.04);
+}
+
 #[test]
 fn agent_config_reaches_the_world() {
     let mut scene = Scene::builtin("benchmark").unwrap();

@@ -1,0 +1,83 @@
+"""Infants of other ages than 18 months, against the WHO Child Growth Standards, 2006."""
+
+import csv
+
+import numpy as np
+import pytest
+
+import mimo
+
+MONTHS = (0, 1, 2, 3, 6, 12, 18, 24)
+SEXES = {"male": "m", "female": "f"}
+
+
+@pytest.fixture(scope="module")
+def standard(root):
+    """value(measure, sex, month, z): M (1 + L S z)^(1/L) of the tables."""
+    with open(root / "tests/golden/growth/who_lms.csv") as file:
+        rows = {(it["measure"], it["sex"], float(it["age_months"])): it for it in csv.DictReader(file)}
+
+    def value(measure, sex, month, z=0):
+        if sex == "mean":
+            return (value(measure, "male", month, z) + value(measure, "female", month, z)) / 2
+        row = rows[measure, SEXES[sex], float(month)]
+        lms_l, median, spread = (float(row[name]) for name in "LMS")
+        return median * (np.exp(spread * z) if lms_l == 0 else (1 + lms_l * spread * z) ** (1 / lms_l))
+
+    return value
+
+
+def agent_of(**growth):
+    with mimo.World("free", vision=False, touch=False, **growth) as world:
+        return world.agents[0]
+
+
+@pytest.mark.parametrize("body", ["mitten", "fingers"])
+@pytest.mark.parametrize("sex", ["mean", "female", "male"])
+def test_length_and_weight_follow_the_standards(standard, body, sex):
+    base = agent_of(body=body)
+    for month in MONTHS:
+        for z in (-2, 0, 2) if sex != "mean" else (0,):
+            infant = agent_of(body=body, age=month, sex=sex, z_length=z, z_weight=z)
+            length = standard("length", sex, month, z) / standard("length", "mean", 18)
+            weight = standard("weight", sex, month, z) / standard("weight", "mean", 18)
+            assert infant.height / base.height == pytest.approx(length, rel=0.001), (month, z)
+            assert infant.mass / base.mass == pytest.approx(weight, rel=0.005), (month, z)
+
+
+def test_percentiles_are_those_of_a_normal_distribution():
+    # The standard normal distribution's 2.275 % and 97.725 % lie at -2 and 2.
+    for percentile, z in ((2.2750132, -2), (50, 0), (97.7249868, 2)):
+        one = agent_of(age=9, percentile=percentile)
+        other = agent_of(age=9, z_length=z, z_weight=z, z_head=z)
+        assert one.mass == pytest.approx(other.mass, rel=1e-6)
+        assert one.height == pytest.approx(other.height, rel=1e-6)
+
+
+def test_gymnasium_environments_have_an_age():
+    env = mimo.make("free", age=6, sex="female", percentile=50, vision=False)
+    base = mimo.make("free", vision=False)
+    assert env.observation_space.keys() == base.observation_space.keys()
+    env.reset(seed=1)
+    env.step(env.action_space.sample())
+
+
+def test_what_no_infant_has_is_refused():
+    for wrong, message in (
+        ({"age": 24.5}, "age is 24.5, expected 0 to 24 months"),
+        ({"age": float("nan")}, "age is nan"),
+        ({"age": 3, "z_length": 3.5}, "z_length is 3.5"),
+        ({"age": 3, "percentile": 100}, "percentile is 100"),
+        ({"age": 3, "percentile": 10, "z_head": 1}, "percentile is 10"),
+        ({"age": 3, "physiological_age": -1}, "physiological_age is -1"),
+        ({"age": 0, "z_length": 3, "z_weight": -3, "z_head": 3}, "girth"),
+    ):
+        with pytest.raises(mimo.ArgumentError, match=message):
+            agent_of(**wrong)
+    with pytest.raises(
+        ValueError, match="sex is 'boy', expected mimo.Sex or a name of its members: mean, female, male"
+    ):
+        agent_of(sex="boy")
+    scene = mimo.Scene(xml="<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
+    with pytest.raises(mimo.ArgumentError, match="only infants grow"):
+        scene.add_agent(body="scene", root="box", age=3, vision=False, vestibular=False)
