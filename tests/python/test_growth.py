@@ -74,9 +74,7 @@ def test_what_no_infant_has_is_refused():
     ):
         with pytest.raises(mimo.ArgumentError, match=message):
             agent_of(**wrong)
-    with pytest.raises(
-        ValueError, match="sex is 'boy', expected mimo.Sex or a name of its members: mean, female, male"
-    ):
+    with pytest.raises(ValueError, match="sex is 'boy', expected"):
         agent_of(sex="boy")
     scene = mimo.Scene(xml="<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
     with pytest.raises(mimo.ArgumentError, match="only infants grow"):
