@@ -1,0 +1,73 @@
+#include "growth/strength.h"
+
+#include <cmath>
+
+#include "growth/curve.h"
+#include "growth/drivers.h"
+#include "growth/muscles.h"
+#include "growth/parts.h"
+#include "growth/solids.h"
+
+namespace mimo::growth {
+namespace {
+
+constexpr double kBase = 18;  // months
+
+class Strength {
+ public:
+  Strength(const Skeleton& body, const Skeleton& base, const Growth& growth)
+      : body_(body),
+        base_(base),
+        matured_(std::pow(median_length_ratio(growth.physiological_age), growth.strength_exponent)),
+        neck_(growth.neck_strength * neck_ratio(growth.physiological_age) / neck_ratio(kBase)) {}
+
+  // The torque's ratio to the base's.
+  double ratio(const Motor& motor) const {
+    // Torque over the moment of the head's weight is what holds a head.
+    if (moves_neck(motor)) return neck_ * head_moment(body_) / head_moment(base_);
+    const double grown = muscle_ratio(motor);
+    // An eye weighs nothing, and newborns move theirs as they can.
+    return moves_eye(motor) ? grown : grown * matured_;
+  }
+
+ private:
+  double muscle_ratio(const Motor& motor) const {
+    const std::string name = muscle_geom(base_, motor);
+    return volume(geom(body_, name)) / volume(geom(base_, name));
+  }
+
+  // The lever is the distance of the head's centre from the axis that tilts it.
+  static double head_moment(const Skeleton& skeleton) {
+    const Geom& head = geom(skeleton, "head");
+    double hinge = 0;
+    for (const Joint& joint : bone(skeleton, "head").joints) {
+      if (plain_name(joint.name) == "head_tilt") hinge = joint.position[2];
+    }
+    return head.mass * (head.position[2] - hinge);
+  }
+
+  const Skeleton& body_;
+  const Skeleton& base_;
+  double matured_;
+  double neck_;
+};
+
+}  // namespace
+
+// From head lag, which is there before 3 months and gone at 4, and from the head held in line at 2.
+double neck_ratio(double age) {
+  static const Curve ratio({0, 1, 2, 3, 4, 6, 9, 12, 18, 24}, {0.5, 0.75, 1.0, 1.3, 1.5, 2.0, 2.5, 2.8, 3.04, 3.1});
+  return ratio(age);
+}
+
+void strengthen(Skeleton& body, const Skeleton& base, const Growth& growth) {
+  const Strength strength(body, base, growth);
+  for (Motor& motor : body.motors) {
+    const double ratio = strength.ratio(motor);
+    motor.gear *= ratio;
+    motor.muscle[1] *= ratio;
+    motor.muscle[2] *= ratio;
+  }
+}
+
+}  // namespace mimo::growth
