@@ -49,8 +49,10 @@ static mimo_agent_info info_of(const mimo_env* env, size_t agent) {
 
 static double value_of(const mimo_env* env, int32_t quantity, int32_t kind, const char* name, size_t which) {
   const int32_t id = find(env, kind, name);
+  size_t count = 0;
   double values[8] = {0};
-  CHECK_OK(mimo_env_get(env, quantity, &id, 1, values, 8));
+  CHECK_OK(mimo_env_width(env, quantity, &id, 1, &count));
+  CHECK_OK(mimo_env_get(env, quantity, &id, 1, values, count));
   return values[which];
 }
 
@@ -208,10 +210,9 @@ static void of_the_document(void) {
 static void refused(void) {
   mimo_growth growth = age_of(0);
   mimo_scene* scene = scene_of("free");
-  growth.z_length = 3;
-  growth.z_weight = -3;
-  growth.z_head = 3;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "girth", add(scene, "mitten", "", &growth));
+  growth.z_length = -3;
+  growth.z_weight = 3;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "do not go together", add(scene, "mitten", "", &growth));
   growth = age_of(24.5);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "age is 24.5, expected 0 to 24 months", add(scene, "mitten", "", &growth));
   CHECK_OK(add(scene, "mitten", "", NULL)); /* nothing has been added so far */
