@@ -42,6 +42,18 @@ std::optional<Sensor> find_sensor(const mjModel& model, const std::string& name)
   return sensor(model, id);
 }
 
+// What the document says of how it has grown.
+void read_growth(const mjModel& model, Body& body) {
+  const std::string name = body.prefix + names::kGrowth;
+  const Span<const double> numbers = engine::custom_numbers(model, name);
+  if (numbers.empty()) return;
+  if (numbers.size() != 3 || !(numbers[1] > 0 && numbers[2] > 0) || !std::isfinite(numbers[1] + numbers[2])) {
+    fail(Status::kModel, "numeric {}: expected three numbers, age, and stature and arms as factors above 0", name);
+  }
+  body.stature = numbers[1];
+  body.arm = numbers[2];
+}
+
 }  // namespace
 
 Joint joint(const mjModel& model, int id) {
@@ -103,6 +115,7 @@ Body find_body(const mjModel& model, const std::string& prefix) {
   body.gyroscope = find_sensor(model, prefix + "vestibular_gyro");
   body.eye_left = engine::find(model, Kind::kCamera, (prefix + "eye_left").c_str());
   body.eye_right = engine::find(model, Kind::kCamera, (prefix + "eye_right").c_str());
+  read_growth(model, body);
   return body;
 }
 
@@ -131,7 +144,7 @@ Units units_of(const mjModel& model, const std::vector<Joint>& joints) {
 
 double mass(const mjModel& model, const Body& body) { return model.body_subtreemass[body.root]; }
 
-double height(const mjModel& model, const mjData& data, const Body& body) {
+Extent extent(const mjModel& model, const mjData& data, const Body& body) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const int id : body.bodies) {
@@ -142,7 +155,8 @@ double height(const mjModel& model, const mjData& data, const Body& body) {
       high = std::max(high, center + half);
     }
   }
-  return high > low ? high - low : 0;
+  if (!(high > low)) return {0, 0};
+  return {low, high};
 }
 
 }  // namespace mimo::body

@@ -42,6 +42,8 @@ struct Body {
   std::optional<Sensor> accelerometer;
   std::optional<Sensor> gyroscope;
   int eye_left = -1, eye_right = -1;  // cameras
+  // How large it is against the body of 18 months, which tasks are made for: its height, and its arms' length.
+  double stature = 1, arm = 1;
 
   // Whether a body of the model is part of it.
   bool has(int body) const;
@@ -80,7 +82,10 @@ Units units_of(const mjModel& model, const std::vector<Joint>& joints);
 
 double mass(const mjModel& model, const Body& body);
 
-// Vertical extent of the body's geoms at the poses that data holds, m.
-double height(const mjModel& model, const mjData& data, const Body& body);
+// How far the body's geoms reach down and up at the poses that data holds, m; 0 and 0 without geoms.
+struct Extent {
+  double low, high;
+};
+Extent extent(const mjModel& model, const mjData& data, const Body& body);
 
 }  // namespace mimo::body

@@ -39,7 +39,8 @@ body::Body chosen_joints(const mjModel& model, body::Body body, const std::vecto
 }
 
 SkinPtr make_skin(const mjModel& model, const body::Body& body, const senses::TouchOptions& options) {
-  return std::make_shared<senses::touch::Skin>(model, senses::spacings(model, body, options));
+  return std::make_shared<senses::touch::Skin>(model, senses::spacings(model, body, options),
+                                               senses::touch::BornGeoms(model, body));
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ constexpr const char* kPose = "mimo:pose";      // tuple: hinges and slides, and
 
 // Of an infant that is not the one of 18 months, said by the library itself.
 constexpr const char* kGrowth = "mimo:growth";  // numbers: age in months; stature, and length of its arms, as factors
-constexpr const char* kBornSizes = "mimo:born_sizes";  // numbers: three sizes at 18 months for each geom of its tree
+// Of each geom of its tree at 18 months, by id: where its touch sensors are placed before they grow with it.
+constexpr const char* kBornSizes = "mimo:born_sizes";    // numbers: three sizes, as MuJoCo's
+constexpr const char* kBornPlaces = "mimo:born_places";  // numbers: its position in its body
 
 // Of an infant's parts: a body, and how names of others begin.
 constexpr const char* kRootBody = "mimo_location";

@@ -127,12 +127,15 @@ double arm_length(const Skeleton& skeleton) {
   return bone_of(skeleton, "right_lower_arm").position[2] + bone_of(skeleton, "right_hand").position[2];
 }
 
-std::vector<double> sizes_of(const Skeleton& skeleton) {
-  std::vector<double> sizes;
+// Three numbers of each geom.
+std::vector<double> of_geoms(const Skeleton& skeleton, growth::Vector growth::Geom::*what) {
+  std::vector<double> numbers;
   for (const growth::Bone& bone : skeleton.bones) {
-    for (const growth::Geom& geom : bone.geoms) sizes.insert(sizes.end(), geom.size.begin(), geom.size.end());
+    for (const growth::Geom& geom : bone.geoms) {
+      numbers.insert(numbers.end(), (geom.*what).begin(), (geom.*what).end());
+    }
   }
-  return sizes;
+  return numbers;
 }
 
 // Says in the document what tasks and skin have to know of it.
@@ -140,7 +143,9 @@ void tell(pugi::xml_node root, const std::string& prefix, const Skeleton& born, 
           const growth::Growth& growth) {
   say(root, prefix + names::kGrowth,
       {growth.age, growth::stature(grown) / growth::stature(born), arm_length(grown) / arm_length(born)});
-  if (!growth.keep_spacing) say(root, prefix + names::kBornSizes, sizes_of(born));
+  if (growth.keep_spacing) return;
+  say(root, prefix + names::kBornSizes, of_geoms(born, &growth::Geom::size));
+  say(root, prefix + names::kBornPlaces, of_geoms(born, &growth::Geom::position));
 }
 
 }  // namespace

@@ -91,20 +91,21 @@ Catch::Catch(const mjModel& model, const body::Body& body, const Settings& setti
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));
   ends_ = get("ends") != 0;
   hold_steps_ = static_cast<std::uint64_t>(get("hold_steps"));
-  lost_below_ = get("lost_below");
-  lost_beyond_ = get("lost_beyond");
+  const double volume = body.arm * body.arm * body.arm;
+  lost_below_ = body.arm * get("lost_below");
+  lost_beyond_ = body.arm * get("lost_beyond");
   contact_reward_ = get("contact_reward");
   success_reward_ = get("success_reward");
   failure_reward_ = get("failure_reward");
   effort_weight_ = get("effort_weight");
-  radius_low_ = get("radius_low");
-  radius_high_ = get("radius_high");
-  mass_low_ = get("mass_low");
-  mass_high_ = get("mass_high");
-  spread_ = {get("x_spread"), get("y_spread"), get("z_spread")};
+  radius_low_ = body.arm * get("radius_low");
+  radius_high_ = body.arm * get("radius_high");
+  mass_low_ = volume * get("mass_low");
+  mass_high_ = volume * get("mass_high");
+  spread_ = body.arm * Eigen::Vector3d(get("x_spread"), get("y_spread"), get("z_spread"));
   settle_steps_ = static_cast<int>(get("settle_steps"));
   track_ = get("track_target") != 0;
-  gaze_error_ = get("gaze_error");
+  gaze_error_ = body.arm * get("gaze_error");
   jitter_ = get("jitter");
   disturbed_.reserve(2 * body.actuators.size());  // steps allocate nothing; a motor has two muscles at most
 }

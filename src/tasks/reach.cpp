@@ -82,8 +82,8 @@ Reach::Reach(const mjModel& model, const body::Body& body, const Settings& setti
   success_reward_ = get("success_reward");
   distance_weight_ = get("distance_weight");
   warm_up_steps_ = static_cast<int>(get("warm_up_steps"));
-  low_ = {get("target_x_low"), get("target_y_low"), get("target_z_low")};
-  high_ = {get("target_x_high"), get("target_y_high"), get("target_z_high")};
+  low_ = body.arm * Eigen::Vector3d(get("target_x_low"), get("target_y_low"), get("target_z_low"));
+  high_ = body.arm * Eigen::Vector3d(get("target_x_high"), get("target_y_high"), get("target_z_high"));
 }
 
 void Reach::reset(engine::Physics& physics, Random& random) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tasks/controls.h"
 #include "tasks/vectors.h"
 
 namespace mimo::tasks {
@@ -44,8 +45,8 @@ Standup::Standup(const mjModel&, const body::Body& body, const Settings& setting
   const auto get = [&](const char* name) { return settings[std::string("standup/") + name]; };
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));
   ends_ = get("ends_on_success") != 0;
-  success_height_ = get("success_height");
-  base_height_ = get("base_height");
+  success_height_ = body.stature * get("success_height");
+  base_height_ = body.stature * get("base_height");
   height_weight_ = get("height_weight");
   control_weight_ = get("control_weight");
   pose_noise_ = get("pose_noise");
@@ -59,10 +60,8 @@ void Standup::reset(engine::Physics& physics, Random& random) {
 
 void Standup::evaluate(const engine::Physics& physics) {
   const double height = position(physics, head_).z();
-  double effort = 0;
-  for (const int motor : motors_) effort += physics.data().ctrl[motor] * physics.data().ctrl[motor];
   terms_[kHeight].value = height_weight_ * (height - base_height_);
-  terms_[kControl].value = 0 - control_weight_ * effort;  // not -0 where nothing is done
+  terms_[kControl].value = 0 - control_weight_ * squared_controls(physics, motors_);  // not -0 at rest
   success_ = height >= success_height_;
 }
 

@@ -4,6 +4,7 @@
 #include "base/format.h"
 #include "tasks/catch.h"
 #include "tasks/reach.h"
+#include "tasks/rollover.h"
 #include "tasks/selfbody.h"
 #include "tasks/standup.h"
 
@@ -20,7 +21,7 @@ constexpr Definition kNone = {
     "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> {
       return std::make_unique<None>();
     }};
-constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody, &kCatch};
+constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody, &kCatch, &kRollover};
 
 }  // namespace
 

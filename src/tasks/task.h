@@ -99,7 +99,7 @@ struct Definition {
   std::unique_ptr<Task> (*make)(const mjModel& model, const body::Body& body, const Settings& settings);
 };
 
-// All there are: none, reach, standup, selfbody, catch.
+// All there are: none, reach, standup, selfbody, catch, rollover.
 Span<const Definition* const> definitions();
 
 // Throws Status::kNotFound for a name that is none; "" is none.

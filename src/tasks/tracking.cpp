@@ -14,10 +14,7 @@ constexpr std::array<const char*, 9> kJoints = {"head_swivel",          "head_ti
                                                 "left_eye_horizontal",  "left_eye_vertical",  "left_eye_torsional",
                                                 "right_eye_horizontal", "right_eye_vertical", "right_eye_torsional"};
 
-// Of the eyes in the head's frame, metres: how high, how far to the front, how far from the middle.
-constexpr double kEyeHeight = 0.067375;
-constexpr double kEyeFront = 0.07;
-constexpr double kEyeSide = 0.0245;
+constexpr std::size_t kLeftEye = 3;
 
 const body::Joint& joint_of(const mjModel& model, const body::Body& body, const std::string& name) {
   const int id = engine::find_or_fail(model, engine::Kind::kJoint, body.prefix + names::kJoint + name);
@@ -32,15 +29,16 @@ Tracking::Tracking(const mjModel& model, const body::Body& body) : head_(body.he
     joints_[i] = joint_of(model, body, kJoints[i]);
     addresses_[i] = joints_[i].qpos;
   }
+  left_eye_ = Eigen::Vector3d(model.body_pos + 3 * model.jnt_bodyid[joints_[kLeftEye].id]);
 }
 
 void Tracking::look_at(const Eigen::Vector3d& point, engine::Physics& physics) const {
   Eigen::Vector3d to = point - position(physics, head_);
   const double distance = to.norm();
-  to.z() -= kEyeHeight;
+  to.z() -= left_eye_.z();
   const double swivel = std::atan2(to.y(), to.x());
   const double tilt = std::atan2(-to.z(), to.x());
-  const double inwards = std::atan2(-kEyeSide, distance - kEyeFront);
+  const double inwards = std::atan2(-left_eye_.y(), distance - left_eye_.x());
   const std::array<double, 9> angles = {swivel, tilt, 0, inwards, 0, 0, inwards, 0, 0};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     physics.data().qpos[joints_[i].qpos] = std::clamp(angles[i], joints_[i].low, joints_[i].high);

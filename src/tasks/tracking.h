@@ -19,6 +19,7 @@ class Tracking {
 
  private:
   int head_;
+  Eigen::Vector3d left_eye_;  // in the head's frame
   std::array<body::Joint, 9> joints_;
   std::array<int, 9> addresses_;
 };

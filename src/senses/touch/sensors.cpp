@@ -23,14 +23,12 @@ struct Part {
   bool contains(const Vec3& in_body) const { return inside(shape, rotation.transpose() * (in_body - place)); }
 };
 
-std::vector<Part> parts_of(const mjModel& model, int body, double spacing) {
+std::vector<Part> parts_of(const mjModel& model, int body, double spacing, const BornGeoms& born) {
   std::vector<Part> parts;
   for (const int geom : geoms_with_skin(model, body)) {
-    const double* quat = model.geom_quat + 4 * geom;
-    const Eigen::Quaterniond turn(quat[0], quat[1], quat[2], quat[3]);
-    const Shape shape = shape_of(model, geom);
-    parts.push_back({geom, shape, turn.normalized().toRotationMatrix(), Vec3(model.geom_pos + 3 * geom),
-                     sample(shape, spacing), 0, 0});
+    const Shape shape = born.shape(model, geom);
+    parts.push_back(
+        {geom, shape, rotation_of(model, geom), born.place(model, geom), sample(shape, spacing), 0, 0});
   }
   return parts;
 }
@@ -120,17 +118,18 @@ std::vector<int> geoms_with_skin(const mjModel& model, int body) {
   return geoms;
 }
 
-double expected_sensors(const mjModel& model, int body, double spacing) {
+double expected_sensors(const mjModel& model, int body, double spacing, const BornGeoms& born) {
   double sum = 0;
-  for (const int geom : geoms_with_skin(model, body)) sum += expected_points(shape_of(model, geom), spacing);
+  for (const int geom : geoms_with_skin(model, body)) sum += expected_points(born.shape(model, geom), spacing);
   return sum;
 }
 
-BodySensors place_sensors(const mjModel& model, int body, double spacing) {
-  std::vector<Part> parts = parts_of(model, body, spacing);
+BodySensors place_sensors(const mjModel& model, int body, double spacing, const BornGeoms& born) {
+  std::vector<Part> parts = parts_of(model, body, spacing, born);
   BodySensors skin;
   for (Part& part : parts) add_part(parts, part, body, skin);
   if (parts.size() > 1) link_parts(parts, spacing, skin);
+  for (Sensor& sensor : skin.sensors) sensor.position = born.grown(model, sensor.geom, sensor.position);
   return skin;
 }
 

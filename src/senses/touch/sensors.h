@@ -6,6 +6,7 @@
 
 #include "engine/physics.h"
 #include "observation/receptor.h"
+#include "senses/touch/born.h"
 #include "senses/touch/shape.h"
 
 namespace mimo::senses::touch {
@@ -21,9 +22,10 @@ struct BodySensors {
 std::vector<int> geoms_with_skin(const mjModel& model, int body);
 
 // About how many sensors a spacing makes.
-double expected_sensors(const mjModel& model, int body, double spacing);
+double expected_sensors(const mjModel& model, int body, double spacing, const BornGeoms& born);
 
-// Spreads sensors over the surfaces of those geoms; those inside another geom of the body are left out.
-BodySensors place_sensors(const mjModel& model, int body, double spacing);
+// Spreads sensors over the surfaces of those geoms as they were born; those inside another geom of the body are left
+// out. Then they and their neighbourhoods move to where the skin is now.
+BodySensors place_sensors(const mjModel& model, int body, double spacing, const BornGeoms& born);
 
 }  // namespace mimo::senses::touch

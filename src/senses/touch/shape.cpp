@@ -1,5 +1,6 @@
 #include "senses/touch/shape.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +60,11 @@ Shape shape_of(const mjModel& model, int geom) {
       return {Shape::Form::kMesh, Vec3::Zero(), std::make_shared<const Hull>(hull_of(model, model.geom_dataid[geom]))};
     default: return {};
   }
+}
+
+Eigen::Matrix3d rotation_of(const mjModel& model, int geom) {
+  const double* quat = model.geom_quat + 4 * geom;
+  return Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]).normalized().toRotationMatrix();
 }
 
 bool inside(const Shape& shape, const Vec3& point) { return depth(shape, point) > kTolerance; }

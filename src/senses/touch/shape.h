@@ -23,6 +23,8 @@ struct Shape {
 // Whether a geom has a shape that can have a skin: planes and height fields have none.
 bool has_shape(const mjModel& model, int geom);
 Shape shape_of(const mjModel& model, int geom);
+// From the geom's frame to its body's.
+Eigen::Matrix3d rotation_of(const mjModel& model, int geom);
 
 // Whether a point lies inside by more than a nanometre.
 bool inside(const Shape& shape, const Vec3& point);

@@ -12,29 +12,30 @@ constexpr double kMapReach = 3;
 
 }  // namespace
 
-Skin::Skin(const mjModel& model, const std::vector<BodySpacing>& bodies)
+Skin::Skin(const mjModel& model, const std::vector<BodySpacing>& bodies, const BornGeoms& born)
     : part_of_body_(static_cast<std::size_t>(model.nbody), kNone),
       body_of_geom_(model.geom_bodyid, model.geom_bodyid + model.ngeom),
       trees_(static_cast<std::size_t>(model.ngeom)) {
   double expected = 0;
   for (const BodySpacing& body : bodies) {
-    expected += expected_sensors(model, body.body, body.spacing);
+    expected += expected_sensors(model, body.body, body.spacing, born);
     require(expected <= kMaxSensors,
             "touch: {:g} m between the sensors of body \"{}\" makes too many: about {:.3g}, at most {:g}", body.spacing,
             engine::name(model, engine::Kind::kBody, body.body), expected, kMaxSensors);
   }
-  for (const BodySpacing& body : bodies) add(model, body);
+  for (const BodySpacing& body : bodies) add(model, body, born);
 }
 
-void Skin::add(const mjModel& model, const BodySpacing& body) {
-  const BodySensors made = place_sensors(model, body.body, body.spacing);
+void Skin::add(const mjModel& model, const BodySpacing& body, const BornGeoms& born) {
+  const BodySensors made = place_sensors(model, body.body, body.spacing, born);
   if (made.sensors.empty()) return;
   const int first = static_cast<int>(sensors_.size());
   sensors_.insert(sensors_.end(), made.sensors.begin(), made.sensors.end());
-  maps_.add(made, first, kMapReach * body.spacing);
+  const double spacing = body.spacing * born.stretch(model, geoms_with_skin(model, body.body));
+  maps_.add(made, first, kMapReach * spacing);
 
   part_of_body_[static_cast<std::size_t>(body.body)] = static_cast<int>(parts_.size());
-  parts_.push_back({body.spacing, {}});
+  parts_.push_back({spacing, {}});
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < made.sensors.size(); ++i) {
     const int geom = made.sensors[i].geom;

@@ -16,13 +16,14 @@ struct BodySpacing {
 
 class Skin {
  public:
-  // Throws Status::kInvalidArgument when that makes more sensors than fit the memory.
-  Skin(const mjModel& model, const std::vector<BodySpacing>& bodies);
+  // Spacings are those at 18 months. Throws Status::kInvalidArgument when that makes more sensors than fit the memory.
+  Skin(const mjModel& model, const std::vector<BodySpacing>& bodies, const BornGeoms& born = {});
 
   // Bodies in the order given, their geoms by id.
   const std::vector<Sensor>& sensors() const { return sensors_; }
 
   bool covers(int body) const { return part_of_body_[static_cast<std::size_t>(body)] != kNone; }
+  // How far apart sensors are now.
   double spacing(int body) const { return part(body).spacing; }
 
   // The sensor of a geom that is nearest to a point (body frame); of the body where the geom has none.
@@ -39,7 +40,7 @@ class Skin {
     std::vector<int> geoms;
   };
 
-  void add(const mjModel& model, const BodySpacing& body);
+  void add(const mjModel& model, const BodySpacing& body, const BornGeoms& born);
   const Part& part(int body) const {
     return parts_[static_cast<std::size_t>(part_of_body_[static_cast<std::size_t>(body)])];
   }

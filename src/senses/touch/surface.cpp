@@ -4,8 +4,6 @@
 #include "senses/touch/hull.h"
 
 namespace mimo::senses::touch {
-namespace {
-
 double area(const Shape& shape) {
   const Vec3& s = shape.size;
   switch (shape.form) {
@@ -19,8 +17,6 @@ double area(const Shape& shape) {
   }
   return 0;
 }
-
-}  // namespace
 
 Surface single_point() { return {{{Vec3::Zero(), Vec3::Zero()}}, {}}; }
 

@@ -23,6 +23,8 @@ struct Surface {
 
 Surface sample(const Shape& shape, double spacing);
 
+double area(const Shape& shape);
+
 // About how many points that gives; for refusing what would fill the memory.
 double expected_points(const Shape& shape, double spacing);
 
