@@ -6,6 +6,7 @@
 #include "growth/parts.h"
 #include "growth/proportions.h"
 #include "growth/sizes.h"
+#include "growth/solids.h"
 
 namespace mimo::growth {
 namespace {
@@ -36,10 +37,25 @@ class Fitter {
       const double middle = (low + high) / 2;
       (mass_of(middle) < mass_ ? low : high) = middle;
     }
-    return {high, body(high)};
+    Fit found{high, body(high)};
+    require_solid(found.skeleton);
+    return found;
   }
 
  private:
+  // A trunk that is wider than it is long would be no capsule.
+  void require_solid(const Skeleton& skeleton) const {
+    for (const Bone& bone : skeleton.bones) {
+      for (const Geom& geom : bone.geoms) {
+        require(
+            is_solid(geom),
+            "no infant of {:.1f} cm with a head of {:.1f} cm weighs {:.2f} kg: its \"{}\" would be wider than long; "
+            "z_length, z_weight and z_head do not go together",
+            drivers_.length, drivers_.head, drivers_.weight, geom.name);
+      }
+    }
+  }
+
   Skeleton body(double closure) const { return resized(base_, lengths_, girths(drivers_, closure)); }
   double mass_of(double closure) const { return total_mass(body(closure)); }
   // As the WHO's scales would show it.

@@ -55,6 +55,7 @@ class Resizer {
       resize_across(geom, trunk_girth(geom.name));
     } else if (segment == Segment::kShank && without_side(geom.name) == "lower_leg2") {
       resize_along(geom, {girths_.ankle, girths_.ankle, by[2]});
+      end_above_ground(geom);
     } else {
       resize_along(geom, by);
     }
@@ -88,6 +89,16 @@ class Resizer {
       geom.size[0] *= x == y ? x : std::sqrt(x * y);
       geom.size[1] *= z;
     }
+  }
+
+  // A fat ankle does not reach through the sole.
+  void end_above_ground(Geom& shin) const {
+    const Bone& foot = mimo::growth::bone(base_, side_of(shin.name) + "foot");
+    const double ground = sole_height(base_) * lengths_.sole - foot.position[2] * lengths_.shank;
+    const double excess = shin.size[0] + shin.size[1] - shin.position[2] - ground;
+    if (excess <= 0) return;
+    shin.size[1] -= excess / 2;
+    shin.position[2] += excess / 2;
   }
 
   void place(Bone& bone) const {

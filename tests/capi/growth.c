@@ -212,6 +212,7 @@ static void refused(void) {
   mimo_scene* scene = scene_of("free");
   growth.z_length = -3;
   growth.z_weight = 3;
+  growth.z_head = -3;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "do not go together", add(scene, "mitten", "", &growth));
   growth = age_of(24.5);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "age is 24.5, expected 0 to 24 months", add(scene, "mitten", "", &growth));

@@ -70,7 +70,7 @@ def test_what_no_infant_has_is_refused():
         ({"age": 3, "percentile": 100}, "percentile is 100"),
         ({"age": 3, "percentile": 10, "z_head": 1}, "percentile is 10"),
         ({"age": 3, "physiological_age": -1}, "physiological_age is -1"),
-        ({"age": 0, "z_length": -3, "z_weight": 3}, "do not go together"),
+        ({"age": 0, "z_length": -3, "z_weight": 3, "z_head": -3}, "do not go together"),
     ):
         with pytest.raises(mimo.ArgumentError, match=message):
             agent_of(**wrong)
