@@ -51,8 +51,8 @@ montage "$work/playdate.png" -resize 50% -tile 1x1 -geometry +0+0 -depth 8 playd
 # The same infant from birth to two years, to scale: all from one place, standing on its soles in the middle below.
 ages=
 for age in 0 3 6 12 18 24; do
-  "$mimo" render --scene free --touch off --age $age --samples 16 --look-at 0 0 0.45 --distance 2.2 --azimuth 180 \
-    --elevation -6 --width 360 --height 720 --out "$work/age$age.png"
+  "$mimo" render --scene free --touch off --age $age --samples 16 --look-at 0 0 0.47 --distance 1.25 --azimuth 165 \
+    --elevation -4 --width 400 --height 800 --out "$work/age$age.png"
   montage -label "$age months" -pointsize 26 "$work/age$age.png" -tile 1x1 -geometry +0+4 -depth 8 "$work/labelled$age.png"
   ages="$ages $work/labelled$age.png"
 done
