@@ -46,9 +46,8 @@ double Curve::operator()(double x) const {
   if (x >= x_.back()) return y_.back();
   const std::size_t i = std::upper_bound(x_.begin(), x_.end(), x) - x_.begin() - 1;
   const double width = x_[i + 1] - x_[i], t = (x - x_[i]) / width, rest = 1 - t;
-  // At a point t is 0, and nothing but its y remains.
-  return y_[i] * (1 + 2 * t) * rest * rest + y_[i + 1] * t * t * (3 - 2 * t) +
-         width * t * rest * (slope_[i] * rest - slope_[i + 1] * t);
+  // At a point t is 0, between equal points all is 0 but y.
+  return y_[i] + (y_[i + 1] - y_[i]) * t * t * (3 - 2 * t) + width * t * rest * (slope_[i] * rest - slope_[i + 1] * t);
 }
 
 }  // namespace mimo::growth

@@ -12,17 +12,19 @@ double median(Measure measure, double age) { return who(measure, Sex::kMean, age
 }  // namespace
 
 Drivers drivers(const Growth& growth) {
-  const double length = who(Measure::kLength, growth.sex, growth.age, growth.z_length);
-  const double weight = who(Measure::kWeight, growth.sex, growth.age, growth.z_weight);
-  const double head = who(Measure::kHead, growth.sex, growth.age, growth.z_head);
+  const auto weight_at = [&](double z) { return who(Measure::kWeight, growth.sex, growth.age, z); };
+  Drivers it{};
+  it.length = who(Measure::kLength, growth.sex, growth.age, growth.z_length);
+  it.weight = weight_at(growth.z_weight);
+  it.head = who(Measure::kHead, growth.sex, growth.age, growth.z_head);
   const double base_weight = median(Measure::kWeight, kBase);
-  return {length,
-          weight,
-          head,
-          length / length_at_18_months(),
-          (weight / length) / (base_weight / length_at_18_months()),
-          head / median(Measure::kHead, kBase),
-          weight / base_weight};
+  const auto slenderness = [&](double weight) { return (weight / it.length) / (base_weight / length_at_18_months()); };
+  it.l = it.length / length_at_18_months();
+  it.w = slenderness(it.weight);
+  it.h = it.head / median(Measure::kHead, kBase);
+  it.mass = it.weight / base_weight;
+  it.frame = slenderness(weight_at(growth.z_length));
+  return it;
 }
 
 double length_at_18_months() { return median(Measure::kLength, kBase); }

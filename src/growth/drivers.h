@@ -14,6 +14,8 @@ struct Drivers {
   double w;  // of weight over length
   double h;
   double mass;  // of weight
+  double
+      frame;  // w of an infant whose weight is as far from the median as its length: of bones, which fat leaves alone
 };
 
 Drivers drivers(const Growth& growth);

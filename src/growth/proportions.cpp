@@ -95,9 +95,11 @@ Lengths lengths(const Skeleton& base, const Drivers& drivers, double age, double
 
 Girths girths(const Drivers& drivers, double closure) {
   const auto girth = [&](double exponent) { return std::pow(drivers.w, exponent) * closure; };
-  return {
-      girth(kChest),     girth(kWaist),      girth(kHip),       girth(kUpperArmGirth), girth(kForearmGirth),
-      girth(kHandGirth), girth(kThighGirth), girth(kCalfGirth), girth(kAnkleGirth),    std::pow(drivers.w, kShoulder)};
+  return {girth(kChest),        girth(kWaist),
+          girth(kHip),          girth(kUpperArmGirth),
+          girth(kForearmGirth), girth(kHandGirth),
+          girth(kThighGirth),   girth(kCalfGirth),
+          girth(kAnkleGirth),   std::pow(drivers.frame, kShoulder)};
 }
 
 }  // namespace mimo::growth

@@ -34,4 +34,9 @@ Segment segment_of(std::string_view bone) {
   fail(Status::kUnsupported, "the infant has a body \"{}\", and growth knows none of that name", bone);
 }
 
+bool is_limb(Segment segment) {
+  return segment == Segment::kUpperArm || segment == Segment::kForearm || segment == Segment::kThigh ||
+         segment == Segment::kShank;
+}
+
 }  // namespace mimo::growth

@@ -10,4 +10,7 @@ enum class Segment { kTrunk, kHead, kUpperArm, kForearm, kHand, kThigh, kShank, 
 // Throws Status::kUnsupported for a body that is none of ours.
 Segment segment_of(std::string_view bone);
 
+// Of arms and legs, but for hands and feet: bones that are as long as a capsule without its round ends.
+bool is_limb(Segment segment);
+
 }  // namespace mimo::growth

@@ -52,7 +52,9 @@ class Resizer {
     const double before = volume(geom);
     scale(geom.position, by);
     if (segment == Segment::kTrunk) {
-      resize_across(geom, trunk_girth(geom.name));
+      resize_whole(geom, trunk_girth(geom.name), lengths_.trunk);
+    } else if (segment == Segment::kHand && geom.shape == Shape::kCapsule) {
+      resize_whole(geom, girths_.hand, lengths_.hand);
     } else if (segment == Segment::kShank && without_side(geom.name) == "lower_leg2") {
       resize_along(geom, {girths_.ankle, girths_.ankle, by[2]});
       end_above_ground(geom);
@@ -69,17 +71,16 @@ class Resizer {
     fail(Status::kUnsupported, "the infant's trunk has a geom \"{}\", and growth knows none of that name", geom);
   }
 
-  // The trunk's capsules lie across it. Their whole length goes with the trunk's, their radius with its girth.
-  void resize_across(Geom& geom, double girth) const {
+  // Capsules of trunk and fingers are as long as the body is there with their round ends, which lie free or in a row.
+  static void resize_whole(Geom& geom, double girth, double length) {
     double& radius = geom.size[0];
     double& half = geom.size[1];
-    const double thicker = radius * girth - radius * lengths_.trunk;
+    half = half * length - radius * (girth - length);
     radius *= girth;
-    half = half * lengths_.trunk - thicker;
   }
 
-  // What is round around an axis takes the mean of the two factors across it, so that all volumes but a capsule's go
-  // with the product of the three.
+  // A limb's capsule is as long as its bone without them. What is round around an axis takes the mean of the two
+  // factors across it, so that all volumes but a capsule's go with the product of the three.
   static void resize_along(Geom& geom, const Scale& by) {
     const std::array<int, 3> axes = bone_axes(geom);
     const double x = by[axes[0]], y = by[axes[1]], z = by[axes[2]];

@@ -2,16 +2,29 @@
 
 #include <cmath>
 
+#include "base/fail.h"
 #include "growth/curve.h"
 #include "growth/drivers.h"
 #include "growth/muscles.h"
 #include "growth/parts.h"
+#include "growth/segments.h"
 #include "growth/solids.h"
 
 namespace mimo::growth {
 namespace {
 
 constexpr double kBase = 18;  // months
+
+// What goes with the volume of the muscles in a geom: cross-section times length, of limbs without the round ends.
+double bulk(const Skeleton& skeleton, const std::string& name) {
+  for (const Bone& bone : skeleton.bones) {
+    for (const Geom& geom : bone.geoms) {
+      if (geom.name != name) continue;
+      return is_limb(segment_of(bone.name)) ? geom.size[0] * geom.size[0] * geom.size[1] : volume(geom);
+    }
+  }
+  fail(Status::kUnsupported, "the infant has no geom \"{}\", so it is none that grows", name);
+}
 
 class Strength {
  public:
@@ -33,7 +46,7 @@ class Strength {
  private:
   double muscle_ratio(const Motor& motor) const {
     const std::string name = muscle_geom(base_, motor);
-    return volume(geom(body_, name)) / volume(geom(base_, name));
+    return bulk(body_, name) / bulk(base_, name);
   }
 
   // The lever is the distance of the head's centre from the axis that tilts it.

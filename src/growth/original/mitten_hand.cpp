@@ -2,6 +2,7 @@
 #include "growth/original/parts.h"
 
 namespace mimo::growth::original {
+
 void grow_mitten_hand(const Parts& parts, const Side& side, double age) {
   const double thick = 0.01 * hand_thickness(age), breadth = half(Measure::kHandBreadth, age);
   const double fist = 0.0281 * ratio(Measure::kFistBreadth, age), long_ = ratio(Measure::kHandLength, age);

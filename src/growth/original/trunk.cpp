@@ -2,6 +2,7 @@
 #include "growth/original/parts.h"
 
 namespace mimo::growth::original {
+
 void grow_trunk(const Parts& parts, double age) {
   const double k = ratio(Measure::kHipBreadth, age);
   set(parts.geom("lb"), {0.048 * k, 0.043 * k, 0}, {-0.002, 0, 0.005 * k});
