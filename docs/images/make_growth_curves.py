@@ -34,7 +34,7 @@ def infant(age, sex, z):
     """Length (cm), weight (kg) and the head's circumference (cm) of the model."""
     growth = {"age": age, "sex": sex, "z_length": z, "z_weight": z, "z_head": z, "absolute": True}
     with mimo.World("free", vision=False, touch=False, renderer="none", **growth) as world:
-        head = world.geoms["head"].size[0]
+        head = np.ravel(world.geoms("head").size)[0]
         body = world.agents[0]
     base_head, measured = 0.0735, 46.80675  # m and cm, of the body and of the WHO's mean at 18 months
     return 100 * body.height, body.mass, head / base_head * measured
