@@ -6,7 +6,6 @@
 #include "growth/parts.h"
 #include "growth/proportions.h"
 #include "growth/sizes.h"
-#include "growth/solids.h"
 
 namespace mimo::growth {
 namespace {
@@ -37,23 +36,21 @@ class Fitter {
       const double middle = (low + high) / 2;
       (mass_of(middle) < mass_ ? low : high) = middle;
     }
-    Fit found{high, body(high)};
-    require_solid(found.skeleton);
-    return found;
+    return checked({high, body(high)});
   }
 
  private:
-  // A trunk that is wider than it is long would be no capsule.
-  void require_solid(const Skeleton& skeleton) const {
-    for (const Bone& bone : skeleton.bones) {
+  // A capsule that gets thicker than long has no room between its round ends.
+  Fit checked(Fit fit) const {
+    for (const Bone& bone : fit.skeleton.bones) {
       for (const Geom& geom : bone.geoms) {
-        require(
-            is_solid(geom),
-            "no infant of {:.1f} cm with a head of {:.1f} cm weighs {:.2f} kg: its \"{}\" would be wider than long; "
-            "z_length, z_weight and z_head do not go together",
-            drivers_.length, drivers_.head, drivers_.weight, geom.name);
+        require(geom.shape != Shape::kCapsule || geom.size[1] > 0,
+                "no infant of {:.1f} cm weighs {:.2f} kg: z_length and z_weight do not go together, its {} would be "
+                "thicker than long",
+                drivers_.length, drivers_.weight, geom.name);
       }
     }
+    return fit;
   }
 
   Skeleton body(double closure) const { return resized(base_, lengths_, girths(drivers_, closure)); }

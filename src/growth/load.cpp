@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "growth/kinematics.h"
 #include "growth/solids.h"
@@ -59,14 +60,14 @@ Vector3d point(const Vector& vector) { return {vector[0], vector[1], vector[2]};
 
 }  // namespace
 
-std::vector<Load> loads(const Skeleton& skeleton) {
+std::map<std::string, Load> loads(const Skeleton& skeleton) {
   const std::vector<Isometry3d> at = poses(skeleton, {});
   const std::vector<Weights> carried = carried_by(skeleton, at);
-  std::vector<Load> loads;
+  std::map<std::string, Load> loads;
   for (std::size_t i = 0; i < at.size(); ++i) {
     for (const Joint& joint : skeleton.bones[i].joints) {
       const Vector3d axis = at[i].linear() * point(joint.axis).normalized();
-      loads.push_back(load_on(at[i] * point(joint.position), axis, carried[i]));
+      loads[joint.name] = load_on(at[i] * point(joint.position), axis, carried[i]);
     }
   }
   return loads;

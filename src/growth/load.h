@@ -1,7 +1,8 @@
 // What a joint carries.
 #pragma once
 
-#include <vector>
+#include <map>
+#include <string>
 
 #include "growth/skeleton.h"
 
@@ -14,7 +15,7 @@ struct Load {
   double inertia;  // about the joint's axis, kg m^2
 };
 
-// Of all joints, in the order of bones and joints.
-std::vector<Load> loads(const Skeleton& skeleton);
+// Of all joints, by their names.
+std::map<std::string, Load> loads(const Skeleton& skeleton);
 
 }  // namespace mimo::growth

@@ -56,8 +56,7 @@ class Resizer {
     } else if (segment == Segment::kHand && geom.shape == Shape::kCapsule) {
       resize_whole(geom, girths_.hand, lengths_.hand);
     } else if (segment == Segment::kShank && without_side(geom.name) == "lower_leg2") {
-      resize_along(geom, {girths_.ankle, girths_.ankle, by[2]});
-      end_above_ground(geom);
+      resize_shin(geom, by[2]);
     } else {
       resize_along(geom, by);
     }
@@ -79,6 +78,12 @@ class Resizer {
     radius *= girth;
   }
 
+  // Its lower end stays inside of the foot, however thick it is.
+  void resize_shin(Geom& geom, double length) const {
+    geom.position[2] += geom.size[0] * (girths_.ankle - length);
+    resize_along(geom, {girths_.ankle, girths_.ankle, length});
+  }
+
   // A limb's capsule is as long as its bone without them. What is round around an axis takes the mean of the two
   // factors across it, so that all volumes but a capsule's go with the product of the three.
   static void resize_along(Geom& geom, const Scale& by) {
@@ -90,16 +95,6 @@ class Resizer {
       geom.size[0] *= x == y ? x : std::sqrt(x * y);
       geom.size[1] *= z;
     }
-  }
-
-  // A fat ankle does not reach through the sole.
-  void end_above_ground(Geom& shin) const {
-    const Bone& foot = mimo::growth::bone(base_, side_of(shin.name) + "foot");
-    const double ground = sole_height(base_) * lengths_.sole - foot.position[2] * lengths_.shank;
-    const double excess = shin.size[0] + shin.size[1] - shin.position[2] - ground;
-    if (excess <= 0) return;
-    shin.size[1] -= excess / 2;
-    shin.position[2] += excess / 2;
   }
 
   void place(Bone& bone) const {

@@ -30,16 +30,6 @@ Vector3d capsule_inertia(double mass, double radius, double half) {
 
 }  // namespace
 
-bool is_solid(const Geom& geom) {
-  switch (geom.shape) {
-    case Shape::kSphere: return geom.size[0] > 0;
-    case Shape::kCapsule:
-    case Shape::kCylinder: return geom.size[0] > 0 && geom.size[1] > 0;
-    case Shape::kBox: return geom.size[0] > 0 && geom.size[1] > 0 && geom.size[2] > 0;
-  }
-  return false;
-}
-
 double volume(const Geom& geom) {
   const Vector& size = geom.size;
   switch (geom.shape) {

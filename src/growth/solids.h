@@ -9,9 +9,6 @@ namespace mimo::growth {
 
 double volume(const Geom& geom);  // m^3
 
-// Whether all of its sizes are above 0.
-bool is_solid(const Geom& geom);
-
 // About its centre, around its own axes, kg m^2.
 Eigen::Vector3d inertia(const Geom& geom);
 

