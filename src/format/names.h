@@ -21,6 +21,11 @@ constexpr const char* kBodies = "mimo:bodies";         // text: bodies that it i
 constexpr const char* kRootJoint = "mimo:root_joint";  // text: what its free joint is called
 constexpr const char* kTouch = "mimo:touch";           // tuple: bodies with skin, and how far its sensors are apart
 
+// Said by a recipe, of what goes with an infant's size.
+constexpr const char* kWithStature = "mimo:with_stature";  // text: bodies that are built to its stature
+constexpr const char* kWithArm =
+    "mimo:with_arm";  // text: pairs of a body and the infant's from which it is an arm away
+
 // A stored pose.
 constexpr const char* kRootPose = "mimo:root";  // numbers: position and orientation of an infant's root
 constexpr const char* kPose = "mimo:pose";      // tuple: hinges and slides, and where they are

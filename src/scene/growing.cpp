@@ -9,7 +9,8 @@
 #include "growth/kinematics.h"
 #include "growth/measures.h"
 #include "scene/anatomy.h"
-#include "scene/pose.h"
+#include "scene/names.h"
+#include "scene/surroundings.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -41,10 +42,9 @@ std::map<std::string, const growth::Joint*> joints_of(const Skeleton& skeleton, 
 }
 
 // Angles in which the infant starts, from all stored poses, by the joints' names without a prefix.
-std::map<std::string, double> starting_angles(pugi::xml_node root, const Skeleton& skeleton,
-                                              const std::string& prefix) {
+growth::Angles starting_angles(pugi::xml_node root, const Skeleton& skeleton, const std::string& prefix) {
   const auto joints = joints_of(skeleton, prefix);
-  std::map<std::string, double> angles;
+  growth::Angles angles;
   for (const pugi::xml_node section : root.children("custom")) {
     for (const pugi::xml_node tuple : section.children("tuple")) {
       for (const pugi::xml_node entry : tuple.children("element")) {
@@ -83,36 +83,50 @@ void clamp_poses(pugi::xml_node root, const Skeleton& skeleton, const std::strin
   }
 }
 
-// Height of the lowest point of a body in a pose over its root.
-double lowest(Skeleton body, const Quaternion& orientation, const std::map<std::string, double>& angles) {
-  body.bones.front().position = {0, 0, 0};
-  body.bones.front().orientation = orientation;
-  return growth::lowest_point(body, angles);
-}
-
-// An infant and where it starts.
+// An infant as it starts: its root in the world, and the angles of its joints.
 struct Start {
-  const Skeleton& body;
-  std::map<std::string, double> angles;
+  Skeleton body;
+  growth::Angles angles;
+
+  growth::Vector place_of(const std::string& name) const {
+    const auto poses = growth::poses(body, angles);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const auto at = poses[i].translation();
+      if (body.bones[i].name == name) return {at.x(), at.y(), at.z()};
+    }
+    fail(Status::kModel, "{}: the infant has no body \"{}\"", names::kWithArm, name);
+  }
 };
 
+// With its root where the document has it.
+Start start_of(pugi::xml_node root, const std::string& prefix, Skeleton body) {
+  growth::Angles angles = starting_angles(root, body, prefix);
+  growth::Bone& first = body.bones.front();
+  const pugi::xml_node node = find_named(root, "body", prefix + names::kRootBody);
+  std::vector<double> pose = numbers(custom(root, "numeric", prefix + names::kRootPose).attribute("data"));
+  if (pose.size() != 7) {
+    pose = numbers(node.attribute("pos"));
+    pose.resize(3);
+    pose.insert(pose.end(), first.orientation.begin(), first.orientation.end());
+  }
+  std::copy_n(pose.begin(), 3, first.position.begin());
+  std::copy_n(pose.begin() + 3, 4, first.orientation.begin());
+  return {std::move(body), std::move(angles)};
+}
+
+void raise(pugi::xml_node node, const char* attribute, double up) {
+  std::vector<double> place = numbers(node.attribute(attribute));
+  place.resize(std::max<std::size_t>(place.size(), 3));
+  place[2] += up;
+  set(node, attribute, Span<const double>(place));
+}
+
 // Moves the root so that the lowest point stays where it was: it stands on its feet and lies on its back as before.
-void keep_lowest(pugi::xml_node root, pugi::xml_node body, const std::string& prefix, const Start& was,
-                 const Start& is) {
-  const std::vector<double> turned = numbers(body.attribute("quat"));
-  Quaternion orientation{1, 0, 0, 0};
-  if (turned.size() == 4) std::copy(turned.begin(), turned.end(), orientation.begin());
+void keep_lowest(pugi::xml_node root, const std::string& prefix, const Start& was, const Start& is) {
+  const double up = growth::lowest_point(was.body, was.angles) - growth::lowest_point(is.body, is.angles);
+  raise(find_named(root, "body", prefix + names::kRootBody), "pos", up);
   const pugi::xml_node stored = custom(root, "numeric", prefix + names::kRootPose);
-  std::vector<double> pose = numbers(stored.attribute("data"));
-  if (pose.size() == 7) std::copy(pose.begin() + 3, pose.end(), orientation.begin());
-  const double up = lowest(was.body, orientation, was.angles) - lowest(is.body, orientation, is.angles);
-  std::vector<double> position = numbers(body.attribute("pos"));
-  position.resize(3);
-  position[2] += up;
-  set(body, "pos", Span<const double>(position));
-  if (pose.size() != 7) return;
-  pose[2] += up;
-  set(stored, "data", Span<const double>(pose));
+  if (numbers(stored.attribute("data")).size() == 7) raise(stored, "data", up);
 }
 
 const growth::Bone& bone_of(const Skeleton& skeleton, const std::string& name) {
@@ -138,11 +152,15 @@ std::vector<double> of_geoms(const Skeleton& skeleton, growth::Vector growth::Ge
   return numbers;
 }
 
+// How large it is against the body of 18 months.
+struct Factors {
+  double stature, arm;
+};
+
 // Says in the document what tasks and skin have to know of it.
-void tell(pugi::xml_node root, const std::string& prefix, const Skeleton& born, const Skeleton& grown,
+void tell(pugi::xml_node root, const std::string& prefix, const Skeleton& born, const Factors& factors,
           const growth::Growth& growth) {
-  say(root, prefix + names::kGrowth,
-      {growth.age, growth::stature(grown) / growth::stature(born), arm_length(grown) / arm_length(born)});
+  say(root, prefix + names::kGrowth, {growth.age, factors.stature, factors.arm});
   if (growth.keep_spacing) return;
   say(root, prefix + names::kBornSizes, of_geoms(born, &growth::Geom::size));
   say(root, prefix + names::kBornPlaces, of_geoms(born, &growth::Geom::position));
@@ -154,11 +172,17 @@ void grow(pugi::xml_node root, const std::string& prefix, const growth::Growth& 
   Anatomy anatomy(root, prefix);
   const Skeleton born = anatomy.skeleton();
   const Skeleton grown = growth::grown(born, growth);
-  const Start was{born, starting_angles(root, born, prefix)};
+  const Start was = start_of(root, prefix, born);
   if (!anatomy.write(grown)) return;
+  const Factors factors{growth::stature(grown) / growth::stature(born), arm_length(grown) / arm_length(born)};
   clamp_poses(root, grown, prefix);
-  keep_lowest(root, anatomy.root_body(), prefix, was, {grown, starting_angles(root, grown, prefix)});
-  tell(root, prefix, born, grown, growth);
+  fit_to_stature(root, prefix, factors.stature);
+  keep_lowest(root, prefix, was, start_of(root, prefix, grown));
+  const Start is = start_of(root, prefix, grown);
+  fit_to_arm(root, prefix, factors.arm,
+             {[&](const std::string& name) { return was.place_of(name); },
+              [&](const std::string& name) { return is.place_of(name); }});
+  tell(root, prefix, born, factors, growth);
 }
 
 }  // namespace mimo::scene

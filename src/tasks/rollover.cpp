@@ -54,9 +54,7 @@ class Rollover : public Task {
 };
 
 Rollover::Rollover(const mjModel& model, const body::Body& body, const Settings& settings)
-    : Task({{"posture", 0}, {"control", 0}}),
-      body_(body),
-      root_address_(engine::free_joint_address(model, body.root)) {
+    : Task({{"posture", 0}, {"control", 0}}), body_(body), root_address_(engine::free_joint_address(model, body.root)) {
   const auto get = [&](const char* name) { return settings[std::string("rollover/") + name]; };
   const auto find = [&](const char* name) {
     return engine::find_or_fail(model, engine::Kind::kBody, body.prefix + name);

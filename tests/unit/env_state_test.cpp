@@ -281,7 +281,7 @@ TEST_P(TaskState, Continues) {
   expect_to_continue(*make_world(model), *make_world(model));
 }
 
-INSTANTIATE_TEST_SUITE_P(Tasks, TaskState, testing::Values("reach", "standup", "selfbody"));
+INSTANTIATE_TEST_SUITE_P(Tasks, TaskState, testing::Values("reach", "standup", "selfbody", "rollover"));
 
 TEST(State, HoldsPositionControlLocksGearsAndGravity) {
   env::AgentOptions agent = blind();

@@ -423,7 +423,7 @@ TEST_P(SameSeed, SameBytes) {
   EXPECT_NE(bytes, bytes_of_episode(*one, 8));
 }
 
-INSTANTIATE_TEST_SUITE_P(Tasks, SameSeed, ::testing::Values("reach", "standup", "selfbody"),
+INSTANTIATE_TEST_SUITE_P(Tasks, SameSeed, ::testing::Values("reach", "standup", "selfbody", "rollover"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 TEST(Parameters, ChangeTheTask) {

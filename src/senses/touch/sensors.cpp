@@ -27,8 +27,7 @@ std::vector<Part> parts_of(const mjModel& model, int body, double spacing, const
   std::vector<Part> parts;
   for (const int geom : geoms_with_skin(model, body)) {
     const Shape shape = born.shape(model, geom);
-    parts.push_back(
-        {geom, shape, rotation_of(model, geom), born.place(model, geom), sample(shape, spacing), 0, 0});
+    parts.push_back({geom, shape, rotation_of(model, geom), born.place(model, geom), sample(shape, spacing), 0, 0});
   }
   return parts;
 }
