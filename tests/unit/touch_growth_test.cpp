@@ -117,21 +117,27 @@ TEST_P(TouchGrowth, SpacingGoesWithTheSkin) {
   EXPECT_EQ(skin_of(*born).spacing(head), 0.013);
 }
 
-std::size_t felt_by(const mjModel& model, const std::string& part, const std::string& geom_name) {
+// How many sensors feel a press on the palm, the mean over all of it.
+double feel_a_press(const mjModel& model) {
   const Skin skin = skin_of(model);
-  const int geom = engine::find_or_fail(model, Kind::kGeom, geom_name);
-  // The middle of the palm: of the side that is one of the hand's, where the box is thin.
   senses::touch::Spread spread(skin, senses::touch::Response::kLinear);
-  const Vec3 palm = Vec3(model.geom_pos + 3 * geom) + Vec3(0, model.geom_size[3 * geom + 1], 0);
-  return spread.at(body_id(model, part), geom, palm).size();
+  const int hand = body_id(model, "left_hand"), geom = model.body_geomadr[hand];
+  const Vec3 half(model.geom_size + 3 * geom);
+  constexpr int kPresses = 40;  // along each side
+  std::size_t sum = 0;
+  for (int i = 0; i < kPresses * kPresses; ++i) {
+    const Vec3 share((2 * (i % kPresses) + 1.0) / kPresses - 1, 1, (2.0 * (i / kPresses) + 1) / kPresses - 1);
+    sum += spread.at(hand, geom, Vec3(model.geom_pos + 3 * geom) + half.cwiseProduct(share)).size();
+  }
+  return static_cast<double>(sum) / (kPresses * kPresses);
 }
 
+// Spread over distances that were still those of 18 months, a newborn's press would reach twice as many. The hand does
+// not keep its proportions, so that single presses reach a few sensors more or fewer.
 TEST_P(TouchGrowth, PressOnThePalmReachesAsManySensors) {
   const auto [body, age] = GetParam();
-  const engine::ModelPtr born = infant(body, 18), grown = infant(body, age);
-  const std::string geom = engine::name(*born, Kind::kGeom, born->body_geomadr[body_id(*born, "left_hand")]);
-  std::cerr << body << age << " " << felt_by(*born, "left_hand", geom) << " " << felt_by(*grown, "left_hand", geom) << "\n";
-  EXPECT_EQ(felt_by(*grown, "left_hand", geom), felt_by(*born, "left_hand", geom));
+  const double was = feel_a_press(*infant(body, 18)), is = feel_a_press(*infant(body, age));
+  EXPECT_NEAR(is, was, 0.05 * was);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ages, TouchGrowth,
