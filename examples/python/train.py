@@ -131,7 +131,7 @@ class Evaluation(BaseCallback):
 
 def parse():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--task", required=True, choices=["reach", "standup", "selfbody", "catch"])
+    parser.add_argument("--task", required=True, choices=["reach", "standup", "selfbody", "catch", "rollover"])
     parser.add_argument("--algorithm", required=True, choices=["ppo", "sac"])
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--steps", type=int, default=100_000, help="of all worlds together, also those before a resume")

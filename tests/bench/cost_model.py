@@ -18,7 +18,7 @@ import ratios
 
 STEPS = "400"
 FINGERS = ("--body", "fingers")
-SCENES = [("--scene", scene) for scene in ("benchmark", "free", "reach", "standup", "selfbody", "showroom", "playdate")]
+SCENES = [("--scene", scene) for scene in ("benchmark", "free", "reach", "standup", "selfbody", "rollover", "showroom", "playdate")]
 SCENES += [("--scene", scene, *FINGERS) for scene in ("benchmark", "free", "reach", "catch")]
 RUNS = (
     [(*scene, "--vision", "off") for scene in SCENES]

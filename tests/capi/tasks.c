@@ -187,6 +187,7 @@ int main(void) {
   check_parameters();
   check_episode("reach", 1000, 2, 8);
   check_episode("standup", 500, 2, 27);
+  check_episode("rollover", 1000, 2, 38);
   check_term_names();
   check_agents();
   check_overrides();

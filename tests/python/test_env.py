@@ -17,6 +17,7 @@ NAMES = [
     "mimo/Standup-v0",
     "mimo/SelfBody-v0",
     "mimo/Catch-v0",
+    "mimo/Rollover-v0",
     "mimo/Benchmark-v0",
     "mimo/Free-v0",
     "mimo/Showroom-v0",

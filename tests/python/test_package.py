@@ -126,5 +126,5 @@ def test_version_and_scenes(root):
     numbers = re.findall(r"#define MIMO_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header)
     assert mimo.__version__ == ".".join(numbers)
     assert mimo.mujoco_version() == "2.2.2"
-    assert {"reach", "standup", "selfbody", "catch", "benchmark", "free", "showroom"} <= set(mimo.scenes())
-    assert {"none", "reach", "standup", "selfbody", "catch"} <= set(mimo.tasks())
+    assert {"reach", "standup", "selfbody", "catch", "rollover", "benchmark", "free", "showroom"} <= set(mimo.scenes())
+    assert {"none", "reach", "standup", "selfbody", "catch", "rollover"} <= set(mimo.tasks())

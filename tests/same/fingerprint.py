@@ -21,6 +21,7 @@ SCENES = {
     "standup": ["mitten"],
     "selfbody": ["mitten", "fingers"],
     "catch": ["fingers"],
+    "rollover": ["mitten", "fingers"],
     "showroom": ["mitten"],
     "playdate": ["mitten"],
 }

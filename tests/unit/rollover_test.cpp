@@ -76,6 +76,16 @@ TEST(Rollover, OverTheChestItIsTheirMean) {
   EXPECT_NEAR(posture_at(90 * kDegree, {}, 20 * kDegree), 0.5, 1e-7) << "the hip's alone";
 }
 
+// The head, a sphere of 7.35 cm whose middle is 1 cm before the root, reaches down furthest.
+TEST(Rollover, ItsPlaceIsOnTheFloor) {
+  for (const std::string body : {"mitten", "fingers"}) {
+    const auto world = world_of({}, body);
+    world->physics().reset();
+    world->physics().update_poses();
+    EXPECT_NEAR(body::extent(world->model(), world->data(), world->agents()[0].body).low, 0, 1e-9) << body;
+  }
+}
+
 TEST(Rollover, StartsOnTheBackOrTheBelly) {
   for (const std::string body : {"mitten", "fingers"}) {
     for (const int start : {0, 1}) {

@@ -44,7 +44,7 @@ internal static partial class Tests
         Check(Rooms.Names.Contains("playroom"), string.Join(" ", Rooms.Names));
         foreach (var name in Rooms.Names)
             using (var scene = MimoScene.Empty()) scene.SetRoom(name);
-        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch" };
+        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch", "rollover" };
         Check(tasks.All(Tasks.Names.Contains), string.Join(" ", Tasks.Names));
         Check(Refused(() => MimoScene.Builtin("bench")).Message.Contains("benchmark"), "another message");
     }

@@ -184,6 +184,7 @@ ENVIRONMENTS: List[Tuple[str, str]] = [
     ("mimo/Standup-v0", "standup"),
     ("mimo/SelfBody-v0", "selfbody"),
     ("mimo/Catch-v0", "catch"),
+    ("mimo/Rollover-v0", "rollover"),
     ("mimo/Benchmark-v0", "benchmark"),
     ("mimo/Free-v0", "free"),
     ("mimo/Showroom-v0", "showroom"),
