@@ -121,6 +121,11 @@ extern "C" {
  */
 #define MIMO_AGENT_GOAL 52
 #define MIMO_AGENT_ACHIEVED 53 /**< Agent: see MIMO_AGENT_GOAL. */
+/**
+ * Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
+ */
+#define MIMO_AGENT_AGE 54
+#define MIMO_AGENT_PHYSIOLOGICAL_AGE 55 /**< Agent: 1, months, of strength, range of motion and tone; likewise. */
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by

@@ -35,13 +35,16 @@ typedef struct mimo_batch mimo_batch;
 
 /** How many worlds, and what happens when one's episode ends. Modes are those of Gymnasium's vector environments. */
 typedef struct mimo_batch_config {
-  uint32_t struct_size;    /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
-  uint32_t worlds;         /**< At least 1. Default 1. */
-  uint32_t threads;        /**< 0 (default): as many as the machine has cores; never more than worlds. */
-  int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
-  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in
-                                the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
-  uint32_t reserved;       /**< 0. */
+  uint32_t struct_size;             /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
+  uint32_t worlds;                  /**< At least 1. Default 1. */
+  uint32_t threads;                 /**< 0 (default): as many as the machine has cores; never more than worlds. */
+  int32_t autoreset;                /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
+  uint32_t restart_failed;          /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in
+                                         the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
+  uint32_t reserved;                /**< 0. */
+  const mimo_growth *const *cohort; /**< Ages: all infants of world i become cohort[i % cohort_count]; where that is
+                                         NULL they are as the scene says. */
+  size_t cohort_count;              /**< 0 (default): all are as the scene says; at most worlds. */
 } mimo_batch_config;
 
 /**
@@ -51,10 +54,12 @@ typedef struct mimo_batch_config {
 MIMO_API mimo_status mimo_batch_config_init(mimo_batch_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Compiles a scene once and makes worlds of it. Until seeded, world i's random numbers are those of seed i.
+ * Compiles a scene, once for each age, and makes worlds of it, which share what belongs to their age. Until seeded,
+ * world i's random numbers are those of seed i.
  * @param env_config   for all worlds; NULL means defaults. Messages of the worlds come on the thread that calls.
  * @param batch_config NULL means defaults.
- * Errors: as mimo_env_create.
+ * Errors: as mimo_env_create; of a cohort as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would make the
+ *         observations of the worlds differ in shape (keep_spacing).
  */
 MIMO_API mimo_status mimo_batch_create(const mimo_scene *scene, const mimo_env_config *env_config,
                                        const mimo_batch_config *batch_config, mimo_batch **batch) MIMO_NOEXCEPT;
@@ -68,7 +73,10 @@ MIMO_API void mimo_batch_destroy(mimo_batch *batch) MIMO_NOEXCEPT;
 /** Number of worlds and of threads; either may be NULL. */
 MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, size_t *threads) MIMO_NOEXCEPT;
 
-/** What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. */
+/**
+ * What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. Of worlds
+ * of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was made.
+ */
 MIMO_API mimo_status mimo_batch_layout(const mimo_batch *batch, const mimo_layout **layout) MIMO_NOEXCEPT;
 
 /**
@@ -90,15 +98,17 @@ MIMO_API mimo_status mimo_batch_world_error(const mimo_batch *batch, size_t worl
 
 /** Which worlds start an episode, and how. Who sets nothing but struct_size gets what NULL gives. */
 typedef struct mimo_batch_reset_config {
-  uint32_t struct_size;  /**< sizeof(mimo_batch_reset_config), set by the caller. */
-  uint32_t reserved;     /**< 0. */
-  const uint64_t *seeds; /**< One for each world; NULL: every world goes on with its own random numbers. */
-  const uint8_t *mask;   /**< Which worlds; NULL: all. */
-  size_t worlds;         /**< Length of seeds and mask; 0 if both are NULL. */
+  uint32_t struct_size;             /**< sizeof(mimo_batch_reset_config), set by the caller. */
+  uint32_t reserved;                /**< 0. */
+  const uint64_t *seeds;            /**< One for each world; NULL: every world goes on with its own random numbers. */
+  const uint8_t *mask;              /**< Which worlds; NULL: all. */
+  size_t worlds;                    /**< Length of the arrays; 0 if all are NULL. */
+  const mimo_growth *const *growth; /**< One for each world: what all its infants become, as in mimo_reset_config; NULL
+                                         among them, or NULL: they stay as they are. */
 } mimo_batch_reset_config;
 
 /**
- * Starts episodes.
+ * Starts episodes. Where a growth is refused, no world has changed.
  * @param config NULL: in all worlds, with their own random numbers.
  * @param blocks receives the observations of the worlds that were reset; may be NULL with block_bytes 0.
  */

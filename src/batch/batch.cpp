@@ -6,6 +6,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "env/succession.h"
 
 namespace mimo::batch {
 
@@ -18,25 +19,22 @@ std::size_t thread_count(const Options& options) {
 
 }  // namespace
 
-Batch::Batch(const env::Kit& kit, const Options& options, HostOf host_of)
+Batch::Batch(const Kits& kits, const Options& options, HostOf host_of)
     : options_(options),
-      studio_(kit, thread_count(options), this),
+      threads_(thread_count(options)),
       reports_(options.worlds),
       loaded_(options.worlds),
-      pool_(thread_count(options)) {
-  if (env::draws(kit.agents, kit.options)) studio_.furnish();
-  mailboxes_.reserve(options.worlds);
-  worlds_.reserve(options.worlds);
-  env::Services services = kit.services;
-  services.renderer = &studio_;
+      pool_(threads_) {
   for (std::size_t i = 0; i < options.worlds; ++i) {
-    mailboxes_.emplace_back(kit.services.log, this);
-    services.log = mailboxes_.back().slot();
     const std::uint64_t seed = i;  // worlds that nobody seeds are not all alike
-    const env::Identity identity{seed, i, host_of ? host_of(i) : nullptr};
-    worlds_.push_back(std::make_unique<env::World>(kit.model, kit.agents, kit.options, services, identity));
-    if (i == 0) services.skins = env::skins_of(worlds_[0]->agents());
+    identities_.push_back({seed, i, host_of ? host_of(i) : nullptr});
   }
+  mailboxes_.reserve(options.worlds);
+  stocks_.reserve(options.worlds);
+  worlds_.reserve(options.worlds);
+  // Of several models a thread may never draw them all.
+  const std::size_t renderers = kits.size() == 1 ? threads_ : 1;
+  for (std::size_t i = 0; i < options.worlds; ++i) add_world(kits[i % kits.size()], renderers);
 }
 
 Batch::~Batch() {
@@ -56,11 +54,91 @@ void Batch::require_access(std::size_t world) const {
 
 bool Batch::works_on_this_thread() const { return works_for(this); }
 
-void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks) {
+void Batch::add_world(const env::KitPtr& kit, std::size_t renderers) {
+  const std::size_t i = worlds_.size();
+  mailboxes_.emplace_back(kit->services.log, this);
+  const StockPtr stock = stock_of(kit, renderers);
+  const bool first = stock.use_count() == 1;
+  stocks_.push_back(stock);
+  worlds_.push_back(make_world(i, *stock));
+  if (!first) return;
+  env::Description own = describe(*worlds_[i]);
+  if (i == 0) description_ = own;
+  check_like_the_others(i, own);
+  widen(description_, own);
+}
+
+std::unique_ptr<env::World> Batch::make_world(std::size_t world, Stock& stock) {
+  env::Services services = stock.kit->services;
+  services.renderer = &stock.studio;
+  services.log = mailboxes_[world].slot();
+  return env::make_world(*stock.kit, services, identities_[world]);
+}
+
+StockPtr Batch::stock_of(const env::KitPtr& kit, std::size_t renderers) {
+  const auto same = [&](const StockPtr& stock) { return stock->kit == kit; };
+  const auto known = std::find_if(stocks_.begin(), stocks_.end(), same);
+  if (known != stocks_.end()) return *known;
+  auto stock = std::make_shared<Stock>(kit, threads_, this);
+  if (env::draws(kit->agents, kit->options)) stock->studio.furnish(renderers);
+  return stock;
+}
+
+void Batch::check_like_the_others(std::size_t world, const env::Description& description) const {
+  try {
+    check_alike(description_, description);
+  } catch (const Error& error) {
+    fail(error.status(), "world {}: {}", world, error.what());
+  }
+}
+
+void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks, const Kits& kits) {
   world(0).physics().require_undisturbed();
+  require_idle();
+  const std::vector<StockPtr> next = stocks_for(kits, mask);
   perform(mask, [&](std::size_t i, Report&) {
-    worlds_[i]->reset(seeds == nullptr ? nullptr : seeds + i, block_of(worlds_, blocks, i));
+    const std::uint64_t* seed = seeds == nullptr ? nullptr : seeds + i;
+    std::uint8_t* block = block_of(worlds_, blocks, i);
+    if (next.empty() || next[i] == stocks_[i]) return worlds_[i]->reset(seed, block);
+    env::take_over(worlds_[i], make_world(i, *next[i]), seed, block);
+    stocks_[i] = next[i];
   });
+}
+
+// Of what no world here is yet, one is made to see that it is like the others.
+std::vector<StockPtr> Batch::stocks_for(const Kits& kits, const std::uint8_t* mask) {
+  if (kits.empty()) return {};
+  std::vector<StockPtr> next = stocks_;
+  std::vector<env::Description> trials;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (kits[i] == nullptr || (mask != nullptr && mask[i] == 0)) continue;
+    const auto same = [&](const StockPtr& stock) { return stock->kit == kits[i]; };
+    const auto known = std::find_if(next.begin(), next.end(), same);
+    if (known != next.end()) {
+      next[i] = *known;
+      continue;
+    }
+    next[i] = stock_of(kits[i]);
+    trials.push_back(describe(*make_world(i, *next[i])));
+    check_like_the_others(i, trials.back());
+  }
+  for (const env::Description& trial : trials) widen(description_, trial);
+  return next;
+}
+
+void Batch::reset_world(std::size_t world, const env::KitPtr& kit, const std::uint64_t* seed, std::uint8_t* block) {
+  StockPtr next;
+  {
+    const std::lock_guard lock(mutex_);
+    next = stock_of(kit);
+  }
+  auto successor = make_world(world, *next);
+  const env::Description own = describe(*successor);
+  check_like_the_others(world, own);
+  env::take_over(worlds_[world], std::move(successor), seed, block);
+  const std::lock_guard lock(mutex_);
+  stocks_[world] = std::move(next);
+  widen(description_, own);
 }
 
 void Batch::step(const float* actions, const Output& output) {

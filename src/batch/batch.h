@@ -1,8 +1,9 @@
-// Many worlds of one model, stepped by one pool of threads.
+// Many worlds of one description, stepped by one pool of threads; their infants may be of different ages.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@
 #include "batch/options.h"
 #include "batch/report.h"
 #include "batch/step.h"
-#include "batch/studio.h"
+#include "batch/stock.h"
 #include "batch/workplace.h"
 #include "env/access.h"
+#include "env/description.h"
 #include "env/world.h"
 
 namespace mimo::batch {
@@ -27,7 +29,9 @@ class Batch : private Job {
   // What the border knows world i by.
   using HostOf = FunctionRef<const void*(std::size_t world)>;
 
-  Batch(const env::Kit& kit, const Options& options, HostOf host_of = {});
+  // World i is of kit i % kits.size(). Throws Status::kInvalidArgument, naming the world, where not all observe, act
+  // and are rewarded alike.
+  Batch(const Kits& kits, const Options& options, HostOf host_of = {});
   ~Batch();
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
@@ -36,6 +40,10 @@ class Batch : private Job {
   std::size_t threads() const { return pool_.threads(); }
   env::World& world(std::size_t i) { return *worlds_[i]; }
   const env::World& world(std::size_t i) const { return *worlds_[i]; }
+  const env::KitPtr& kit(std::size_t i) const { return stocks_[i]->kit; }
+  // Of all worlds: names and shapes that they have in common, receptors of the first one as it was made, the widest
+  // bounds of all that ever were.
+  const env::Description& description() const { return description_; }
   const Report& report(std::size_t i) const { return reports_[i]; }
 
   // Throws while the batch is at work, except for the thread that is on this very world.
@@ -44,8 +52,11 @@ class Batch : private Job {
   void require_idle() const;
   bool works_on_this_thread() const;
 
-  // Null seeds: every world goes on with its own stream.
-  void reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks);
+  // Null seeds: every world goes on with its own stream. Kits are by worlds, which become worlds of these; null: they
+  // stay what they are; none: so do all. Nothing happens where a kit's worlds are not like those here.
+  void reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks, const Kits& kits = {});
+  // The same of one world, by whoever has access to it.
+  void reset_world(std::size_t world, const env::KitPtr& kit, const std::uint64_t* seed, std::uint8_t* block);
   void step(const float* actions, const Output& output);
   // A step in two parts. Actions and output belong to the batch in between.
   void send(const float* actions, const Output& output);
@@ -82,6 +93,12 @@ class Batch : private Job {
     bool concerns(std::size_t world) const { return mask == nullptr || mask[world] != 0; }
   };
 
+  std::unique_ptr<env::World> make_world(std::size_t world, Stock& stock);
+  // Makes one, with that many renderers at once, where no world is of this kit.
+  StockPtr stock_of(const env::KitPtr& kit, std::size_t renderers = 1);
+  void add_world(const env::KitPtr& kit, std::size_t renderers);
+  std::vector<StockPtr> stocks_for(const Kits& kits, const std::uint8_t* mask);
+  void check_like_the_others(std::size_t world, const env::Description& description) const;
   void begin(const Operation& operation);
   void perform(const std::uint8_t* mask, Work work, std::int32_t* status = nullptr);
   void finish();
@@ -89,9 +106,13 @@ class Batch : private Job {
   void attempt(std::size_t world, Report& report) noexcept;
 
   Options options_;
-  Studio studio_;
+  std::size_t threads_;
+  std::vector<env::Identity> identities_;  // by worlds, as all of these
+  std::vector<StockPtr> stocks_;
   std::vector<Mailbox> mailboxes_;
   std::vector<std::unique_ptr<env::World>> worlds_;
+  env::Description description_;
+  std::mutex mutex_;  // of stocks and bounds, where worlds change by themselves
   std::vector<Report> reports_;
   std::vector<env::LoadReport> loaded_;  // by the worlds, in the last load
   Pool pool_;

@@ -7,8 +7,8 @@ namespace mimo::batch {
 Studio::Studio(const env::Kit& kit, std::size_t threads, const void* batch)
     : model_(kit.model), options_(kit.options), services_(kit.services), batch_(batch), renderers_(threads) {}
 
-void Studio::furnish() {
-  for (std::size_t i = 0; i < renderers_.size(); ++i) renderer(i);
+void Studio::furnish(std::size_t threads) {
+  for (std::size_t i = 0; i < threads; ++i) renderer(i);
 }
 
 // A step of the batch takes no lock: its threads have renderers of their own. One that is lost when drawing fails is

@@ -15,8 +15,8 @@ class Studio : public render::Renderer {
  public:
   // `batch` is the one that it belongs to, as workplaces name it.
   Studio(const env::Kit& kit, std::size_t threads, const void* batch);
-  // Makes the threads' renderers now, so that what is missing here shows at once and no step has to.
-  void furnish();
+  // Makes renderers for the first so many threads now, so that what is missing here shows at once and no step has to.
+  void furnish(std::size_t threads);
   void draw(const mjModel& model, const mjData& data, const render::View& view,
             const render::Picture& picture) override;
 

@@ -1,5 +1,6 @@
 #include "blueprint/blueprint.h"
 
+#include "env/succession.h"
 #include "render/renderer.h"
 
 namespace mimo::blueprint {
@@ -7,37 +8,36 @@ namespace mimo::blueprint {
 // Nothing of an edit may fail once it takes the draft's place.
 static_assert(std::is_nothrow_move_assignable_v<Draft>);
 
-KitPtr Blueprint::compile(const env::EnvOptions& options, const LogSink& log) const {
-  engine::ModelPtr model = scene::compile(draft_.scene.compose(), log_);
-  draft_.scene.check_places(model, log_);
-  return std::make_shared<const env::Kit>(around(std::move(model), options, log));
+KitPtr compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log) {
+  engine::ModelPtr model = scene::compile(draft.scene.compose(), scene_log);
+  draft.scene.check_places(model, scene_log);
+  return std::make_shared<const env::Kit>(around(draft, std::move(model), options, log));
 }
 
-env::Kit Blueprint::around(engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log) const {
-  env::Kit kit{std::move(model), draft_.agents.all(), options, {}};
-  kit.options.parameters = draft_.parameters;
-  kit.options.cameras = draft_.cameras.all();
-  kit.options.fields = draft_.fields.all();
-  kit.options.custom_task = draft_.task;
+env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log) {
+  env::Kit kit{std::move(model), draft.agents.all(), options, {}};
+  kit.options.parameters = draft.parameters;
+  kit.options.cameras = draft.cameras.all();
+  kit.options.fields = draft.fields.all();
+  kit.options.custom_task = draft.task;
   kit.services.shelf = render::make_shelf();
+  kit.services.skins = std::make_shared<env::Skins>();
   kit.services.log = log;
   return kit;
 }
 
-KitPtr ready_world(const std::string& scene) {
+Blueprint ready_world(const std::string& scene) {
   scene::Source source;
   source.name = scene;
   Blueprint blueprint(source);
   blueprint.edit([](Draft& draft) { draft.add_agents(usual_agent(draft.scene)); });
-  return blueprint.compile({}, {});
+  return blueprint;
 }
 
 std::unique_ptr<env::World> clone(const env::Kit& kit, const env::World& original, const env::Identity& identity) {
   std::vector<std::uint8_t> state(original.state_bytes());
   original.save(Span<std::uint8_t>(state));
-  env::Services services = kit.services;
-  services.skins = env::skins_of(original.agents());
-  auto twin = std::make_unique<env::World>(kit.model, kit.agents, kit.options, services, identity);
+  auto twin = env::make_world(kit, kit.services, identity);
   twin->load(Span<const std::uint8_t>(state));
   return twin;
 }

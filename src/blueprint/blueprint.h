@@ -30,7 +30,13 @@ struct Draft {
   void add_camera(const CameraPlan& plan) { cameras.add(plan, scene); }
 };
 
-using KitPtr = std::shared_ptr<const env::Kit>;
+using env::KitPtr;
+
+// Of the options, what the draft says itself is overwritten. What the compiler has to say goes to `scene_log`. Throws
+// what scene::compile throws.
+KitPtr compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log);
+// The same agents and cameras around a model of somebody else's.
+env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log);
 
 class Blueprint {
  public:
@@ -39,6 +45,7 @@ class Blueprint {
 
   // Of its last edit.
   const Draft& draft() const { return draft_; }
+  const LogSink& log() const { return log_; }
 
   // Calls change(draft), and gives what that does. A change happens whole or not at all: it is made to a copy, which
   // takes the place of the draft when it is done.
@@ -55,10 +62,9 @@ class Blueprint {
     }
   }
 
-  // Of the options, what the blueprint says itself is overwritten. Throws what scene::compile throws.
-  KitPtr compile(const env::EnvOptions& options, const LogSink& log) const;
-  // The same agents and cameras around a model of somebody else's.
-  env::Kit around(engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log) const;
+  KitPtr compile(const env::EnvOptions& options, const LogSink& log) const {
+    return blueprint::compile(draft_, options, log_, log);
+  }
 
  private:
   Draft draft_;
@@ -66,7 +72,7 @@ class Blueprint {
 };
 
 // A built-in scene with all its infants, everything as it usually is.
-KitPtr ready_world(const std::string& scene);
+Blueprint ready_world(const std::string& scene);
 
 // A world in the state that another of the same kit is in. It shares with that one what never changes.
 std::unique_ptr<env::World> clone(const env::Kit& kit, const env::World& original, const env::Identity& identity);

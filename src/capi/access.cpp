@@ -47,7 +47,7 @@ void check_id(const env::World& world, env::Kind kind, std::int32_t id) {
 template <typename T>
 void get(const mimo_env* env, std::int32_t quantity, const std::int32_t* ids, std::size_t id_count, T* values,
          std::size_t value_count) {
-  const env::World& world = open(env).world;
+  const env::World& world = open(env).world();
   const Request wanted = request_from(quantity);
   const env::Ids which = ids_of(world, wanted.quantity, ids, id_count);
   const Span<T> where = array(values, value_count, "values");
@@ -65,14 +65,14 @@ extern "C" {
 
 mimo_status mimo_env_count(const mimo_env* env, int32_t kind, size_t* count) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     out(count, "count") = static_cast<size_t>(env::count(world, kind_from(kind)));
   });
 }
 
 mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, int32_t* id) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     require(name != nullptr, "name is NULL");
     out(id, "id") = env::find_or_fail(world, kind_from(kind), name);
   });
@@ -80,7 +80,7 @@ mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, i
 
 mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const char** name) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     const env::Kind of = kind_from(kind);
     check_id(world, of, id);
     out(name, "name") = env::name(world, of, id);
@@ -89,7 +89,7 @@ mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const c
 
 mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int32_t* body) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     const env::Kind of = kind_from(kind);
     check_id(world, of, id);
     out(body, "body") = env::body_of(world, of, id);
@@ -99,7 +99,7 @@ mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int3
 mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count,
                            size_t* value_count) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     const env::Quantity what = request_from(quantity).quantity;
     out(value_count, "value_count") = env::width(world, what, ids_of(world, what, ids, id_count));
   });
@@ -118,7 +118,7 @@ mimo_status mimo_env_get_float(const mimo_env* env, int32_t quantity, const int3
 mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, size_t id_count, const double* values,
                          size_t value_count) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
+    env::World& world = open(env).world();
     const env::Quantity what = writable_from(quantity);
     const env::Ids which = ids_of(world, what, ids, id_count);
     const auto from = array(values, value_count, "values");
@@ -128,7 +128,7 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
 }
 
 mimo_status mimo_env_update(mimo_env* env) noexcept {
-  return guard(env, [&] { open(env).world.physics().update_poses(); });
+  return guard(env, [&] { open(env).world().physics().update_poses(); });
 }
 
 }  // extern "C"

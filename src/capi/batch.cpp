@@ -1,19 +1,20 @@
 #include "capi/batch_arguments.h"
 #include "capi/check.h"
 #include "capi/env.h"
+#include "capi/growth.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 
 namespace mimo::capi {
 
-BatchObject::BatchObject(blueprint::KitPtr of, const batch::Options& options)
-    : kit(std::move(of)),
+BatchObject::BatchObject(blueprint::FamilyPtr of, const batch::Kits& kits, const batch::Options& options)
+    : family(std::move(of)),
       views(options.worlds),
-      batch(*kit, options, [this](std::size_t world) { return &views.handles[world]; }) {
-  layout = own_layout(describe(batch.world(0)));
+      batch(kits, options, [this](std::size_t world) { return &views.handles[world]; }),
+      layout(own_layout(batch.description())) {
   // The functions of a user's task get their world's handle; they run where making one would come too late.
-  for (std::size_t i = 0; kit->options.custom_task && i < options.worlds; ++i) view(i);
+  for (std::size_t i = 0; kits[0]->options.custom_task && i < options.worlds; ++i) view(i);
 }
 
 Views::~Views() {
@@ -24,7 +25,7 @@ Views::~Views() {
 
 mimo_env* BatchObject::view(std::size_t world) {
   mimo_env*& handle = views.handles[world];
-  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(kit, batch, world, layout.get()));
+  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(family, batch, world, layout.get()));
   return handle;
 }
 
@@ -56,6 +57,29 @@ batch::Options batch_options(const mimo_batch_config& config) {
   return options;
 }
 
+batch::Kits kits_of(blueprint::Family& family, const mimo_batch_config& config, const LogSink& scene_log) {
+  require(config.cohort_count <= config.worlds, "cohort_count is {}, but there are {} worlds", config.cohort_count,
+          config.worlds);
+  batch::Kits kits;
+  for (const std::optional<growth::Growth>& age : ages_from(config.cohort, config.cohort_count, "cohort")) {
+    kits.push_back(family.as_described({age}, scene_log));
+  }
+  if (kits.empty()) kits.push_back(family.as_described({}, scene_log));
+  return kits;
+}
+
+// What worlds are to become; none: they stay.
+batch::Kits kits_of(const BatchObject& object, const mimo_batch_reset_config& config) {
+  if (config.growth == nullptr) return {};
+  batch::Kits kits(config.worlds);
+  const blueprint::Ages ages = ages_from(config.growth, config.worlds, "growth");
+  for (std::size_t i = 0; i < ages.size(); ++i) {
+    const bool concerned = config.mask == nullptr || config.mask[i] != 0;
+    if (concerned && ages[i]) kits[i] = object.family->grown(*object.batch.kit(i), {ages[i]});
+  }
+  return kits;
+}
+
 template <typename T>
 void get(const mimo_batch* batch, std::int32_t quantity, const std::int32_t* ids, std::size_t id_count,
          const std::uint8_t* mask, std::size_t worlds, T* values, std::size_t value_count) {
@@ -83,9 +107,12 @@ mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* en
                               const mimo_batch_config* batch_config, mimo_batch** batch) noexcept {
   return guard(scene, [&] {
     mimo_batch*& result = out(batch, "batch");
-    const batch::Options options = batch_options(read_struct(batch_config, default_batch_config(), "batch_config"));
-    const mimo_env_config config = read_struct(env_config, default_env_config(), "env_config");
-    result = wrap<mimo_batch>(std::make_unique<BatchObject>(make_kit(open(scene).blueprint, config), options));
+    const mimo_batch_config many = read_struct(batch_config, default_batch_config(), "batch_config");
+    const batch::Options options = batch_options(many);
+    const blueprint::Blueprint& blueprint = open(scene).blueprint;
+    blueprint::FamilyPtr family = make_family(blueprint, read_struct(env_config, default_env_config(), "env_config"));
+    const batch::Kits kits = kits_of(*family, many, blueprint.log());
+    result = wrap<mimo_batch>(std::make_unique<BatchObject>(std::move(family), kits, options));
   });
 }
 
@@ -127,11 +154,14 @@ mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_s
 mimo_status mimo_batch_reset(mimo_batch* batch, const mimo_batch_reset_config* config, void* blocks,
                              size_t block_bytes) noexcept {
   return guard(batch, [&] {
-    batch::Batch& inner = open(batch).batch;
+    BatchObject& object = open(batch);
+    batch::Batch& inner = object.batch;
     const mimo_batch_reset_config ours = read_struct(config, mimo_batch_reset_config{}, "config");
     check_reserved(ours.reserved, "config: reserved");
-    check_per_world(inner, ours.worlds, ours.seeds != nullptr || ours.mask != nullptr);
-    inner.reset(ours.seeds, ours.mask, blocks_of(inner, blocks, block_bytes, "blocks"));
+    check_per_world(inner, ours.worlds, ours.seeds != nullptr || ours.mask != nullptr || ours.growth != nullptr);
+    std::uint8_t* start = blocks_of(inner, blocks, block_bytes, "blocks");
+    inner.require_idle();
+    inner.reset(ours.seeds, ours.mask, start, kits_of(object, ours));
   });
 }
 

@@ -212,7 +212,7 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
 mimo_status mimo_env_random(mimo_env* env, double* values, size_t count) noexcept {
   return guard(env, [&] {
     const auto numbers = array(values, count, "values");
-    Random& random = open(env).world.random();
+    Random& random = open(env).world().random();
     std::generate(numbers.begin(), numbers.end(), [&random] { return random.uniform(); });
   });
 }

@@ -183,7 +183,9 @@ static_assert(same(MIMO_WARNING_COUNT, env::Quantity::kWarningCount));
 static_assert(same(MIMO_SITE_VELOCITY, env::Quantity::kSiteVelocity));
 static_assert(same(MIMO_AGENT_GOAL, env::Quantity::kAgentGoal));
 static_assert(same(MIMO_AGENT_ACHIEVED, env::Quantity::kAgentAchieved));
-static_assert(same(MIMO_AGENT_ACHIEVED, env::kQuantities));
+static_assert(same(MIMO_AGENT_AGE, env::Quantity::kAgentAge));
+static_assert(same(MIMO_AGENT_PHYSIOLOGICAL_AGE, env::Quantity::kAgentPhysiologicalAge));
+static_assert(same(MIMO_AGENT_PHYSIOLOGICAL_AGE, env::kQuantities));
 static_assert(same(MIMO_WARNING, env::kKinds));
 
 static_assert(same(MIMO_AUTORESET_NONE, batch::Autoreset::kNone));

@@ -5,6 +5,7 @@
 #include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "env/succession.h"
 
 namespace mimo::capi {
 
@@ -69,25 +70,51 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   return options;
 }
 
-blueprint::KitPtr make_kit(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
-  return blueprint.compile(env_options(config), log_sink(config.log, config.log_user));
+blueprint::FamilyPtr make_family(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
+  return std::make_shared<blueprint::Family>(blueprint.draft(), env_options(config),
+                                             log_sink(config.log, config.log_user));
 }
 
-EnvObject::EnvObject(blueprint::KitPtr of)
-    : kit(std::move(of)),
-      owned(std::make_unique<env::World>(kit->model, kit->agents, kit->options, kit->services, identity())),
-      world(*owned),
-      own(own_layout(describe(world))),
-      layout(own.get()) {}
+EnvObject::EnvObject(blueprint::FamilyPtr of, env::KitPtr like, std::unique_ptr<env::World> world)
+    : family(std::move(of)),
+      own_kit(std::move(like)),
+      owned(std::move(world)),
+      description(describe(*owned)),
+      own_layout(capi::own_layout(description)),
+      layout(own_layout.get()) {}
 
-EnvObject::EnvObject(blueprint::KitPtr of, const env::World& original)
-    : kit(std::move(of)),
-      owned(blueprint::clone(*kit, original, identity())),
-      world(*owned),
-      own(own_layout(describe(world))),
-      layout(own.get()) {}
+EnvObject::EnvObject(blueprint::FamilyPtr of, env::KitPtr like)
+    : EnvObject(std::move(of), like, env::make_world(*like, like->services, identity())) {}
 
-mimo_env* make_env(blueprint::KitPtr kit) { return wrap_env(std::make_unique<EnvObject>(std::move(kit))); }
+EnvObject::EnvObject(blueprint::FamilyPtr of, env::KitPtr like, const env::World& original)
+    : EnvObject(std::move(of), like, blueprint::clone(*like, original, identity())) {}
+
+void EnvObject::reset(const blueprint::Ages& ages, const std::uint64_t* seed, std::uint8_t* block) {
+  if (ages.empty()) return world().reset(seed, block);
+  world().require_ready_to_reset();
+  const env::KitPtr next = family->grown(*kit(), ages);
+  next == kit() ? world().reset(seed, block) : become(next, seed, block);
+}
+
+void EnvObject::become(const env::KitPtr& next, const std::uint64_t* seed, std::uint8_t* block) {
+  if (batch != nullptr) return batch->reset_world(number, next, seed, block);
+  auto successor = env::make_world(*next, next->services, identity());
+  env::Description changed = env::describe(*successor);
+  check_alike(description, changed);
+  env::take_over(owned, std::move(successor), seed, block);
+  own_kit = next;
+  adopt(description, std::move(changed));
+}
+
+namespace {
+
+mimo_env* make_env(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
+  blueprint::FamilyPtr family = make_family(blueprint, config);
+  env::KitPtr kit = family->as_described({}, blueprint.log());
+  return wrap_env(std::make_unique<EnvObject>(std::move(family), std::move(kit)));
+}
+
+}  // namespace
 
 mimo_env* wrap_env(std::unique_ptr<EnvObject> object) {
   EnvObject& inside = *object;
@@ -109,7 +136,7 @@ mimo_status mimo_env_create(const mimo_scene* scene, const mimo_env_config* conf
   return guard(scene, [&] {
     mimo_env*& result = out(env, "env");
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
-    result = make_env(make_kit(blueprint, read_struct(config, default_env_config(), "config")));
+    result = make_env(blueprint, read_struct(config, default_env_config(), "config"));
   });
 }
 
@@ -118,23 +145,23 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     mimo_env*& result = out(env, "env");
     require(scene_name != nullptr, "scene_name is NULL");
     require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
-    result = make_env(blueprint::ready_world(scene_name));
+    result = make_env(blueprint::ready_world(scene_name), default_env_config());
   });
 }
 
 mimo_status mimo_env_task(const mimo_env* env, const char** name) noexcept {
-  return guard(env, [&] { out(name, "name") = open(env).world.task_name().c_str(); });
+  return guard(env, [&] { out(name, "name") = open(env).world().task_name().c_str(); });
 }
 
 mimo_status mimo_env_frame_skip(const mimo_env* env, uint32_t* frame_skip) noexcept {
-  return guard(env, [&] { out(frame_skip, "frame_skip") = static_cast<uint32_t>(open(env).world.frame_skip()); });
+  return guard(env, [&] { out(frame_skip, "frame_skip") = static_cast<uint32_t>(open(env).world().frame_skip()); });
 }
 
 mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
   return guard(env, [&] {
     mimo_env*& result = out(clone, "clone");
     const EnvObject& original = open(env);
-    result = wrap_env(std::make_unique<EnvObject>(original.kit, original.world));
+    result = wrap_env(std::make_unique<EnvObject>(original.family, original.kit(), original.world()));
   });
 }
 
@@ -146,7 +173,7 @@ mimo_status mimo_env_layout(const mimo_env* env, const mimo_layout** layout) noe
 
 mimo_status mimo_env_agent(const mimo_env* env, size_t index, mimo_agent_info* info) noexcept {
   return guard(env, [&] {
-    const auto& agents = open(env).world.agents();
+    const auto& agents = open(env).world().agents();
     require(index < agents.size(), "index is {}, but there are {} agents", index, agents.size());
     const env::Agent& agent = agents[index];
     mimo_agent_info ours{};

@@ -13,7 +13,7 @@ namespace {
 // The world of an agent that there is.
 template <typename Env>
 auto& world_of(Env* env, std::size_t agent) {
-  auto& world = open(env).world;
+  auto& world = open(env).world();
   check_agent(world.agents(), agent);
   return world;
 }

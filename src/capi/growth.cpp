@@ -61,6 +61,15 @@ growth::Growth growth_from(const mimo_growth& given, const char* argument) {
   return growth;
 }
 
+blueprint::Ages ages_from(const mimo_growth* const* growth, std::size_t count, const char* argument) {
+  blueprint::Ages ages;
+  for (const mimo_growth* one : array(growth, count, argument)) {
+    ages.emplace_back();
+    if (one != nullptr) ages.back() = growth_from(*one, argument);
+  }
+  return ages;
+}
+
 }  // namespace mimo::capi
 
 using namespace mimo;

@@ -1,6 +1,7 @@
 // mimo_growth, from the caller's form to ours.
 #pragma once
 
+#include "blueprint/family.h"
 #include "growth/growth.h"
 #include "mimo/growth.h"
 
@@ -8,5 +9,7 @@ namespace mimo::capi {
 
 // Throws for what is out of range.
 growth::Growth growth_from(const mimo_growth& config, const char* argument);
+// Of an array whose entries may be NULL: these stay.
+blueprint::Ages ages_from(const mimo_growth* const* growth, std::size_t count, const char* argument);
 
 }  // namespace mimo::capi

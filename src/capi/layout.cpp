@@ -8,8 +8,8 @@
 
 namespace mimo::capi {
 
-OwnLayout own_layout(env::Description description) {
-  return OwnLayout(wrap<mimo_layout>(std::make_unique<LayoutObject>(LayoutObject{std::move(description)})));
+OwnLayout own_layout(const env::Description& description) {
+  return OwnLayout(wrap<mimo_layout>(std::make_unique<LayoutObject>(LayoutObject{description})));
 }
 
 void RetireLayout::operator()(mimo_layout* layout) const noexcept {
@@ -21,9 +21,9 @@ namespace {
 const env::Description& description_of(const mimo_layout* layout) { return open(layout).description; }
 
 const observation::Field& field_at(const env::Description& description, std::size_t index, const char* argument) {
-  const observation::Layout& layout = description.layout;
-  require(index < layout.size(), "{} is {}, but there are {} fields", argument, index, layout.size());
-  return layout[index];
+  const auto& fields = description.fields;
+  require(index < fields.size(), "{} is {}, but there are {} fields", argument, index, fields.size());
+  return fields[index];
 }
 
 template <typename T>
@@ -51,11 +51,11 @@ mimo_field described(const observation::Field& inside, const env::Interval& time
   return ours;
 }
 
-std::size_t find_field(const observation::Layout& layout, const std::string& name) {
+std::size_t find_field(const std::vector<observation::Field>& fields, const std::string& name) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < layout.size(); ++i) {
-    if (layout[i].name == name) return i;
-    names.push_back(layout[i].name);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].name == name) return i;
+    names.push_back(fields[i].name);
   }
   fail(Status::kNotFound, "no field named \"{}\"; there are: {}", name, some_of(std::move(names)));
 }
@@ -77,8 +77,8 @@ mimo_status mimo_layout_describe(const mimo_layout* layout, mimo_layout_info* in
   return guard(layout, [&] {
     const env::Description& description = description_of(layout);
     mimo_layout_info ours{};
-    ours.block_bytes = description.layout.bytes();
-    ours.fields = description.layout.size();
+    ours.block_bytes = description.block_bytes;
+    ours.fields = description.fields.size();
     ours.actions = description.actions.size();
     ours.agents = description.agents;
     ours.terms = description.terms.size();
@@ -98,7 +98,7 @@ mimo_status mimo_layout_find(const mimo_layout* layout, const char* name, size_t
   return guard(layout, [&] {
     const env::Description& description = description_of(layout);
     require(name != nullptr, "name is NULL");
-    out(index, "index") = find_field(description.layout, name);
+    out(index, "index") = find_field(description.fields, name);
   });
 }
 
@@ -134,7 +134,7 @@ mimo_status mimo_layout_action(const mimo_layout* layout, size_t index, mimo_act
   return guard(layout, [&] {
     const env::Action& inside = part_at(description_of(layout).actions, index, "actions");
     mimo_action ours{};
-    ours.name = inside.name;
+    ours.name = inside.name.c_str();
     ours.unit = inside.unit;
     ours.agent = inside.agent;
     ours.low = inside.low;
@@ -147,7 +147,7 @@ mimo_status mimo_layout_term(const mimo_layout* layout, size_t index, mimo_term*
   return guard(layout, [&] {
     const env::RewardTerm& inside = part_at(description_of(layout).terms, index, "terms");
     mimo_term ours{};
-    ours.name = inside.name;
+    ours.name = inside.name.c_str();
     ours.agent = inside.agent;
     write_described(term, ours, "term");
   });

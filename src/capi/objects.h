@@ -7,6 +7,7 @@
 #include "base/fail.h"
 #include "batch/batch.h"
 #include "blueprint/blueprint.h"
+#include "blueprint/family.h"
 #include "capi/handle.h"
 #include "capi/report.h"
 #include "env/attached.h"
@@ -21,7 +22,7 @@ struct SceneObject {
 };
 
 struct LayoutObject {
-  env::Description description;
+  const env::Description& description;
 };
 
 // A layout's handle belongs to what it describes: no call destroys it, and it is retired when that goes.
@@ -29,27 +30,37 @@ struct RetireLayout {
   void operator()(mimo_layout* layout) const noexcept;
 };
 using OwnLayout = std::unique_ptr<mimo_layout, RetireLayout>;
-OwnLayout own_layout(env::Description description);
+OwnLayout own_layout(const env::Description& description);
 
 // A world of its own, or the view of one in a batch, which answers with the batch's layout.
 struct EnvObject {
-  explicit EnvObject(blueprint::KitPtr of);
+  EnvObject(blueprint::FamilyPtr of, env::KitPtr like);
   // In the state that a world of this kit is in.
-  EnvObject(blueprint::KitPtr of, const env::World& original);
-  EnvObject(blueprint::KitPtr of, batch::Batch& all, std::size_t which, const mimo_layout* of_all)
-      : kit(std::move(of)), world(all.world(which)), layout(of_all), batch(&all), number(which) {}
+  EnvObject(blueprint::FamilyPtr of, env::KitPtr like, const env::World& original);
+  EnvObject(blueprint::FamilyPtr of, batch::Batch& all, std::size_t which, const mimo_layout* of_all)
+      : family(std::move(of)), layout(of_all), batch(&all), number(which) {}
 
-  blueprint::KitPtr kit;
+  // Until a reset to another age.
+  env::World& world() const { return batch == nullptr ? *owned : batch->world(number); }
+  const env::KitPtr& kit() const { return batch == nullptr ? own_kit : batch->kit(number); }
+  void reset(const blueprint::Ages& ages, const std::uint64_t* seed, std::uint8_t* block);
+
+  blueprint::FamilyPtr family;
   mimo_env* handle = nullptr;
+  // Of a world of its own.
+  env::KitPtr own_kit;
   std::unique_ptr<env::World> owned;
-  env::World& world;
-  OwnLayout own;  // of a world of its own
+  env::Description description;
+  OwnLayout own_layout;
+  // Of any.
   const mimo_layout* layout;
-  const batch::Batch* batch = nullptr;
+  batch::Batch* batch = nullptr;
   std::size_t number = 0;
   env::LoadReport loaded;
 
  private:
+  EnvObject(blueprint::FamilyPtr of, env::KitPtr like, std::unique_ptr<env::World> world);
+  void become(const env::KitPtr& next, const std::uint64_t* seed, std::uint8_t* block);
   env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
 };
 
@@ -72,22 +83,24 @@ struct Views {
 };
 
 struct BatchObject {
-  BatchObject(blueprint::KitPtr of, const batch::Options& options);
+  BatchObject(blueprint::FamilyPtr of, const batch::Kits& kits, const batch::Options& options);
   // The handle of a world, made when first asked for.
   mimo_env* view(std::size_t world);
 
-  blueprint::KitPtr kit;
+  blueprint::FamilyPtr family;
   // Before the batch, which waits for its work when it goes: tasks may be at work with them until then.
   Views views;
-  OwnLayout layout;
   batch::Batch batch;
+  OwnLayout layout;
   env::LoadReport loaded;
 };
 
 struct SensesObject {
-  SensesObject(const env::Kit& kit, double step) : attached(kit, step), layout(own_layout(describe(attached))) {}
+  SensesObject(const env::Kit& kit, double step)
+      : attached(kit, step), description(describe(attached)), layout(own_layout(description)) {}
 
   env::Attached attached;
+  env::Description description;
   OwnLayout layout;
   env::LoadReport loaded;
 };
@@ -103,7 +116,7 @@ inline void require_access(const LayoutObject&) {}  // it never changes
 
 // Views belong to their batch; a task must not pull away the world that it is at work in.
 inline bool is_destructible(const SceneObject&) { return true; }
-inline bool is_destructible(const EnvObject& env) { return env.batch == nullptr && !env.world.in_task(); }
+inline bool is_destructible(const EnvObject& env) { return env.batch == nullptr && !env.world().in_task(); }
 inline bool is_destructible(const BatchObject& object) { return !object.batch.works_on_this_thread(); }
 inline bool is_destructible(const SensesObject&) { return true; }
 

@@ -91,7 +91,7 @@ mimo_status mimo_picture_config_init(mimo_picture_config* config, size_t size) n
 
 mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, const mimo_picture* picture) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
+    env::World& world = open(env).world();
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
     require(picture != nullptr, "picture is NULL");
@@ -106,7 +106,7 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, co
 mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* config, const double* points, size_t count,
                              double* pixels) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     const mimo_picture_config ours = read_struct(config, default_picture_config(), "config");
     check_picture_config(ours);
     check_length<double[3]>(count, "count");

@@ -15,8 +15,7 @@ struct Seed {
   const std::uint64_t* pointer() const { return value ? &*value : nullptr; }
 };
 
-inline Seed seed_of(const mimo_reset_config* config) {
-  const mimo_reset_config ours = read_struct(config, mimo_reset_config{}, "config");
+inline Seed seed_of(const mimo_reset_config& ours) {
   check_flag(ours.seeded, "seeded");
   require(ours.seeded != 0 || ours.seed == 0, "seed is {}, but seeded is 0, expected 1", ours.seed);
   if (ours.seeded == 0) return {};

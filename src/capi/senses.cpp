@@ -58,7 +58,7 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const
             ours.step);
     const env::EnvOptions options = picture_options(ours);
     engine::ModelPtr theirs = engine::adopt({model, ours.mujoco_version, ours.model_size, ours.data_size});
-    const env::Kit kit = blueprint.around(std::move(theirs), options, log_sink(ours.log, ours.log_user));
+    const env::Kit kit = around(blueprint.draft(), std::move(theirs), options, log_sink(ours.log, ours.log_user));
     result = wrap<mimo_senses>(std::make_unique<SensesObject>(kit, ours.step));
   });
 }
@@ -81,7 +81,9 @@ mimo_status mimo_senses_observe(mimo_senses* senses, const void* data, void* blo
 mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const mimo_reset_config* config) noexcept {
   return guard(senses, [&] {
     env::Attached& attached = open(senses).attached;
-    const Seed seed = seed_of(config);
+    const mimo_reset_config ours = read_struct(config, mimo_reset_config{}, "config");
+    const Seed seed = seed_of(ours);
+    if (ours.growth_count > 0) fail(Status::kUnsupported, "growth: attached senses see the host's model, which stays");
     attached.reset(engine::adopt_data(attached.model(), data), seed.pointer());
   });
 }

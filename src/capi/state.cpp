@@ -9,12 +9,12 @@ using namespace mimo::capi;
 extern "C" {
 
 mimo_status mimo_env_state_size(const mimo_env* env, size_t* bytes) noexcept {
-  return guard(env, [&] { out(bytes, "bytes") = open(env).world.state_bytes(); });
+  return guard(env, [&] { out(bytes, "bytes") = open(env).world().state_bytes(); });
 }
 
 mimo_status mimo_env_state_save(const mimo_env* env, void* state, size_t state_bytes) noexcept {
   return guard(env, [&] {
-    const env::World& world = open(env).world;
+    const env::World& world = open(env).world();
     auto* start = static_cast<std::uint8_t*>(state);
     require(start != nullptr, "state is NULL");
     check_buffer(start, state_bytes, world.state_bytes(), "state");
@@ -28,7 +28,7 @@ mimo_status mimo_env_state_load(mimo_env* env, const void* state, size_t state_b
     EnvObject& object = open(env);
     const auto* start = static_cast<const std::uint8_t*>(state);
     require(start != nullptr, "state is NULL");
-    load_and_report(report, object.loaded, [&] { return object.world.load({start, state_bytes}); });
+    load_and_report(report, object.loaded, [&] { return object.world().load({start, state_bytes}); });
   });
 }
 

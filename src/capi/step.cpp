@@ -1,6 +1,7 @@
 // Stepping and observations.
 #include "capi/block.h"
 #include "capi/check.h"
+#include "capi/growth.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/reset.h"
@@ -41,16 +42,18 @@ extern "C" {
 
 mimo_status mimo_env_reset(mimo_env* env, const mimo_reset_config* config, void* block, size_t block_bytes) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
-    const Seed seed = seed_of(config);
-    world.reset(seed.pointer(), block_of(world.layout(), block, block_bytes));
+    EnvObject& object = open(env);
+    const mimo_reset_config ours = read_struct(config, mimo_reset_config{}, "config");
+    const Seed seed = seed_of(ours);
+    const blueprint::Ages ages = ages_from(ours.growth, ours.growth_count, "growth");
+    object.reset(ages, seed.pointer(), block_of(object.world().layout(), block, block_bytes));
   });
 }
 
 mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_count, void* block, size_t block_bytes,
                           const mimo_env_results* results) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
+    env::World& world = open(env).world();
     const Span<const float> actions = array(action, action_count, "action");
     check_actions(world, actions);
     const env::Results to = results_of(world, results);
@@ -60,7 +63,7 @@ mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_coun
 
 mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noexcept {
   return guard(env, [&] {
-    env::World& world = open(env).world;
+    env::World& world = open(env).world();
     require(block != nullptr, "block is NULL");
     world.observe(block_of(world.layout(), block, block_bytes));
   });
@@ -69,16 +72,16 @@ mimo_status mimo_env_observe(mimo_env* env, void* block, size_t block_bytes) noe
 mimo_status mimo_env_physics_step(mimo_env* env, size_t count) noexcept {
   return guard(env, [&] {
     require(count <= 1000000, "count is {}, expected up to 1000000", count);
-    open(env).world.step_physics(static_cast<int>(count));
+    open(env).world().step_physics(static_cast<int>(count));
   });
 }
 
 mimo_status mimo_env_time(const mimo_env* env, double* seconds) noexcept {
-  return guard(env, [&] { out(seconds, "seconds") = open(env).world.data().time; });
+  return guard(env, [&] { out(seconds, "seconds") = open(env).world().data().time; });
 }
 
 mimo_status mimo_env_timestep(const mimo_env* env, double* seconds) noexcept {
-  return guard(env, [&] { out(seconds, "seconds") = open(env).world.model().opt.timestep; });
+  return guard(env, [&] { out(seconds, "seconds") = open(env).world().model().opt.timestep; });
 }
 
 }  // extern "C"

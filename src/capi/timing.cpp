@@ -9,7 +9,7 @@ extern "C" {
 
 mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
   return guard(env, [&] {
-    const env::Timing& inner = open(env).world.timing();
+    const env::Timing& inner = open(env).world().timing();
     const auto of = [&](observation::Share share) { return inner.senses[static_cast<std::size_t>(share)]; };
     mimo_timing ours{};
     ours.steps = inner.steps;
@@ -24,7 +24,7 @@ mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
 }
 
 mimo_status mimo_env_timing_reset(mimo_env* env) noexcept {
-  return guard(env, [&] { open(env).world.reset_timing(); });
+  return guard(env, [&] { open(env).world().reset_timing(); });
 }
 
 }  // extern "C"

@@ -103,6 +103,11 @@ class Physics {
 
   // Warnings that are not failures (contact or constraint buffers full, ...) since the last call, each once an episode.
   std::vector<Note> take_warnings();
+  // Takes over what outlives a change of the model: gravity, and the counts of warnings.
+  void succeed(const Physics& before) {
+    set_gravity(before.gravity());
+    counts_ = before.counts_;
+  }
   // How often each happened in a physics step, since this was made; and failures.
   const WarningCounts& warnings() const { return counts_; }
   void forget_warnings(int kind) { counts_[static_cast<std::size_t>(kind)] = 0; }

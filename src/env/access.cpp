@@ -103,6 +103,8 @@ void of_world(const World& world, const mjData& data, Quantity quantity, int id,
     case Quantity::kAgentFace: *to = world.face(index); break;
     case Quantity::kAgentGoal: world.agents()[index].task->goal(data, to); break;
     case Quantity::kAgentAchieved: world.agents()[index].task->achieved(data, to); break;
+    case Quantity::kAgentAge: *to = world.agents()[index].age->body; break;
+    case Quantity::kAgentPhysiologicalAge: *to = world.agents()[index].age->physiology; break;
     case Quantity::kWarningCount: *to = static_cast<double>(world.physics().warnings()[index]); break;
     default: of_step_contact(world.step_contacts().all()[index], quantity, Out(to)); break;
   }

@@ -29,6 +29,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
   Agent agent{perceive(model, options, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr};
+  if (options.root.empty()) agent.age = Age{options.growth.age, options.growth.physiological_age};
   agent.mode = options.actuation.mode;
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
@@ -38,12 +39,6 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   add_sense(agent, options,
             std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));
   return agent;
-}
-
-std::vector<SkinPtr> skins_of(const std::vector<Agent>& agents) {
-  std::vector<SkinPtr> skins;
-  for (const Agent& agent : agents) skins.push_back(agent.skin);
-  return skins;
 }
 
 }  // namespace mimo::env

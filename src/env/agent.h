@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "actuation/motor_path.h"
@@ -13,6 +14,12 @@
 
 namespace mimo::env {
 
+// In months.
+struct Age {
+  double body;        // of size and mass
+  double physiology;  // of strength, range of motion and tone
+};
+
 struct Agent : Perception {
   std::string name;
   body::Faces faces;
@@ -22,6 +29,7 @@ struct Agent : Perception {
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;
+  std::optional<Age> age{};  // of an infant
 };
 
 // Makes the task of one agent, by its number.
@@ -32,8 +40,5 @@ using TaskMaker =
 // is there already is shared instead of made anew.
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
                  std::size_t number, render::Renderer* renderer, SkinPtr skin);
-
-// What another world of the same model can share.
-std::vector<SkinPtr> skins_of(const std::vector<Agent>& agents);
 
 }  // namespace mimo::env

@@ -1,5 +1,9 @@
 #include "env/description.h"
 
+#include <algorithm>
+
+#include "base/fail.h"
+
 namespace mimo::env {
 namespace {
 
@@ -15,18 +19,58 @@ Interval time_of(const observation::Field& field, const observation::LimitedSens
 template <typename Observing>
 Description describe_senses(const Observing& observing) {
   const observation::Layout& layout = observing.layout();
-  const double period = observing.step_seconds();
-  Description description{layout, {}, period, observing.agents().size(), {}, {}};
+  Description description;
+  description.block_bytes = layout.bytes();
+  description.period = observing.step_seconds();
+  description.agents = observing.agents().size();
+  for (const Perception& agent : observing.agents()) description.skins.push_back(agent.skin);
+  const double timestep = observing.model().opt.timestep;
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    description.times.push_back(time_of(layout[i], observing.limits(), observing.model().opt.timestep, period));
+    description.fields.push_back(layout[i]);
+    description.times.push_back(time_of(layout[i], observing.limits(), timestep, description.period));
   }
   return description;
 }
 
 void add_actions(const actuation::Actuation& actuation, std::size_t agent, std::vector<Action>& actions) {
   for (std::size_t i = 0; i < actuation.size(); ++i) {
-    actions.push_back({actuation.names()[i].c_str(), actuation.units()[i], agent,
-                       static_cast<double>(actuation.low()[i]), static_cast<double>(actuation.high()[i])});
+    actions.push_back({actuation.names()[i], actuation.units()[i], agent, static_cast<double>(actuation.low()[i]),
+                       static_cast<double>(actuation.high()[i])});
+  }
+}
+
+void check_count(const char* what, std::size_t expected, std::size_t count) {
+  require(count == expected, "there are {} {}, expected {}", count, what, expected);
+}
+
+std::string shape_of(const observation::Field& field) {
+  std::string text;
+  for (const std::size_t extent : field.shape) text += (text.empty() ? "" : " x ") + std::to_string(extent);
+  return text;
+}
+
+void check_alike(const observation::Field& expected, const observation::Field& other) {
+  require(other.name == expected.name, "a field is \"{}\", expected \"{}\"", other.name, expected.name);
+  require(other.shape == expected.shape, "field \"{}\" has shape {}, expected {}", other.name, shape_of(other),
+          shape_of(expected));
+  require(other.type == expected.type && other.unit == expected.unit && other.frame == expected.frame &&
+              other.labels == expected.labels,
+          "field \"{}\" has other elements than expected", other.name);
+}
+
+template <typename Bounded>
+void widen_bounds(std::vector<Bounded>& ours, const std::vector<Bounded>& others) noexcept {
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    ours[i].low = std::min(ours[i].low, others[i].low);
+    ours[i].high = std::max(ours[i].high, others[i].high);
+  }
+}
+
+template <typename Bounded>
+void take_bounds(std::vector<Bounded>& ours, const std::vector<Bounded>& others) noexcept {
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    ours[i].low = others[i].low;
+    ours[i].high = others[i].high;
   }
 }
 
@@ -43,5 +87,31 @@ Description describe(const World& world) {
 }
 
 Description describe(const Attached& attached) { return describe_senses(attached); }
+
+void check_alike(const Description& expected, const Description& other) {
+  check_count("fields", expected.fields.size(), other.fields.size());
+  for (std::size_t i = 0; i < expected.fields.size(); ++i) check_alike(expected.fields[i], other.fields[i]);
+  check_count("actions", expected.actions.size(), other.actions.size());
+  for (std::size_t i = 0; i < expected.actions.size(); ++i) {
+    const Action &ours = expected.actions[i], &theirs = other.actions[i];
+    require(theirs.name == ours.name && theirs.agent == ours.agent, "an action is \"{}\", expected \"{}\"", theirs.name,
+            ours.name);
+  }
+  check_count("terms of rewards", expected.terms.size(), other.terms.size());
+}
+
+void widen(Description& description, const Description& other) noexcept {
+  widen_bounds(description.fields, other.fields);
+  widen_bounds(description.actions, other.actions);
+}
+
+void adopt(Description& description, Description&& other) noexcept {
+  take_bounds(description.fields, other.fields);
+  take_bounds(description.actions, other.actions);
+  for (std::size_t i = 0; i < description.fields.size(); ++i) {
+    description.fields[i].receptors = other.fields[i].receptors;
+  }
+  description.skins = std::move(other.skins);
+}
 
 }  // namespace mimo::env

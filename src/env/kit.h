@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "base/log.h"
@@ -14,14 +15,25 @@ namespace mimo::env {
 
 using SkinPtr = std::shared_ptr<const senses::touch::Skin>;
 
+// The skins of a model's agents, which its worlds have in common. Thread-safe.
+class Skins {
+ public:
+  // Null where nobody has brought one yet.
+  SkinPtr of(std::size_t agent) const;
+  // The first one that is brought stays.
+  void keep(std::size_t agent, const SkinPtr& skin);
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<SkinPtr> all_;
+};
+
 // What a world does not make itself, and may share with others of the same model.
 struct Services {
   std::shared_ptr<render::Shelf> shelf;  // what renderers of one model have in common; null: each has its own
-  std::vector<SkinPtr> skins;            // by agents; empty: each world makes its own
+  std::shared_ptr<Skins> skins;          // null: each world makes its own
   render::Renderer* renderer = nullptr;  // draws for a world, which then has none of its own; outlives it
   LogSink log;
-
-  SkinPtr skin(std::size_t agent) const { return agent < skins.size() ? skins[agent] : nullptr; }
 };
 
 struct Kit {
@@ -30,6 +42,7 @@ struct Kit {
   EnvOptions options;
   Services services;
 };
+using KitPtr = std::shared_ptr<const Kit>;
 
 // Makes the renderer that the options ask for; the shelf belongs to this very model. Throws Status::kUnsupported where
 // it does not work here.

@@ -64,14 +64,29 @@ const Traits& traits(Quantity quantity) {
       {"site velocity", Kind::kSite, 6, kRead, kPose, "", Spatial::kVelocity},
       {"agent goal", Kind::kAgent, 0, kRead, kStep},
       {"agent achieved", Kind::kAgent, 0, kRead, kStep},
+      {"agent age", Kind::kAgent, 0, kRead, kAlways, "months"},
+      {"agent physiological age", Kind::kAgent, 0, kRead, kAlways, "months"},
   }};
   return kTraits[static_cast<std::size_t>(quantity) - 1];
 }
 
+namespace {
+
+bool is_age(Quantity quantity) {
+  return quantity == Quantity::kAgentAge || quantity == Quantity::kAgentPhysiologicalAge;
+}
+
+int width_of_agent(const Agent& agent, Quantity quantity) {
+  if (is_age(quantity)) return agent.age ? 1 : 0;
+  return agent.task->goal_size();
+}
+
+}  // namespace
+
 int width(const mjModel& model, const World* world, Quantity quantity, int id) {
   const Traits& what = traits(quantity);
   if (what.width > 0) return what.width;
-  if (what.kind == Kind::kAgent) return world->agents()[static_cast<std::size_t>(id)].task->goal_size();
+  if (what.kind == Kind::kAgent) return width_of_agent(world->agents()[static_cast<std::size_t>(id)], quantity);
   if (quantity == Quantity::kSensorValue) return model.sensor_dim[id];
   const int type = model.jnt_type[id];
   return quantity == Quantity::kJointPosition ? engine::position_count(type) : engine::velocity_count(type);

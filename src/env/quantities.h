@@ -63,8 +63,10 @@ enum class Quantity : int {
   kSiteVelocity,
   kAgentGoal,
   kAgentAchieved,
+  kAgentAge,
+  kAgentPhysiologicalAge,
 };
-constexpr int kQuantities = 53;
+constexpr int kQuantities = 55;
 constexpr int kWidest = 9;  // of those with a width of their own
 
 // When a quantity is true.

@@ -100,7 +100,7 @@ observation::Field RequestedFields::field_of(const mjModel& model, const FieldOp
   field.shape = shape_of(what, widths);
   reader.count = field.count();
   if (reader.count == 0) {
-    fail(Status::kUnsupported, "field \"{}\": {}, but the task of {} has none", wanted.name, what.name,
+    fail(Status::kUnsupported, "field \"{}\": {}, but {} has none", wanted.name, what.name,
          wanted.elements[0].empty() ? "the agent" : wanted.elements[0]);
   }
   field.unit = unit_of(model, what, reader.ids);

@@ -81,7 +81,7 @@ std::uint64_t size_of(const Section& section) {
 // Everything behind the header, which is whole.
 Span<const std::uint8_t> open_state(std::uint64_t model, Span<const std::uint8_t> state) {
   const Header header = read_header(state);
-  require(header.model == model, "state: it was saved from another model");
+  require(header.model == model, "state: it was saved from another model, or from infants of another age");
   require(state.size() == header.bytes, "state: it has {} bytes, expected {}", state.size(), header.bytes);
   require(header.checksum == checksum(state), "state: it is damaged, its checksum is wrong");
   const Span<const std::uint8_t> body = state.part(kStateHeaderBytes, state.size() - kStateHeaderBytes);

@@ -61,7 +61,10 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
 }
 
 void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes) {
-  Agent agent = make_agent(physics_, options, make_task, agents_.size(), eyes, services_.skin(agents_.size()));
+  const std::size_t number = agents_.size();
+  const SkinPtr shared = services_.skins == nullptr ? nullptr : services_.skins->of(number);
+  Agent agent = make_agent(physics_, options, make_task, number, eyes, shared);
+  if (services_.skins != nullptr) services_.skins->keep(number, agent.skin);
   agent.path = actuation::MotorPath::make(*agent.actuation, options.prefix(), options.motors, step_seconds());
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
@@ -74,6 +77,21 @@ void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, r
 
 void World::require_outside_task() const {
   require(!in_task_, "a task may not reset, step or load the world that it is at work in");
+}
+
+void World::succeed(const World& before) {
+  random_ = before.random_;
+  episode_ = before.episode_;
+  timing_ = before.timing_;
+  physics_.succeed(before.physics_);
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    if (const int shown = before.face(i); shown >= 0) show_face(i, shown);
+  }
+}
+
+void World::require_ready_to_reset() const {
+  require_outside_task();
+  physics_.require_undisturbed();
 }
 
 // What the config leaves open, the scene's document may say.
@@ -122,8 +140,7 @@ bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
 }
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
-  require_outside_task();
-  physics_.require_undisturbed();
+  require_ready_to_reset();
   if (seed != nullptr) random_.reseed(*seed);
   episode_.start(random_, seed != nullptr);
   start();

@@ -58,6 +58,11 @@ class World {
   // Whether the episode of any agent has ended, by success, failure or time.
   bool over() const;
 
+  // Goes on from a world of the same agents in other bodies: its random numbers, its episodes' noise, gravity, faces,
+  // and what was counted. An episode has to start then.
+  void succeed(const World& before);
+  // Throws within a task of this world, and where callbacks of the host would act on it.
+  void require_ready_to_reset() const;
   // A block may be null: then nothing is observed.
   void reset(const std::uint64_t* seed, std::uint8_t* block);
   // Throws for actions that are no numbers, and for infinite ones where no bounds make them finite.

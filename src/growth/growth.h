@@ -1,6 +1,8 @@
 // How old, big and strong an infant is asked to be.
 #pragma once
 
+#include <tuple>
+
 namespace mimo::growth {
 
 enum class Sex : int { kMean, kFemale, kMale };
@@ -28,6 +30,15 @@ struct Growth {
   double contracture = 1;          // share of the newborn's lack of extension
   bool keep_spacing = false;       // touch sensors are as far apart as at 18 months; else there are as many
 };
+
+inline bool operator==(const Growth& a, const Growth& b) {
+  const auto all = [](const Growth& g) {
+    return std::tie(g.age, g.physiological_age, g.sex, g.model, g.z_length, g.z_weight, g.z_head, g.absolute,
+                    g.strength_exponent, g.neck_strength, g.birth_tone, g.contracture, g.keep_spacing);
+  };
+  return all(a) == all(b);
+}
+inline bool operator!=(const Growth& a, const Growth& b) { return !(a == b); }
 
 // Throws Status::kInvalidArgument for a number that is out of its range, naming it as mimo_growth does.
 void check(const Growth& growth);

@@ -56,7 +56,7 @@ static void check_world(void) {
   static uint8_t rgb[8 * 8 * 3];
   mimo_scene* scene = blind_scene("free");
   mimo_env_config config;
-  mimo_reset_config reset = {sizeof reset, 1, 5, 0};
+  mimo_reset_config reset = {sizeof reset, 1, 5, NULL, 0, 0};
   mimo_env_results results;
   mimo_picture_config view;
   mimo_picture picture;

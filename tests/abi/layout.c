@@ -176,6 +176,8 @@ int main(void) {
   FIELD(mimo_reset_config, struct_size);
   FIELD(mimo_reset_config, seeded);
   FIELD(mimo_reset_config, seed);
+  FIELD(mimo_reset_config, growth);
+  FIELD(mimo_reset_config, growth_count);
 
   BEGIN(mimo_env_results);
   FIELD(mimo_env_results, struct_size);
@@ -288,6 +290,8 @@ int main(void) {
   FIELD(mimo_batch_config, autoreset);
   FIELD(mimo_batch_config, restart_failed);
   FIELD(mimo_batch_config, reserved);
+  FIELD(mimo_batch_config, cohort);
+  FIELD(mimo_batch_config, cohort_count);
 
   BEGIN(mimo_batch_reset_config);
   FIELD(mimo_batch_reset_config, struct_size);
@@ -295,6 +299,7 @@ int main(void) {
   FIELD(mimo_batch_reset_config, seeds);
   FIELD(mimo_batch_reset_config, mask);
   FIELD(mimo_batch_reset_config, worlds);
+  FIELD(mimo_batch_reset_config, growth);
 
   BEGIN(mimo_batch_results);
   FIELD(mimo_batch_results, struct_size);

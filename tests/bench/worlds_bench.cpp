@@ -30,7 +30,7 @@ double resident_kb() {
 // Worlds that have moved for a second: memory that was never touched is not resident.
 struct Moved {
   Moved(const char* scene, std::size_t worlds)
-      : batch({room_with_infant(scene), {blind()}, without_renderer(), {}}, options(worlds)),
+      : batch(kits_of({room_with_infant(scene), {blind()}, without_renderer(), {}}), options(worlds)),
         blocks(worlds * batch.world(0).layout().bytes()),
         actions(worlds * batch.world(0).action_size(), 0.3F) {
     batch::Output output;

@@ -142,6 +142,17 @@ static void two_measures(args* a) {
   a->growth->percentile = 10;
   a->growth->z_head = 1;
 }
+/* An age that is good or not, in all that resets and batches are given. */
+static void become(args* a, size_t count) {
+  static const mimo_growth* all[16];
+  size_t i;
+  for (i = 0; i < 16; ++i) all[i] = a->growth;
+  a->reset_config->growth = a->batch_config->cohort = a->batch_reset->growth = all;
+  a->reset_config->growth_count = a->batch_config->cohort_count = count;
+}
+static void too_old(args* a) { become(a, 1), a->growth->age = 25; }
+static void too_many_ages(args* a) { become(a, 16); }
+static void no_ages(args* a) { a->reset_config->growth_count = a->batch_config->cohort_count = 1; }
 static void taken_agent(args* a) { CHECK_OK(mimo_scene_add_agent(a->room, NULL, NULL)); }
 static void unknown_part(args* a) { a->part = "tail"; }
 static void bad_model_name(args* a) { a->model_config->name = "te/a"; }

@@ -6,7 +6,8 @@ ROW(mimo_batch_create, ON_SCENE, mimo_batch_create(a->scene, a->env_config, a->b
     NULL_OK(env_config), NULL_OK(batch_config), NO_NULL(made_batch, "batch"),
     CONFIG(batch_config, mimo_batch_config, "batch_config"), BAD_SIZES(env_config, mimo_env_config, "env_config"),
     BATCH(worlds, 0), BATCH(worlds, -1), BATCH(threads, 4097), BATCH(threads, -1), BATCH_UNKNOWN(autoreset, 3),
-    BATCH_UNKNOWN(autoreset, -1), BATCH_UNKNOWN(restart_failed, 2), BATCH_UNKNOWN(reserved, 1))
+    BATCH_UNKNOWN(autoreset, -1), BATCH_UNKNOWN(restart_failed, 2), BATCH_UNKNOWN(reserved, 1),
+    DO(too_old, E_ARG, "age"), DO(too_many_ages, E_ARG, "cohort_count"), DO(no_ages, E_ARG, "cohort"))
 ROW(mimo_batch_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_batch(a), NONE)
 ROW(mimo_batch_size, ON_BATCH | ANYTIME, mimo_batch_size(a->batch, a->count, a->count2), NULL_OK(count),
     NULL_OK(count2))
@@ -31,7 +32,8 @@ ROW(mimo_batch_reset, ON_BATCH | HEALS, mimo_batch_reset(a->batch, a->batch_rese
     UNKNOWN_FIELD(batch_reset, mimo_batch_reset_config, reserved, 1, "reserved"),
     RESET_FIELD(FAULT_FIELD_NULL, "seeds is NULL", seeds, MIMO_OK, NULL),
     RESET_FIELD(FAULT_FIELD_NULL, "mask is NULL", mask, MIMO_OK, NULL),
-    RESET_FIELD(FAULT_FIELD_LESS, "worlds is one too small", worlds, E_ARG, "worlds"), BLOCKS)
+    RESET_FIELD(FAULT_FIELD_LESS, "worlds is one too small", worlds, E_ARG, "worlds"), DO(too_old, E_ARG, "age"),
+    BLOCKS)
 ROW(mimo_batch_step, ON_BATCH | SIMULATES,
     mimo_batch_step(a->batch, a->actions, a->actions_count, a->blocks, a->blocks_bytes, a->results), ACTIONS, BLOCKS,
     BATCH_RESULTS)

@@ -11,6 +11,7 @@ ROW(mimo_env_agent, ON_ENV, mimo_env_agent(a->env, a->index, a->info), BAD_SIZE(
       UNKNOWN_FIELD(reset_config, mimo_reset_config, seeded, 2, "seeded"),  \
       BAD_FIELD(reset_config, mimo_reset_config, seeded, 0, "seed is 5, but seeded is 0")
 ROW(mimo_env_reset, ON_ENV | HEALS, mimo_env_reset(a->env, a->reset_config, a->block, a->block_bytes), SEEDED,
+    DO(too_old, E_ARG, "age"), DO(too_many_ages, E_ARG, "growth_count"), DO(no_ages, E_ARG, "growth"),
     NO_NULL(block, "block"), SHORT(block_bytes, "block"))
 ROW(mimo_env_step, ON_ENV | SIMULATES,
     mimo_env_step(a->env, a->action, a->action_count, a->block, a->block_bytes, a->env_results),
@@ -28,8 +29,8 @@ ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "se
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
 
 #define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
-#define QUANTITIES                                                                           \
-  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_AGENT_ACHIEVED + 1, "quantity"), \
+#define QUANTITIES                                                                                    \
+  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_AGENT_PHYSIOLOGICAL_AGE + 1, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")

@@ -24,7 +24,7 @@ ROW(mimo_senses_observe, ON_SENSES, mimo_senses_observe(a->senses, a->data, a->b
     NO_NULL(data, "data"), NO_NULL(block, "block"), SIZE_IS(block_bytes, 1, MIMO_E_BUFFER_TOO_SMALL, "block"),
     BAD_SIZE(block_bytes, -1, "block"), DO(no_block, E_ARG, "block"), DO(no_data, E_ARG, "data"))
 ROW(mimo_senses_reset, ON_SENSES, mimo_senses_reset(a->senses, a->data, a->reset_config), NO_NULL(data, "data"), SEEDED,
-    DO(no_data, E_ARG, "data"))
+    DO(too_old, MIMO_E_UNSUPPORTED, "growth"), DO(no_data, E_ARG, "data"))
 ROW(mimo_senses_advance, ON_SENSES, mimo_senses_advance(a->senses, a->data), NO_NULL(data, "data"),
     DO(no_data, E_ARG, "data"))
 ROW(mimo_senses_state_size, ON_SENSES, mimo_senses_state_size(a->senses, a->count), NO_NULL(count, "bytes"))

@@ -78,6 +78,9 @@ inline env::AgentOptions blind() {
   return options;
 }
 
+// For batches of one age.
+inline std::vector<env::KitPtr> kits_of(env::Kit kit) { return {std::make_shared<const env::Kit>(std::move(kit))}; }
+
 inline env::EnvOptions without_renderer() {
   env::EnvOptions options;
   options.renderer = env::RendererChoice::kNone;

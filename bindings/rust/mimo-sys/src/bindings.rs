@@ -348,6 +348,10 @@ pub const MIMO_SITE_VELOCITY: u32 = 51;
 pub const MIMO_AGENT_GOAL: u32 = 52;
 #[doc = "Agent: see MIMO_AGENT_GOAL."]
 pub const MIMO_AGENT_ACHIEVED: u32 = 53;
+#[doc = "Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant."]
+pub const MIMO_AGENT_AGE: u32 = 54;
+#[doc = "Agent: 1, months, of strength, range of motion and tone; likewise."]
+pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: u32 = 55;
 #[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
 pub const MIMO_NOW: u32 = 1073741824;
 #[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
@@ -1279,11 +1283,25 @@ pub struct mimo_reset_config {
     pub seeded: u32,
     #[doc = "Any number; 0 where seeded is 0."]
     pub seed: u64,
+    #[doc = "What infants become: one growth for all of the world's, or one for each agent;"]
+    #[doc = "NULL among them: that agent stays as it is."]
+    pub growth: *const *const mimo_growth,
+    #[doc = "0: all stay as they are; 1: all infants; else as many as there are agents."]
+    pub growth_count: usize,
 }
 extern "C" {
     #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
+    #[doc = ""]
+    #[doc = "With a growth that its infants do not have yet, the world has another model afterwards. Its handle stays and so does"]
+    #[doc = "its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Random numbers go on;"]
+    #[doc = "gravity, faces, timing and counts of warnings stay; all else that was set and outlives resets is as in a new world, for"]
+    #[doc = "it belonged to another body. Strings and ids of the world: ids stay, strings (but for the layout's) are to be asked for"]
+    #[doc = "again. A world, its clones and a batch keep the models that they have made, the last 8 at least, so that each is compiled"]
+    #[doc = "once."]
     #[doc = "@param config NULL: the world's random numbers go on."]
     #[doc = "@param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
+    #[doc = "Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the observation"]
+    #[doc = "        (keep_spacing); nothing has changed then."]
     pub fn mimo_env_reset(
         env: *mut mimo_env,
         config: *const mimo_reset_config,
@@ -1701,6 +1719,11 @@ pub struct mimo_batch_config {
     pub restart_failed: u32,
     #[doc = "0."]
     pub reserved: u32,
+    #[doc = "Ages: all infants of world i become cohort[i % cohort_count]; where that is"]
+    #[doc = "NULL they are as the scene says."]
+    pub cohort: *const *const mimo_growth,
+    #[doc = "0 (default): all are as the scene says; at most worlds."]
+    pub cohort_count: usize,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: one world, all cores, no automatic reset."]
@@ -1708,10 +1731,12 @@ extern "C" {
     pub fn mimo_batch_config_init(config: *mut mimo_batch_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Compiles a scene once and makes worlds of it. Until seeded, world i's random numbers are those of seed i."]
+    #[doc = "Compiles a scene, once for each age, and makes worlds of it, which share what belongs to their age. Until seeded,"]
+    #[doc = "world i's random numbers are those of seed i."]
     #[doc = "@param env_config   for all worlds; NULL means defaults. Messages of the worlds come on the thread that calls."]
     #[doc = "@param batch_config NULL means defaults."]
-    #[doc = "Errors: as mimo_env_create."]
+    #[doc = "Errors: as mimo_env_create; of a cohort as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would make the"]
+    #[doc = "        observations of the worlds differ in shape (keep_spacing)."]
     pub fn mimo_batch_create(
         scene: *const mimo_scene,
         env_config: *const mimo_env_config,
@@ -1729,7 +1754,8 @@ extern "C" {
     pub fn mimo_batch_size(batch: *const mimo_batch, worlds: *mut usize, threads: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive."]
+    #[doc = "What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. Of worlds"]
+    #[doc = "of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was made."]
     pub fn mimo_batch_layout(batch: *const mimo_batch, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
@@ -1763,11 +1789,14 @@ pub struct mimo_batch_reset_config {
     pub seeds: *const u64,
     #[doc = "Which worlds; NULL: all."]
     pub mask: *const u8,
-    #[doc = "Length of seeds and mask; 0 if both are NULL."]
+    #[doc = "Length of the arrays; 0 if all are NULL."]
     pub worlds: usize,
+    #[doc = "One for each world: what all its infants become, as in mimo_reset_config; NULL"]
+    #[doc = "among them, or NULL: they stay as they are."]
+    pub growth: *const *const mimo_growth,
 }
 extern "C" {
-    #[doc = "Starts episodes."]
+    #[doc = "Starts episodes. Where a growth is refused, no world has changed."]
     #[doc = "@param config NULL: in all worlds, with their own random numbers."]
     #[doc = "@param blocks receives the observations of the worlds that were reset; may be NULL with block_bytes 0."]
     pub fn mimo_batch_reset(
