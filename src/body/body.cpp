@@ -159,4 +159,9 @@ Extent extent(const mjModel& model, const mjData& data, const Body& body) {
   return {low, high};
 }
 
+double height(const mjModel& model, const mjData& data, const Body& body) {
+  const Extent reach = extent(model, data, body);
+  return reach.high - reach.low;
+}
+
 }  // namespace mimo::body

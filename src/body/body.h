@@ -87,5 +87,7 @@ struct Extent {
   double low, high;
 };
 Extent extent(const mjModel& model, const mjData& data, const Body& body);
+// Their distance.
+double height(const mjModel& model, const mjData& data, const Body& body);
 
 }  // namespace mimo::body

@@ -33,8 +33,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.mode = options.actuation.mode;
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
-  const body::Extent extent = body::extent(model, physics.data(), agent.body);
-  agent.height = extent.high - extent.low;
+  agent.height = body::height(model, physics.data(), agent.body);
   agent.task = make_task(model, agent.body, number);
   add_sense(agent, options,
             std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));

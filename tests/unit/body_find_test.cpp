@@ -68,8 +68,7 @@ TEST(BodyFind, MissingPartsAreNamed) {
 // From the sphere's lowest point at -0.1 to the highest point of one geom at 0.5 m.
 double height_with(const std::string& geom) {
   engine::Physics physics(compiled(infant(geom)), {});
-  const body::Extent extent = body::extent(physics.model(), physics.data(), body::find_body(physics.model(), ""));
-  return extent.high - extent.low;
+  return body::height(physics.model(), physics.data(), body::find_body(physics.model(), ""));
 }
 
 TEST(BodyHeight, OfEveryShape) {

@@ -164,7 +164,7 @@ TEST(EnvLayout, SeveralAgents) {
   EXPECT_EQ(description.actions.size(), 2 * kMotors);
   EXPECT_EQ(description.actions[kMotors - 1].agent, 0u);
   EXPECT_EQ(description.actions[kMotors].agent, 1u);
-  EXPECT_STREQ(description.actions[kMotors].name, "ben/act:hip_bend");
+  EXPECT_EQ(description.actions[kMotors].name, "ben/act:hip_bend");
   std::vector<float> actions(2 * kMotors, 0.f);
   actions[kMotors] = 0.25f;
   world.step(actions, nullptr, {});
