@@ -35,16 +35,16 @@ typedef struct mimo_batch mimo_batch;
 
 /** How many worlds, and what happens when one's episode ends. Modes are those of Gymnasium's vector environments. */
 typedef struct mimo_batch_config {
-  uint32_t struct_size;             /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
-  uint32_t worlds;                  /**< At least 1. Default 1. */
-  uint32_t threads;                 /**< 0 (default): as many as the machine has cores; never more than worlds. */
-  int32_t autoreset;                /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
-  uint32_t restart_failed;          /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in
-                                         the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
-  uint32_t reserved;                /**< 0. */
-  const mimo_growth *const *cohort; /**< Ages: all infants of world i become cohort[i % cohort_count]; where that is
-                                         NULL they are as the scene says. */
-  size_t cohort_count;              /**< 0 (default): all are as the scene says; at most worlds. */
+  uint32_t struct_size;    /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
+  uint32_t worlds;         /**< At least 1. Default 1. */
+  uint32_t threads;        /**< 0 (default): as many as the machine has cores; never more than worlds. */
+  int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
+  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with NONE: in
+                                the same step). 0: it stays failed until mimo_batch_reset or a state is loaded. */
+  uint32_t reserved;       /**< 0. */
+  /** Ages: all infants of world i become cohort[i % cohort_count]; where that is NULL they are as the scene says. */
+  const mimo_growth *const *cohort;
+  size_t cohort_count; /**< 0 (default): all are as the scene says; at most worlds. */
 } mimo_batch_config;
 
 /**
@@ -75,7 +75,8 @@ MIMO_API mimo_status mimo_batch_size(const mimo_batch *batch, size_t *worlds, si
 
 /**
  * What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. Of worlds
- * of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was made.
+ * of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was
+ * made.
  */
 MIMO_API mimo_status mimo_batch_layout(const mimo_batch *batch, const mimo_layout **layout) MIMO_NOEXCEPT;
 
@@ -98,13 +99,13 @@ MIMO_API mimo_status mimo_batch_world_error(const mimo_batch *batch, size_t worl
 
 /** Which worlds start an episode, and how. Who sets nothing but struct_size gets what NULL gives. */
 typedef struct mimo_batch_reset_config {
-  uint32_t struct_size;             /**< sizeof(mimo_batch_reset_config), set by the caller. */
-  uint32_t reserved;                /**< 0. */
-  const uint64_t *seeds;            /**< One for each world; NULL: every world goes on with its own random numbers. */
-  const uint8_t *mask;              /**< Which worlds; NULL: all. */
-  size_t worlds;                    /**< Length of the arrays; 0 if all are NULL. */
-  const mimo_growth *const *growth; /**< One for each world: what all its infants become, as in mimo_reset_config; NULL
-                                         among them, or NULL: they stay as they are. */
+  uint32_t struct_size;  /**< sizeof(mimo_batch_reset_config), set by the caller. */
+  uint32_t reserved;     /**< 0. */
+  const uint64_t *seeds; /**< One for each world; NULL: every world goes on with its own random numbers. */
+  const uint8_t *mask;   /**< Which worlds; NULL: all. */
+  size_t worlds;         /**< Length of these arrays; 0 if all are NULL. */
+  /** One for each world: what all its infants become, as in mimo_reset_config; NULL, also among them: they stay. */
+  const mimo_growth *const *growth;
 } mimo_batch_reset_config;
 
 /**

@@ -103,27 +103,26 @@ MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agen
 
 /** How an episode starts. Who sets nothing but struct_size gets what NULL gives. */
 typedef struct mimo_reset_config {
-  uint32_t struct_size;             /**< sizeof(mimo_reset_config), set by the caller. */
-  uint32_t seeded;                  /**< 1: the random numbers start anew from seed; 0: they go on. */
-  uint64_t seed;                    /**< Any number; 0 where seeded is 0. */
-  const mimo_growth *const *growth; /**< What infants become: one growth for all of the world's, or one for each agent;
-                                         NULL among them: that agent stays as it is. */
-  size_t growth_count;              /**< 0: all stay as they are; 1: all infants; else as many as there are agents. */
+  uint32_t struct_size; /**< sizeof(mimo_reset_config), set by the caller. */
+  uint32_t seeded;      /**< 1: the random numbers start anew from seed; 0: they go on. */
+  uint64_t seed;        /**< Any number; 0 where seeded is 0. */
+  /** What infants become: one growth for all of them, or one for each agent, of which NULL stay as they are. */
+  const mimo_growth *const *growth;
+  size_t growth_count; /**< 0: all stay as they are; 1: all infants; else as many as there are agents. */
 } mimo_reset_config;
 
 /**
  * Starts an episode: from the scene's stored state, as its task wants it.
  *
- * With a growth that its infants do not have yet, the world has another model afterwards. Its handle stays and so does
- * its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Random numbers go on;
- * gravity, faces, timing and counts of warnings stay; all else that was set and outlives resets is as in a new world, for
- * it belonged to another body. Strings and ids of the world: ids stay, strings (but for the layout's) are to be asked for
- * again. A world, its clones and a batch keep the models that they have made, the last 8 at least, so that each is compiled
- * once.
+ * With a growth that its infants do not have yet the world has another model afterwards. Its handle stays and so does
+ * its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Ids stay; names, but
+ * for the layout's, are to be asked for again. Random numbers go on; gravity, faces, timing and counts of warnings stay.
+ * All else that was set and outlives resets is as in a new world, for it belonged to another body. A world, its clones
+ * and a batch compile each age once: they keep the last 8, and those in use.
  * @param config NULL: the world's random numbers go on.
  * @param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
- * Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the observation
- *         (keep_spacing); nothing has changed then.
+ * Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the
+ *         observation (keep_spacing); what the task says. With another age nothing has changed then.
  */
 MIMO_API mimo_status mimo_env_reset(mimo_env *env, const mimo_reset_config *config, void *block,
                                     size_t block_bytes) MIMO_NOEXCEPT;
