@@ -8,10 +8,10 @@ namespace mimo::blueprint {
 // Nothing of an edit may fail once it takes the draft's place.
 static_assert(std::is_nothrow_move_assignable_v<Draft>);
 
-KitPtr compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log) {
+env::Kit compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log) {
   engine::ModelPtr model = scene::compile(draft.scene.compose(), scene_log);
   draft.scene.check_places(model, scene_log);
-  return std::make_shared<const env::Kit>(around(draft, std::move(model), options, log));
+  return around(draft, std::move(model), options, log);
 }
 
 env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log) {

@@ -34,7 +34,7 @@ using env::KitPtr;
 
 // Of the options, what the draft says itself is overwritten. What the compiler has to say goes to `scene_log`. Throws
 // what scene::compile throws.
-KitPtr compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log);
+env::Kit compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log);
 // The same agents and cameras around a model of somebody else's.
 env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log);
 
@@ -63,7 +63,7 @@ class Blueprint {
   }
 
   KitPtr compile(const env::EnvOptions& options, const LogSink& log) const {
-    return blueprint::compile(draft_, options, log_, log);
+    return std::make_shared<const env::Kit>(blueprint::compile(draft_, options, log_, log));
   }
 
  private:

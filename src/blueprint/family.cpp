@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/textures.h"
+#include "render/renderer.h"
 
 namespace mimo::blueprint {
 namespace {
@@ -61,12 +63,23 @@ env::KitPtr Family::find_or_compile(Growths growths, const LogSink& scene_log) {
   return made;
 }
 
-env::KitPtr Family::compile(const Growths& growths, const LogSink& scene_log) const {
+env::KitPtr Family::compile(const Growths& growths, const LogSink& scene_log) {
   Draft grown = draft_;
   for (std::size_t i = 0; i < growths.size(); ++i) {
     if (growths[i] != draft_.agents.all()[i].growth) grown.grow(i, growths[i]);
   }
-  return blueprint::compile(grown, options_, scene_log, log_);
+  env::Kit kit = blueprint::compile(grown, options_, scene_log, log_);
+  share_textures(kit);
+  return std::make_shared<const env::Kit>(std::move(kit));
+}
+
+void Family::share_textures(env::Kit& kit) {
+  if (painted_ == nullptr) {
+    painted_ = kit.model;
+    textures_ = render::make_shelf();
+  }
+  kit.model = engine::with_textures_of(painted_, std::move(kit.model));
+  if (kit.model->tex_rgb == painted_->tex_rgb) kit.services.textures = textures_;
 }
 
 env::KitPtr Family::find(const Growths& growths) {

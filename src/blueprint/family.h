@@ -37,7 +37,8 @@ class Family {
   };
 
   env::KitPtr find_or_compile(Growths growths, const LogSink& scene_log);
-  env::KitPtr compile(const Growths& growths, const LogSink& scene_log) const;
+  env::KitPtr compile(const Growths& growths, const LogSink& scene_log);
+  void share_textures(env::Kit& kit);
   env::KitPtr find(const Growths& growths);
   void keep(Member member);
 
@@ -45,6 +46,9 @@ class Family {
   const env::EnvOptions options_;
   const LogSink log_;
   std::mutex mutex_;
+  // Of the first model, for all that have the same.
+  engine::ModelPtr painted_;
+  std::shared_ptr<render::Shelf> textures_;
   std::vector<Member> members_;  // the last one asked for stands last
 };
 

@@ -30,9 +30,10 @@ class Skins {
 
 // What a world does not make itself, and may share with others of the same model.
 struct Services {
-  std::shared_ptr<render::Shelf> shelf;  // what renderers of one model have in common; null: each has its own
-  std::shared_ptr<Skins> skins;          // null: each world makes its own
-  render::Renderer* renderer = nullptr;  // draws for a world, which then has none of its own; outlives it
+  std::shared_ptr<render::Shelf> shelf;     // what renderers of one model have in common; null: each has its own
+  std::shared_ptr<render::Shelf> textures;  // the textures, also in common with other models; null: as the shelf
+  std::shared_ptr<Skins> skins;             // null: each world makes its own
+  render::Renderer* renderer = nullptr;     // draws for a world, which then has none of its own; outlives it
   LogSink log;
 };
 

@@ -15,7 +15,11 @@ constexpr std::array<const char*, 4> kNames{"auto", "ray", "osmesa", "none"};  /
 std::unique_ptr<render::Renderer> make_rays(const engine::ModelPtr& model, const render::Quality& quality,
                                             const Services& services) {
   rays::Options options(quality);
-  if (services.shelf != nullptr) options.assets = services.shelf->get([&] { return rays::make_assets(model); });
+  const auto textures = [&] { return rays::make_textures(model); };
+  const auto assets = [&] {
+    return rays::make_assets(model, services.textures == nullptr ? nullptr : services.textures->get(textures));
+  };
+  if (services.shelf != nullptr) options.assets = services.shelf->get(assets);
   return rays::make_renderer(model, options);
 }
 

@@ -1,6 +1,8 @@
 // What renderers of one model share.
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/model.h"
@@ -11,9 +13,11 @@
 namespace mimo::rays {
 
 struct Assets {
-  explicit Assets(const engine::ModelPtr& model) : textures(*model), meshes(*model), skins(skin_patterns(model)) {}
+  Assets(const engine::ModelPtr& model, std::shared_ptr<const Textures> pictures)
+      : textures_in_common(std::move(pictures)), meshes(*model), skins(skin_patterns(model)) {}
 
-  const Textures textures;
+  const std::shared_ptr<const Textures> textures_in_common;
+  const Textures& textures = *textures_in_common;
   const Meshes meshes;
   const std::vector<SkinPattern> skins;
 };

@@ -117,8 +117,13 @@ std::vector<std::string> simd_paths() {
   return names;
 }
 
-std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model) {
-  return std::make_shared<const Assets>(model);
+std::shared_ptr<const Textures> make_textures(const engine::ModelPtr& model) {
+  return std::make_shared<const Textures>(*model);
+}
+
+std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model, std::shared_ptr<const Textures> textures) {
+  if (textures == nullptr) textures = make_textures(model);
+  return std::make_shared<const Assets>(model, std::move(textures));
 }
 
 std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const Options& options) {

@@ -11,6 +11,7 @@
 namespace mimo::rays {
 
 struct Assets;
+class Textures;
 
 // With several samples colours are averaged; depth and segmentation are those of the middle of the pixel.
 struct Options : render::Quality {
@@ -24,11 +25,14 @@ struct Options : render::Quality {
 // The instruction sets that this build and this machine share, best first, e.g. "AVX2".
 std::vector<std::string> simd_paths();
 
-// What renderers of one model share: its textures with their mipmaps, its meshes and height fields. Throws
-// Status::kUnsupported where textures are too large.
-std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model);
+// A model's textures with their mipmaps. Throws Status::kUnsupported where they are too large.
+std::shared_ptr<const Textures> make_textures(const engine::ModelPtr& model);
+// What renderers of one model share: its textures, which are made anew where none are given, its meshes and height
+// fields. Throws as make_textures.
+std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model,
+                                          std::shared_ptr<const Textures> textures = nullptr);
 
-// Throws as make_assets, and Status::kInvalidArgument for a number of samples that it does not know.
+// Throws as make_textures, and Status::kInvalidArgument for a number of samples that it does not know.
 std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const Options& options);
 
 }  // namespace mimo::rays

@@ -46,6 +46,17 @@ TEST(Family, KeepsTheLastOnesAndThoseInUse) {
   EXPECT_EQ(family.as_described({aged(1)}, {}), used);
 }
 
+TEST(Family, HoldsTexturesOnce) {
+  Family family(with_infant(), without_renderer(), {});
+  const std::weak_ptr<const env::Kit> first = family.as_described({}, {});
+  const env::KitPtr young = family.as_described({aged(6)}, {}), old = family.as_described({aged(24)}, {});
+  EXPECT_GT(young->model->ntexdata, 1000000);
+  EXPECT_EQ(young->model->tex_rgb, old->model->tex_rgb);
+  EXPECT_EQ(young->model->tex_rgb, first.lock()->model->tex_rgb);
+  EXPECT_EQ(young->services.textures, old->services.textures);
+  EXPECT_LT(young->model->nbuffer, 1000000);
+}
+
 TEST(Family, OfAWorldCompilesTheSameModelAsTheBlueprint) {
   Blueprint blueprint(named("free"));
   AgentPlan young = infant("");

@@ -1,0 +1,41 @@
+#include "engine/textures.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+
+#include "engine/guard.h"
+
+namespace mimo::engine {
+namespace {
+
+bool have_the_same(const mjModel& a, const mjModel& b) {
+  const auto same = [&](auto* mjModel::*array, int count) { return std::equal(a.*array, a.*array + count, b.*array); };
+  return a.ntex == b.ntex && a.ntexdata == b.ntexdata && same(&mjModel::tex_type, a.ntex) &&
+         same(&mjModel::tex_height, a.ntex) && same(&mjModel::tex_width, a.ntex) && same(&mjModel::tex_adr, a.ntex) &&
+         same(&mjModel::tex_rgb, a.ntexdata);
+}
+
+// All but the textures' bytes; null where MuJoCo does not lay out its models as we know it.
+mjModel* copy_without_textures(const mjModel& model) {
+  mjModel source = model;
+  const auto* end = reinterpret_cast<const mjtByte*>(model.mat_texid);  // the array behind them, with its alignment
+  source.nbuffer -= static_cast<int>(end - model.tex_rgb);
+  source.ntexdata = 0;
+  mjModel* copy = nullptr;
+  const Complaint complaint = guarded([&] { copy = mj_copyModel(nullptr, &source); });
+  return complaint.failed ? nullptr : copy;
+}
+
+}  // namespace
+
+ModelPtr with_textures_of(const ModelPtr& owner, ModelPtr model) {
+  if (model == owner || model->ntexdata == 0 || !have_the_same(*owner, *model)) return model;
+  mjModel* slim = copy_without_textures(*model);
+  if (slim == nullptr) return model;
+  slim->ntexdata = owner->ntexdata;
+  slim->tex_rgb = owner->tex_rgb;
+  return ModelPtr(slim, [owner](mjModel* one) { mj_deleteModel(one); });
+}
+
+}  // namespace mimo::engine
