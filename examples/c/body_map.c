@@ -106,7 +106,7 @@ static void print_bars(const mimo_env* env, const double* impulse, double most) 
 
 int main(void) {
   mimo_env* env = make_world();
-  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 1};
   double impulse[MAX_BODIES] = {0}, most = 0;
   const mimo_layout* layout;
   mimo_layout_info sizes;

@@ -48,7 +48,7 @@ static mimo_env* make_world(void) {
 
 int main(void) {
   mimo_env* env = make_world();
-  const mimo_reset_config seeded = {sizeof seeded, 1, 42};
+  const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 42};
   const mimo_layout* layout;
   mimo_layout_info sizes;
   size_t i;

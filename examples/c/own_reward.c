@@ -55,7 +55,7 @@ static double reward(const mimo_env* env, const int32_t bodies[2]) {
 
 /* The return of a second towards one posture of the arm. */
 static double try_posture(mimo_env* env, const int32_t bodies[2], const float* posture, size_t count) {
-  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 1};
   double sum = 0;
   int step;
   check(mimo_env_reset(env, &seeded, NULL, 0));

@@ -35,7 +35,7 @@ int main(void) {
   size_t count, bytes, i;
   int32_t hand_and_ball[2];
   double nearest, first, reached;
-  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 1};
   const mimo_layout* layout;
   mimo_layout_info sizes;
   int decision, future;

@@ -191,7 +191,7 @@ static void touch(world* w) {
 
 int main(void) {
   world w = make_world();
-  const mimo_reset_config seeded = {sizeof seeded, 1, 1};
+  const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 1};
   check(mimo_env_reset(w.env, &seeded, w.block, w.bytes));
   smile(&w);
   touch(&w);

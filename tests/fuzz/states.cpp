@@ -22,7 +22,10 @@ Bytes block;
 void make_world() {
   PROMISE(mimo_env_make("selfbody", &env) == MIMO_OK);
   block.resize(sizes_of(env).block_bytes);
-  const mimo_reset_config seeded = {sizeof seeded, 1, 5};
+  mimo_reset_config seeded{};
+  seeded.struct_size = sizeof seeded;
+  seeded.seeded = 1;
+  seeded.seed = 5;
   PROMISE(mimo_env_reset(env, &seeded, nullptr, 0) == MIMO_OK);
   PROMISE(mimo_env_physics_step(env, 20) == MIMO_OK);
   std::size_t bytes = 0;

@@ -70,7 +70,7 @@ static inline void use_library(const library* mimo) {
 
 /* FNV-1a over the observations of a reset and a few steps. */
 static inline uint64_t hash_of_life(const library* mimo, mimo_env* env, int steps) {
-  const mimo_reset_config seeded = {sizeof seeded, 1, 7};
+  const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 7};
   uint64_t hash = UINT64_C(14695981039346656037);
   const mimo_layout* layout = NULL;
   mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
