@@ -71,7 +71,8 @@ def fits(declared, given):
         return given is ctypes.POINTER(ctypes.c_char_p)
     target, stars = declared.split(" *", 1)
     if target in STRUCTS:
-        return given is ctypes.POINTER(STRUCTS[target])
+        pointer = ctypes.POINTER(STRUCTS[target])
+        return given is (ctypes.POINTER(pointer) if "*" in stars else pointer)
     if "*" in stars:
         return given is ctypes.POINTER(ctypes.c_void_p)
     if given is ctypes.c_void_p:  # arrays, handles and anything

@@ -100,6 +100,8 @@ namespace Mimo
     {
         internal uint struct_size, seeded;
         internal ulong seed;
+        internal IntPtr growth;
+        internal UIntPtr growth_count;
 
         internal static ResetConfigStruct Of(ulong? seed)
         {
@@ -223,6 +225,8 @@ namespace Mimo
         internal uint struct_size, worlds, threads;
         internal int autoreset;
         internal uint restart_failed, reserved;
+        internal IntPtr cohort;
+        internal UIntPtr cohort_count;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -231,6 +235,7 @@ namespace Mimo
         internal uint struct_size, reserved;
         internal IntPtr seeds, mask;
         internal UIntPtr worlds;
+        internal IntPtr growth;
     }
 
     [StructLayout(LayoutKind.Sequential)]

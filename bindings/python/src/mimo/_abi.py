@@ -286,6 +286,8 @@ class ResetConfig(Struct):
         ("struct_size", c_uint32),
         ("seeded", c_uint32),
         ("seed", c_uint64),
+        ("growth", ctypes.POINTER(ctypes.POINTER(Growth))),
+        ("growth_count", c_size_t),
     ]
 
 
@@ -367,6 +369,8 @@ class BatchConfig(Struct):
         ("autoreset", c_int32),
         ("restart_failed", c_uint32),
         ("reserved", c_uint32),
+        ("cohort", ctypes.POINTER(ctypes.POINTER(Growth))),
+        ("cohort_count", c_size_t),
     ]
 
 
@@ -377,6 +381,7 @@ class BatchResetConfig(Struct):
         ("seeds", _Array),
         ("mask", _Array),
         ("worlds", c_size_t),
+        ("growth", ctypes.POINTER(ctypes.POINTER(Growth))),
     ]
 
 

@@ -14,6 +14,7 @@ from . import _abi
 from ._handle import Native
 from ._library import LIB, check, message_text, raise_error
 from .access import Access, Mask
+from .ages import Age, growths, listed
 from .arguments import index_in, number_of, whole_number
 from .constants import Autoreset, Kind, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
@@ -33,6 +34,7 @@ class Batch(Access):
 
     `autoreset` says what happens when an episode ends, see mimo.Autoreset. A world whose simulation fails is cut off
     (truncated) and starts anew unless `restart_failed` is False; otherwise the step raises mimo.SimulationError.
+    With `ages` (months, or options of growth) the infants of world i are as old as number i of them, which repeat.
     """
 
     def __init__(
@@ -43,12 +45,14 @@ class Batch(Access):
         threads: int = 0,
         autoreset: Union[Autoreset, str] = Autoreset.NONE,
         restart_failed: bool = True,
+        ages: Optional[Sequence[Age]] = None,
         **options: Unpack[Options],
     ) -> None:
         refuse_unknown(options, Options, Batch.__init__)
         self._scene, self._options = prepare(scene, options)
         mode = whole_number("autoreset", autoreset, Autoreset)
-        self._settings = {"threads": threads, "autoreset": mode, "restart_failed": restart_failed}
+        self._settings: Dict[str, Any] = {"threads": threads, "autoreset": mode, "restart_failed": restart_failed}
+        self._settings["ages"] = None if ages is None else listed("ages", ages)
         self._create(worlds)
         self._lead = (self.world_count,)
         # Worlds that are in use keep the batch alive, not the other way round.
@@ -64,6 +68,8 @@ class Batch(Access):
         config.worlds = self.world_count = number_of("worlds", worlds)
         config.threads = number_of("threads", self._settings["threads"])
         config.autoreset, config.restart_failed = self._settings["autoreset"], self._settings["restart_failed"]
+        if self._settings["ages"] is not None:
+            config.cohort, config.cohort_count = growths(self._settings["ages"])
         handle = ctypes.c_void_p()
         check(LIB.mimo_batch_create(self._scene._handle, env_config(self._options), config, handle))
         self._own(handle.value, LIB.mimo_batch_destroy)
@@ -110,19 +116,47 @@ class Batch(Access):
 
     # ---- Stepping ------------------------------------------------------------------------------------------------
 
-    def reset(self, seeds: Seeds = None, mask: Mask = None) -> Observation:
-        """Starts episodes. One seed s means s, s + 1, ...; without, worlds go on with their own random numbers."""
-        self.reset_into(self.blocks, seeds, mask)
+    def reset(self, seeds: Seeds = None, mask: Mask = None, ages: Optional[Sequence[Age]] = None) -> Observation:
+        """Starts episodes. One seed s means s, s + 1, ...; without, worlds go on with their own random numbers.
+
+        With `ages`, one for each world, infants become as old as that; None among them stay as they are.
+        """
+        self.reset_into(self.blocks, seeds, mask, ages)
         self.observation = self._views
         return self.observation
 
-    def reset_into(self, blocks: Optional[NDArray[np.uint8]], seeds: Seeds = None, mask: Mask = None) -> None:
+    def reset_into(
+        self,
+        blocks: Optional[NDArray[np.uint8]],
+        seeds: Seeds = None,
+        mask: Mask = None,
+        ages: Optional[Sequence[Age]] = None,
+    ) -> None:
         """As reset, with blocks of your own (layout.new_block(worlds)); None skips the senses."""
         numbers, chosen = self._seeds(seeds), self._mask(mask)
-        count = 0 if numbers is None and chosen is None else self.world_count
-        config = _abi.BatchResetConfig(seeds=_data(numbers), mask=_data(chosen), worlds=count)
+        growth = None if ages is None else self._growths(ages)
+        count = 0 if numbers is None and chosen is None and growth is None else self.world_count
+        config = _abi.BatchResetConfig(seeds=_data(numbers), mask=_data(chosen), worlds=count, growth=growth)
         self._given = self._given if chosen is not None else None
         check(LIB.mimo_batch_reset(self._handle, config, *_place(blocks)))
+        if ages is not None:
+            self._remember(ages, mask)
+
+    def _growths(self, ages: Sequence[Age]) -> Any:
+        array, count = growths(listed("ages", ages))
+        if count != self.world_count:
+            raise ValueError(f"there are {count} ages, expected {self.world_count}, one for each world")
+        return array
+
+    def _remember(self, ages: Sequence[Age], mask: Mask) -> None:
+        before = self._settings["ages"] or [None]
+        now = [before[i % len(before)] for i in range(self.world_count)]
+        for i, age in enumerate(ages):
+            if age is not None and (mask is None or mask[i]):
+                now[i] = age
+        self._settings["ages"] = now
+        for i, world in self._worlds.items():
+            world.agents = agents_of(world._handle, self.layout.agents)
 
     def step(self, actions: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
+from .ages import Age
 from .arguments import reset_options
 from .constants import Outcome
 from .layout import Observation, Supply
@@ -66,14 +67,17 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Any, Dict[str, Any]]:
-        """Starts an episode. The first one without a seed starts from chance, further ones go on from there."""
-        reset_options(options)
+        """Starts an episode. The first one without a seed starts from chance, further ones go on from there.
+
+        options={"age": 6} makes the infant as old as that, in months; or {"age": {"age": 6, "sex": "female"}}.
+        """
+        age = reset_options(options, "age").get("age")
         super().reset(seed=seed)
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
         self._seeded = True
         block = self.world.layout.new_block()
-        begin(self.world, self._judge, block, seed)
+        begin(self.world, self._judge, block, seed, age)
         if self.render_mode == "human":
             self.render()
         info = start_info(self.world) if self._judge is None else judged_info(Judgement())
@@ -131,12 +135,12 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
             self._judge.task.setup(self.world)  # what it had looked up belonged to the other world
 
 
-def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: Optional[int]) -> None:
+def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: Optional[int], age: Age = None) -> None:
     """Starts an episode, as the world's own task or one in Python has it, and senses into the block."""
     if judge is None:
-        world.reset_into(block, seed)
+        world.reset_into(block, seed, age)
         return
-    world.reset_into(None, seed)
+    world.reset_into(None, seed, age)
     judge.task.reset(world, None)
     world.observe_into(block)
     world.observation = world.layout.views(block)

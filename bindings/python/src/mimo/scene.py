@@ -12,8 +12,9 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
-from .arguments import number_of, real_number, several, vector, whole_number
-from .constants import NOW, GrowthModel, Place, Quantity
+from .ages import growth_from
+from .arguments import number_of, real_number, several, vector
+from .constants import NOW, Place, Quantity
 from .options import (
     AgentOptions,
     CameraOptions,
@@ -125,7 +126,7 @@ class Scene(Handle):
         agent = {name: value for name, value in options.items() if name not in growth}
         fill(config, agent, AgentOptions, standard)
         if growth:
-            config.growth = ctypes.pointer(grown(growth))
+            config.growth = ctypes.pointer(growth_from(growth))
         given = options.keys() & {"position", "orientation"}
         if given and "place" not in options:
             config.place = Place.ROOT
@@ -303,17 +304,6 @@ class Scene(Handle):
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _rebuilt, (self._start, copy.deepcopy(self._steps))
-
-
-def grown(options: Mapping[str, Any]) -> _abi.Growth:
-    """What the library is told of an infant's age."""
-    growth = _abi.Growth()
-    check(LIB.mimo_growth_init(growth, ctypes.sizeof(growth)))
-    members = dict(options)
-    growth.model = whole_number("growth", members.pop("growth", growth.model), GrowthModel)
-    growth.matures_apart = "physiological_age" in members
-    fill(growth, members, GrowthOptions)
-    return growth
 
 
 def _limits(**values: float) -> _abi.Limits:

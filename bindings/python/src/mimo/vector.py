@@ -11,6 +11,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
+from .ages import Age
 from .arguments import reset_options
 from .batch import Batch
 from .constants import Autoreset, Outcome
@@ -43,6 +44,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     `autoreset_mode` is "NextStep" (the step after an end starts the next episode), "SameStep" (the step that ends an
     episode also starts the next; the old one's last observation is in infos["final_obs"]) or "Disabled" (worlds go
     on until reset(options={"reset_mask": mask})).
+
+    With `ages` (months, or options of growth) the infants of world i are as old as number i of them, which repeat.
     """
 
     def __init__(
@@ -54,6 +57,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         flatten: bool = False,
         autoreset_mode: Any = "NextStep",
         threads: int = 0,
+        ages: Optional[Sequence[Age]] = None,
         render_mode: Optional[str] = None,
         camera: Optional[str] = None,
         width: Optional[int] = None,
@@ -74,6 +78,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
             num_envs,
             threads=threads,
             autoreset=Autoreset.NEXT_STEP if by_library else Autoreset.NONE,
+            ages=ages,
             **with_task(options, task),
         )
         check_sole(self.batch.agents)
@@ -108,17 +113,21 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         seed: Optional[Union[int, Sequence[Optional[int]]]] = None,
         options: Optional[Dict[str, Any]] = None,
     ) -> Tuple[Any, Dict[str, Any]]:
-        """Starts episodes. One seed s means s, s + 1, ...; options={"reset_mask": mask} restarts some worlds only."""
-        mask = reset_options(options, "reset_mask").get("reset_mask")
+        """Starts episodes. One seed s means s, s + 1, ...; options={"reset_mask": mask} restarts some worlds only.
+
+        options={"ages": [...]} makes infants as old as that, one number of months (or options of growth) a world.
+        """
+        given = reset_options(options, "reset_mask", "ages")
+        mask, ages = given.get("reset_mask"), given.get("ages")
         self.batch.drop_sent()
         if mask is not None:
-            return self._reset_some(seed, np.asarray(mask, np.bool_))
+            return self._reset_some(seed, np.asarray(mask, np.bool_), ages)
         super().reset(seed=seed if isinstance(seed, int) else None)
         if seed is None and not self._seeded:
             seed = secrets.randbits(63)
         self._seeded = True
         self._turn = 1 - self._turn
-        self._start(self._blocks[self._turn], seed, None)
+        self._start(self._blocks[self._turn], seed, None, ages)
         self._over[:] = False
         return self._observation(self._own()), {}
 
@@ -215,15 +224,19 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._start(self._blocks[self._turn], None, over)
         return self._own()
 
-    def _start(self, blocks: NDArray[np.uint8], seed: Any, mask: Optional[Flags]) -> None:
-        self.batch.reset_into(blocks if self._judge is None else None, seed, mask)
+    def _start(
+        self, blocks: NDArray[np.uint8], seed: Any, mask: Optional[Flags], ages: Optional[Sequence[Age]] = None
+    ) -> None:
+        self.batch.reset_into(blocks if self._judge is None else None, seed, mask, ages)
         if self._judge is not None:
             self._judge.task.reset(self.batch, mask)
             self.batch.observe_into(blocks, mask)
         self.batch.observation = self._views[self._turn]
 
-    def _reset_some(self, seed: Any, mask: NDArray[np.bool_]) -> Tuple[Any, Dict[str, Any]]:
-        self._start(self._blocks[self._turn], seed, mask)
+    def _reset_some(
+        self, seed: Any, mask: NDArray[np.bool_], ages: Optional[Sequence[Age]]
+    ) -> Tuple[Any, Dict[str, Any]]:
+        self._start(self._blocks[self._turn], seed, mask, ages)
         self._over &= ~mask
         return self._observation(self._own()), {}
 

@@ -14,6 +14,7 @@ from . import _abi
 from ._handle import Native
 from ._library import LIB, check, log_to_python, raise_error, text
 from .access import Access, Mask
+from .ages import Age, growths
 from .arguments import index_in, number_of, real_number, vector, whole_number
 from .constants import Kind, Look, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
@@ -78,9 +79,13 @@ def env_config(options: Dict[str, Any], kind: Type[PhysicsOptions] = WorldOption
     return config
 
 
-def reset_config(seed: Optional[int]) -> Optional[_abi.ResetConfig]:
-    """The C struct of a reset; None lets random numbers go on."""
-    return None if seed is None else _abi.ResetConfig(seeded=1, seed=number_of("seed", seed, 64))
+def reset_config(seed: Optional[int], ages: Sequence[Age] = ()) -> Optional[_abi.ResetConfig]:
+    """The C struct of a reset; None lets random numbers go on, without ages infants stay as they are."""
+    if seed is None and not ages:
+        return None
+    growth, count = growths(ages) if ages else (None, 0)
+    seeded = {} if seed is None else {"seeded": 1, "seed": number_of("seed", seed, 64)}
+    return _abi.ResetConfig(growth=growth, growth_count=count, **seeded)
 
 
 class World(Access):
@@ -90,6 +95,7 @@ class World(Access):
     Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
     """
 
+    _ages: Sequence[Age] = ()  # that a reset has given its infants
     _owner: Any = None  # the batch that a world belongs to and keeps alive
 
     def __init__(self, scene: Union[str, Scene] = "benchmark", **options: Unpack[Options]) -> None:
@@ -134,17 +140,26 @@ class World(Access):
 
     # ---- Stepping ------------------------------------------------------------------------------------------------
 
-    def reset(self, seed: Optional[int] = None) -> Observation:
-        """Starts an episode; without a seed the world goes on with its own random numbers."""
-        self.reset_into(self.block, seed)
+    def reset(self, seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None) -> Observation:
+        """Starts an episode; without a seed the world goes on with its own random numbers.
+
+        With `age`, months or options of growth, its infants become as old as that; a list has one for each.
+        """
+        self.reset_into(self.block, seed, age)
         self.observation = self._views
         return self.observation
 
-    def reset_into(self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None) -> None:
+    def reset_into(
+        self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None
+    ) -> None:
         """As reset, with a block of your own (layout.new_block()); None skips the senses."""
-        config = reset_config(seed)
+        ages = [] if age is None else list(age) if isinstance(age, (list, tuple)) else [age]
+        config = reset_config(seed, ages)
         self._given = None
         check(LIB.mimo_env_reset(self._handle, config, *self._place(block)))
+        if ages:
+            self._ages = ages
+            self.agents = agents_of(self._handle, self.layout.agents)
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
@@ -421,11 +436,13 @@ class World(Access):
         return self.clone()
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return _rebuilt, (self._scene, self._options, self.save())
+        return _rebuilt, (self._scene, self._options, self.save(), self._ages)
 
 
-def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes) -> World:
+def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes, ages: Sequence[Age]) -> World:
     world = World(scene, **options)
+    if ages:
+        world.reset_into(None, None, ages)
     world.load(state)
     return world
 

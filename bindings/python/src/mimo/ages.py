@@ -1,0 +1,45 @@
+"""How old infants are, as the library takes it."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Mapping, Optional, Sequence, Tuple, Union
+
+from . import _abi
+from ._library import LIB, check
+from .arguments import whole_number
+from .constants import GrowthModel
+from .options import GrowthOptions, fill
+
+# Months, or options of growth: {"age": 6, "sex": "female"}. None: as it is.
+Age = Union[float, Mapping[str, Any], None]
+
+
+def growth_from(options: Mapping[str, Any]) -> _abi.Growth:
+    """What the library is told of one infant."""
+    growth = _abi.Growth()
+    check(LIB.mimo_growth_init(growth, ctypes.sizeof(growth)))
+    members = dict(options)
+    growth.model = whole_number("growth", members.pop("growth", growth.model), GrowthModel)
+    growth.matures_apart = "physiological_age" in members
+    fill(growth, members, GrowthOptions)
+    return growth
+
+
+def growths(ages: Sequence[Age]) -> Tuple[Any, int]:
+    """An array of pointers for a config, and its length."""
+    pointers = [_pointer(age) for age in ages]
+    return (ctypes.POINTER(_abi.Growth) * len(pointers))(*pointers), len(pointers)
+
+
+def _pointer(age: Age) -> Optional[Any]:
+    if age is None:
+        return None
+    return ctypes.pointer(growth_from(age if isinstance(age, Mapping) else {"age": age}))
+
+
+def listed(name: str, ages: Any) -> Sequence[Age]:
+    """Ages of several worlds or infants."""
+    if isinstance(ages, (str, Mapping)) or not hasattr(ages, "__len__"):
+        raise TypeError(f"{name} is {ages!r}, expected ages: months, or options of growth")
+    return list(ages)
