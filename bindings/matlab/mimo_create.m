@@ -30,7 +30,7 @@ function world = mimo_create(scene, varargin)
 %     the file     confined (1: what it names must lie in its folder), model_dir (a folder to take built-in models from),
 %                  max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_file_bytes, max_world_bytes:
 %                  how much it may ask for
-%     many worlds  worlds, threads, autoreset (0, 1 or 2), restart_failed. They are the last dimension of all arrays.
+%     many worlds  ages (months; the infants of world i are as old as number i, and they repeat), worlds, threads, autoreset (0, 1 or 2), restart_failed. They are the last dimension of all arrays.
 if ~isnumeric(scene), scene = char(scene); end
 world = mimo_mex('create', scene, varargin{:});
 end

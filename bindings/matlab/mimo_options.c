@@ -247,3 +247,21 @@ void mimo_set_all(void* config, const option* options, properties* given, const 
   mimo_set_known(config, options, given);
   if (given->count > 0) mimo_refuse("no option %s of %s", given->names[0], of);
 }
+
+const mimo_growth* const* mimo_ages(const mxArray* months, size_t* count) {
+  const mimo_growth** ages;
+  mimo_growth* growths;
+  size_t i;
+  *count = mxGetNumberOfElements(months);
+  if (*count == 0) return NULL;
+  if (!mxIsDouble(months) || mxIsComplex(months)) mimo_refuse("ages: expected months, as an array of double");
+  ages = mxCalloc(*count, sizeof *ages);
+  growths = mxCalloc(*count, sizeof *growths);
+  for (i = 0; i < *count; ++i) {
+    if (mxIsNaN(mxGetPr(months)[i])) continue;
+    mimo_check(mimo_growth_init(&growths[i], sizeof growths[i]));
+    growths[i].age = mxGetPr(months)[i];
+    ages[i] = &growths[i];
+  }
+  return ages;
+}

@@ -36,6 +36,9 @@ extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_opti
     mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[], mimo_limit_options[],
     mimo_picture_options[], mimo_no_options[];
 
+/* Growths of ages in months, NULL for NaN; NULL for an empty array. They belong to the call. */
+const mimo_growth* const* mimo_ages(const mxArray* months, size_t* count);
+
 /* Whether anything of the list is given. */
 int mimo_has_any(const properties* given, const option* options);
 

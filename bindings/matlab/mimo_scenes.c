@@ -332,6 +332,7 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_
   env = take_env_config(&given, number);
   mimo_check(mimo_batch_config_init(config, sizeof *config));
   mimo_set_known(config, mimo_batch_options, &given);
+  if (mimo_has(&given, "ages")) config->cohort = mimo_ages(mimo_take(&given, "ages"), &config->cohort_count);
   scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given, number) : mimo_scene_of(in[0]);
   mimo_set_all(NULL, mimo_no_options, &given,
                mxIsChar(in[0]) ? "mimo_create; see its help" : "mimo_create for a scene's number; see mimo_scene_add");

@@ -72,18 +72,22 @@ static uint8_t* read_mask(const worlds* all, const mxArray* given) {
   return mask;
 }
 
-/* reset(number, seeds or [], mask or []) */
+/* reset(number, seeds or [], mask or [], ages or []) */
 static void reset(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_batch_reset_config config = {0};
   worlds* all;
+  size_t ages = 0;
   (void)nout;
   (void)out;
-  mimo_need(nin == 3, "expected a world, seeds or [], and a mask or []");
+  mimo_need(nin == 4, "expected a world, seeds or [], a mask or [], and ages or []");
   all = mimo_worlds_of(in[0]);
   config.struct_size = sizeof config;
   config.seeds = read_seeds(all, in[1]);
   config.mask = read_mask(all, in[2]);
-  config.worlds = config.seeds != NULL || config.mask != NULL ? all->count : 0;
+  config.growth = mimo_ages(in[3], &ages);
+  if (config.growth != NULL && ages != all->count)
+    mimo_refuse("%d ages, expected %d, one for each world", (int)ages, (int)all->count);
+  config.worlds = config.seeds != NULL || config.mask != NULL || config.growth != NULL ? all->count : 0;
   mimo_check(mimo_batch_reset(all->batch, &config, all->blocks, all->count * all->sizes.block_bytes));
 }
 

@@ -1,6 +1,7 @@
 """Infants of other ages than 18 months, against the WHO Child Growth Standards, 2006."""
 
 import csv
+import pickle
 
 import numpy as np
 import pytest
@@ -79,3 +80,45 @@ def test_what_no_infant_has_is_refused():
     scene = mimo.Scene(xml="<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
     with pytest.raises(mimo.ArgumentError, match="only infants grow"):
         scene.add_agent(body="scene", root="box", age=3, vision=False, vestibular=False)
+
+
+def test_a_batch_of_several_ages_has_one_layout():
+    ages = [0, 6, {"age": 6, "sex": "male"}, 24]
+    with mimo.Batch("free", 6, vision=False, ages=ages) as batch:
+        masses = [batch.world(i).agents[0].mass for i in range(6)]
+        single = [agent_of(**(age if isinstance(age, dict) else {"age": age})).mass for age in ages]
+        assert masses == [*single, *single[:2]]
+        batch.reset(seeds=1)
+        batch.step(np.zeros((6, len(batch.action_names))))
+        batch.reset(ages=[12, None, None, None, None, None])
+        assert batch.world(0).agents[0].mass == agent_of(age=12).mass
+        assert [batch.world(i).agents[0].mass for i in range(1, 6)] == masses[1:]
+        with pytest.raises(ValueError, match="2 ages, expected 6"):
+            batch.reset(ages=[1, 2])
+
+
+def test_one_environment_grows_up():
+    env = mimo.make("free", vision=False)
+    old = env.observation_space
+    for age in (0, 3, 18):
+        observation, _ = env.reset(seed=5, options={"age": age})
+        assert env.unwrapped.world.agents[0].mass == agent_of(age=age).mass
+    assert env.observation_space == old
+    again, _ = mimo.make("free", vision=False).reset(seed=5)
+    assert all(np.array_equal(again[name], observation[name]) for name in again)
+    with pytest.raises(ValueError, match="options has 'aeg'"):
+        env.reset(options={"aeg": 3})
+
+
+def test_vector_environments_have_ages():
+    envs = mimo.make_vec("free", num_envs=3, vision=False, touch=False, ages=[1, 2, 3])
+    envs.reset(seed=0)
+    envs.reset(options={"ages": [4, 5, 6]})
+    assert envs.batch.world(2).agents[0].mass == agent_of(age=6).mass
+
+
+def test_copies_are_as_old():
+    with mimo.World("free", vision=False, touch=False) as world:
+        world.reset(seed=1, age=3)
+        twin = pickle.loads(pickle.dumps(world))
+        assert twin.agents[0].mass == world.agents[0].mass

@@ -48,9 +48,10 @@ namespace Mimo
         /// <summary>What they are the sums of, worlds x terms in the order of Layout.Terms.</summary>
         public double[] Terms => results.Terms;
 
-        /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores.</summary>
+        /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores. With a cohort
+        /// the infants of world i are of cohort[i % cohort.Length]; null: as the scene says.</summary>
         public Batch(MimoScene scene, int worlds, EnvOptions options = null, Autoreset autoreset = Autoreset.None, int threads = 0,
-            bool restartFailed = false)
+            bool restartFailed = false, Growth?[] cohort = null)
         {
             BatchConfigStruct config;
             MimoException.Check(Native.mimo_batch_config_init(out config, Structs.Size<BatchConfigStruct>()));
@@ -58,7 +59,12 @@ namespace Mimo
             config.threads = checked((uint)threads);
             config.autoreset = (int)autoreset;
             config.restart_failed = restartFailed ? 1u : 0u;
-            handle = Create(scene, options ?? new EnvOptions(), config);
+            using (var ages = new PinnedGrowths(cohort))
+            {
+                config.cohort = ages.Pointer;
+                config.cohort_count = ages.Length;
+                handle = Create(scene, options ?? new EnvOptions(), config);
+            }
             UIntPtr worldCount, threadCount;
             MimoException.Check(Native.mimo_batch_size(handle, out worldCount, out threadCount));
             Worlds = (int)worldCount;
@@ -122,17 +128,22 @@ namespace Mimo
             return world * Layout.BlockBytes;
         }
 
-        /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers.</summary>
-        public void Reset(ulong[] seeds = null, bool[] mask = null)
+        /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers. With ages, one
+        /// for each world, infants become as old as that; null among them stays as it is.</summary>
+        public void Reset(ulong[] seeds = null, bool[] mask = null, Growth?[] ages = null)
         {
             if (seeds != null && seeds.Length != Worlds)
                 throw new ArgumentException(seeds.Length + " seeds, expected " + Worlds, nameof(seeds));
+            if (ages != null && ages.Length != Worlds)
+                throw new ArgumentException(ages.Length + " ages, expected " + Worlds, nameof(ages));
             using (Pinned given = new Pinned(seeds), chosen = new Pinned(BytesOf(mask)))
+            using (var growths = new PinnedGrowths(ages))
             {
                 var config = new BatchResetConfigStruct
                 {
                     struct_size = (uint)Structs.Size<BatchResetConfigStruct>(), seeds = given.Pointer, mask = chosen.Pointer,
-                    worlds = mask != null ? chosen.Length : given.Length
+                    worlds = mask != null ? chosen.Length : seeds != null ? given.Length : growths.Length,
+                    growth = growths.Pointer
                 };
                 MimoException.Check(Native.mimo_batch_reset(handle, ref config, Blocks, (UIntPtr)Blocks.Length));
             }

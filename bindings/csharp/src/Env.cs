@@ -85,11 +85,17 @@ namespace Mimo
             }
         }
 
-        /// <summary>Starts an episode. Without a seed the world goes on with its own random numbers.</summary>
-        public void Reset(ulong? seed = null)
+        /// <summary>Starts an episode. Without a seed the world goes on with its own random numbers. With a growth all its infants
+        /// become as old as that.</summary>
+        public void Reset(ulong? seed = null, Growth? growth = null)
         {
             var config = ResetConfigStruct.Of(seed);
-            MimoException.Check(Native.mimo_env_reset(handle, ref config, Block, (UIntPtr)Block.Length));
+            using (var growths = new PinnedGrowths(growth == null ? null : new[] { growth }))
+            {
+                config.growth = growths.Pointer;
+                config.growth_count = growths.Length;
+                MimoException.Check(Native.mimo_env_reset(handle, ref config, Block, (UIntPtr)Block.Length));
+            }
         }
 
         /// <summary>Goes one step on; gives what the first agent got. Null leaves the controls as they are.</summary>

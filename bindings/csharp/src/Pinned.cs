@@ -39,6 +39,27 @@ namespace Mimo
         internal PinnedGrowth(Growth? growth) : base(growth == null ? null : new[] { growth.Value }) { }
     }
 
+    /// <summary>Growths that stay in place, and an array of pointers to them; null stays null.</summary>
+    internal sealed class PinnedGrowths : IDisposable
+    {
+        private readonly PinnedParts parts = new PinnedParts();
+
+        internal IntPtr Pointer { get; }
+        internal UIntPtr Length { get; }
+
+        internal PinnedGrowths(IList<Growth?> growths)
+        {
+            if (growths == null) return;
+            var pointers = new IntPtr[growths.Count];
+            for (var i = 0; i < pointers.Length; ++i)
+                pointers[i] = growths[i] == null ? IntPtr.Zero : parts.Keep(new[] { growths[i].Value });
+            Pointer = parts.Keep(pointers);
+            Length = (UIntPtr)pointers.Length;
+        }
+
+        public void Dispose() { parts.Dispose(); }
+    }
+
     /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
     internal sealed class PinnedParts : IDisposable
     {

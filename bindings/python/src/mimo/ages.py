@@ -28,14 +28,21 @@ def growth_from(options: Mapping[str, Any]) -> _abi.Growth:
 
 def growths(ages: Sequence[Age]) -> Tuple[Any, int]:
     """An array of pointers for a config, and its length."""
-    pointers = [_pointer(age) for age in ages]
-    return (ctypes.POINTER(_abi.Growth) * len(pointers))(*pointers), len(pointers)
+    pointers: Any = ctypes.POINTER(_abi.Growth) * len(ages)
+    return pointers(*map(_pointer, ages)), len(ages)
 
 
 def _pointer(age: Age) -> Optional[Any]:
     if age is None:
         return None
     return ctypes.pointer(growth_from(age if isinstance(age, Mapping) else {"age": age}))
+
+
+def of_agents(age: Any) -> Sequence[Age]:
+    """An age for all infants of a world, or a list with one for each; nothing where they stay as they are."""
+    if age is None:
+        return []
+    return list(age) if isinstance(age, (list, tuple)) else [age]
 
 
 def listed(name: str, ages: Any) -> Sequence[Age]:

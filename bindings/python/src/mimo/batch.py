@@ -155,7 +155,7 @@ class Batch(Access):
             if age is not None and (mask is None or mask[i]):
                 now[i] = age
         self._settings["ages"] = now
-        for i, world in self._worlds.items():
+        for world in self._worlds.values():
             world.agents = agents_of(world._handle, self.layout.agents)
 
     def step(self, actions: Optional[ArrayLike] = None) -> StepResult:

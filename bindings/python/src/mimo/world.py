@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Type, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +14,7 @@ from . import _abi
 from ._handle import Native
 from ._library import LIB, check, log_to_python, raise_error, text
 from .access import Access, Mask
-from .ages import Age, growths
+from .ages import Age, growths, of_agents
 from .arguments import index_in, number_of, real_number, vector, whole_number
 from .constants import Kind, Look, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
@@ -153,7 +153,7 @@ class World(Access):
         self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None
     ) -> None:
         """As reset, with a block of your own (layout.new_block()); None skips the senses."""
-        ages = [] if age is None else list(age) if isinstance(age, (list, tuple)) else [age]
+        ages = of_agents(age)
         config = reset_config(seed, ages)
         self._given = None
         check(LIB.mimo_env_reset(self._handle, config, *self._place(block)))

@@ -2,6 +2,7 @@
 use crate::block::{memory, Block};
 use crate::env_config::EnvConfig;
 use crate::error::{check, told, Error, Result};
+use crate::growth::{pointers, Growth};
 use crate::layout::Layout;
 use crate::log::Log;
 use crate::reset::BatchReset;
@@ -14,23 +15,40 @@ use crate::world::World;
 use std::ptr::{null, null_mut, NonNull};
 
 /// How many worlds, and what happens when one's episode ends.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct BatchConfig {
     raw: sys::mimo_batch_config,
+    cohort: Vec<Option<Growth>>,
 }
+
+// The pointers inside are set for the length of a call only.
+unsafe impl Send for BatchConfig {}
+unsafe impl Sync for BatchConfig {}
 
 impl BatchConfig {
     /// That many worlds, all cores, no automatic reset.
     pub fn new(worlds: u32) -> Result<BatchConfig> {
         let mut raw = defaults(sys::mimo_batch_config_init)?;
         raw.worlds = worlds;
-        Ok(BatchConfig { raw })
+        Ok(BatchConfig { raw, cohort: Vec::new() })
     }
 
     /// 0: as many as the machine has cores.
     pub fn threads(&mut self, threads: u32) -> &mut Self {
         self.raw.threads = threads;
         self
+    }
+
+    /// How old infants are: those of world i are of `ages[i % ages.len()]`; None: as the scene says.
+    pub fn cohort(&mut self, ages: &[Option<Growth>]) -> &mut Self {
+        self.cohort = ages.to_vec();
+        self
+    }
+
+    fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_batch_config) -> R) -> R {
+        let cohort = pointers(&self.cohort);
+        let (cohort, cohort_count) = (cohort.as_ptr(), cohort.len());
+        use_it(&sys::mimo_batch_config { cohort, cohort_count, ..self.raw })
     }
 
     /// A `MIMO_AUTORESET_` constant.
@@ -67,7 +85,9 @@ impl Batch {
     pub fn new(scene: &Scene, env: &EnvConfig, batch: &BatchConfig) -> Result<Batch> {
         let mut handle = null_mut();
         env.with_raw(|env| {
-            check(unsafe { sys::mimo_batch_create(scene.handle(), env, &batch.raw, &mut handle) })
+            batch.with_raw(|batch| {
+                check(unsafe { sys::mimo_batch_create(scene.handle(), env, batch, &mut handle) })
+            })
         })?;
         let handle = NonNull::new(handle).expect("a handle");
         let mut made =
@@ -117,7 +137,7 @@ impl Batch {
     /// Starts episodes; without blocks nothing is observed.
     pub fn reset(&mut self, how: BatchReset, blocks: Option<&mut Block>) -> Result<()> {
         let (bytes, count) = memory(blocks);
-        check(unsafe { sys::mimo_batch_reset(self.handle(), &how.raw()?, bytes, count) })
+        how.with_raw(|how| check(unsafe { sys::mimo_batch_reset(self.handle(), how, bytes, count) }))?
     }
 
     /// Goes one step on in all worlds; `actions` is worlds x actions, or empty: controls stay as they are.

@@ -2,6 +2,7 @@
 use crate::error::Result;
 use crate::structs::defaults;
 use crate::sys;
+use std::ptr::null;
 
 /// An infant's age and growth, for [`AgentConfig::growth`](crate::AgentConfig::growth).
 #[derive(Clone, Copy, Debug)]
@@ -58,4 +59,9 @@ impl Growth {
     pub(crate) fn raw(&self) -> &sys::mimo_growth {
         &self.raw
     }
+}
+
+/// Pointers to growths, as C has them; NULL for none.
+pub(crate) fn pointers(growths: &[Option<Growth>]) -> Vec<*const sys::mimo_growth> {
+    growths.iter().map(|growth| growth.as_ref().map_or(null(), |growth| growth.raw() as *const _)).collect()
 }

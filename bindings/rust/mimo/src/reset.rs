@@ -1,37 +1,47 @@
 //! How episodes start.
 use crate::error::{Error, Kind, Result};
+use crate::growth::{pointers, Growth};
 use crate::structs::sized;
 use crate::sys;
 use std::ptr::null;
 
 /// How an episode starts: the random numbers go on, unless a seed is given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Reset {
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reset<'a> {
     seed: Option<u64>,
+    ages: &'a [Option<Growth>],
 }
 
-impl Reset {
+impl<'a> Reset<'a> {
     /// The random numbers go on.
-    pub fn new() -> Reset {
+    pub fn new() -> Reset<'a> {
         Reset::default()
     }
 
     /// The random numbers start anew from this number.
-    pub fn seed(self, seed: u64) -> Reset {
-        Reset { seed: Some(seed) }
+    pub fn seed(self, seed: u64) -> Reset<'a> {
+        Reset { seed: Some(seed), ..self }
     }
 
-    pub(crate) fn raw(&self) -> sys::mimo_reset_config {
+    /// What infants become: one for all of the world, or one for each; None stays as it is.
+    pub fn ages(self, ages: &'a [Option<Growth>]) -> Reset<'a> {
+        Reset { ages, ..self }
+    }
+
+    pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_reset_config) -> R) -> R {
         let (seeded, seed) = self.seed.map_or((0, 0), |seed| (1, seed));
-        sys::mimo_reset_config { seeded, seed, ..sized() }
+        let growth = pointers(self.ages);
+        let (growth, growth_count) = (growth.as_ptr(), growth.len());
+        use_it(&sys::mimo_reset_config { seeded, seed, growth, growth_count, ..sized() })
     }
 }
 
 /// Which worlds of a batch start an episode, and how: all, with their own random numbers, unless told otherwise.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct BatchReset<'a> {
     seeds: Option<&'a [u64]>,
     mask: Option<&'a [bool]>,
+    ages: Option<&'a [Option<Growth>]>,
 }
 
 impl<'a> BatchReset<'a> {
@@ -50,16 +60,32 @@ impl<'a> BatchReset<'a> {
         BatchReset { mask: Some(mask), ..self }
     }
 
-    pub(crate) fn raw(&self) -> Result<sys::mimo_batch_reset_config> {
-        let (seeds, seed_count) = self.seeds.map_or((null(), 0), |seeds| (seeds.as_ptr(), seeds.len()));
-        let (mask, mask_length) = chosen(self.mask);
-        // C knows one length for both.
-        if self.seeds.is_some() && self.mask.is_some() && seed_count != mask_length {
-            let message =
-                format!("mask has {} entries, expected {}, as many as seeds", mask_length, seed_count);
-            return Err(Error::new(Kind::InvalidArgument, message));
+    /// What the infants of each world become; None stays as it is.
+    pub fn ages(self, ages: &'a [Option<Growth>]) -> BatchReset<'a> {
+        BatchReset { ages: Some(ages), ..self }
+    }
+
+    // C knows one length for all.
+    fn worlds(&self) -> Result<usize> {
+        let lengths = [self.seeds.map(<[u64]>::len), self.mask.map(<[bool]>::len), self.ages.map(<[_]>::len)];
+        let mut given = lengths.into_iter().flatten();
+        let worlds = given.next().unwrap_or(0);
+        match given.find(|&length| length != worlds) {
+            None => Ok(worlds),
+            Some(other) => {
+                let message = format!("seeds, mask and ages have {} and {} entries, expected as many", worlds, other);
+                Err(Error::new(Kind::InvalidArgument, message))
+            }
         }
-        Ok(sys::mimo_batch_reset_config { seeds, mask, worlds: seed_count.max(mask_length), ..sized() })
+    }
+
+    pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_batch_reset_config) -> R) -> Result<R> {
+        let worlds = self.worlds()?;
+        let seeds = self.seeds.map_or(null(), |seeds| seeds.as_ptr());
+        let (mask, _) = chosen(self.mask);
+        let growth = self.ages.map(pointers);
+        let growth = growth.as_ref().map_or(null(), |growth| growth.as_ptr());
+        Ok(use_it(&sys::mimo_batch_reset_config { seeds, mask, worlds, growth, ..sized() }))
     }
 }
 

@@ -130,7 +130,7 @@ impl Senses {
     /// # Safety
     /// As [`Senses::observe`].
     pub unsafe fn reset(&mut self, data: *const c_void, how: Reset) -> Result<()> {
-        check(sys::mimo_senses_reset(self.handle(), data, &how.raw()))
+        how.with_raw(|how| check(sys::mimo_senses_reset(self.handle(), data, how)))
     }
 
     /// One step later, once after each step of the host: senses with a delay take in what the data hold.

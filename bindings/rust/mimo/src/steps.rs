@@ -11,7 +11,7 @@ impl World {
     /// Starts an episode; without a block nothing is observed.
     pub fn reset(&mut self, how: Reset, block: Option<&mut Block>) -> Result<()> {
         let (bytes, count) = memory(block);
-        check(unsafe { sys::mimo_env_reset(self.handle(), &how.raw(), bytes, count) })
+        how.with_raw(|how| check(unsafe { sys::mimo_env_reset(self.handle(), how, bytes, count) }))
     }
 
     /// Goes one step on, in a world of one agent. No actions leave the controls as they are; actions are clipped to
