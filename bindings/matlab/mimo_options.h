@@ -32,9 +32,9 @@ typedef struct option {
   size_t offset;
 } option;
 
-extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_options[], mimo_env_options[], mimo_batch_options[],
-    mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[], mimo_limit_options[],
-    mimo_picture_options[], mimo_no_options[];
+extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_options[], mimo_env_options[],
+    mimo_batch_options[], mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[],
+    mimo_limit_options[], mimo_picture_options[], mimo_no_options[];
 
 /* Growths of ages in months, NULL for NaN; NULL for an empty array. They belong to the call. */
 const mimo_growth* const* mimo_ages(const mxArray* months, size_t* count);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "mimo_layout.h"
+#include "mimo_options.h"
 #include "mimo_scenes.h"
 
 /* Whoever makes a field "a_b" beside "a/b" learns so before one of them is missing. */
