@@ -99,7 +99,8 @@ class Search {
       angles[joint.name] = std::uniform_real_distribution<>(joint.range[0], joint.range[1])(random);
     }
     double best = distance(angles, target);
-    for (double step = 0.5; step > 0.005;) {
+    double step = 0.5;
+    while (step > 0.005) {
       const double before = best;
       for (const growth::Joint& joint : joints_) best = std::min(best, improve(angles, joint, step, target, best));
       if (best == before) step /= 2;

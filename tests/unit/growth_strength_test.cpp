@@ -89,7 +89,8 @@ TEST_P(GrowthStrength, OfACrossSectionGrowsWithPhysiologicalAge) {
 TEST_P(GrowthStrength, OverWeightNeverFallsWithAge) {
   for (const char* name : {"act:left_elbow", "act:left_shoulder_abduction", "act:left_knee", "act:left_hip_flex"}) {
     double before = 0;
-    for (double age = 0; age <= 24; age += 0.5) {
+    for (int step = 0; step <= 48; ++step) {
+      const double age = 0.5 * step;
       const double now = relative_strength(grown(base(), aged(age)), name);
       EXPECT_GE(now, 0.999 * before) << name << " at " << age << " months";
       before = now;
@@ -177,8 +178,8 @@ TEST_P(GrowthStrength, LimitsAreThoseOfYoungInfants) {
 // Ankles alone bend further up in newborns than later.
 TEST_P(GrowthStrength, LimitsOnlyEverWiden) {
   Skeleton before = grown(base(), aged(0));
-  for (double age = 0; age <= 24; age += 0.25) {
-    const Skeleton now = grown(base(), aged(age));
+  for (int step = 0; step <= 96; ++step) {
+    const Skeleton now = grown(base(), aged(0.25 * step));
     for (std::size_t i = 0; i < now.bones.size(); ++i) {
       for (std::size_t k = 0; k < now.bones[i].joints.size(); ++k) {
         const growth::Joint &is = now.bones[i].joints[k], &was = before.bones[i].joints[k],

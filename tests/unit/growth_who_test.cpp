@@ -185,8 +185,7 @@ TEST_P(GrowthOf, IsTheWhosLengthAndWeightWhereThatIsAskedFor) {
 TEST_P(GrowthOf, OnlyEverGetsLargerAndWithoutJumps) {
   constexpr double kStep = 0.05, kJump = 0.005;
   std::vector<Numbers> ages;
-  for (double age = 0; age < 24 + kStep / 2; age += kStep)
-    ages.push_back(sizes_of(grown(base(), aged(std::min(age, 24.0)))));
+  for (int step = 0; step <= 480; ++step) ages.push_back(sizes_of(grown(base(), aged(std::min(kStep * step, 24.0)))));
   for (std::size_t i = 0; i < ages[0].size(); ++i) {
     for (std::size_t k = 1; k < ages.size(); ++k) {
       const double before = std::abs(ages[k - 1][i].second), now = std::abs(ages[k][i].second);

@@ -80,7 +80,8 @@ TEST(Curve, GoesExactlyThroughItsPointsAndNeverOverThem) {
   const growth::Curve curve(x, y);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(curve(x[i]), y[i]);
   double before = curve(0);
-  for (double at = 0; at <= 7; at += 0.01) {
+  for (int step = 0; step <= 700; ++step) {
+    const double at = 0.01 * step;
     EXPECT_GE(curve(at), before);
     before = curve(at);
   }
