@@ -22,7 +22,7 @@ class Rig {
  public:
   Rig(const engine::ModelPtr& model, const batch::Options& options, const env::EnvOptions& world_options = {},
       const LogSink& log = {}, const env::AgentOptions& agent = blind())
-      : batch(kits_of({model, {agent}, world_options, {nullptr, {}, nullptr, log}}), options),
+      : batch(kits_of({model, {agent}, world_options, {nullptr, nullptr, nullptr, nullptr, log}}), options),
         block_bytes(batch.world(0).layout().bytes()),
         blocks(options.worlds * block_bytes),
         final_blocks(blocks.size()),
