@@ -97,7 +97,7 @@ TEST(GrowthCheck, SaysWhichPartOfABodyIsMissing) {
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.status(), Status::kUnsupported);
-      EXPECT_NE(error.message().find("\""), std::string::npos) << error.message();
+      EXPECT_NE(error.message().find('"'), std::string::npos) << error.message();
     }
   }
 }
