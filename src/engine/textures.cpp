@@ -33,7 +33,8 @@ ModelPtr with_textures_of(const ModelPtr& owner, ModelPtr model) {
   if (model == owner || model->ntexdata == 0 || !have_the_same(*owner, *model)) return model;
   mjModel* slim = copy_without_textures(*model);
   if (slim == nullptr) return model;
-  slim->ntexdata = owner->ntexdata;
+  slim->nbuffer = model->nbuffer;  // as it says of itself it is the same, for MuJoCo that copies it, and for states
+  slim->ntexdata = model->ntexdata;
   slim->tex_rgb = owner->tex_rgb;
   return ModelPtr(slim, [owner](mjModel* one) { mj_deleteModel(one); });
 }

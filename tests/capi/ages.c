@@ -439,6 +439,30 @@ static void check_cohort_refusals(void) {
   mimo_scene_destroy(scene);
 }
 
+/* A world's mass can be set at any age, and its state fits a world that was made at that age. */
+static void check_every_world(void) {
+  const mimo_growth three = aged(3), twenty = aged(20);
+  const mimo_growth* const cohort[] = {&three, NULL, &twenty};
+  mimo_batch* batch = batch_of(scene_with(NULL), cohort, 3, 0);
+  const double heavy = 4;
+  size_t i;
+  for (i = 0; i < 3; ++i) {
+    mimo_env *view = view_of(batch, i), *single = env_of(scene_with(cohort[i]));
+    const int32_t head = find(view, MIMO_BODY, "head");
+    double mass = 0;
+    course ran;
+    CHECK_OK(mimo_env_set(view, MIMO_BODY_MASS, &head, 1, &heavy, 1));
+    ran = run(view);
+    CHECK_OK(mimo_env_state_load(single, ran.state, ran.state_bytes, NULL));
+    CHECK_OK(mimo_env_get(single, MIMO_BODY_MASS, &head, 1, &mass, 1));
+    CHECK(mass == heavy);
+    CHECK_ALIKE(view, single);
+    forget(&ran);
+    mimo_env_destroy(single);
+  }
+  mimo_batch_destroy(batch);
+}
+
 /* A batch's bounds are wide enough for all: an action is where a joint goes, and newborns do not reach as far. */
 static void check_bounds(void) {
   const mimo_growth born = aged(0), two = aged(24);
@@ -491,6 +515,7 @@ int main(void) {
   check_cohort();
   check_batch_resets();
   check_cohort_refusals();
+  check_every_world();
   check_bounds();
   check_many_ages();
   return failures();

@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "engine/fingerprint.h"
+
 namespace mimo::test {
 namespace {
 
@@ -26,7 +28,7 @@ TEST(Textures, OfTheSamePicturesAreShared) {
   ASSERT_NE(slim, model);
   EXPECT_EQ(slim->tex_rgb, owner->tex_rgb);
   EXPECT_EQ(slim->ntexdata, 3 * 16 * 17);
-  EXPECT_LE(slim->nbuffer, model->nbuffer - 3 * 16 * 17);
+  EXPECT_EQ(engine::fingerprint(*slim), engine::fingerprint(*model));
   EXPECT_EQ(slim->geom_size[0], 2);
   EXPECT_EQ(slim->mat_texid[0], 0);
   EXPECT_STREQ(mj_id2name(slim.get(), mjOBJ_MATERIAL, 0), "m");
@@ -38,6 +40,14 @@ TEST(Textures, LiveAsLongAsAModelUsesThem) {
   owner.reset();
   EXPECT_EQ(slim->tex_rgb[0], 255);
   EXPECT_EQ(slim->tex_rgb[3 * 16 * 17 - 1], 0);
+}
+
+TEST(Textures, AreCopiedWithTheModel) {
+  const ModelPtr slim = engine::with_textures_of(painted("1", "1 0 0"), painted("2", "1 0 0"));
+  mjModel* copy = mj_copyModel(nullptr, slim.get());
+  EXPECT_NE(copy->tex_rgb, slim->tex_rgb);
+  EXPECT_EQ(copy->tex_rgb[0], 255);
+  mj_deleteModel(copy);
 }
 
 TEST(Textures, OfOtherPicturesStay) {
