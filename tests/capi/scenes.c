@@ -30,9 +30,10 @@ static void check_sources(void) {
   CHECK_TEXT("benchmark", mimo_scene_builtin(0));
   CHECK_TEXT("free", mimo_scene_builtin(1));
   CHECK_TEXT("selfbody", mimo_scene_builtin(4));
-  CHECK_TEXT("showroom", mimo_scene_builtin(6));
-  CHECK_TEXT("playdate", mimo_scene_builtin(7));
-  CHECK(mimo_scene_builtin(8) == NULL);
+  CHECK_TEXT("rollover", mimo_scene_builtin(6));
+  CHECK_TEXT("showroom", mimo_scene_builtin(7));
+  CHECK_TEXT("playdate", mimo_scene_builtin(8));
+  CHECK(mimo_scene_builtin(9) == NULL);
   CHECK(mimo_scene_builtin((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);

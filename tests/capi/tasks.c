@@ -45,7 +45,8 @@ static void check_parameters(void) {
   mimo_scene_destroy(scene);
   CHECK_TEXT("none", mimo_task_name(0));
   CHECK_TEXT("catch", mimo_task_name(4));
-  CHECK(mimo_task_name(5) == NULL);
+  CHECK_TEXT("rollover", mimo_task_name(5));
+  CHECK(mimo_task_name(6) == NULL);
 }
 
 static void check_episode(const char* name, int limit, int frame_skip, int actions) {
