@@ -10,7 +10,8 @@ function values = mimo_get(world, quantity, names, index)
 %     site_position, site_orientation, site_pose, site_velocity
 %     camera_position, camera_orientation, camera_pose
 %     light_position, light_direction, light_color, world_gravity, warning_count
-%     agent_face, agent_goal, agent_achieved (what its task wants of it, and what is so far)
+%     agent_face, agent_goal, agent_achieved (what its task wants of it, and what is so far), agent_age,
+%     agent_physiological_age (months)
 %     contact_geoms, _bodies, _position, _frame, _distance, _force, _torque
 %     step_contact_geoms, _bodies, _start, _end, _impulse, _peak_force, _peak_position (with the option step_contacts)
 %   Poses and velocities belong to the start of the last physics step; with _now ('body_position_now') to the present.

@@ -57,6 +57,8 @@ static const quantity quantities[] = {
     QUANTITY(AGENT, FACE, "agent_face"),
     QUANTITY(AGENT, GOAL, "agent_goal"),
     QUANTITY(AGENT, ACHIEVED, "agent_achieved"),
+    QUANTITY(AGENT, AGE, "agent_age"),
+    QUANTITY(AGENT, PHYSIOLOGICAL_AGE, "agent_physiological_age"),
     QUANTITY(WORLD, GRAVITY, "world_gravity"),
     QUANTITY(WARNING, COUNT, "warning_count"),
 };

@@ -159,9 +159,9 @@ def test_depth_and_the_size_of_pictures():
 
 
 def test_options_of_a_reset_that_nobody_knows():
-    with pytest.raises(ValueError, match="options has 'speed', expected none at all"):
+    with pytest.raises(ValueError, match="options has 'speed', expected 'age'"):
         mimo.make("reach").reset(options={"speed": 3})
-    with pytest.raises(ValueError, match="options has 'mask', expected 'reset_mask'"):
+    with pytest.raises(ValueError, match="options has 'mask', expected 'reset_mask' or 'ages'"):
         mimo.make_vec("reach", num_envs=2).reset(options={"mask": np.array([True, False])})
     mimo.make("reach").reset(seed=1, options={})
 

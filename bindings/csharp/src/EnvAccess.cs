@@ -146,6 +146,10 @@ namespace Mimo
         AgentGoal = 52,
         /// <summary>What is so far of its goal.</summary>
         AgentAchieved = 53,
+        /// <summary>How old an infant is, months.</summary>
+        AgentAge = 54,
+        /// <summary>The same of its strength, range of motion and tone.</summary>
+        AgentPhysiologicalAge = 55,
         /// <summary>Or-ed to a quantity: its value of now, which follows from the current positions.</summary>
         Now = 0x40000000
     }

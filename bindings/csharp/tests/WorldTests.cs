@@ -53,7 +53,7 @@ internal static partial class Tests
             growth.age = 6;
             growth.sex = Sex.Female;
             scene.AddAgent(agent, growth: growth);
-            using (var env = new Env(scene)) Near(7.297 / 10.585 * 10.905, env.Agents[0].Mass, 0.04, "mass of a girl");
+            using (var env = new Env(scene)) Near(7.297 / 10.585 * 10.905, env.Agent().Mass, 0.04, "mass of a girl");
         }
     }
 

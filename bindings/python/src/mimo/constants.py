@@ -257,6 +257,8 @@ class Quantity(IntEnum):
     SITE_VELOCITY = 51
     AGENT_GOAL = 52
     AGENT_ACHIEVED = 53
+    AGENT_AGE = 54
+    AGENT_PHYSIOLOGICAL_AGE = 55
 
 
 NOW = 0x40000000  # or-ed to a quantity: its value of now

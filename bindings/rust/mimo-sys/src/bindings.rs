@@ -1283,8 +1283,7 @@ pub struct mimo_reset_config {
     pub seeded: u32,
     #[doc = "Any number; 0 where seeded is 0."]
     pub seed: u64,
-    #[doc = "What infants become: one growth for all of the world's, or one for each agent;"]
-    #[doc = "NULL among them: that agent stays as it is."]
+    #[doc = "What infants become: one growth for all of them, or one for each agent, of which NULL stay as they are."]
     pub growth: *const *const mimo_growth,
     #[doc = "0: all stay as they are; 1: all infants; else as many as there are agents."]
     pub growth_count: usize,
@@ -1292,16 +1291,15 @@ pub struct mimo_reset_config {
 extern "C" {
     #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
     #[doc = ""]
-    #[doc = "With a growth that its infants do not have yet, the world has another model afterwards. Its handle stays and so does"]
-    #[doc = "its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Random numbers go on;"]
-    #[doc = "gravity, faces, timing and counts of warnings stay; all else that was set and outlives resets is as in a new world, for"]
-    #[doc = "it belonged to another body. Strings and ids of the world: ids stay, strings (but for the layout's) are to be asked for"]
-    #[doc = "again. A world, its clones and a batch keep the models that they have made, the last 8 at least, so that each is compiled"]
-    #[doc = "once."]
+    #[doc = "With a growth that its infants do not have yet the world has another model afterwards. Its handle stays and so does"]
+    #[doc = "its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Ids stay; names, but"]
+    #[doc = "for the layout's, are to be asked for again. Random numbers go on; gravity, faces, timing and counts of warnings stay."]
+    #[doc = "All else that was set and outlives resets is as in a new world, for it belonged to another body. A world, its clones"]
+    #[doc = "and a batch compile each age once: they keep the last 8, and those in use."]
     #[doc = "@param config NULL: the world's random numbers go on."]
     #[doc = "@param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
-    #[doc = "Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the observation"]
-    #[doc = "        (keep_spacing); nothing has changed then."]
+    #[doc = "Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the"]
+    #[doc = "        observation (keep_spacing); what the task says. With another age nothing has changed then."]
     pub fn mimo_env_reset(
         env: *mut mimo_env,
         config: *const mimo_reset_config,
@@ -1719,8 +1717,7 @@ pub struct mimo_batch_config {
     pub restart_failed: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Ages: all infants of world i become cohort[i % cohort_count]; where that is"]
-    #[doc = "NULL they are as the scene says."]
+    #[doc = "Ages: all infants of world i become cohort[i % cohort_count]; where that is NULL they are as the scene says."]
     pub cohort: *const *const mimo_growth,
     #[doc = "0 (default): all are as the scene says; at most worlds."]
     pub cohort_count: usize,
@@ -1755,7 +1752,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. Of worlds"]
-    #[doc = "of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was made."]
+    #[doc = "of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was"]
+    #[doc = "made."]
     pub fn mimo_batch_layout(batch: *const mimo_batch, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
@@ -1789,10 +1787,9 @@ pub struct mimo_batch_reset_config {
     pub seeds: *const u64,
     #[doc = "Which worlds; NULL: all."]
     pub mask: *const u8,
-    #[doc = "Length of the arrays; 0 if all are NULL."]
+    #[doc = "Length of these arrays; 0 if all are NULL."]
     pub worlds: usize,
-    #[doc = "One for each world: what all its infants become, as in mimo_reset_config; NULL"]
-    #[doc = "among them, or NULL: they stay as they are."]
+    #[doc = "One for each world: what all its infants become, as in mimo_reset_config; NULL, also among them: they stay."]
     pub growth: *const *const mimo_growth,
 }
 extern "C" {

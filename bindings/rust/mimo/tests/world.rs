@@ -1,7 +1,7 @@
 //! One world, driven as a user drives it.
 use mimo::sys::*;
 use mimo::{
-    AgentConfig, Batch, BatchConfig, Env, EnvConfig, Kind, Level, LogRecord, Object, Reset, Scene,
+    AgentConfig, Batch, BatchConfig, Env, EnvConfig, Growth, Kind, Level, LogRecord, Object, Reset, Scene,
     SceneConfig,
 };
 use std::sync::{Arc, Mutex};
