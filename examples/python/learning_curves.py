@@ -17,8 +17,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 VALUES = ["mean_return", "success", "length", "training_return", "training_success"]
-NAMES = {"reach": "reaching", "standup": "standing up", "selfbody": "self-body", "catch": "catching",
-         "rollover": "rolling over"}
+NAMES = {
+    "reach": "reaching",
+    "standup": "standing up",
+    "selfbody": "self-body",
+    "catch": "catching",
+    "rollover": "rolling over",
+}
 
 
 def read(folder, value):

@@ -116,7 +116,7 @@ typedef struct mimo_reset_config {
  *
  * With a growth that its infants do not have yet the world has another model afterwards. Its handle stays and so does
  * its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Ids stay; names, but
- * for the layout's, are to be asked for again. Random numbers go on; gravity, faces, timing and counts of warnings stay.
+ * for the layout's, are to be asked for again. Random numbers go on; gravity, faces, timing, counts of warnings stay.
  * All else that was set and outlives resets is as in a new world, for it belonged to another body. A world, its clones
  * and a batch compile each age once: they keep the last 8, and those in use.
  * @param config NULL: the world's random numbers go on.

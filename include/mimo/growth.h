@@ -21,11 +21,11 @@ extern "C" {
 #define MIMO_GROWTH_ORIGINAL 1 /**< The rules of MIMo's second version, for those who compare. */
 
 /**
- * How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months. From
- * it follow lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness, damping and
- * friction of joints. The infant starts in the same pose, as far as its joints go, its lowest point where that would be
- * at 18 months. With all defaults it is that body, to the last bit. Objects and rooms stay; what tasks do about it,
- * docs/tasks.md says.
+ * How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months.
+ * From it follow lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness,
+ * damping and friction of joints. The infant starts in the same pose, as far as its joints go, its lowest point where
+ * that would be at 18 months. With all defaults it is that body, to the last bit. Objects and rooms stay; what tasks do
+ * about it, docs/tasks.md says.
  * Errors, of the call that is given it: MIMO_E_INVALID_ARGUMENT for numbers out of their range, an agent that is no
  * infant, and a combination that no infant can have, where no girth of its limbs gives that mass; MIMO_E_UNSUPPORTED
  * for an infant in the scene's MJCF whose parts somebody has changed.

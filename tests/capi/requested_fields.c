@@ -413,8 +413,8 @@ static void check_refused(void) {
                field_for("ball", MIMO_BODY_POSITION, ball, 1, "desk"));
   refuse_world(MIMO_E_INVALID_ARGUMENT, "there are two fields \"touch/force\"", blind_scene("free"),
                field_for("touch/force", MIMO_WORLD_GRAVITY, NULL, 0, NULL));
-  refuse_world(MIMO_E_UNSUPPORTED, "field \"goal\": agent goal, but the agent has none",
-               blind_scene("free"), field_for("goal", MIMO_AGENT_GOAL, sole, 1, NULL));
+  refuse_world(MIMO_E_UNSUPPORTED, "field \"goal\": agent goal, but the agent has none", blind_scene("free"),
+               field_for("goal", MIMO_AGENT_GOAL, sole, 1, NULL));
   scene = blind_scene("free");
   config = field_for("scene/gravity", MIMO_WORLD_GRAVITY, NULL, 0, NULL);
   CHECK_OK(mimo_limits_init(&limits, sizeof limits));

@@ -208,7 +208,8 @@ TEST(State, RefusesNumbersThatAreNotFiniteAndPartsThatDoNotWantTheirs) {
 
 TEST(State, IsRefusedByAnotherModelOrTask) {
   const auto world = make_world(benchmark_model());
-  EXPECT_EQ(refusal(*make_world(floating_model()), saved(*world)), "state: it was saved from another model, or from infants of another age");
+  EXPECT_EQ(refusal(*make_world(floating_model()), saved(*world)),
+            "state: it was saved from another model, or from infants of another age");
 
   scene::Object ball;
   ball.name = "ball";
@@ -217,7 +218,8 @@ TEST(State, IsRefusedByAnotherModelOrTask) {
   const auto with_ball = make_world(with(ball));
   ball.mass = 0.1001;
   const auto heavier = make_world(with(ball));
-  EXPECT_EQ(refusal(*heavier, saved(*with_ball)), "state: it was saved from another model, or from infants of another age");
+  EXPECT_EQ(refusal(*heavier, saved(*with_ball)),
+            "state: it was saved from another model, or from infants of another age");
   ball.mass = 0.1;
   EXPECT_EQ(refusal(*make_world(with(ball)), saved(*with_ball)), "");
 
@@ -407,7 +409,8 @@ TEST(State, ToleratesSectionsToComeUnlessTheyAreEssential) {
             std::string::npos);
   EXPECT_EQ(refused(state_of(env::Archive(7, sections(false, false, 2)))),
             "state: version 2 of its section \"old\" needs a newer library, this one reads up to 1");
-  EXPECT_EQ(refused(state_of(env::Archive(8, sections(false, false, 1)))), "state: it was saved from another model, or from infants of another age");
+  EXPECT_EQ(refused(state_of(env::Archive(8, sections(false, false, 1)))),
+            "state: it was saved from another model, or from infants of another age");
   env::Archive tomorrow(7, sections(true, false, 2));
   EXPECT_EQ(tomorrow.load(Span<const std::uint8_t>(state_of(today))).fresh_names, "new");
 }
