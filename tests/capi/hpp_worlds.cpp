@@ -291,6 +291,34 @@ void check_batch() {
   }
 }
 
+// Worlds of several ages, and resets that bring others.
+void check_ages() {
+  const auto aged = [](double months) {
+    mimo_growth growth = mimo::growth();
+    growth.age = months;
+    return growth;
+  };
+  auto config = mimo::scene_config();
+  config.name = "free";
+  mimo::Scene scene(config);
+  auto infant = scene.default_agent();
+  infant.vision = 0;
+  scene.add_agent(infant);
+  auto many = mimo::batch_config();
+  many.worlds = 3;
+  mimo::Batch batch(scene, mimo::env_config(), many, {aged(2), aged(20)});
+  CHECK((batch.get_values(MIMO_AGENT_AGE) == std::vector<double>{2, 20, 2}));
+  mimo::Block blocks = batch.make_blocks();
+  batch.reset(mimo::batch_reset_config(), {aged(1), aged(2), aged(3)}, blocks);
+  CHECK((batch.get_values(MIMO_AGENT_AGE) == std::vector<double>{1, 2, 3}));
+  mimo::Env env(scene);
+  mimo::Block block = env.make_block();
+  env.reset(mimo::reset_config(), {aged(6)}, block);
+  CHECK((env.get_values(MIMO_AGENT_AGE) == std::vector<double>{6}));
+  env.reset(block);
+  CHECK((env.get_values(MIMO_AGENT_AGE) == std::vector<double>{6}));
+}
+
 // A step in two halves, values of all worlds, and what became of each.
 void check_batch_at_once() {
   auto config = mimo::scene_config();
@@ -352,6 +380,7 @@ int main() {
   check_steps_without_observation();
   check_timing();
   check_batch();
+  check_ages();
   check_batch_at_once();
   check_pictures();
   return failures();

@@ -25,6 +25,10 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
       : Batch(scene, env, sized(worlds)) {}
   Batch(const Scene &scene, const mimo_env_config &env, const mimo_batch_config &config)
       : Handle(create(scene, env, config)) {}
+  /// Worlds of several ages: all infants of world i become cohort[i % cohort.size()].
+  Batch(const Scene &scene, const mimo_env_config &env, mimo_batch_config config,
+        const std::vector<mimo_growth> &cohort)
+      : Handle(create_cohort(scene, env, config, cohort)) {}
 
   std::size_t size() const {
     std::size_t worlds = 0;
@@ -51,6 +55,13 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     mimo_batch_reset_config config = detail::described<mimo_batch_reset_config>();
     config.seeds = seeds.empty() ? nullptr : seeds.data();
     config.worlds = seeds.size();
+    check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));
+  }
+  /// As the config says, with what infants become: a growth for each world.
+  void reset(mimo_batch_reset_config config, const std::vector<mimo_growth> &ages, Block &blocks) {
+    const std::vector<const mimo_growth *> places = detail::places_of(ages);
+    config.growth = places.data();
+    config.worlds = places.size();
     check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));
   }
   /// One step; worlds x actions, none leave the controls as they are. `results` says where else it goes, or nullptr.
@@ -148,6 +159,13 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     mimo_batch *batch = nullptr;
     check(mimo_batch_create(scene.get(), &env, &config, &batch));
     return batch;
+  }
+  static mimo_batch *create_cohort(const Scene &scene, const mimo_env_config &env, mimo_batch_config config,
+                                   const std::vector<mimo_growth> &cohort) {
+    const std::vector<const mimo_growth *> places = detail::places_of(cohort);
+    config.cohort = places.data();
+    config.cohort_count = places.size();
+    return create(scene, env, config);
   }
 };
 

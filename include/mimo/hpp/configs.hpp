@@ -36,6 +36,12 @@ inline mimo_reset_config seeded(std::uint64_t seed) {
   config.seed = seed;
   return config;
 }
+/// Pointers to the elements, as the library takes growths.
+inline std::vector<const mimo_growth *> places_of(const std::vector<mimo_growth> &growths) {
+  std::vector<const mimo_growth *> places;
+  for (const mimo_growth &growth : growths) places.push_back(&growth);
+  return places;
+}
 inline std::vector<std::string> names(const char *(*name)(std::size_t)) {
   std::vector<std::string> all;
   for (std::size_t i = 0; name(i) != nullptr; ++i) all.push_back(name(i));
@@ -56,6 +62,9 @@ inline mimo_picture_config picture_config() { return detail::defaults(mimo_pictu
 inline mimo_limits limits() { return detail::defaults(mimo_limits_init); }
 /// The body of 18 months.
 inline mimo_growth growth() { return detail::defaults(mimo_growth_init); }
+/// An episode that goes on with the world's random numbers; in a batch one of all worlds.
+inline mimo_reset_config reset_config() { return detail::described<mimo_reset_config>(); }
+inline mimo_batch_reset_config batch_reset_config() { return detail::described<mimo_batch_reset_config>(); }
 /// Of a host with that mj_version(), sizeof(mjModel) and sizeof(mjData).
 inline mimo_senses_config senses_config(int mujoco_version, std::size_t model_size, std::size_t data_size) {
   mimo_senses_config config = detail::defaults(mimo_senses_config_init);

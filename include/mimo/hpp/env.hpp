@@ -75,6 +75,13 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     check(mimo_env_reset(get(), &config, block.data(), block.bytes()));
   }
   void reset(Block &block) { check(mimo_env_reset(get(), nullptr, block.data(), block.bytes())); }
+  /// As the config says, with what infants become: one growth for all of them, or one for each agent.
+  void reset(mimo_reset_config config, const std::vector<mimo_growth> &ages, Block &block) {
+    const std::vector<const mimo_growth *> places = detail::places_of(ages);
+    config.growth = places.data();
+    config.growth_count = places.size();
+    check(mimo_env_reset(get(), &config, block.data(), block.bytes()));
+  }
   void observe(Block &block) { check(mimo_env_observe(get(), block.data(), block.bytes())); }
 
   /// One step of all agents; an empty vector of actions leaves the controls as they are. Allocates nothing.
