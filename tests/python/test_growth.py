@@ -118,7 +118,17 @@ def test_vector_environments_have_ages():
 
 
 def test_copies_are_as_old():
-    with mimo.World("free", vision=False, touch=False) as world:
-        world.reset(seed=1, age=3)
-        twin = pickle.loads(pickle.dumps(world))
-        assert twin.agents[0].mass == world.agents[0].mass
+    with mimo.World("playdate", vision=False, touch=False) as world:
+        world.reset(seed=1, age=[2, None])
+        world.reset(age=[None, 6])
+        masses = [agent.mass for agent in world.agents]
+        for twin in (pickle.loads(pickle.dumps(world)), pickle.loads(pickle.dumps(world.clone()))):
+            assert [agent.mass for agent in twin.agents] == masses
+
+
+def test_a_girl_stays_a_girl():
+    with mimo.World("free", vision=False, touch=False, sex="female") as world:
+        world.reset(seed=1, age=6)
+        assert world.agents[0].mass == agent_of(age=6, sex="female").mass
+    with mimo.Batch("free", 2, vision=False, touch=False, sex="female", ages=[3, 6]) as batch:
+        assert batch.world(1).agents[0].mass == agent_of(age=6, sex="female").mass

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _abi
 from ._library import LIB, check
@@ -38,11 +38,19 @@ def _pointer(age: Age) -> Optional[Any]:
     return ctypes.pointer(growth_from(age if isinstance(age, Mapping) else {"age": age}))
 
 
-def of_agents(age: Any) -> Sequence[Age]:
-    """An age for all infants of a world, or a list with one for each; nothing where they stay as they are."""
+def changed(growth: Mapping[str, Any], age: Age) -> Dict[str, Any]:
+    """A growth with another age, or with what the options say: a girl stays a girl."""
     if age is None:
-        return []
-    return list(age) if isinstance(age, (list, tuple)) else [age]
+        return dict(growth)
+    return {**growth, **(age if isinstance(age, Mapping) else {"age": age})}
+
+
+def of_agents(growths: Sequence[Mapping[str, Any]], age: Any) -> List[Dict[str, Any]]:
+    """What infants become by one age for all, or a list with one for each."""
+    ages = list(age) if isinstance(age, (list, tuple)) else [age] * len(growths)
+    if len(ages) != len(growths):
+        raise ValueError(f"there are {len(ages)} ages, expected {len(growths)}, one for each infant")
+    return [changed(growth, one) for growth, one in zip(growths, ages)]
 
 
 def listed(name: str, ages: Any) -> Sequence[Age]:

@@ -14,7 +14,7 @@ from . import _abi
 from ._handle import Native
 from ._library import LIB, check, message_text, raise_error
 from .access import Access, Mask
-from .ages import Age, growths, listed
+from .ages import Age, changed, growths, listed
 from .arguments import index_in, number_of, whole_number
 from .constants import Autoreset, Kind, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
@@ -52,7 +52,7 @@ class Batch(Access):
         self._scene, self._options = prepare(scene, options)
         mode = whole_number("autoreset", autoreset, Autoreset)
         self._settings: Dict[str, Any] = {"threads": threads, "autoreset": mode, "restart_failed": restart_failed}
-        self._settings["ages"] = None if ages is None else listed("ages", ages)
+        self._settings["ages"] = None if ages is None else self._merged(listed("ages", ages))
         self._create(worlds)
         self._lead = (self.world_count,)
         # Worlds that are in use keep the batch alive, not the other way round.
@@ -143,10 +143,15 @@ class Batch(Access):
             self._remember(ages, mask)
 
     def _growths(self, ages: Sequence[Age]) -> Any:
-        array, count = growths(listed("ages", ages))
+        array, count = growths(self._merged(listed("ages", ages)))
         if count != self.world_count:
             raise ValueError(f"there are {count} ages, expected {self.world_count}, one for each world")
         return array
+
+    def _merged(self, ages: Sequence[Age]) -> List[Age]:
+        """Ages with what the scene says of its first infant otherwise."""
+        usual = self._scene._growths[0] if self._scene._growths else {}
+        return [None if age is None else changed(usual, age) for age in ages]
 
     def _remember(self, ages: Sequence[Age], mask: Mask) -> None:
         before = self._settings["ages"] or [None]

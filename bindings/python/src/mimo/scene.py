@@ -89,6 +89,7 @@ class Scene(Handle):
         }
         self._steps: List[_Step] = []
         self._agents = 0
+        self._growths: List[Dict[str, Any]] = []  # of each infant, what was asked for
         self._task: Optional[Bound] = None
         config = _abi.SceneConfig()
         check(LIB.mimo_scene_config_init(config, ctypes.sizeof(config)))
@@ -106,6 +107,7 @@ class Scene(Handle):
         number = ctypes.c_size_t()
         check(LIB.mimo_scene_add_agent(self._handle, self._agent_config(options), number))
         self._agents += 1
+        self._growths.append(_growth_in(options))
         self._remember("add_agent", **options)
         return number.value
 
@@ -114,6 +116,7 @@ class Scene(Handle):
         count = ctypes.c_size_t()
         check(LIB.mimo_scene_add_agents(self._handle, self._agent_config(options), count))
         self._agents += count.value
+        self._growths += [_growth_in(options)] * count.value
         self._remember("add_agents", **options)
         return count.value
 
@@ -122,7 +125,7 @@ class Scene(Handle):
         check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
         standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
-        growth = {name: value for name, value in options.items() if name in enums(GrowthOptions)}
+        growth = _growth_in(options)
         agent = {name: value for name, value in options.items() if name not in growth}
         fill(config, agent, AgentOptions, standard)
         if growth:
@@ -304,6 +307,10 @@ class Scene(Handle):
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _rebuilt, (self._start, copy.deepcopy(self._steps))
+
+
+def _growth_in(options: Mapping[str, Any]) -> Dict[str, Any]:
+    return {name: value for name, value in options.items() if name in enums(GrowthOptions)}
 
 
 def _limits(**values: float) -> _abi.Limits:

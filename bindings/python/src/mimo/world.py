@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -95,7 +95,7 @@ class World(Access):
     Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
     """
 
-    _ages: Sequence[Age] = ()  # that a reset has given its infants
+    _growths: Sequence[Mapping[str, Any]] = ()  # of its infants
     _owner: Any = None  # the batch that a world belongs to and keeps alive
 
     def __init__(self, scene: Union[str, Scene] = "benchmark", **options: Unpack[Options]) -> None:
@@ -120,7 +120,7 @@ class World(Access):
     def _describe(
         self, handle: Native, scene: Scene, options: Dict[str, Any], layout: Layout, results: Results
     ) -> None:
-        self._scene, self._options = scene, options
+        self._scene, self._options, self._growths = scene, options, scene._growths
         self._handle = self._names_handle = handle
         if scene._task is not None and handle.value is not None:  # which is to know the world that it is asked about
             scene._task.worlds.setdefault(handle.value, self)
@@ -153,12 +153,12 @@ class World(Access):
         self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None
     ) -> None:
         """As reset, with a block of your own (layout.new_block()); None skips the senses."""
-        ages = of_agents(age)
+        ages = [] if age is None else of_agents(self._growths, age)
         config = reset_config(seed, ages)
         self._given = None
         check(LIB.mimo_env_reset(self._handle, config, *self._place(block)))
         if ages:
-            self._ages = ages
+            self._growths = ages
             self.agents = agents_of(self._handle, self.layout.agents)
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
@@ -427,6 +427,7 @@ class World(Access):
         check(LIB.mimo_env_clone(self._handle, handle))
         world = World.__new__(World)
         world._begin(Native(handle.value, LIB.mimo_env_destroy), self._scene, self._options)
+        world._growths = self._growths
         return world
 
     def __copy__(self) -> "World":
@@ -436,13 +437,13 @@ class World(Access):
         return self.clone()
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return _rebuilt, (self._scene, self._options, self.save(), self._ages)
+        return _rebuilt, (self._scene, self._options, self.save(), self._growths)
 
 
-def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes, ages: Sequence[Age]) -> World:
+def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes, growths: Sequence[Mapping[str, Any]]) -> World:
     world = World(scene, **options)
-    if ages:
-        world.reset_into(None, None, ages)
+    if list(growths) != list(scene._growths):
+        world.reset_into(None, None, list(growths))
     world.load(state)
     return world
 
