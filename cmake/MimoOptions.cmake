@@ -44,8 +44,10 @@ if(MIMO_FUZZ)
   add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# What is said here for ccache lets it keep what was compiled with precompiled headers.
 find_program(MIMO_CCACHE ccache)
 if(MIMO_CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER ${MIMO_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${MIMO_CCACHE})
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${MIMO_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
