@@ -20,6 +20,31 @@ namespace Mimo
         Fog = 0x10
     }
 
+    /// <summary>How MuJoCo solves for forces: the same solution to rounding. Values are those of mimo.h.</summary>
+    public enum Jacobian
+    {
+        /// <summary>As the model says; built-in scenes say sparse.</summary>
+        Model = 0,
+        /// <summary>As the original solves; for comparing trajectories to the last digit.</summary>
+        Dense = 1,
+        /// <summary>About twice as fast.</summary>
+        Sparse = 2
+    }
+
+    /// <summary>Parts of physics to leave out. Values are those of mimo.h.</summary>
+    [Flags]
+    public enum Disable : uint
+    {
+        /// <summary>All is simulated.</summary>
+        Nothing = 0,
+        /// <summary>No contacts.</summary>
+        Contact = 0x1,
+        /// <summary>No gravity.</summary>
+        Gravity = 0x2,
+        /// <summary>mj_step as it is, instead of libmimo's solver: same to rounding, slower.</summary>
+        OwnSolver = 0x4
+    }
+
     /// <summary>How a world is simulated; what is not set is the library's default.</summary>
     public sealed class EnvOptions
     {
@@ -31,6 +56,10 @@ namespace Mimo
         public uint FrameSkip;
         /// <summary>Steps after which an episode is truncated; 0: the task's own.</summary>
         public uint MaxSteps;
+        /// <summary>How MuJoCo solves for forces.</summary>
+        public Jacobian Jacobian;
+        /// <summary>Parts of physics to leave out.</summary>
+        public Disable Disable;
         /// <summary>Whether Env.Timing counts, which costs a few clock reads a step.</summary>
         public bool Timing;
         /// <summary>Whether what touched what during a step is recorded, for Env.StepContacts.</summary>
@@ -56,6 +85,8 @@ namespace Mimo
                 if (Renderer != null) config.renderer = renderer.Pointer;
                 config.frame_skip = FrameSkip;
                 config.max_steps = MaxSteps;
+                config.jacobian = (int)Jacobian;
+                config.disable = (uint)Disable;
                 config.timing = Timing ? 1u : 0u;
                 config.step_contacts = StepContacts ? 1u : 0u;
                 if (Render.HasValue) config.render = (uint)Render.Value;

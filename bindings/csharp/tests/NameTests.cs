@@ -74,6 +74,8 @@ internal static partial class Tests
         compare(typeof(Warning), "MIMO_WARNING_", "WARNING_(?!COUNT)[A-Z_]+");
         compare(typeof(Autoreset), "MIMO_AUTORESET_", "AUTORESET_[A-Z_]+");
         compare(typeof(Outcome), "MIMO_OUTCOME_", "OUTCOME_[A-Z]+");
+        compare(typeof(Jacobian), "MIMO_JACOBIAN_", "JACOBIAN_[A-Z]+");
+        compare(typeof(Disable), "MIMO_DISABLE_", "DISABLE_[A-Z_]+");
         compare(typeof(Render), "MIMO_RENDER_", "RENDER_[A-Z]+");
         compare(typeof(Shape), "MIMO_SHAPE_", "SHAPE_[A-Z]+");
         compare(typeof(Look), "MIMO_LOOK_", "LOOK_[A-Z]+");

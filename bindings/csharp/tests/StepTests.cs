@@ -44,6 +44,48 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>A ball without gravity stays where it is, two that overlap do not touch without contacts, and whichever
+    /// way forces are solved for, the ball bounces the same.</summary>
+    private static void PartsOfPhysicsAreLeftOut()
+    {
+        Func<Env, double> height = env =>
+        {
+            var joint = new double[7];
+            env.Get(Quantity.JointPosition, new[] { 0 }, joint);
+            return joint[2];
+        };
+        using (var env = Ball(new EnvOptions { Disable = Disable.Gravity }))
+        {
+            env.StepPhysics(20);
+            Check(height(env) == 2, "falls without gravity");
+        }
+        using (var scene = MimoScene.Empty())
+        {
+            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(0, 0, 2) });
+            scene.AddObject(new ObjectOptions { Name = "post", Position = new Vector3d(0, 0, 1.95), Fixed = true });
+            Func<EnvOptions, int> contacts = options =>
+            {
+                using (var env = new Env(scene, options))
+                {
+                    env.StepPhysics();
+                    return env.Count(Kind.Contact);
+                }
+            };
+            Check(contacts(new EnvOptions()) == 1 && contacts(new EnvOptions { Disable = Disable.Contact }) == 0, "contacts");
+            Check(contacts(new EnvOptions { Disable = Disable.Contact | Disable.OwnSolver }) == 0, "both");
+            using (Env dense = new Env(scene, new EnvOptions { Jacobian = Jacobian.Dense }),
+                sparse = new Env(scene, new EnvOptions { Jacobian = Jacobian.Sparse }))
+            {
+                dense.StepPhysics(20);
+                sparse.StepPhysics(20);
+                Near(height(dense), height(sparse), 1e-9, "height");
+                Check(height(dense) > 2, "not pushed out");
+            }
+            Check(Refused(() => new Env(scene, new EnvOptions { Jacobian = (Jacobian)7 })).Message.Contains("jacobian is 7"), "Jacobian");
+            Check(Refused(() => new Env(scene, new EnvOptions { Disable = (Disable)0x80 })).Message.Contains("disable"), "bits");
+        }
+    }
+
     /// <summary>Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms
     /// (docs/tasks.md).</summary>
     private static void RewardsConsistOfTerms()

@@ -348,6 +348,8 @@ internal static partial class Tests
         var photo = new PictureOptions();
         Check(picture.width == photo.Width && picture.height == photo.Height && picture.fovy == 0, "picture");
         Check(batch.threads == 0 && batch.autoreset == 0 && batch.restart_failed == 0, "batch");
-        Check(env.frame_skip == 0 && env.max_steps == 0 && env.samples == 0 && env.render_threads == new EnvOptions().RenderThreads, "env");
+        var world = new EnvOptions();
+        Check(env.jacobian == (int)world.Jacobian && env.disable == (uint)world.Disable, "physics");
+        Check(env.frame_skip == 0 && env.max_steps == 0 && env.samples == 0 && env.render_threads == world.RenderThreads, "env");
     }
 }
