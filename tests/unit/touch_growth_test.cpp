@@ -132,8 +132,8 @@ double feel_a_press(const mjModel& model) {
   return static_cast<double>(sum) / (kPresses * kPresses);
 }
 
-// Spread over distances that were still those of 18 months, a newborn's press would reach twice as many. The hand does
-// not keep its proportions, so that single presses reach a few sensors more or fewer.
+// Spread over distances that were still those of 18 months, a newborn's press would reach far more. The hand does not
+// keep its proportions, so that single presses reach a few sensors more or fewer.
 TEST_P(TouchGrowth, PressOnThePalmReachesAsManySensors) {
   const auto [body, age] = GetParam();
   const double was = feel_a_press(*infant(body, 18)), is = feel_a_press(*infant(body, age));
