@@ -47,6 +47,7 @@ RENDER = ["bench_render", "8"]
 TOUCH = ["bench_touch", "500"]
 MUSCLE = ["bench_muscle"]
 WORLDS = ["bench_worlds", "reach"]
+CONTACTS = ["bench_contacts"]
 
 
 def step_vs_raw(result):
@@ -103,6 +104,7 @@ RATIOS = [
     ("touch, reference steps", TOUCH, touch(1)),
     ("touch at twice the density, reference steps", TOUCH, touch(2)),
     ("other senses and the rest, over physics", BLIND, share("proprioception", "vestibular", "other")),
+    ("contacts of a step recorded, over the step", CONTACTS, in_text(r"(-?[\d.]+) of a step more")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),
     ("MuJoCo's muscles, over a physics step", MUSCLE, muscles("mitten", "MuJoCo")),
     ("muscles of five fingers, over a physics step", MUSCLE, muscles("fingers", "MIMo")),
