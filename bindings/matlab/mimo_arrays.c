@@ -45,6 +45,10 @@ mxArray* mimo_cells_of(const mimo_field* field) {
   return mxCreateCellArray(dimensions_of(field, 1), shape_of(field, 1));
 }
 
+mxArray* mimo_zeros_of(const mimo_field* field) {
+  return mxCreateNumericArray(dimensions_of(field, 1), shape_of(field, 1), mxDOUBLE_CLASS, mxREAL);
+}
+
 static mxClassID class_of(const mimo_field* field, int single) {
   if (field->dtype == MIMO_U8) return mxUINT8_CLASS;
   return single ? mxSINGLE_CLASS : mxDOUBLE_CLASS;

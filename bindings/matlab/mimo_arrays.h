@@ -17,9 +17,10 @@ mxArray* mimo_array_of(const mimo_field* field, stack blocks, int single);
 /* A picture of so many channels, as an array of its type. */
 mxArray* mimo_picture_of(const void* pixels, size_t height, size_t width, size_t channels, int32_t dtype);
 
-/* The size of a field of one world as MATLAB's size() would give it, and empty cells for its elements. */
+/* The size of a field of one world as MATLAB's size() would give it, and empty cells or zeros for its elements. */
 mxArray* mimo_size_of(const mimo_field* field);
 mxArray* mimo_cells_of(const mimo_field* field);
+mxArray* mimo_zeros_of(const mimo_field* field);
 
 /* How many elements it has, and where the i-th of them in C's order lies in an array of MATLAB's. */
 size_t mimo_elements(const mimo_field* field);

@@ -26,6 +26,7 @@ typedef struct worlds {
   mimo_env* first;   /* its world 0, which knows the names */
   const mimo_layout* layout;
   mimo_layout_info sizes; /* of one world */
+  mimo_growth usual;      /* what infants are beside their age */
   size_t count;
   int sent;              /* whether a step was sent, which then has all that follows */
   char *blocks, *finals; /* the last observations; those of episodes that ended, where steps start the next one */

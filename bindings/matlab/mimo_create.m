@@ -14,11 +14,13 @@ function world = mimo_create(scene, varargin)
 %                  2^30: nothing), normalize_actions, body,
 %                  face, position, orientation (w x y z), place (1: position is that of the root, 2: of the soles,
 %                  3: of the lowest point); limits (struct array with path, gain, noise, delay in
-%                  seconds, blur: mimo_limits), motor_limits (the same without blur; path 'act:left_elbow', 'left_arm',
-%                  or '' for all)
+%                  seconds, blur, signal_noise: mimo_limits), motor_limits (the same without blur; path 'act:left_elbow',
+%                  'left_arm', or '' for all)
 %     its age      age (months, 0 to 24), sex (0 mean of girls and boys, 1 female, 2 male), percentile or z_length, z_weight,
 %                  z_head, physiological_age (of strength, range of motion and tone), growth (0: after the WHO, 1: MIMo v2's
-%                  rules), strength_exponent, neck_strength, birth_tone, contracture, absolute, keep_spacing: mimo_growth
+%                  rules), strength_exponent, neck_strength, birth_tone, contracture, absolute, keep_spacing: mimo_growth;
+%                  maturity ('body', 'eyes', 'delays', 'all', or a cell array of them: what of it is as old; the body
+%                  unless given)
 %     no infant    root (with body "scene": a body of the MJCF file, with all below it; "world": everything), vestibular_at (the
 %                  site or body whose motion the vestibular sense feels)
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable,

@@ -3,7 +3,8 @@ function values = mimo_get(world, quantity, names, index)
 %   values = mimo_get(world, quantity, names): mimo_get(world, 'body_position', {'head', 'left_hand'}) gives six numbers, a
 %   column for each world. Without names, or with [], of all of its kind. mimo_get(world, quantity, names, index) is of one
 %   of several worlds: so contacts are read, of which each has its own number. Quantities (mimo.h says more):
-%     body_position, body_orientation (w x y z), body_pose, body_velocity, body_force, body_mass, body_center_of_mass
+%     body_position, body_orientation (w x y z), body_pose, body_velocity, body_force, body_mass, body_center_of_mass,
+%     body_nerve_length (m, from a part of an infant to its head)
 %     joint_position, joint_velocity, joint_force, joint_acceleration, joint_range, joint_damping, joint_lock
 %     actuator_control, actuator_force, actuator_gear, sensor_value
 %     geom_position, geom_orientation, geom_pose, geom_size, geom_friction, geom_color

@@ -154,6 +154,21 @@ static void labels(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
+/* seconds = delays(number, field): an array of the field's size */
+static void delays(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  mimo_field field;
+  size_t index, i;
+  (void)nout;
+  mimo_need(nin == 2, "expected a world and a field");
+  all = mimo_any_worlds_of(in[0]);
+  index = index_of(all, in[1]);
+  field = field_at(all, index);
+  out[0] = mimo_zeros_of(&field);
+  for (i = 0; i < mimo_elements(&field); ++i)
+    mimo_check(mimo_layout_delay(all->layout, index, i, mxGetPr(out[0]) + mimo_place_of(&field, i)));
+}
+
 static int32_t receptor_quantity(const mxArray* name) {
   static const char* quantities[] = {"body", "geom", "position", "frame"}; /* MIMO_RECEPTOR_BODY is 1 */
   const char* asked = mimo_text(name, "quantity");
@@ -220,5 +235,6 @@ static void block(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   memcpy(mxGetData(out[0]), all->blocks, all->count * all->sizes.block_bytes);
 }
 
-const mimo_command mimo_layout_commands[] = {{"layout", layout},           {"labels", labels}, {"receptors", receptors},
-                                             {"observation", observation}, {"block", block},   {NULL, NULL}};
+const mimo_command mimo_layout_commands[] = {
+    {"layout", layout},           {"labels", labels}, {"delays", delays}, {"receptors", receptors},
+    {"observation", observation}, {"block", block},   {NULL, NULL}};

@@ -58,6 +58,7 @@ const option mimo_growth_options[] = {
     OPTION(mimo_growth, contracture, kNumber),
     OPTION(mimo_growth, absolute, kUnsigned),
     OPTION(mimo_growth, keep_spacing, kUnsigned),
+    OPTION(mimo_growth, maturity, kMaturity),
     {"growth", kSigned, offsetof(mimo_growth, model)},
     {NULL, kText, 0},
 };
@@ -116,10 +117,20 @@ const option mimo_field_options[] = {
 };
 
 const option mimo_limit_options[] = {
-    OPTION(mimo_limits, delay, kNumber),
-    OPTION(mimo_limits, gain, kNumber),
-    OPTION(mimo_limits, noise, kNumber),
-    OPTION(mimo_limits, blur, kNumber),
+    OPTION(mimo_limits, delay, kNumber),        OPTION(mimo_limits, gain, kNumber),
+    OPTION(mimo_limits, noise, kNumber),        OPTION(mimo_limits, blur, kNumber),
+    OPTION(mimo_limits, signal_noise, kNumber), {NULL, kText, 0},
+};
+
+const option mimo_maturity_options[] = {
+    OPTION(mimo_maturity, acuity, kNumber),
+    OPTION(mimo_maturity, peak_contrast, kNumber),
+    OPTION(mimo_maturity, chroma, kNumber),
+    OPTION(mimo_maturity, conduction_speed, kNumber),
+    OPTION(mimo_maturity, sensory_delay, kNumber),
+    OPTION(mimo_maturity, motor_delay, kNumber),
+    OPTION(mimo_maturity, vision_delay, kNumber),
+    OPTION(mimo_maturity, vestibular_delay, kNumber),
     {NULL, kText, 0},
 };
 
@@ -215,12 +226,35 @@ static double whole(const char* name, const mxArray* value, double low, double h
   return number;
 }
 
+/* What of an infant is as old as it: one of these words, several, or bits. */
+static uint32_t maturity(const char* name, const mxArray* value) {
+  static const struct word {
+    const char* text;
+    uint32_t bit;
+  } words[] = {{"body", MIMO_MATURITY_BODY},
+               {"eyes", MIMO_MATURITY_EYES},
+               {"delays", MIMO_MATURITY_DELAYS},
+               {"all", MIMO_MATURITY_ALL}};
+  uint32_t bits = 0;
+  const char** texts;
+  size_t count, i, word;
+  if (mxIsNumeric(value)) return (uint32_t)whole(name, value, 0, 4294967295.0);
+  texts = mimo_texts(value, &count, name);
+  for (i = 0; i < count; ++i) {
+    for (word = 0; word < 4 && strcmp(words[word].text, texts[i]) != 0; ++word) continue;
+    if (word == 4) mimo_refuse("%s is \"%s\", expected body, eyes, delays or all", name, texts[i]);
+    bits |= words[word].bit;
+  }
+  return bits;
+}
+
 static void set_option(void* config, const option* option, const mxArray* value) {
   char* member = (char*)config + option->offset;
   switch (option->kind) {
     case kUnsigned: *(uint32_t*)member = (uint32_t)whole(option->name, value, 0, 4294967295.0); break;
     case kWide: *(uint64_t*)member = (uint64_t)whole(option->name, value, 0, 9007199254740992.0); break;
     case kSigned: *(int32_t*)member = (int32_t)whole(option->name, value, -2147483648.0, 2147483647.0); break;
+    case kMaturity: *(uint32_t*)member = maturity(option->name, value); break;
     case kNumber: *(double*)member = mimo_number(value, option->name); break;
     case kThree: mimo_read_numbers((double*)member, 3, option->name, value); break;
     case kFour: mimo_read_numbers((double*)member, 4, option->name, value); break;
@@ -248,7 +282,7 @@ void mimo_set_all(void* config, const option* options, properties* given, const 
   if (given->count > 0) mimo_refuse("no option %s of %s", given->names[0], of);
 }
 
-const mimo_growth* const* mimo_ages(const mxArray* months, size_t* count) {
+const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* usual, size_t* count) {
   const mimo_growth** ages;
   mimo_growth* growths;
   size_t i;
@@ -259,7 +293,7 @@ const mimo_growth* const* mimo_ages(const mxArray* months, size_t* count) {
   growths = mxCalloc(*count, sizeof *growths);
   for (i = 0; i < *count; ++i) {
     if (mxIsNaN(mxGetPr(months)[i])) continue;
-    mimo_check(mimo_growth_init(&growths[i], sizeof growths[i]));
+    growths[i] = *usual;
     growths[i].age = mxGetPr(months)[i];
     ages[i] = &growths[i];
   }

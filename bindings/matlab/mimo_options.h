@@ -25,7 +25,7 @@ double mimo_take_number(properties* given, const char* name);
 void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value);
 
 /* The members of a struct. A list of them ends with a name that is NULL. */
-typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText } kind;
+typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText, kMaturity } kind;
 typedef struct option {
   const char* name;
   kind kind;
@@ -34,10 +34,11 @@ typedef struct option {
 
 extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_options[], mimo_env_options[],
     mimo_batch_options[], mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[],
-    mimo_limit_options[], mimo_picture_options[], mimo_no_options[];
+    mimo_limit_options[], mimo_maturity_options[], mimo_picture_options[], mimo_no_options[];
 
-/* Growths of ages in months, NULL for NaN; NULL for an empty array. They belong to the call. */
-const mimo_growth* const* mimo_ages(const mxArray* months, size_t* count);
+/* Growths of ages in months, NULL for NaN; NULL for an empty array. Otherwise they are as the usual one, and belong to
+   the call. */
+const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* usual, size_t* count);
 
 /* Whether anything of the list is given. */
 int mimo_has_any(const properties* given, const option* options);

@@ -13,6 +13,7 @@ static const quantity quantities[] = {
     QUANTITY(BODY, MASS, "body_mass"),
     QUANTITY(BODY, CENTER_OF_MASS, "body_center_of_mass"),
     QUANTITY(BODY, POSE, "body_pose"),
+    QUANTITY(BODY, NERVE_LENGTH, "body_nerve_length"),
     QUANTITY(JOINT, POSITION, "joint_position"),
     QUANTITY(JOINT, VELOCITY, "joint_velocity"),
     QUANTITY(JOINT, FORCE, "joint_force"),

@@ -170,6 +170,25 @@ static void parameters(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-const mimo_command mimo_report_commands[] = {{"info", info},         {"timing", timing},         {"failures", failures},
-                                             {"messages", messages}, {"version", version},       {"supports", supports},
-                                             {"known", known},       {"parameters", parameters}, {NULL, NULL}};
+/* struct = maturity(age) */
+static void maturity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_maturity at;
+  (void)nout;
+  mimo_need(nin == 1, "expected an age");
+  mimo_check(mimo_maturity_at(mimo_number(in[0], "age"), &at, sizeof at));
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add_number(out[0], "acuity", at.acuity);
+  mimo_add_number(out[0], "peak_contrast", at.peak_contrast);
+  mimo_add_number(out[0], "chroma", at.chroma);
+  mimo_add_number(out[0], "conduction_speed", at.conduction_speed);
+  mimo_add_number(out[0], "sensory_delay", at.sensory_delay);
+  mimo_add_number(out[0], "motor_delay", at.motor_delay);
+  mimo_add_number(out[0], "vision_delay", at.vision_delay);
+  mimo_add_number(out[0], "vestibular_delay", at.vestibular_delay);
+}
+
+const mimo_command mimo_report_commands[] = {{"info", info},         {"timing", timing},
+                                             {"failures", failures}, {"messages", messages},
+                                             {"version", version},   {"supports", supports},
+                                             {"known", known},       {"parameters", parameters},
+                                             {"maturity", maturity}, {NULL, NULL}};

@@ -18,9 +18,11 @@ function number = mimo_scene_add(scene, what, varargin)
 %     'pose'       joint, which starts at value
 %     'skin'       spacing of the touch sensors, m (0: none), of body or else of all; agent
 %     'joint'      joint that proprioception reads, in place of all; once more for each further one; agent
-%     'limits'     path, gain, noise, delay (s), blur of a sense; agent
-%     'motor_limits'  path, gain, noise, delay (s) of the way to a motor ('act:left_elbow'), to those of a part of the body
-%                  ('left_arm') or, with '', to all; agent
+%     'limits'     path, gain, noise, delay (s), blur, signal_noise (share of the value) of a sense; agent
+%     'motor_limits'  path, gain, noise, delay (s), signal_noise of the way to a motor ('act:left_elbow'), to those of a
+%                  part of the body ('left_arm') or, with '', to all; agent
+%     'maturity'   eyes and nerves: those of an age (months) or else perfect ones, but for what is given of
+%                  help mimo_maturity; with nothing given as the option maturity of mimo_create says; agent
 %     'parameter'  name, value (mimo_parameters)
 %   agent is the number of one, 1 unless given. number is 0 for what has none.
 number = mimo_mex('scene_add', scene, char(what), varargin{:});

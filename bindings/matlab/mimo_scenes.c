@@ -23,8 +23,8 @@ static size_t take_agent(properties* given) {
 
 /* How old it is, where that is said. */
 static const mimo_growth* take_growth(properties* given, mimo_growth* growth) {
-  if (!mimo_has_any(given, mimo_growth_options)) return NULL;
   mimo_check(mimo_growth_init(growth, sizeof *growth));
+  if (!mimo_has_any(given, mimo_growth_options)) return NULL;
   growth->matures_apart = mimo_has(given, "physiological_age");
   mimo_set_known(growth, mimo_growth_options, given);
   return growth;
@@ -172,6 +172,20 @@ static double add_motor_limits(mimo_scene* scene, properties* given) {
   return 0;
 }
 
+/* Numbers of an age, or perfect eyes and nerves; then those that are given. Nothing given: as its growth says. */
+static double add_maturity(mimo_scene* scene, properties* given) {
+  const size_t agent = take_agent(given);
+  const int is_given = given->count > 0;
+  mimo_maturity maturity;
+  if (mimo_has(given, "age"))
+    mimo_check(mimo_maturity_at(mimo_take_number(given, "age"), &maturity, sizeof maturity));
+  else
+    mimo_check(mimo_maturity_init(&maturity, sizeof maturity));
+  mimo_set_all(&maturity, mimo_maturity_options, given, "maturity");
+  mimo_check(mimo_scene_set_maturity(scene, agent, is_given ? &maturity : NULL));
+  return 0;
+}
+
 static double add_parameter(mimo_scene* scene, properties* given) {
   const char* name = mimo_take_text(given, "name");
   const double value = mimo_take_number(given, "value");
@@ -191,7 +205,7 @@ static const struct thing {
     {"pose", add_pose},           {"skin", add_skin},
     {"joint", add_joint},         {"limits", add_limits},
     {"parameter", add_parameter}, {"motor_limits", add_motor_limits},
-    {"field", add_field},
+    {"field", add_field},         {"maturity", add_maturity},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */
@@ -298,10 +312,9 @@ static void add_parameters(mimo_scene* scene, properties* given) {
 }
 
 /* The usual case in one call: a scene with its own infants, which have the options in common. */
-static mimo_scene* furnished_scene(const mxArray* name, properties* given, double number) {
+static mimo_scene* furnished_scene(const mxArray* name, properties* given, double number, mimo_growth* growth) {
   mimo_scene* scene = open_scene(name, given, number);
-  mimo_growth growth;
-  const mimo_agent_config agent = take_agent_config(scene, given, &growth);
+  const mimo_agent_config agent = take_agent_config(scene, given, growth);
   add_parameters(scene, given);
   mimo_check(mimo_scene_add_agents(scene, &agent, NULL));
   add_each(scene, given, "limits", add_limits);
@@ -322,8 +335,10 @@ static mimo_env_config take_env_config(properties* given, double number) {
   return config;
 }
 
-mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_batch_config* config) {
+mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_batch_config* config,
+                              mimo_growth* usual) {
   mimo_env_config env;
+  const mxArray* ages;
   mimo_batch* batch = NULL;
   mimo_scene* scene;
   properties given;
@@ -332,8 +347,10 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_
   env = take_env_config(&given, number);
   mimo_check(mimo_batch_config_init(config, sizeof *config));
   mimo_set_known(config, mimo_batch_options, &given);
-  if (mimo_has(&given, "ages")) config->cohort = mimo_ages(mimo_take(&given, "ages"), &config->cohort_count);
-  scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given, number) : mimo_scene_of(in[0]);
+  mimo_check(mimo_growth_init(usual, sizeof *usual));
+  ages = mimo_take(&given, "ages");
+  scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given, number, usual) : mimo_scene_of(in[0]);
+  if (ages != NULL) config->cohort = mimo_ages(ages, usual, &config->cohort_count);
   mimo_set_all(NULL, mimo_no_options, &given,
                mxIsChar(in[0]) ? "mimo_create; see its help" : "mimo_create for a scene's number; see mimo_scene_add");
   mimo_check(mimo_batch_create(scene, &env, config, &batch));

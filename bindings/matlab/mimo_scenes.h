@@ -8,6 +8,7 @@ extern const mimo_command mimo_scene_commands[];
 
 /* create(scene, name, value, ...): the batch that the options ask for, and its config. What there is to say about it
    has the number. */
-mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_batch_config* config);
+mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_batch_config* config,
+                              mimo_growth* usual);
 
 #endif

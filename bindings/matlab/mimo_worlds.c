@@ -24,7 +24,7 @@ static void create(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all = mimo_new_worlds();
   mimo_batch_config config;
   (void)nout;
-  all->batch = mimo_create_batch(nin, in, mimo_number_of(all), &config);
+  all->batch = mimo_create_batch(nin, in, mimo_number_of(all), &config, &all->usual);
   mimo_keep_worlds(all, config.autoreset == MIMO_AUTORESET_SAME_STEP);
   refuse_ambiguous(all);
   out[0] = mxCreateDoubleScalar(mimo_number_of(all));
@@ -85,7 +85,7 @@ static void reset(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   config.struct_size = sizeof config;
   config.seeds = read_seeds(all, in[1]);
   config.mask = read_mask(all, in[2]);
-  config.growth = mimo_ages(in[3], &ages);
+  config.growth = mimo_ages(in[3], &all->usual, &ages);
   if (config.growth != NULL && ages != all->count)
     mimo_refuse("%d ages, expected %d, one for each world", (int)ages, (int)all->count);
   config.worlds = config.seeds != NULL || config.mask != NULL || config.growth != NULL ? all->count : 0;

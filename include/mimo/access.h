@@ -126,6 +126,11 @@ extern "C" {
  */
 #define MIMO_AGENT_AGE 54
 #define MIMO_AGENT_PHYSIOLOGICAL_AGE 55 /**< Agent: 1, months, of strength, range of motion and tone; likewise. */
+/**
+ * Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
+ * way; 0 for what is no part of one.
+ */
+#define MIMO_BODY_NERVE_LENGTH 56
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by

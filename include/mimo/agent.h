@@ -193,13 +193,14 @@ MIMO_API mimo_status mimo_scene_read_joint(mimo_scene *scene, size_t agent, cons
 typedef struct mimo_limits {
   uint32_t struct_size; /**< sizeof(mimo_limits), set by mimo_limits_init. */
   uint32_t reserved;    /**< 0. */
-  double delay;         /**< Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000.
-                             Default 0. */
+  double delay;         /**< Seconds by which it comes late, 0 to 2: the nearest number of time steps of the model,
+                             up to 2000, whatever frame_skip is; with attached senses, of steps. Default 0. */
   double gain;          /**< Factor of all values, 0 to 3.4e38 (the largest float). Default 1. */
   double noise;         /**< Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's
                              or action's unit (colours: levels of 255). Default 0. */
   double blur;          /**< Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half
                              their contrast; 0 (default): sharp. 0.05 to 1000. */
+  double signal_noise;  /**< Standard deviation of further noise as a share of the value, 0 to 1000. Default 0. */
 } mimo_limits;
 
 /**
@@ -210,17 +211,17 @@ MIMO_API mimo_status mimo_limits_init(mimo_limits *limits, size_t size) MIMO_NOE
 
 /**
  * Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the
- * picture is blurred, then comes the gain, then the noise, then the delay; before the delay is over, what the episode
+ * picture is blurred, then comes the gain, then the delay, then the noise; before the delay is over, what the episode
  * began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are
- * none. The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any
- * number of looks at a step. What is late is part of the world's state, and no episode senses anything of the one
- * before.
+ * none. The noise follows from the world's seed, the time step and the field's name: it is the same in every run and
+ * for any number of looks at a step. What is late is part of the world's state, and no episode senses anything of the
+ * one before.
  * @param path   a field without its agent's name, "vision/eye_left", or all fields below a path, "touch". Where several
  *               calls concern a field, the last one counts. Gain and noise of "vision" do not concern depth and
  *               segmentation, unless these are named.
  * @param limits NULL: a perfect sense.
  * Errors: MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach for a path that leads to no field, with a list
- *         of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps.
+ *         of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 2000 time steps.
  */
 MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, size_t agent, const char *path,
                                             const mimo_limits *limits) MIMO_NOEXCEPT;
@@ -237,8 +238,8 @@ MIMO_API mimo_status mimo_scene_limit_sense(mimo_scene *scene, size_t agent, con
  *               concern an action, the last one counts.
  * @param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur is 0.
  * Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent
- *         has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of
- *         motors with MIMO_E_UNSUPPORTED: the host commands them.
+ *         has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 2000 time steps. mimo_senses_attach refuses
+ *         limits of motors with MIMO_E_UNSUPPORTED: the host commands them.
  */
 MIMO_API mimo_status mimo_scene_limit_motor(mimo_scene *scene, size_t agent, const char *path,
                                             const mimo_limits *limits) MIMO_NOEXCEPT;

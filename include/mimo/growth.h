@@ -20,6 +20,12 @@ extern "C" {
 #define MIMO_GROWTH_WHO 0      /**< The WHO's child growth standards and measured infants: docs/guide/growth.md. */
 #define MIMO_GROWTH_ORIGINAL 1 /**< The rules of MIMo's second version, for those who compare. */
 
+/* What of an infant is as old as it: bits. */
+#define MIMO_MATURITY_BODY 0x1u       /**< Size, mass, strength and joints. 0 stands for this one. */
+#define MIMO_MATURITY_EYES 0x2u       /**< What its eyes see, at its physiological age: mimo_maturity_at. */
+#define MIMO_MATURITY_DELAYS 0x4u     /**< How long its nerves take, to and from the brain; likewise. */
+#define MIMO_MATURITY_ALL 0x80000000u /**< All that the loaded library has. */
+
 /**
  * How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months.
  * From it follow lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness,
@@ -52,6 +58,8 @@ typedef struct mimo_growth {
                                  18 months, which is 4.5 % shorter and 3 % heavier than its median. */
   uint32_t keep_spacing;    /**< 1: touch sensors are as far apart as at 18 months and so fewer; 0 (default): there
                                  are as many, and their distances grow with the body. */
+  uint32_t maturity;        /**< MIMO_MATURITY_ bits; 0 and default: MIMO_MATURITY_BODY. */
+  uint32_t reserved;        /**< 0. */
 } mimo_growth;
 
 /**

@@ -55,6 +55,7 @@
 #include "scene.h"
 #include "growth.h"
 #include "agent.h"
+#include "maturity.h"
 #include "observation.h"
 #include "env.h"
 #include "access.h"

@@ -14,8 +14,9 @@ extern "C" {
 
 /**
  * What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.
- * It never changes. It belongs to the world, the batch or the senses that it describes, and is refused
- * (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have its layout.
+ * It never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the
+ * batch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have
+ * its layout.
  * Any number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does.
  */
 typedef struct mimo_layout mimo_layout;
@@ -79,6 +80,16 @@ MIMO_API mimo_status mimo_layout_find(const mimo_layout *layout, const char *nam
  */
 MIMO_API mimo_status mimo_layout_label(const mimo_layout *layout, size_t field, size_t element,
                                        const char **label) MIMO_NOEXCEPT;
+
+/**
+ * How late one element of a field comes, in seconds: a whole number of the model's time steps. A field's start and end
+ * are those of all its elements. A batch tells those of its first world, which others of another age do not share.
+ * @param field   index of the field.
+ * @param element position in the flattened field.
+ * @param seconds receives the delay; 0 for what is sensed at once.
+ */
+MIMO_API mimo_status mimo_layout_delay(const mimo_layout *layout, size_t field, size_t element,
+                                       double *seconds) MIMO_NOEXCEPT;
 
 #define MIMO_RECEPTOR_BODY 1     /**< 1, id of the body that it sits on. */
 #define MIMO_RECEPTOR_GEOM 2     /**< 1, id of the geom whose surface it lies on. */

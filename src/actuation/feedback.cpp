@@ -8,7 +8,10 @@ observation::Field actuator_field(const mjModel& model, const std::vector<int>& 
   field.shape = {actuators.size()};
   field.frame = "actuator";
   field.time = observation::Time::kEnd;
-  for (const int id : actuators) field.labels.emplace_back(engine::name(model, engine::Kind::kActuator, id));
+  for (const int id : actuators) {
+    field.labels.emplace_back(engine::name(model, engine::Kind::kActuator, id));
+    field.bodies.push_back(body::moved_by(model, id));
+  }
   return field;
 }
 

@@ -22,18 +22,22 @@ struct MotorLimits {
 
 class MotorPath {
  public:
-  // Null where nothing is limited. `prefix` is that of the actions' names, `step` how long one is in seconds. Where
-  // several limits concern an action, the last one counts. Throws Status::kNotFound for limits that concern none.
+  // Null where nothing is limited. `prefix` is that of the actions' names; `natural` is how late each is without
+  // limits, in seconds, empty where none is. Where several limits concern an action, the last one counts. Throws
+  // Status::kNotFound for limits that concern none.
   static std::unique_ptr<MotorPath> make(const Actuation& actuation, const std::string& prefix,
-                                         const std::vector<MotorLimits>& limits, double step);
+                                         const std::vector<MotorLimits>& limits, const std::vector<double>& natural,
+                                         const observation::Clock& clock);
 
   // Nothing is on its way.
   void forget();
-  // What arrives in this step of an episode whose noise has that seed. Without actions nothing new sets out; what is no
-  // number leaves its motor as it is. Empty where nothing arrives; lasts until the next call.
-  Span<const float> pass(Span<const float> actions, std::uint64_t episode, std::uint64_t step);
+  // At the start of a step of an episode whose noise has that seed: actions set out. Without any, nothing new does.
+  void send(Span<const float> actions, std::uint64_t episode, std::uint64_t step);
+  // What arrives at this tick of the episode, for the step that begins with it or is under way; what is no number
+  // leaves its motor as it is. Empty where nothing arrives; lasts until the next call.
+  Span<const float> arrive(std::uint64_t tick);
 
-  bool late() const { return rows_ > 1; }
+  bool late() const { return late_; }
   // What is on its way, for a path that is late. This object outlives it.
   Section section(std::string name);
 
@@ -41,16 +45,18 @@ class MotorPath {
   // The way of one action.
   struct Way {
     observation::Limits limits;
-    std::size_t delay = 0;  // steps
+    std::size_t delay = 0;  // ticks
   };
 
-  MotorPath(const Actuation& actuation, std::vector<Way> ways);
+  MotorPath(const Actuation& actuation, std::vector<Way> ways, std::size_t per_step);
   float limited(std::size_t action, float value, std::uint64_t episode, std::uint64_t step) const;
   float* row(std::uint64_t step) { return sent_.data() + step % rows_ * ways_.size(); }
 
   const Actuation& actuation_;
   std::vector<Way> ways_;
+  std::size_t per_step_;  // ticks
   std::size_t rows_ = 1;
+  bool late_ = false;
   std::vector<float> sent_;  // the last steps, one row each
   std::vector<float> arrived_;
 };

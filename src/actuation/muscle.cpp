@@ -107,7 +107,7 @@ double Muscle::effort(const mjModel&, const mjData&) const {
   return most > 0 ? spent / (static_cast<double>(size()) * most) : 0;
 }
 
-Feedback Muscle::feel(const mjModel&, const body::Body&) const {
+Feedback Muscle::feel(const mjModel& model, const body::Body&) const {
   observation::Field activation;
   activation.name = "proprioception/activation";
   activation.shape = {size()};
@@ -116,6 +116,7 @@ Feedback Muscle::feel(const mjModel&, const body::Body&) const {
   activation.low = 0;
   activation.high = 1;
   activation.labels = names();
+  for (std::size_t i = 0; i < size(); ++i) activation.bodies.push_back(model.jnt_bodyid[joint(i).joint.id]);
   observation::Field strength = activation;
   strength.name = "proprioception/muscle_force";
   strength.high = std::numeric_limits<double>::infinity();

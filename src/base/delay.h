@@ -9,7 +9,7 @@ namespace mimo {
 
 // The nearest number of steps, each of `step` seconds.
 inline std::size_t steps_of_delay(double seconds, double step) {
-  constexpr double kMost = 1000;
+  constexpr double kMost = 2000;
   const double steps = std::round(seconds / step);
   require(steps >= 0 && steps <= kMost, "delay is {} s, which is {} steps of {} s, expected 0 to {} steps", seconds,
           steps, step, kMost);

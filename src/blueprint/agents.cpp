@@ -113,11 +113,19 @@ void Agents::limit_motor(std::size_t agent, const std::string& path, const obser
   at(agent).motors.push_back({path, concern, limits});
 }
 
+void Agents::set_maturity(std::size_t agent, const std::optional<env::Maturity>& maturity) {
+  env::AgentOptions& options = at(agent);
+  require(!maturity || options.root.empty() || !maturity->nerves.any(),
+          "maturity: agent {} is body \"{}\" with what hangs on it, and only infants have nerves that take time", agent,
+          options.root);
+  options.maturity = maturity;
+}
+
 void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
   require(options.root.empty(), "growth: agent {} is body \"{}\" with what hangs on it, but only infants grow", agent,
           options.root);
-  scene.grow(options.prefix(), growth);
+  scene.grow(options.prefix(), growth.body ? growth : growth::Growth{});
   options.growth = growth;
 }
 

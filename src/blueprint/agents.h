@@ -38,6 +38,8 @@ class Agents {
   void limit_sense(std::size_t agent, const std::string& path, const observation::Limits& limits);
   // The paths to motors: one by its name, a part of the body, "left_arm", or "" for all.
   void limit_motor(std::size_t agent, const std::string& path, const observation::Limits& limits);
+  // Its eyes and nerves; nothing: as its growth says.
+  void set_maturity(std::size_t agent, const std::optional<env::Maturity>& maturity);
   // Another age, of its body in the scene.
   void grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene);
   // How dense its skin is on a body of its own, or everywhere.

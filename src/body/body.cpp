@@ -142,6 +142,12 @@ Units units_of(const mjModel& model, const std::vector<Joint>& joints) {
   return {"rad or m", "rad/s or m/s", "Nm or N"};
 }
 
+int moved_by(const mjModel& model, int actuator) {
+  const int kind = model.actuator_trntype[actuator];
+  if (kind != mjTRN_JOINT && kind != mjTRN_JOINTINPARENT) return 0;
+  return model.jnt_bodyid[model.actuator_trnid[2 * actuator]];
+}
+
 double mass(const mjModel& model, const Body& body) { return model.body_subtreemass[body.root]; }
 
 Extent extent(const mjModel& model, const mjData& data, const Body& body) {

@@ -80,6 +80,9 @@ struct Units {
 };
 Units units_of(const mjModel& model, const std::vector<Joint>& joints);
 
+// The body whose joint an actuator turns; 0, the world, for one that turns none.
+int moved_by(const mjModel& model, int actuator);
+
 double mass(const mjModel& model, const Body& body);
 
 // How far the body's geoms reach down and up at the poses that data holds, m; 0 and 0 without geoms.

@@ -16,23 +16,17 @@
 namespace mimo::capi {
 namespace {
 
-// Bits of which one stands for all that there are.
-std::uint32_t resolve(std::uint32_t bits, std::uint32_t all_bit, std::uint32_t known, const char* argument) {
-  check_bits(bits, known | all_bit, argument);
-  return (bits & all_bit) != 0 ? known : bits;
-}
-
 std::uint32_t proprioception_bits(const mimo_agent_config& config) {
   constexpr std::uint32_t kKnown = MIMO_PROPRIOCEPTION_ACTUATION | MIMO_PROPRIOCEPTION_VELOCITY |
                                    MIMO_PROPRIOCEPTION_TORQUE | MIMO_PROPRIOCEPTION_LIMIT |
                                    MIMO_PROPRIOCEPTION_JOINT_TORQUE | MIMO_PROPRIOCEPTION_POSITION |
                                    MIMO_PROPRIOCEPTION_EFFORT;
-  return resolve(config.proprioception, MIMO_PROPRIOCEPTION_ALL, kKnown, "proprioception");
+  return resolve_bits(config.proprioception, MIMO_PROPRIOCEPTION_ALL, kKnown, "proprioception");
 }
 
 // scene::Group bits.
 std::uint32_t acts(const mimo_agent_config& config) {
-  if ((config.acts & MIMO_ACT_NONE) == 0) return resolve(config.acts, MIMO_ACT_ALL, scene::kAllGroups, "acts");
+  if ((config.acts & MIMO_ACT_NONE) == 0) return resolve_bits(config.acts, MIMO_ACT_ALL, scene::kAllGroups, "acts");
   require(config.acts == MIMO_ACT_NONE, "acts is {:#x}, expected MIMO_ACT_NONE alone or parts of the body",
           config.acts);
   return scene::kNoGroup;

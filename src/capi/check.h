@@ -74,6 +74,13 @@ inline void check_bits(std::uint32_t value, std::uint32_t known, const char* arg
        argument, value, MIMO_API_MAJOR, MIMO_API_MINOR, known);
 }
 
+// Bits of which one stands for all that there are.
+inline std::uint32_t resolve_bits(std::uint32_t bits, std::uint32_t all_bit, std::uint32_t known,
+                                  const char* argument) {
+  check_bits(bits, known | all_bit, argument);
+  return (bits & all_bit) != 0 ? known : bits;
+}
+
 // A switch; later versions may give it more positions.
 inline void check_flag(std::uint32_t value, const char* argument) { check_choice(value, 0U, 1U, argument); }
 

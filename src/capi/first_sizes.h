@@ -1,9 +1,10 @@
 // Sizes that structs had in their first version, written by ./dev freeze. They are those of 64-bit machines.
 MIMO_FIRST_SIZE(mimo_log_record, 40);
 MIMO_FIRST_SIZE(mimo_scene_config, 120);
-MIMO_FIRST_SIZE(mimo_growth, 104);
+MIMO_FIRST_SIZE(mimo_growth, 112);
 MIMO_FIRST_SIZE(mimo_agent_config, 192);
-MIMO_FIRST_SIZE(mimo_limits, 40);
+MIMO_FIRST_SIZE(mimo_limits, 48);
+MIMO_FIRST_SIZE(mimo_maturity, 72);
 MIMO_FIRST_SIZE(mimo_object_config, 144);
 MIMO_FIRST_SIZE(mimo_model_config, 88);
 MIMO_FIRST_SIZE(mimo_camera_config, 96);

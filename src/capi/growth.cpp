@@ -22,6 +22,7 @@ mimo_growth default_growth() {
   growth.neck_strength = ours.neck_strength;
   growth.birth_tone = ours.birth_tone;
   growth.contracture = ours.contracture;
+  growth.maturity = MIMO_MATURITY_BODY;
   return growth;
 }
 
@@ -33,6 +34,12 @@ void take_percentile(const mimo_growth& config, growth::Growth& growth) {
   growth.z_length = growth.z_weight = growth.z_head = growth::z_of_percentile(config.percentile);
 }
 
+std::uint32_t maturity_bits(const mimo_growth& config) {
+  constexpr std::uint32_t kKnown = MIMO_MATURITY_BODY | MIMO_MATURITY_EYES | MIMO_MATURITY_DELAYS;
+  return config.maturity == 0 ? MIMO_MATURITY_BODY
+                              : resolve_bits(config.maturity, MIMO_MATURITY_ALL, kKnown, "maturity");
+}
+
 }  // namespace
 
 growth::Growth growth_from(const mimo_growth& given, const char* argument) {
@@ -42,6 +49,8 @@ growth::Growth growth_from(const mimo_growth& given, const char* argument) {
   check_flag(config.matures_apart, "matures_apart");
   check_flag(config.absolute, "absolute");
   check_flag(config.keep_spacing, "keep_spacing");
+  check_reserved(config.reserved, "reserved");
+  const std::uint32_t mature = maturity_bits(config);
   growth::Growth growth;
   growth.age = config.age;
   growth.physiological_age = config.matures_apart != 0 ? config.physiological_age : config.age;
@@ -56,6 +65,9 @@ growth::Growth growth_from(const mimo_growth& given, const char* argument) {
   growth.birth_tone = config.birth_tone;
   growth.contracture = config.contracture;
   growth.keep_spacing = config.keep_spacing != 0;
+  growth.body = (mature & MIMO_MATURITY_BODY) != 0;
+  growth.eyes = (mature & MIMO_MATURITY_EYES) != 0;
+  growth.delays = (mature & MIMO_MATURITY_DELAYS) != 0;
   take_percentile(config, growth);
   growth::check(growth);
   return growth;

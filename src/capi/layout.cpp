@@ -110,6 +110,15 @@ mimo_status mimo_layout_label(const mimo_layout* layout, size_t field, size_t el
   });
 }
 
+mimo_status mimo_layout_delay(const mimo_layout* layout, size_t field, size_t element, double* seconds) noexcept {
+  return guard(layout, [&] {
+    const env::Description& description = description_of(layout);
+    const observation::Field& inside = field_at(description, field, "field");
+    require(element < inside.count(), "element is {}, but {} has {} elements", element, inside.name, inside.count());
+    out(seconds, "seconds") = description.delays[field].seconds(element);
+  });
+}
+
 mimo_status mimo_layout_receptor_width(const mimo_layout* layout, size_t field, int32_t quantity,
                                        size_t* value_count) noexcept {
   return guard(layout, [&] {

@@ -57,6 +57,20 @@ void add_age_options(CLI::App& command, AgeOptions& options) {
       ->capture_default_str();
 }
 
+void add_maturity_options(CLI::App& command, AgeOptions& options) {
+  options.eyes = options.delays = true;
+  const auto add = [&](const char* name, bool& on, const std::string& off, const char* what) {
+    command
+        .add_option_function<std::string>(
+            name, [&on, off](const std::string& word) { on = word != off; }, what)
+        ->type_name("WHICH")
+        ->check(CLI::IsMember(std::vector<std::string>{"age", off}).description(""));
+  };
+  add("--eyes", options.eyes, "perfect", "With an age: age, eyes that are as old, or perfect. Default: age");
+  add("--delays", options.delays, "none",
+      "With an age: age, nerves that are as old, or none, which take\nno time. Default: age");
+}
+
 std::optional<mimo_growth> growth_of(const AgeOptions& options) {
   if (!is_given(options)) return std::nullopt;
   mimo_growth growth = mimo::growth();
@@ -69,6 +83,9 @@ std::optional<mimo_growth> growth_of(const AgeOptions& options) {
   growth.z_length = options.z_length;
   growth.z_weight = options.z_weight;
   growth.z_head = options.z_head;
+  if (options.age || options.physiological_age) {
+    growth.maturity |= (options.eyes ? MIMO_MATURITY_EYES : 0U) | (options.delays ? MIMO_MATURITY_DELAYS : 0U);
+  }
   return growth;
 }
 

@@ -14,9 +14,12 @@ struct AgeOptions {
   std::string growth = "who";
   double percentile = 0;
   double z_length = 0, z_weight = 0, z_head = 0;
+  bool eyes = false, delays = false;  // are as old, where an age is given
 };
 
 void add_age_options(CLI::App& command, AgeOptions& options);
+// Whether eyes and nerves are as old as the infant; by themselves they are.
+void add_maturity_options(CLI::App& command, AgeOptions& options);
 
 // What was asked for; nothing where that is nothing.
 std::optional<mimo_growth> growth_of(const AgeOptions& options);

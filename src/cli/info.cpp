@@ -52,6 +52,37 @@ Json by_name(const mimo::Env& env, int kind, int quantity) {
   return values;
 }
 
+// Parts of the body, and the bodies of the left side or the middle that stand for them.
+constexpr std::pair<const char*, const char*> kParts[] = {{"face", "head"},
+                                                          {"chest", "upper_body"},
+                                                          {"upper_arm", "left_upper_arm"},
+                                                          {"lower_arm", "left_lower_arm"},
+                                                          {"hand", "left_hand"},
+                                                          {"fingers", "left_fingers"},
+                                                          {"belly", "lower_body"},
+                                                          {"hip", "hip"},
+                                                          {"upper_leg", "left_upper_leg"},
+                                                          {"lower_leg", "left_lower_leg"},
+                                                          {"foot", "left_foot"},
+                                                          {"toes", "left_toes"}};
+
+// How eyes and nerves of the first infant's age are, whether its world has them so or not.
+void describe_maturity(const mimo::Env& env, Json& info) {
+  if (env.width(MIMO_AGENT_PHYSIOLOGICAL_AGE, {0}) == 0) return;  // no infant
+  const mimo_maturity at = mimo::maturity(env.get_values(MIMO_AGENT_PHYSIOLOGICAL_AGE, {0})[0]);
+  info["vision"] = {{"acuity_cpd", at.acuity}, {"peak_contrast", at.peak_contrast}, {"chroma", at.chroma}};
+  const std::string name = env.agents()[0].name, prefix = name.empty() ? "" : name + "/";
+  Json& delays = info["delays_s"] = {{"vision", at.vision_delay}, {"vestibular", at.vestibular_delay}};
+  const Json lengths = by_name(env, MIMO_BODY, MIMO_BODY_NERVE_LENGTH);
+  for (const auto& [part, body] : kParts) {
+    const auto length = lengths.find(prefix + body);
+    if (length == lengths.end()) continue;  // five fingers have other bones
+    const double along = length->get<double>() / at.conduction_speed;
+    delays[part] = along + at.sensory_delay;
+    delays[std::string("motor_") + part] = along + at.motor_delay;
+  }
+}
+
 Json describe(const mimo::Env& env) {
   const auto joints = env.ids(MIMO_JOINT);
   const auto agents = env.agents();
@@ -75,6 +106,7 @@ Json describe(const mimo::Env& env) {
   info["observation_fields"] = Json::array();
   for (const mimo_field& field : env.layout().fields()) info["observation_fields"].push_back(describe(field));
   info["actions"] = describe_actions(env);
+  if (!agents.empty()) describe_maturity(env, info);
   info["geom_sizes"] = by_name(env, MIMO_GEOM, MIMO_GEOM_SIZE);
   info["joint_ranges"] = by_name(env, MIMO_JOINT, MIMO_JOINT_RANGE);
   info["gears"] = by_name(env, MIMO_ACTUATOR, MIMO_ACTUATOR_GEAR);

@@ -56,6 +56,13 @@ void write_npy(const std::string& path, const char* type, const Picture<Pixel>& 
 
 }  // namespace
 
+ColorPicture picture_in(const mimo_field& field, const mimo::Block& block) {
+  const auto bytes = block.view<std::uint8_t>(field);
+  const Rgb* pixels = reinterpret_cast<const Rgb*>(bytes.data());
+  return {static_cast<std::uint32_t>(field.shape[1]), static_cast<std::uint32_t>(field.shape[0]),
+          std::vector<Rgb>(pixels, pixels + bytes.size() / sizeof(Rgb))};
+}
+
 ColorPicture anaglyph(const ColorPicture& left, const ColorPicture& right) {
   ColorPicture both = right;
   for (std::size_t i = 0; i < both.pixels.size(); ++i) both.pixels[i].r = left.pixels[i].r;

@@ -11,6 +11,9 @@ using mimo::Picture;
 using mimo::Rgb;
 using ColorPicture = Picture<Rgb>;
 
+// What an observation's field of pixels shows.
+ColorPicture picture_in(const mimo_field& field, const mimo::Block& block);
+
 // Red from the left eye, green and blue from the right: for red-cyan glasses.
 ColorPicture anaglyph(const ColorPicture& left, const ColorPicture& right);
 

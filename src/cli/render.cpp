@@ -36,7 +36,22 @@ mimo_picture_config view(mimo::Env& env, const RenderOptions& options) {
   return config;
 }
 
-void render(const RenderOptions& options) {
+// The field of an infant's own eye, where it is that which is to be drawn: as old as the infant is. "" for others.
+std::string eye_of(const RenderOptions& options) {
+  const bool grown = options.world.age.age || options.world.age.physiological_age;
+  const std::size_t start = options.camera.rfind('/') + 1;  // behind the infant's name
+  const std::string name = options.camera.substr(start);
+  if (!grown || !options.world.age.eyes || (name != "eye_left" && name != "eye_right")) return "";
+  return options.camera.substr(0, start) + "vision/" + name;
+}
+
+void render(RenderOptions options) {
+  const std::string eye = eye_of(options);
+  if (!eye.empty()) {
+    options.world.vision.clear();
+    options.world.eye_width = options.width;
+    options.world.eye_height = options.height;
+  }
   for (const std::string& path : {options.out, options.depth, options.segmentation}) {
     if (!path.empty()) require_writable(path);
   }
@@ -44,7 +59,8 @@ void render(const RenderOptions& options) {
   mimo::Block block = env.make_block();
   env.reset(options.world.seed, block);
   const auto config = view(env, options);
-  const mimo::Pictures seen = env.render(config, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+  mimo::Pictures seen = env.render(config, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION);
+  if (!eye.empty()) seen.color = picture_in(env.layout().field(eye), block);
   const Picture<float>& depth = seen.depth;
   const Picture<std::int32_t>& ids = seen.segmentation;
 
@@ -96,6 +112,7 @@ void add_render(CLI::App& program) {
   options->world.touch = "off";
   CLI::App* command = program.add_subcommand("render", "Draw one picture of a scene as it starts");
   add_scene_options(*command, options->world);
+  add_maturity_options(*command, options->world.age);
   add_camera_options(*command, *options);
   add_size_option(*command, "--width", options->width);
   add_size_option(*command, "--height", options->height);

@@ -27,14 +27,6 @@ struct RunOptions {
   std::string out = "mimo_run";
 };
 
-// The colour picture in an observation block.
-ColorPicture picture_in(const mimo_field& field, const mimo::Block& block) {
-  const auto bytes = block.view<std::uint8_t>(field);
-  const Rgb* pixels = reinterpret_cast<const Rgb*>(bytes.data());
-  return {static_cast<std::uint32_t>(field.shape[1]), static_cast<std::uint32_t>(field.shape[0]),
-          std::vector<Rgb>(pixels, pixels + bytes.size() / sizeof(Rgb))};
-}
-
 class Run {
  public:
   explicit Run(const RunOptions& options);
@@ -184,6 +176,7 @@ void add_run(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = program.add_subcommand("run", "Move at random with all senses on; write pictures and a report");
   add_scene_options(*command, options->world);
+  add_maturity_options(*command, options->world.age);
   add_actuation_option(*command, options->world);
   command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
       ->type_name("S")

@@ -151,6 +151,11 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   auto agent = own ? usual : mimo::agent_config();
   agent.actuation = actuation(options, usual);
   if (!own || !options.vision.empty()) set_vision(senses == Senses::kAllButVision ? 0 : pixels(options), agent);
+  if (options.eye_width != 0) {
+    agent.vision = MIMO_VISION_RGB;
+    agent.vision_width = options.eye_width;
+    agent.vision_height = options.eye_height;
+  }
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;

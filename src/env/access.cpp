@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "body/nerves.h"
 #include "engine/overrides.h"
 #include "engine/present.h"
 
@@ -117,6 +118,7 @@ void compute(const Source& source, Quantity quantity, int id, double* to) {
   switch (quantity) {
     case Quantity::kJointRange: range(model, id, out); break;
     case Quantity::kJointLock: lock(model, id, out); break;
+    case Quantity::kBodyNerveLength: *to = body::nerve_length(model, id); break;
     case Quantity::kBodyVelocity: out.put_all(engine::body_velocity(model, data, id)); break;
     case Quantity::kSiteVelocity: out.put_all(engine::site_velocity(model, data, id)); break;
     case Quantity::kBodyPose: out.put(data.xpos + 3 * id, 3).put(data.xquat + 4 * id, 4); break;

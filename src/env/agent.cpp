@@ -29,7 +29,10 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
   Agent agent{perceive(model, options, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr};
-  if (options.root.empty()) agent.age = Age{options.growth.age, options.growth.physiological_age};
+  if (options.root.empty()) {
+    const growth::Growth grown = options.growth.body ? options.growth : growth::Growth{};
+    agent.age = Age{grown.age, grown.physiological_age};
+  }
   agent.mode = options.actuation.mode;
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);

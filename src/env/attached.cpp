@@ -1,15 +1,17 @@
 #include "env/attached.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/fail.h"
 #include "engine/fingerprint.h"
+#include "env/nerves.h"
 #include "env/requested_fields.h"
 
 namespace mimo::env {
 
 Attached::Attached(const Kit& kit, double step)
-    : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep) {
+    : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep), limits_(observer_) {
   if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
   for (const AgentOptions& agent : kit.agents) add_agent(agent);
   for (const Perception& agent : agents_) {
@@ -21,8 +23,11 @@ Attached::Attached(const Kit& kit, double step)
   if (!kit.options.fields.empty()) {
     observer_.add(std::make_unique<RequestedFields>(*model_, nullptr, kit.options.fields));
   }
-  for (const AgentOptions& agent : kit.agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds_);
-  limits_.make_room(layout());
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const AgentOptions& agent = kit.agents[i];
+    limits_.add(agent.prefix(), agent.limits, nature_of_senses(*model_, agents_[i].body, agent), clock());
+  }
+  limits_.make_room();
   episode_.start(random_, true);
   archive_ = Archive(engine::shape(*model_), sections());
 }
@@ -41,28 +46,31 @@ void Attached::add_agent(const AgentOptions& options) {
   agents_.push_back(perceive(*model_, idle, renderer_.get()));
 }
 
-std::uint8_t* Attached::sensed(const mjData& data) {
-  if (!limits_.late()) return nullptr;
-  observer_.observe(*model_, data, limits_.room(), nullptr);
-  return limits_.room();
+// Noise is that of the physics step, as a world's is; what the host calls a step is at least one.
+observation::Clock Attached::clock() const {
+  const double ticks = std::max(1.0, std::round(step_seconds_ / model_->opt.timestep));
+  return {step_seconds_ / ticks, static_cast<std::size_t>(ticks), false};
 }
 
+std::uint64_t Attached::ticks(std::uint64_t steps) const { return steps * clock().per_step; }
+
 void Attached::reset(const mjData& data, const std::uint64_t* seed) {
-  std::uint8_t* now = sensed(data);  // first, as it may fail
-  if (seed != nullptr) random_.reseed(*seed);
-  episode_.start(random_, seed != nullptr);
-  if (now != nullptr) limits_.begin(now, episode_.noise);
+  Random random = random_;
+  if (seed != nullptr) random.reseed(*seed);
+  Episode episode = episode_;
+  episode.start(random, seed != nullptr);
+  limits_.begin(*model_, data, nullptr, episode.noise);  // first, as it may fail
+  random_ = random;
+  episode_ = episode;
 }
 
 void Attached::advance(const mjData& data) {
-  std::uint8_t* now = sensed(data);
+  limits_.step(*model_, data, nullptr, episode_.noise, ticks(episode_.step + 1), nullptr);
   ++episode_.step;
-  if (now != nullptr) limits_.step(now, episode_.noise, episode_.step);
 }
 
 void Attached::observe(const mjData& data, std::uint8_t* block) {
-  observer_.observe(*model_, data, block, nullptr);
-  limits_.look(block, episode_.noise, episode_.step);
+  limits_.look(*model_, data, block, episode_.noise, ticks(episode_.step));
 }
 
 std::vector<Section> Attached::sections() {

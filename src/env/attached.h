@@ -42,8 +42,8 @@ class Attached {
 
  private:
   void add_agent(const AgentOptions& options);
-  // What is sensed now, in room of our own; null where nobody remembers it.
-  std::uint8_t* sensed(const mjData& data);
+  observation::Clock clock() const;
+  std::uint64_t ticks(std::uint64_t steps) const;
   std::vector<Section> sections();
 
   engine::ModelPtr model_;

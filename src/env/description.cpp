@@ -7,12 +7,10 @@
 namespace mimo::env {
 namespace {
 
-// What is late was true some steps before.
-Interval time_of(const observation::Field& field, const observation::LimitedSenses& limits, double timestep,
-                 double period) {
-  const double physics = field.time == observation::Time::kEnd ? 0 : timestep;
-  const double at = 0 - physics - static_cast<double>(limits.delay(field)) * period;
-  return {at, at};
+// What is late was true some time before.
+Interval time_of(const observation::Field& field, const observation::Lateness& late, double timestep) {
+  const double at = field.time == observation::Time::kEnd ? 0 : -timestep;
+  return {at - static_cast<double>(late.most()) * late.tick, at - static_cast<double>(late.least()) * late.tick};
 }
 
 // What worlds and attached senses have in common.
@@ -27,7 +25,9 @@ Description describe_senses(const Observing& observing) {
   const double timestep = observing.model().opt.timestep;
   for (std::size_t i = 0; i < layout.size(); ++i) {
     description.fields.push_back(layout[i]);
-    description.times.push_back(time_of(layout[i], observing.limits(), timestep, description.period));
+    const observation::DelayLine* delay = observing.limits().delay(layout[i]);
+    description.delays.push_back(delay == nullptr ? observation::Lateness{} : delay->lateness());
+    description.times.push_back(time_of(layout[i], description.delays.back(), timestep));
   }
   return description;
 }
@@ -112,6 +112,8 @@ void adopt(Description& description, Description&& other) noexcept {
     description.fields[i].receptors = other.fields[i].receptors;
   }
   description.skins = std::move(other.skins);
+  description.times = std::move(other.times);
+  description.delays = std::move(other.delays);
 }
 
 }  // namespace mimo::env

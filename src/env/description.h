@@ -32,7 +32,8 @@ struct Description {
   std::vector<observation::Field> fields;
   std::vector<SkinPtr> skins;   // of the fields' receptors
   std::vector<Interval> times;  // by field
-  double period = 0;            // seconds from one step to the next
+  std::vector<observation::Lateness> delays;
+  double period = 0;  // seconds from one step to the next
   std::size_t agents = 0;
   std::vector<Action> actions;
   std::vector<RewardTerm> terms;
@@ -46,7 +47,7 @@ Description describe(const Attached& attached);
 void check_alike(const Description& expected, const Description& other);
 // The wider bounds of both, which are alike.
 void widen(Description& description, const Description& other) noexcept;
-// Bounds and receptors become those of the other, which is alike. Names and shapes stay where they are.
+// Bounds, receptors and times become those of the other, which is alike. Names and shapes stay where they are.
 void adopt(Description& description, Description&& other) noexcept;
 
 }  // namespace mimo::env

@@ -3,12 +3,15 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "actuation/motor_path.h"
 #include "engine/physics.h"
+#include "growth/conduction.h"
 #include "growth/growth.h"
+#include "observation/eyesight.h"
 #include "observation/limited_senses.h"
 #include "render/renderer.h"
 #include "senses/proprioception.h"
@@ -18,6 +21,12 @@
 #include "tasks/task.h"
 
 namespace mimo::env {
+
+// Eyes and nerves.
+struct Maturity {
+  observation::Eyesight eyes;
+  growth::Conduction nerves;
+};
 
 struct AgentOptions {
   std::string name;  // "" for a sole agent
@@ -29,6 +38,7 @@ struct AgentOptions {
   actuation::Options actuation;
   senses::TouchOptions touch;
   growth::Growth growth;                        // of an infant
+  std::optional<Maturity> maturity;             // nothing: as its growth says
   std::string face;                             // that it shows at first; "": the model's own
   std::vector<observation::PathLimits> limits;  // of its senses
   std::vector<actuation::MotorLimits> motors;   // and of the paths to its motors

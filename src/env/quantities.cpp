@@ -66,6 +66,7 @@ const Traits& traits(Quantity quantity) {
       {"agent achieved", Kind::kAgent, 0, kRead, kStep},
       {"agent age", Kind::kAgent, 0, kRead, kAlways, "months"},
       {"agent physiological age", Kind::kAgent, 0, kRead, kAlways, "months"},
+      {"body nerve length", Kind::kBody, 1, kRead, kAlways, "m"},
   }};
   return kTraits[static_cast<std::size_t>(quantity) - 1];
 }

@@ -65,8 +65,9 @@ enum class Quantity : int {
   kAgentAchieved,
   kAgentAge,
   kAgentPhysiologicalAge,
+  kBodyNerveLength,
 };
-constexpr int kQuantities = 55;
+constexpr int kQuantities = 56;
 constexpr int kWidest = 9;  // of those with a width of their own
 
 // When a quantity is true.

@@ -8,6 +8,7 @@
 #include "body/stored_pose.h"
 #include "engine/custom.h"
 #include "engine/fingerprint.h"
+#include "env/nerves.h"
 #include "env/requested_fields.h"
 #include "format/names.h"
 
@@ -39,6 +40,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       physics_(shared_model_, options.physics),
       faces_(body::faces_of(physics_.model())),
       step_contacts_(options.step_contacts),
+      limits_(observer_),
       random_(identity.seed),
       number_(identity.number) {
   adopt_scene_choices();
@@ -50,8 +52,11 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   if (!options_.fields.empty()) {
     observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
   }
-  for (const AgentOptions& agent : agents) limits_.add(layout(), agent.prefix(), agent.limits, step_seconds());
-  limits_.make_room(layout());
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    limits_.add(agents[i].prefix(), agents[i].limits, nature_of_senses(physics_.model(), agents_[i].body, agents[i]),
+                clock());
+  }
+  limits_.make_room();
   bounded_.resize(action_size_);
   start();
   episode_.start(random_, true);
@@ -65,7 +70,9 @@ void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, r
   const SkinPtr shared = services_.skins == nullptr ? nullptr : services_.skins->of(number);
   Agent agent = make_agent(physics_, options, make_task, number, eyes, shared);
   if (services_.skins != nullptr) services_.skins->keep(number, agent.skin);
-  agent.path = actuation::MotorPath::make(*agent.actuation, options.prefix(), options.motors, step_seconds());
+  agent.path =
+      actuation::MotorPath::make(*agent.actuation, options.prefix(), options.motors,
+                                 motor_delays(physics_.model(), agent.body, *agent.actuation, options), clock());
   agent.action_offset = action_size_;
   action_size_ += agent.actuation->size();
   for (const auto& sense : agent.senses) observer_.add(*sense);
@@ -177,12 +184,16 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   const Stopwatch total(options_.timing, timing_.total);
   act(actions);
   step_contacts_.begin();
-  for (int i = 0; i < options_.frame_skip; ++i) {
+  for (int i = 1; i <= options_.frame_skip; ++i) {
+    const std::uint64_t tick = ticks() + static_cast<std::uint64_t>(i);
+    const bool last = i == options_.frame_skip, sensed = !last && limits_.wants(tick);
+    let_arrive(tick - 1);
     {
       const Stopwatch watch(options_.timing, timing_.physics);
-      step_once(i + 1 == options_.frame_skip);
+      step_once(last || sensed);
     }
     for (const Agent& agent : agents_) agent.task->watch(physics_);
+    if (sensed) limits_.pass(model(), data(), tick, options_.timing ? &timing_.senses : nullptr);
   }
   ++episode_.step;
   if (options_.timing) ++timing_.steps;
@@ -201,9 +212,24 @@ void World::act(Span<const float> actions) {
     if (!actions.empty()) {
       own = agent.task->disturb(actions.part(agent.action_offset, agent.actuation->size()), random_);
     }
-    if (agent.path) own = agent.path->pass(own, episode_.noise, episode_.step);
+    if (agent.path) {
+      agent.path->send(own, episode_.noise, episode_.step);
+    } else if (!own.empty()) {
+      agent.actuation->apply(own, physics_);
+    }
+  }
+}
+
+void World::let_arrive(std::uint64_t tick) {
+  for (const Agent& agent : agents_) {
+    if (!agent.path) continue;
+    const Span<const float> own = agent.path->arrive(tick);
     if (!own.empty()) agent.actuation->apply(own, physics_);
   }
+}
+
+observation::Clock World::clock() const {
+  return {model().opt.timestep, static_cast<std::size_t>(options_.frame_skip), true};
 }
 
 void World::step_physics(int count) {
@@ -227,14 +253,12 @@ void World::observe(std::uint8_t* block) {
 
 // Only steps are timed: looking in between would blur what a step costs.
 void World::sense(std::uint8_t* block, Moment moment) {
-  std::uint8_t* to = block == nullptr && limits_.late() ? limits_.room() : block;
-  if (to == nullptr) return;
-  const bool timed = options_.timing && moment == Moment::kStep;
-  observer_.observe(model(), data(), to, timed ? &timing_.senses : nullptr);
   switch (moment) {
-    case Moment::kStart: return limits_.begin(to, episode_.noise);
-    case Moment::kStep: return limits_.step(to, episode_.noise, episode_.step);
-    case Moment::kBetween: return limits_.look(to, episode_.noise, episode_.step);
+    case Moment::kStart: return limits_.begin(model(), data(), block, episode_.noise);
+    case Moment::kStep:
+      return limits_.step(model(), data(), block, episode_.noise, ticks(), options_.timing ? &timing_.senses : nullptr);
+    case Moment::kBetween:
+      if (block != nullptr) limits_.look(model(), data(), block, episode_.noise, ticks());
   }
 }
 

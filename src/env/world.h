@@ -109,7 +109,11 @@ class World {
   void require_outside_task() const;
   bool cut_off(const Agent& agent) const;
   void report_warnings();
+  observation::Clock clock() const;
+  // Ticks of the episode that its whole steps have.
+  std::uint64_t ticks() const { return episode_.step * static_cast<std::uint64_t>(options_.frame_skip); }
   void act(Span<const float> actions);
+  void let_arrive(std::uint64_t tick);
   std::vector<Section> sections();
   void add_sections(Agent& agent, std::vector<Section>& sections);
 

@@ -29,12 +29,17 @@ struct Growth {
   double birth_tone = 1.5;         // stiffness of a newborn's joints, as a factor
   double contracture = 1;          // share of the newborn's lack of extension
   bool keep_spacing = false;       // touch sensors are as far apart as at 18 months; else there are as many
+  // What of it is as old: its body, its eyes, its nerves.
+  bool body = true;
+  bool eyes = false;
+  bool delays = false;
 };
 
 inline bool operator==(const Growth& a, const Growth& b) {
   const auto all = [](const Growth& g) {
     return std::tie(g.age, g.physiological_age, g.sex, g.model, g.z_length, g.z_weight, g.z_head, g.absolute,
-                    g.strength_exponent, g.neck_strength, g.birth_tone, g.contracture, g.keep_spacing);
+                    g.strength_exponent, g.neck_strength, g.birth_tone, g.contracture, g.keep_spacing, g.body, g.eyes,
+                    g.delays);
   };
   return all(a) == all(b);
 }

@@ -25,6 +25,7 @@ struct Field {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> labels;  // one per element of the flattened field; empty for pictures
+  std::vector<int> bodies;          // one per element: the part of the body that it is about; empty: none
   Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it
   bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
   double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else

@@ -1,60 +1,68 @@
-// One field of the observation as an infant with lesser senses has it: weaker, blurred, noisy, late.
+// One field of the observation as an infant with lesser senses has it: weaker, blurred, late, noisy.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "base/section.h"
+#include "observation/delay_line.h"
+#include "observation/eyesight.h"
 #include "observation/field.h"
 
 namespace mimo::observation {
 
 struct Limits {
-  double gain = 1;   // factor
-  double noise = 0;  // standard deviation, in the field's unit; levels of 255 for colours
-  double blur = 0;   // cycles per degree of which half the contrast is left; 0: sharp
-  double delay = 0;  // seconds
+  double gain = 1;          // factor
+  double noise = 0;         // standard deviation, in the field's unit; levels of 255 for colours
+  double blur = 0;          // cycles per degree of which half the contrast is left; 0: sharp
+  double delay = 0;         // seconds
+  double signal_noise = 0;  // standard deviation, as a share of the value
 
-  bool any() const { return gain != 1 || noise != 0 || blur != 0 || delay != 0; }
+  bool any() const { return gain != 1 || noise != 0 || blur != 0 || delay != 0 || signal_noise != 0; }
+  bool noisy() const { return noise != 0 || signal_noise != 0; }
+  // Of the noise of a value.
+  double deviation(double value) const;
+};
+
+// What an infant is like by itself: how late each element of a field comes, in seconds, empty where none does; and how
+// well it sees, of pictures in colour.
+struct Nature {
+  std::vector<double> delays;
+  Eyesight eyes;
+
+  bool any() const { return !delays.empty() || eyes.any(); }
 };
 
 class LimitedField {
  public:
-  // The field outlives this object; steps are `step` seconds long. Throws where limits make no sense for it: blur of
-  // what is no picture, a delay of too many steps.
-  LimitedField(const Field& field, const Limits& limits, double step);
+  // The field outlives this object. Where limits have a delay, it counts instead of those of nature. Throws where
+  // limits make no sense for the field: blur of what is no picture, a delay of too many steps.
+  LimitedField(const Field& field, const Limits& limits, const Nature& nature, const Clock& clock);
 
   const Field& field() const { return field_; }
-  std::size_t delay() const { return delay_; }  // steps
-  bool late() const { return delay_ > 0; }
+  const DelayLine& delay() const { return delay_; }
+  bool late() const { return delay_.late(); }
 
-  // Changes the field in the block; equal seeds of an episode give equal noise.
-  void weaken(std::uint8_t* block, std::uint64_t episode, std::uint64_t step);
-
-  // Nothing was sensed before what the block holds.
-  void begin(const std::uint8_t* block);
-  // Keeps what the block holds as that of this step; the first that is kept since `forget` is all that there is.
-  void keep(const std::uint8_t* block, std::uint64_t step);
-  // Puts what was sensed `delay` before this step into the block; where nothing was, the block stays.
-  void recall(std::uint8_t* block, std::uint64_t step) const;
-  void forget() { begun_ = false; }
-
-  // What it remembers, for one that is late. This object outlives it and stays where it is.
-  Section section();
+  // What the receptors make of it, before it travels.
+  void weaken(std::uint8_t* block);
+  // Noise is that of the moment when it arrives; equal seeds of an episode give equal noise.
+  void disturb(std::uint8_t* block, std::uint64_t episode, std::uint64_t tick) const;
+  DelayLine& delay() { return delay_; }
 
  private:
   template <typename T>
-  void scale_and_add_noise(T* values, std::uint64_t seed) const;
-  std::uint8_t* slot(std::uint64_t step) { return past_.data() + slot_offset(step); }
-  std::size_t slot_offset(std::uint64_t step) const;
+  void scale(T* values) const;
+  template <typename T>
+  void add_noise(T* values, std::uint64_t seed) const;
+  // What comes out stays between the bounds that the field promises, and is a number that its type has: a field without
+  // bounds ends at the largest one.
+  template <typename T>
+  T bounded(double value) const;
 
   const Field& field_;
   Limits limits_;
-  std::size_t delay_ = 0;           // steps
-  bool begun_ = false;              // something was sensed
-  std::vector<float> kernel_;       // of the blur: from its middle outwards
-  std::vector<float> rows_;         // room for a picture blurred in one direction
-  std::vector<std::uint8_t> past_;  // the last delay + 1 times the field
+  DelayLine delay_;
+  std::optional<EyeFilter> eye_;
 };
 
 }  // namespace mimo::observation

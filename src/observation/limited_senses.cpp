@@ -1,6 +1,7 @@
 #include "observation/limited_senses.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/fail.h"
 
@@ -32,9 +33,10 @@ std::string names(const Layout& layout, const std::string& prefix) {
 
 }  // namespace
 
-void LimitedSenses::add(const Layout& layout, const std::string& prefix, const std::vector<PathLimits>& paths,
-                        double step) {
-  std::vector<Limits> chosen(layout.size());
+void LimitedSenses::add(const std::string& prefix, const std::vector<PathLimits>& paths, const NatureOf& nature_of,
+                        const Clock& clock) {
+  const Layout& layout = observer_.layout();
+  std::vector<std::optional<Limits>> chosen(layout.size());
   for (const PathLimits& entry : paths) {
     const std::string path = prefix + entry.path;
     bool found = false;
@@ -51,48 +53,109 @@ void LimitedSenses::add(const Layout& layout, const std::string& prefix, const s
     }
   }
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    if (chosen[i].any()) fields_.emplace_back(layout[i], chosen[i], step);
+    const bool own = !layout[i].exempt && layout[i].name.compare(0, prefix.size(), prefix) == 0;
+    Nature nature = nature_of && own ? nature_of(layout[i], observer_.share_of(layout[i])) : Nature{};
+    if (chosen[i]) nature.delays.clear();
+    const Limits limits = chosen[i].value_or(Limits{});
+    if (limits.any() || nature.any()) fields_.emplace_back(layout[i], limits, nature, clock);
   }
 }
 
-void LimitedSenses::make_room(const Layout& layout) {
-  if (std::any_of(fields_.begin(), fields_.end(), [](const LimitedField& field) { return field.late(); })) {
-    room_.resize(layout.bytes());
+void LimitedSenses::make_room() {
+  for (std::size_t i = 0; i < observer_.senses(); ++i) {
+    Member member{i};
+    const std::vector<Field>& all = observer_.sense(i).fields();
+    for (LimitedField& field : fields_) {
+      const Field* its = &field.field();
+      if (its >= all.data() && its < all.data() + all.size()) member.limited.push_back(&field);
+    }
+    const auto late = std::count_if(member.limited.begin(), member.limited.end(),
+                                    [](const LimitedField* field) { return field->late(); });
+    member.now = late < static_cast<std::ptrdiff_t>(all.size());
+    if (late > 0) room_.resize(observer_.layout().bytes());
+    members_.push_back(std::move(member));
   }
 }
 
-std::size_t LimitedSenses::delay(const Field& field) const {
+const DelayLine* LimitedSenses::delay(const Field& field) const {
   for (const LimitedField& limited : fields_) {
-    if (&limited.field() == &field) return limited.delay();
+    if (&limited.field() == &field && limited.late()) return &limited.delay();
   }
-  return 0;
+  return nullptr;
 }
 
-void LimitedSenses::weaken(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
-  for (LimitedField& field : fields_) field.weaken(block, episode, step);
+bool LimitedSenses::remembers(const LimitedField& field, Moment moment, std::uint64_t tick) {
+  return field.late() && (field.delay().wants(tick) || (moment == Moment::kEnd && !field.delay().begun()));
 }
 
-void LimitedSenses::begin(std::uint8_t* block, std::uint64_t episode) {
-  weaken(block, episode, 0);
-  for (LimitedField& field : fields_) field.begin(block);
+bool LimitedSenses::remembers(const Member& member, Moment moment, std::uint64_t tick) {
+  return std::any_of(member.limited.begin(), member.limited.end(),
+                     [=](const LimitedField* field) { return remembers(*field, moment, tick); });
 }
 
-void LimitedSenses::step(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
-  weaken(block, episode, step);
+bool LimitedSenses::wants(std::uint64_t tick) const {
+  return !room_.empty() && std::any_of(members_.begin(), members_.end(), [tick](const Member& member) {
+    return remembers(member, Moment::kWithin, tick);
+  });
+}
+
+// Of what was just sensed.
+void LimitedSenses::take(const Member& member, std::uint8_t* block, Moment moment, std::uint64_t tick) {
+  for (LimitedField* field : member.limited) {
+    const bool kept = remembers(*field, moment, tick);
+    if (kept || !field->late()) field->weaken(block);
+    if (kept) field->delay().keep(block, tick);
+  }
+}
+
+void LimitedSenses::finish(std::uint8_t* block, std::uint64_t episode, std::uint64_t tick) {
   for (LimitedField& field : fields_) {
-    field.keep(block, step);
-    field.recall(block, step);
+    if (field.late()) field.delay().recall(block, tick);
+    field.disturb(block, episode, tick);
+  }
+  observer_.layout().clear_gaps(block);
+}
+
+void LimitedSenses::begin(const mjModel& model, const mjData& data, std::uint8_t* block, std::uint64_t episode) {
+  for (LimitedField& field : fields_) field.delay().forget();
+  step(model, data, block, episode, 0, nullptr);
+}
+
+void LimitedSenses::pass(const mjModel& model, const mjData& data, std::uint64_t tick, ShareTimes* times) {
+  for (const Member& member : members_) {
+    if (!remembers(member, Moment::kWithin, tick)) continue;
+    observer_.write(member.sense, model, data, room_.data(), times);
+    take(member, room_.data(), Moment::kWithin, tick);
   }
 }
 
-void LimitedSenses::look(std::uint8_t* block, std::uint64_t episode, std::uint64_t step) {
-  weaken(block, episode, step);
-  for (const LimitedField& field : fields_) field.recall(block, step);
+// What comes late as a whole, and is not remembered as it is now, is not even looked at.
+void LimitedSenses::step(const mjModel& model, const mjData& data, std::uint8_t* block, std::uint64_t episode,
+                         std::uint64_t tick, ShareTimes* times) {
+  std::uint8_t* to = block != nullptr ? block : room_.data();
+  for (const Member& member : members_) {
+    if (!(block != nullptr && member.now) && !remembers(member, Moment::kEnd, tick)) continue;
+    observer_.write(member.sense, model, data, to, times);
+    take(member, to, Moment::kEnd, tick);
+  }
+  if (block != nullptr) finish(block, episode, tick);
+}
+
+void LimitedSenses::look(const mjModel& model, const mjData& data, std::uint8_t* block, std::uint64_t episode,
+                         std::uint64_t tick) {
+  for (const Member& member : members_) {
+    const bool fresh = std::any_of(member.limited.begin(), member.limited.end(),
+                                   [](const LimitedField* field) { return field->late() && !field->delay().begun(); });
+    if (!member.now && !fresh) continue;
+    observer_.write(member.sense, model, data, block, nullptr);
+    for (LimitedField* field : member.limited) field->weaken(block);
+  }
+  finish(block, episode, tick);
 }
 
 void LimitedSenses::list(std::vector<Section>& sections) {
   for (LimitedField& field : fields_) {
-    if (field.late()) sections.push_back(field.section());
+    if (field.late()) sections.push_back(field.delay().section());
   }
 }
 

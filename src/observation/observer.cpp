@@ -1,5 +1,6 @@
 #include "observation/observer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/fail.h"
@@ -22,14 +23,20 @@ void Observer::add(std::unique_ptr<Sense> sense) {
   add(*own_.back());
 }
 
-void Observer::observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const {
+Share Observer::share_of(const Field& field) const {
+  const auto has = [&field](const Sense* sense) {
+    const std::vector<Field>& all = sense->fields();
+    return std::any_of(all.begin(), all.end(), [&field](const Field& its) { return &its == &field; });
+  };
+  return (*std::find_if(senses_.begin(), senses_.end(), has))->share();
+}
+
+void Observer::write(std::size_t sense, const mjModel& model, const mjData& data, std::uint8_t* block,
+                     ShareTimes* times) const {
   ShareTimes nobodys{};
   ShareTimes& sums = times != nullptr ? *times : nobodys;
-  for (Sense* sense : senses_) {
-    const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(sense->share())]);
-    sense->write(model, data, block);
-  }
-  layout_.clear_gaps(block);
+  const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(senses_[sense]->share())]);
+  senses_[sense]->write(model, data, block);
 }
 
 void Observer::observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const {

@@ -21,8 +21,13 @@ class Observer {
 
   const Layout& layout() const { return layout_; }
 
-  // Fills every byte of the block, and adds what each share took to `times`; null: nobody wants to know.
-  void observe(const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
+  std::size_t senses() const { return senses_.size(); }
+  const Sense& sense(std::size_t i) const { return *senses_[i]; }
+  // The share of the sense that a field belongs to.
+  Share share_of(const Field& field) const;
+
+  // Fills the fields of one sense, and adds what it took to `times`; null: nobody wants to know.
+  void write(std::size_t sense, const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
   // Fills the fields of one share only.
   void observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const;
 

@@ -39,6 +39,7 @@ Field joint_field(const mjModel& model, const Joints& joints, const char* name, 
   field.frame = "joint";
   field.time = time;
   field.labels = names(model, joints);
+  for (const body::Joint& joint : joints) field.bodies.push_back(model.jnt_bodyid[joint.id]);
   return field;
 }
 
@@ -64,6 +65,9 @@ Signal torque(const mjModel& model, const std::vector<body::Sensor>& sensors) {
   field.frame = "site";
   field.time = Time::kLastStart;
   field.labels = axis_names(model, sensors);
+  for (const body::Sensor& sensor : sensors) {
+    field.bodies.insert(field.bodies.end(), 3, model.site_bodyid[model.sensor_objid[sensor.id]]);
+  }
   return {field, [sensors](const mjModel&, const mjData& data, float* out) {
             for (const body::Sensor& sensor : sensors) {
               for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(data.sensordata[sensor.address + axis]);

@@ -67,6 +67,8 @@ int main(void) {
   FIELD(mimo_growth, contracture);
   FIELD(mimo_growth, absolute);
   FIELD(mimo_growth, keep_spacing);
+  FIELD(mimo_growth, maturity);
+  FIELD(mimo_growth, reserved);
 
   BEGIN(mimo_agent_config);
   FIELD(mimo_agent_config, struct_size);
@@ -103,6 +105,19 @@ int main(void) {
   FIELD(mimo_limits, gain);
   FIELD(mimo_limits, noise);
   FIELD(mimo_limits, blur);
+  FIELD(mimo_limits, signal_noise);
+
+  BEGIN(mimo_maturity);
+  FIELD(mimo_maturity, struct_size);
+  FIELD(mimo_maturity, reserved);
+  FIELD(mimo_maturity, acuity);
+  FIELD(mimo_maturity, peak_contrast);
+  FIELD(mimo_maturity, chroma);
+  FIELD(mimo_maturity, conduction_speed);
+  FIELD(mimo_maturity, sensory_delay);
+  FIELD(mimo_maturity, motor_delay);
+  FIELD(mimo_maturity, vision_delay);
+  FIELD(mimo_maturity, vestibular_delay);
 
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);

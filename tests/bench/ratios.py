@@ -47,7 +47,9 @@ RENDER = ["bench_render", "8"]
 TOUCH = ["bench_touch", "500"]
 MUSCLE = ["bench_muscle"]
 WORLDS = ["bench_worlds", "reach"]
-CONTACTS = ["bench_contacts"]
+CONTACTS = ["bench_extras", "contacts"]
+DELAYS = ["bench_extras", "delays", "1500"]
+EYES = ["bench_extras", "eyes"]
 
 
 def step_vs_raw(result):
@@ -105,6 +107,8 @@ RATIOS = [
     ("touch at twice the density, reference steps", TOUCH, touch(2)),
     ("other senses and the rest, over physics", BLIND, share("proprioception", "vestibular", "other")),
     ("contacts of a step recorded, over the step", CONTACTS, in_text(r"(-?[\d.]+) of a step more")),
+    ("a newborn's nerves, over the step without eyes", DELAYS, in_text(r"(-?[\d.]+) of a step more")),
+    ("a newborn's eyes, over the step at V256", EYES, in_text(r"(-?[\d.]+) of a step more")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),
     ("MuJoCo's muscles, over a physics step", MUSCLE, muscles("mitten", "MuJoCo")),
     ("muscles of five fingers, over a physics step", MUSCLE, muscles("fingers", "MIMo")),

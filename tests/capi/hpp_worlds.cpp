@@ -319,6 +319,28 @@ void check_ages() {
   CHECK((env.get_values(MIMO_AGENT_AGE) == std::vector<double>{6}));
 }
 
+// Eyes and nerves that take their time.
+void check_maturity() {
+  CHECK(mimo::maturity(0).acuity == 0.70 && mimo::maturity(24).acuity == 11.1 && mimo::maturity().acuity == 0);
+  auto config = mimo::scene_config();
+  config.name = "free";
+  mimo::Scene scene(config);
+  auto infant = scene.default_agent();
+  infant.vision = infant.touch = 0;
+  scene.add_agent(infant);
+  const auto late = [&](const char* field, std::size_t element) {
+    return mimo::Env(scene).layout().delay(field, element);
+  };
+  CHECK(late("proprioception/position", 0) == 0);
+  mimo_maturity slow = mimo::maturity(0);
+  slow.vestibular_delay = 0.1;
+  scene.set_maturity(slow);
+  CHECK_NEAR(0.1, late("vestibular/acceleration", 2), 1e-12);
+  CHECK(late("proprioception/position", 0) > 0.02);
+  scene.clear_maturity();
+  CHECK(late("vestibular/acceleration", 2) == 0);
+}
+
 // A step in two halves, values of all worlds, and what became of each.
 void check_batch_at_once() {
   auto config = mimo::scene_config();
@@ -381,6 +403,7 @@ int main() {
   check_timing();
   check_batch();
   check_ages();
+  check_maturity();
   check_batch_at_once();
   check_pictures();
   return failures();

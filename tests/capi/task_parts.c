@@ -428,7 +428,7 @@ static void check_descriptions(void) {
   fields[1].name = "reached";
   CHECK_OK(mimo_scene_set_task(scene, &task));
   CHECK_OK(mimo_limits_init(&limits, sizeof limits));
-  limits.delay = 3;
+  limits.delay = 1;
   CHECK_OK(mimo_scene_limit_sense(scene, 0, "goal", &limits));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "limits: \"goal\" is a field of the task", mimo_env_create(scene, NULL, &env));
   mimo_scene_destroy(scene);

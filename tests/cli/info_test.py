@@ -11,6 +11,20 @@ class Info(Case):
     def info(self, *arguments):
         return json.loads(self.mimo("info", "--vision", "off", "--json", *arguments))
 
+    def test_eyes_and_nerves_of_an_age(self):
+        """Facts of the eyes by their table; delays grow with the distance from the head and shrink with age."""
+        newborn, year = (self.info("--scene", "free", "--age", age) for age in ("0", "12"))
+        self.assertAlmostEqual(newborn["vision"]["acuity_cpd"], 0.70)
+        self.assertAlmostEqual(newborn["vision"]["peak_contrast"], 2.0)
+        self.assertAlmostEqual(year["vision"]["acuity_cpd"], 7.47)
+        late = newborn["delays_s"]
+        self.assertLess(late["face"], late["chest"])
+        self.assertLess(late["upper_arm"], late["hand"])
+        self.assertLess(late["hand"], late["foot"])
+        self.assertAlmostEqual(late["hand"] - late["motor_hand"], 0.004)
+        for part, seconds in year["delays_s"].items():
+            self.assertLess(seconds, late[part], part)
+
     def test_benchmark_scene(self):
         info = self.info()
         self.assertEqual({key: info[key] for key in COUNTS}, COUNTS)

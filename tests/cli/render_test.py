@@ -31,6 +31,21 @@ class Render(Case):
         self.assertGreater(min(seen), 0.5)
         self.assertLess(min(seen), 1.0)
 
+    def test_eyes_of_an_age(self):
+        """A newborn sees no colour, and less of what is fine; with perfect eyes it sees as by the plain camera."""
+        pictures = {}
+        for name, options in (("newborn", ["--age", "0"]), ("perfect", ["--age", "0", "--eyes", "perfect"]),
+                              ("year", ["--age", "12"])):
+            self.mimo("render", *options, "--camera", "eye_left", "--width", "96", "--height", "64", "--out", "a.png")
+            width, height, _, channels, rows = read_png(self.folder / "a.png")
+            self.assertEqual((width, height, channels), (96, 64, 3))
+            pictures[name] = [[tuple(row[i:i + 3]) for i in range(0, len(row), 3)] for row in rows]
+        colours = {name: max(max(pixel) - min(pixel) for row in rows for pixel in row)
+                   for name, rows in pictures.items()}
+        self.assertEqual(colours["newborn"], 0)
+        self.assertGreater(colours["perfect"], 50)
+        self.assertGreater(colours["year"], 50)
+
     def test_faces(self):
         pictures = set()
         for face in ("neutral", "enjoyment", "sadness", "surprise", "disgust", "anger", "fear"):

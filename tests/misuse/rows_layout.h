@@ -12,6 +12,8 @@ ROW(mimo_layout_find, ON_LAYOUT, mimo_layout_find(a->layout, a->field_name, a->c
     NO_NULL(count, "index"), DO(unknown_field, MIMO_E_NOT_FOUND, "smell"))
 ROW(mimo_layout_label, ON_LAYOUT, mimo_layout_label(a->layout, a->index, a->element, a->string),
     BAD_INDEX(index, "field"), BAD_INDEX(element, "element"), NO_NULL(string, "label"))
+ROW(mimo_layout_delay, ON_LAYOUT, mimo_layout_delay(a->layout, a->index, a->element, a->number),
+    BAD_INDEX(index, "field"), BAD_INDEX(element, "element"), NO_NULL(number, "seconds"))
 ROW(mimo_layout_receptor_width, ON_LAYOUT,
     mimo_layout_receptor_width(a->layout, a->field_index, a->receptor_quantity, a->count), RECEPTORS,
     NO_NULL(count, "value_count"))

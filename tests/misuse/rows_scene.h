@@ -39,6 +39,11 @@ ROW(mimo_growth_init, 0, mimo_growth_init(a->growth, sizeof *a->growth + a->more
     INIT(growth, mimo_growth, "growth"))
 ROW(mimo_limits_init, 0, mimo_limits_init(a->limits, sizeof *a->limits + a->more_bytes),
     INIT(limits, mimo_limits, "limits"))
+ROW(mimo_maturity_init, 0, mimo_maturity_init(a->maturity, sizeof *a->maturity + a->more_bytes),
+    INIT(maturity, mimo_maturity, "maturity"))
+ROW(mimo_maturity_at, 0, mimo_maturity_at(a->growth->age, a->maturity, sizeof *a->maturity + a->more_bytes),
+    INIT(maturity, mimo_maturity, "maturity"), UNREAL(growth, mimo_growth, age, "age"),
+    BAD_REAL(growth, mimo_growth, age, -0.01, "age"), BAD_REAL(growth, mimo_growth, age, 24.01, "age"))
 
 ROW(mimo_scene_create, 0, mimo_scene_create(a->scene_config, a->made_scene), NULL_OK(scene_config),
     NO_NULL(made_scene, "scene"), CONFIG(scene_config, mimo_scene_config, "config"),
@@ -63,7 +68,8 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
       GROWTH_RANGE(z_length, -3.01, 3.01), GROWTH_RANGE(z_weight, -3.01, 3.01), GROWTH_RANGE(z_head, -3.01, 3.01), \
       GROWTH_RANGE(percentile, 0.13, 99.87), GROWTH_RANGE(strength_exponent, -0.1, 5.1),                           \
       GROWTH_RANGE(neck_strength, -0.1, 10.1), GROWTH_RANGE(birth_tone, 0.09, 10.1),                               \
-      GROWTH_RANGE(contracture, -0.1, 1.1), GROWTH_UNKNOWN(absolute, 2), GROWTH_UNKNOWN(keep_spacing, 2)
+      GROWTH_RANGE(contracture, -0.1, 1.1), GROWTH_UNKNOWN(absolute, 2), GROWTH_UNKNOWN(keep_spacing, 2),          \
+      GROWTH_UNKNOWN(maturity, 8), GROWTH_UNKNOWN(maturity, -1), GROWTH_UNKNOWN(reserved, 1)
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))
@@ -99,15 +105,27 @@ ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_in
 #define LIMITS_REAL(f, n) BAD_REAL(limits, mimo_limits, f, n, #f)
 #define LIMITS                                                                                         \
   NULL_OK(limits), CONFIG(limits, mimo_limits, "limits"), UNREAL(limits, mimo_limits, delay, "delay"), \
-      LIMITS_REAL(delay, -0.01), UNREAL(limits, mimo_limits, gain, "gain"), LIMITS_REAL(gain, -1),     \
-      UNREAL(limits, mimo_limits, noise, "noise"), LIMITS_REAL(noise, -0.5),                           \
+      LIMITS_REAL(delay, -0.01), LIMITS_REAL(delay, 2.01), UNREAL(limits, mimo_limits, gain, "gain"),  \
+      LIMITS_REAL(gain, -1), UNREAL(limits, mimo_limits, noise, "noise"), LIMITS_REAL(noise, -0.5),    \
       UNREAL(limits, mimo_limits, blur, "blur"), LIMITS_REAL(blur, -1), LIMITS_REAL(blur, 0.01),       \
-      LIMITS_REAL(blur, 1001), UNKNOWN_FIELD(limits, mimo_limits, reserved, 1, "reserved")
+      LIMITS_REAL(blur, 1001), UNREAL(limits, mimo_limits, signal_noise, "signal_noise"),              \
+      LIMITS_REAL(signal_noise, -1), LIMITS_REAL(signal_noise, 1001),                                  \
+      UNKNOWN_FIELD(limits, mimo_limits, reserved, 1, "reserved")
 ROW(mimo_scene_limit_sense, ON_SCENE, mimo_scene_limit_sense(a->scene, a->agent_index, a->path, a->limits),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(path, "path"), LIMITS)
 ROW(mimo_scene_limit_motor, ON_SCENE, mimo_scene_limit_motor(a->scene, a->agent_index, a->motor_path, a->limits),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(motor_path, "path"), LIMITS,
     BAD_REAL(limits, mimo_limits, blur, 1, "blur"))
+#define MATURITY_RANGE(f, low, high)                                                     \
+  UNREAL(maturity, mimo_maturity, f, #f), BAD_REAL(maturity, mimo_maturity, f, low, #f), \
+      BAD_REAL(maturity, mimo_maturity, f, high, #f)
+ROW(mimo_scene_set_maturity, ON_SCENE, mimo_scene_set_maturity(a->scene, a->agent_index, a->maturity),
+    BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NULL_OK(maturity),
+    CONFIG(maturity, mimo_maturity, "maturity"), UNKNOWN_FIELD(maturity, mimo_maturity, reserved, 1, "reserved"),
+    MATURITY_RANGE(acuity, 0.04, 1001), MATURITY_RANGE(peak_contrast, 1, 1001), MATURITY_RANGE(chroma, -0.01, 1.01),
+    MATURITY_RANGE(conduction_speed, 0.09, 201), MATURITY_RANGE(sensory_delay, -0.01, 2.01),
+    MATURITY_RANGE(motor_delay, -0.01, 2.01), MATURITY_RANGE(vision_delay, -0.01, 2.01),
+    MATURITY_RANGE(vestibular_delay, -0.01, 2.01))
 
 #define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_UNKNOWN(f, n) UNKNOWN_FIELD(object_config, mimo_object_config, f, n, #f)

@@ -41,6 +41,7 @@ typedef struct args {
   mimo_gaze* gaze;
   mimo_growth* growth;
   mimo_limits* limits;
+  mimo_maturity* maturity;
   mimo_senses_config* senses_config;
   mimo_load_report* report;
   size_t more_bytes;

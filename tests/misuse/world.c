@@ -263,6 +263,7 @@ static void make_structs(void) {
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.growth = region(sizeof *good.growth + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
+  good.maturity = region(sizeof *good.maturity + TAIL);
   good.senses_config = region(sizeof *good.senses_config + TAIL);
   good.report = region(sizeof *good.report + TAIL);
 }
@@ -318,6 +319,7 @@ static void fill_configs(void) {
   good.growth->age = 6;
   good.agent_config->growth = good.growth;
   CHECK_OK(mimo_limits_init(good.limits, sizeof *good.limits));
+  CHECK_OK(mimo_maturity_at(6, good.maturity, sizeof *good.maturity));
   CHECK_OK(mimo_senses_config_init(good.senses_config, sizeof *good.senses_config));
   CHECK_OK(mimo_model_config_init(good.model_config, sizeof *good.model_config));
   good.scene_config->name = "free";

@@ -1,6 +1,7 @@
 """Infants of other ages than 18 months, against the WHO Child Growth Standards, 2006."""
 
 import csv
+import dataclasses
 import pickle
 
 import numpy as np
@@ -77,6 +78,10 @@ def test_what_no_infant_has_is_refused():
             agent_of(**wrong)
     with pytest.raises(ValueError, match="sex is 'boy', expected"):
         agent_of(sex="boy")
+    with pytest.raises(ValueError, match=r"maturity is 'ears', expected mimo.Mature or a name"):
+        agent_of(age=3, maturity=["eyes", "ears"])
+    with pytest.raises(mimo.UnsupportedError, match="maturity is 0x8"):
+        agent_of(age=3, maturity=8)
     scene = mimo.Scene(xml="<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
     with pytest.raises(mimo.ArgumentError, match="only infants grow"):
         scene.add_agent(body="scene", root="box", age=3, vision=False, vestibular=False)
@@ -132,3 +137,44 @@ def test_a_girl_stays_a_girl():
         assert world.agents[0].mass == agent_of(age=6, sex="female").mass
     with mimo.Batch("free", 2, vision=False, touch=False, sex="female", ages=[3, 6]) as batch:
         assert batch.world(1).agents[0].mass == agent_of(age=6, sex="female").mass
+
+
+def test_what_matures_is_chosen():
+    old, young = agent_of().mass, agent_of(age=3).mass
+    assert agent_of(age=3, maturity="all").mass == agent_of(age=3, maturity=mimo.Mature.BODY).mass == young
+    assert agent_of(age=3, maturity=("eyes", "delays")).mass == old
+    env = mimo.make("free", age=3, maturity="all", vision=False, touch=False)
+    assert env.unwrapped.world.layout.delays("vestibular/acceleration").all()
+    env.reset(seed=1, options={"age": 6})  # and stays as mature
+    assert env.unwrapped.world.layout.delays("vestibular/acceleration").all()
+
+
+def test_maturity_in_numbers():
+    newborn, toddler = mimo.Maturity.at(0), mimo.Maturity.at(24)
+    assert (newborn.acuity, toddler.acuity) == (0.70, 11.1)
+    assert newborn.conduction_speed < toddler.conduction_speed
+    raw = mimo._abi.Maturity()
+    mimo._library.check(mimo._library.LIB.mimo_maturity_init(raw, 80))
+    assert {name: getattr(raw, name) for name in dataclasses.asdict(newborn)} == dataclasses.asdict(mimo.Maturity())
+    for wrong, message in (
+        (lambda: mimo.Maturity.at(25), "age is 25, expected 0 to 24 months"),
+        (lambda: mimo.Scene("free").set_maturity(newborn), "agent"),
+    ):
+        with pytest.raises((mimo.ArgumentError, mimo.NotFoundError), match=message):
+            wrong()
+
+
+def test_nerves_of_one_s_own():
+    scene = mimo.Scene("free")
+    scene.add_agent(vision=False, touch=False)
+    scene.set_maturity(dataclasses.replace(mimo.Maturity.at(24), vestibular_delay=0.1))
+    with mimo.World(scene) as world, mimo.World(pickle.loads(pickle.dumps(scene))) as twin:
+        for one in (world, twin):
+            assert one.layout.delays("vestibular/acceleration") == pytest.approx([0.1] * 3)
+    scene.set_maturity(None)
+    with mimo.World(scene) as world:
+        assert not world.layout.delays("vestibular/acceleration").any()
+    with pytest.raises(mimo.ArgumentError, match="chroma is 2, expected 0 to 1"):
+        scene.set_maturity(mimo.Maturity(chroma=2))
+    with pytest.raises(TypeError, match=r"maturity is 3, expected a mimo.Maturity or None"):
+        scene.set_maturity(3)

@@ -55,6 +55,36 @@ def test_fields_say_when_they_are_true(reach):
         assert late.layout.fields["proprioception/torque"].end == pytest.approx(-0.03 - PHYSICS_STEP)
 
 
+def test_elements_say_how_late_they_come(reach):
+    assert not reach.layout.delays("proprioception/position").any()
+    with mimo.World("reach", age=0, maturity="delays", vision=False, vestibular=True) as young:
+        infant, layout = young.agents[0], young.layout
+        assert infant.mass == reach.agents[0].mass  # of 18 months: only the nerves are a newborn's
+        for name, field in layout.fields.items():
+            late = layout.delays(name)
+            assert late.shape == (np.prod(field.shape),)
+            start = -PHYSICS_STEP if name.startswith(("proprioception/torque", "vestibular")) else 0
+            assert (field.end, field.start) == pytest.approx((start - late.min(), start - late.max()))
+        # To the nearest time step: along the nerve of the part that the joint moves, then to the cortex.
+        joints, nerves = young.joints(*layout.fields["proprioception/limit"].labels), mimo.Maturity.at(0)
+        length = young.get("body_nerve_length", joints.body_ids)
+        exact = length / nerves.conduction_speed + nerves.sensory_delay
+        assert np.abs(layout.delays("proprioception/limit") - exact).max() <= PHYSICS_STEP / 2 + 1e-9
+        assert layout.delays("vestibular/acceleration") == pytest.approx(nerves.vestibular_delay)
+        with pytest.raises(mimo.NotFoundError, match="smell"):
+            layout.delays("smell")
+    with pytest.raises(mimo.ClosedError, match="closed"):
+        layout.delays("vestibular/acceleration")
+
+
+def test_fields_are_as_late_as_the_infant_is_old():
+    with mimo.World("free", age=0, maturity=["body", "delays"], vision=False, touch=False) as world:
+        position = "proprioception/position"
+        young = world.layout.fields[position]
+        world.reset(seed=1, age=18)
+        assert young.start < world.layout.fields[position].start == -world.layout.delays(position).max() < 0
+
+
 def test_receptors_lie_on_the_skin():
     with mimo.World(with_skin()) as world:
         field = world.layout.fields["touch/force"]

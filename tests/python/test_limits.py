@@ -41,6 +41,16 @@ def test_noise_is_the_seed_s_and_survives_copies():
         assert np.array_equal(angles(copy.deepcopy(world)), first)
 
 
+def test_noise_grows_with_what_is_sensed():
+    with infant(signal_noise=0.1) as world, infant() as perfect:
+        first, exact = angles(world), angles(perfect)
+        assert np.array_equal(first, angles(copy.deepcopy(world)))
+        share = (first - exact)[exact != 0] / exact[exact != 0]
+        assert 0.08 < share.std() < 0.12
+    with infant(motors={"signal_noise": 0.1}) as world, infant() as perfect:
+        assert not np.array_equal(controls(world), controls(perfect))
+
+
 def controls(world, steps=8):
     world.reset(seed=3)
     told = []
@@ -78,10 +88,12 @@ def test_a_state_tells_what_it_lacks():
 
 
 def test_bad_limits_are_refused():
-    with pytest.raises(ValueError, match=r"delay is -1.*expected seconds"):
+    with pytest.raises(ValueError, match=r"delay is -1.*expected 0 to 2 seconds"):
         infant(delay=-1)
-    with pytest.raises(ValueError, match=r"delay is 11 s, which is 1100 steps of 0.01 s"):
+    with pytest.raises(ValueError, match=r"delay is 11.*expected 0 to 2 seconds"):
         infant(delay=11)
+    with pytest.raises(ValueError, match=r"signal_noise is -1.*expected a share of the value"):
+        infant(signal_noise=-1)
     with pytest.raises(TypeError, match="delay is 'soon', expected a number"):
         infant(delay="soon")
     scene = mimo.Scene("free")

@@ -124,7 +124,8 @@ def test_the_mujoco_package_is_understood(root):
 
 def late_senses(humanoid):
     scene = described("torso")
-    scene.limit_sense("proprioception/position", delay=0.05, noise=0.01)
+    scene.limit_sense("proprioception/position", delay=0.05)
+    scene.limit_sense("proprioception/velocity", delay=0.05, noise=0.01)  # which is new in every step
     return mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version, step=0.01)
 
 
@@ -140,10 +141,10 @@ def test_senses_remember_what_they_advance_over(humanoid):
         humanoid.step(2)
         for each in (senses, others):
             each.advance(humanoid.data)
-        now = senses.observe(humanoid.data)["proprioception/position"]
-        assert not np.array_equal(now, first)
-        assert np.array_equal(now, others.observe(humanoid.data)["proprioception/position"])
-        assert np.array_equal(now, senses.observe(humanoid.data)["proprioception/position"])
+        now = senses.observe(humanoid.data)
+        assert not np.array_equal(now["proprioception/position"], first)
+        for again in (others.observe(humanoid.data), senses.observe(humanoid.data)):
+            assert all(np.array_equal(now[name], again[name]) for name in now)
 
 
 def test_what_senses_cannot_do_is_refused(humanoid):

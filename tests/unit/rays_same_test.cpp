@@ -23,6 +23,9 @@ void* counted(std::size_t size) {
 
 }  // namespace
 
+// Compilers that take one of a pair into the caller and not the other believe that the pair does not fit.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
 void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
 void operator delete(void* p) noexcept { std::free(p); }

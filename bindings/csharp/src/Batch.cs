@@ -147,6 +147,7 @@ namespace Mimo
                 };
                 MimoException.Check(Native.mimo_batch_reset(handle, ref config, Blocks, (UIntPtr)Blocks.Length));
             }
+            if (ages != null) Layout.Renew();
         }
 
         /// <summary>What became of one world in the last call; "" for nothing bad.</summary>

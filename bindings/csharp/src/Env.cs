@@ -96,6 +96,7 @@ namespace Mimo
                 config.growth_count = growths.Length;
                 MimoException.Check(Native.mimo_env_reset(handle, ref config, Block, (UIntPtr)Block.Length));
             }
+            if (growth != null) Layout.Renew();
         }
 
         /// <summary>Goes one step on; gives what the first agent got. Null leaves the controls as they are.</summary>

@@ -150,6 +150,8 @@ namespace Mimo
         AgentAge = 54,
         /// <summary>The same of its strength, range of motion and tone.</summary>
         AgentPhysiologicalAge = 55,
+        /// <summary>1, m, how long the nerves are from this part of an infant to its head; 0 for what is no part of one.</summary>
+        BodyNerveLength = 56,
         /// <summary>Or-ed to a quantity: its value of now, which follows from the current positions.</summary>
         Now = 0x40000000
     }

@@ -65,10 +65,10 @@ namespace Mimo
         public double High { get; }
 
         /// <summary>Seconds after the step's end, not above 0.</summary>
-        public double Start { get; }
+        public double Start { get; private set; }
 
         /// <summary>Seconds after the step's end, from Start to 0.</summary>
-        public double End { get; }
+        public double End { get; private set; }
 
         /// <summary>Seconds from one new value to the next.</summary>
         public double Period { get; }
@@ -80,8 +80,7 @@ namespace Mimo
         {
             this.layout = layout;
             this.index = index;
-            var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
-            MimoException.Check(Native.mimo_layout_field(layout, index, ref raw));
+            var raw = Raw();
             Name = Utf8.Of(raw.name);
             Unit = Utf8.Of(raw.unit);
             Frame = Utf8.Of(raw.frame);
@@ -95,6 +94,21 @@ namespace Mimo
             End = raw.end;
             Period = raw.period;
             ReceptorCount = (int)raw.receptors;
+        }
+
+        private FieldStruct Raw()
+        {
+            var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
+            MimoException.Check(Native.mimo_layout_field(layout, index, ref raw));
+            return raw;
+        }
+
+        /// <summary>Reads anew when it is true: infants of other ages are late by other times.</summary>
+        internal void Renew()
+        {
+            var raw = Raw();
+            Start = raw.start;
+            End = raw.end;
         }
 
         private static int[] ShapeOf(FieldStruct raw)
@@ -111,6 +125,20 @@ namespace Mimo
             IntPtr label;
             MimoException.Check(Native.mimo_layout_label(layout, index, (UIntPtr)checked((uint)element), out label));
             return Utf8.Of(label);
+        }
+
+        /// <summary>How late one element comes, seconds; 0 for what is sensed at once.</summary>
+        public double Delay(int element)
+        {
+            double seconds;
+            MimoException.Check(Native.mimo_layout_delay(layout, index, (UIntPtr)checked((uint)element), out seconds));
+            return seconds;
+        }
+
+        /// <summary>How late each element of the flattened field comes, seconds; in a batch as world 0 was made.</summary>
+        public double[] Delays()
+        {
+            return Enumerable.Range(0, Shape.Aggregate(1, (count, size) => count * size)).Select(Delay).ToArray();
         }
 
         /// <summary>Where the receptors are: a quantity of all of them, one after the other.</summary>

@@ -77,5 +77,8 @@ namespace Mimo
         public uint absolute;
         /// <summary>1: touch sensors are as far apart as at 18 months; 0: there are as many.</summary>
         public uint keep_spacing;
+        /// <summary>What of it is as old; at first its body alone.</summary>
+        public Mature maturity;
+        internal uint reserved;
     }
 }

@@ -6,7 +6,7 @@ using System.Runtime.InteropServices;
 namespace Mimo
 {
     /// <summary>What a world, a batch or attached senses observe, act with and are rewarded for; of a batch, what each of
-    /// its worlds does. It never changes.</summary>
+    /// its worlds does. It never changes, but for when fields are true where a reset makes infants older.</summary>
     public sealed class Layout
     {
         private readonly LayoutHandle handle;
@@ -40,6 +40,11 @@ namespace Mimo
             Fields = All(info.fields, index => new Field(handle, index));
             Actions = All(info.actions, index => ActionInfo.Of(handle, index));
             Terms = All(info.terms, index => TermInfo.Of(handle, index));
+        }
+
+        internal void Renew()
+        {
+            foreach (var field in Fields) field.Renew();
         }
 
         private static T[] All<T>(UIntPtr count, Func<UIntPtr, T> byIndex)

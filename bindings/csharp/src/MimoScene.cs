@@ -196,30 +196,44 @@ namespace Mimo
 
         /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
         /// Gaussian noise of that standard deviation in the field's unit, a delay in seconds; pictures keep half the contrast
-        /// of lines of blur cycles per degree.</summary>
-        public void LimitSense(string path, double gain = 1, double noise = 0, double delay = 0, double blur = 0, int agent = 0)
+        /// of lines of blur cycles per degree; signalNoise is the deviation of further noise as a share of the value.</summary>
+        public void LimitSense(string path, double gain = 1, double noise = 0, double delay = 0, double blur = 0, int agent = 0,
+            double signalNoise = 0)
         {
-            var limits = Limits(gain, noise, delay);
+            var limits = Limits(gain, noise, delay, signalNoise);
             limits.blur = blur;
             MimoException.Check(Native.mimo_scene_limit_sense(Handle, (UIntPtr)agent, Utf8.Bytes(path), ref limits));
         }
 
         /// <summary>Limits the way of an agent's actions to a motor ("act:left_elbow"), to those of a part of its body
         /// ("left_arm"), or, with "", to all, for worlds made from now on: a factor, Gaussian noise of that standard deviation
-        /// in the action's unit, a delay in seconds.</summary>
-        public void LimitMotor(string path, double gain = 1, double noise = 0, double delay = 0, int agent = 0)
+        /// in the action's unit, a delay in seconds; signalNoise is the deviation of further noise as a share of the
+        /// action.</summary>
+        public void LimitMotor(string path, double gain = 1, double noise = 0, double delay = 0, int agent = 0,
+            double signalNoise = 0)
         {
-            var limits = Limits(gain, noise, delay);
+            var limits = Limits(gain, noise, delay, signalNoise);
             MimoException.Check(Native.mimo_scene_limit_motor(Handle, (UIntPtr)agent, Utf8.Bytes(path), ref limits));
         }
 
-        private static LimitsStruct Limits(double gain, double noise, double delay)
+        /// <summary>Gives an agent such eyes and nerves, for worlds made from now on; null: as its growth says. Limits take
+        /// the place of these delays.</summary>
+        public void SetMaturity(Maturity? maturity, int agent = 0)
+        {
+            var given = maturity.GetValueOrDefault();
+            MimoException.Check(maturity == null
+                ? Native.mimo_scene_set_maturity(Handle, (UIntPtr)agent, IntPtr.Zero)
+                : Native.mimo_scene_set_maturity(Handle, (UIntPtr)agent, ref given));
+        }
+
+        private static LimitsStruct Limits(double gain, double noise, double delay, double signalNoise)
         {
             LimitsStruct limits;
             MimoException.Check(Native.mimo_limits_init(out limits, Structs.Size<LimitsStruct>()));
             limits.gain = gain;
             limits.noise = noise;
             limits.delay = delay;
+            limits.signal_noise = signalNoise;
             return limits;
         }
 

@@ -37,6 +37,8 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_batch_config_init(out BatchConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_growth_init(out Growth growth, Size size);
         [DllImport(File)] internal static extern int mimo_limits_init(out LimitsStruct limits, Size size);
+        [DllImport(File)] internal static extern int mimo_maturity_init(out Maturity maturity, Size size);
+        [DllImport(File)] internal static extern int mimo_maturity_at(double age, out Maturity maturity, Size size);
         [DllImport(File)] internal static extern int mimo_field_config_init(out FieldConfigStruct config, Size size);
 
         [DllImport(File)] internal static extern IntPtr mimo_scene_builtin(Size index);
@@ -65,6 +67,8 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, Size agent, byte[] joint);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
+        [DllImport(File)] internal static extern int mimo_scene_set_maturity(SceneHandle scene, Size agent, ref Maturity maturity);
+        [DllImport(File)] internal static extern int mimo_scene_set_maturity(SceneHandle scene, Size agent, IntPtr none);
         [DllImport(File)] internal static extern int mimo_scene_get_parameter(SceneHandle scene, byte[] name, out double value);
         [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
         [DllImport(File)] internal static extern int mimo_task_init(out TaskStruct task, Size size);
@@ -77,6 +81,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_layout_field(LayoutHandle layout, Size index, ref FieldStruct field);
         [DllImport(File)] internal static extern int mimo_layout_find(LayoutHandle layout, byte[] name, out Size index);
         [DllImport(File)] internal static extern int mimo_layout_label(LayoutHandle layout, Size field, Size element, out IntPtr label);
+        [DllImport(File)] internal static extern int mimo_layout_delay(LayoutHandle layout, Size field, Size element, out double seconds);
         [DllImport(File)] internal static extern int mimo_layout_receptor_width(LayoutHandle layout, Size field, int quantity, out Size count);
         [DllImport(File)] internal static extern int mimo_layout_receptors(LayoutHandle layout, Size field, int quantity, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_layout_action(LayoutHandle layout, Size index, ref ActionStruct action);

@@ -158,7 +158,7 @@ namespace Mimo
     internal struct LimitsStruct
     {
         internal uint struct_size, reserved;
-        internal double delay, gain, noise, blur;
+        internal double delay, gain, noise, blur, signal_noise;
     }
 
     [StructLayout(LayoutKind.Sequential)]

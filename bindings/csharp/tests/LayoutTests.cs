@@ -62,6 +62,49 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>Late by the nerve of the part that a joint moves, and on its way through the brain, to the nearest time
+    /// step of 5 ms.</summary>
+    private static void NervesAreAsLateAsTheInfantIsOld()
+    {
+        var newborn = Maturity.OfAge(0);
+        Check(newborn.acuity == 0.70 && Maturity.OfAge(24).acuity == 11.1, "eyes");
+        Check(Refused(() => Maturity.OfAge(25)).Message.Contains("age is 25"), "too old");
+        using (var scene = MimoScene.Builtin("free"))
+        {
+            Check(Refused(() => scene.SetMaturity(newborn)).Status == Status.InvalidArgument, "whose");
+            var agent = scene.DefaultAgent();
+            agent.vision = Vision.None;
+            agent.touch = TouchOutputs.None;
+            var growth = Growth.OfAge(0);
+            Check(growth.maturity == Mature.Body, "the body alone");
+            growth.maturity = Mature.Body | Mature.Delays;
+            scene.AddAgent(agent, growth: growth);
+            using (var env = new Env(scene))
+            {
+                var limits = env.Layout.Find("proprioception/limit");
+                double[] late = limits.Delays(), lengths = env.Get(Quantity.BodyNerveLength);
+                for (var i = 0; i < late.Length; ++i)
+                {
+                    var joint = env.Find(Kind.Joint, limits.Label(i));
+                    var length = lengths[env.BodyOf(Kind.Joint, joint)];
+                    Near(length / newborn.conduction_speed + newborn.sensory_delay, late[i], 0.0025 + 1e-9, limits.Label(i));
+                }
+                Near(-late.Max(), limits.Start, 1e-12, "start");
+                Near(-late.Min(), limits.End, 1e-12, "end");
+                growth.age = 18;
+                env.Reset(1, growth);
+                Check(limits.Delays().Sum() < late.Sum(), "grown");
+                Near(-limits.Delays().Max(), limits.Start, 1e-12, "start of the grown one");
+            }
+            var slow = Maturity.Default;
+            slow.vestibular_delay = 0.1;
+            scene.SetMaturity(slow);
+            using (var env = new Env(scene)) Near(0.1, env.Layout.Find("vestibular/acceleration").Delay(0), 1e-12, "slow");
+            scene.SetMaturity(null);
+            using (var env = new Env(scene)) Near(0.005, env.Layout.Find("vestibular/acceleration").Delay(0), 1e-12, "a newborn");
+        }
+    }
+
     private static void FieldsAreDescribed()
     {
         using (var scene = SceneOfOneArm())

@@ -72,7 +72,8 @@ internal static partial class Tests
             agent.vestibular = 0;
             agent.touch = 0;
             scene.AddAgent(agent, root: "torso");
-            scene.LimitSense("proprioception/position", noise: 0.01, delay: 0.05);
+            scene.LimitSense("proprioception/position", delay: 0.05);
+            scene.LimitSense("proprioception/velocity", noise: 0.01, delay: 0.05); // which is new in every step
             var options = new SensesOptions { Step = 0.01 };
             using (Senses senses = new Senses(scene, model, mj_version(), options), twin = new Senses(scene, model, mj_version(), options))
             {
@@ -95,7 +96,7 @@ internal static partial class Tests
                 }
                 Check(senses.Block.SequenceEqual(twin.Block), "the twin remembers something else");
                 Check(Refused(() => senses.Load(new byte[3])).Message.Contains("state"), "another message");
-                NoiseFollowsFromTheSeed(senses, data, position);
+                NoiseFollowsFromTheSeed(senses, data, senses.Layout.Find("proprioception/velocity"));
             }
             Check(Refused(() => new Senses(scene, model, 237)).Message.Contains("mujoco_version"), "another message");
         }

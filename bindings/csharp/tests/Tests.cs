@@ -40,6 +40,7 @@ internal static partial class Tests
         { "mimo_agent_config", typeof(AgentConfig) },
         { "mimo_growth", typeof(Growth) },
         { "mimo_limits", typeof(LimitsStruct) },
+        { "mimo_maturity", typeof(Maturity) },
         { "mimo_layout_info", typeof(LayoutInfoStruct) },
         { "mimo_field", typeof(FieldStruct) },
         { "mimo_action", typeof(ActionStruct) },

@@ -186,7 +186,7 @@ internal static partial class Tests
     {
         const string arm = "<mujoco><worldbody><body name='arm'><joint name='hinge' axis='0 1 0'/><geom type='capsule' " +
             "fromto='0 0 0 .3 0 0' size='.02'/></body></worldbody></mujoco>";
-        Func<bool, float[]> speeds = limited =>
+        Func<bool, double, float[]> speeds = (limited, shakes) =>
         {
             using (var scene = MimoScene.FromXml(arm))
             {
@@ -197,6 +197,7 @@ internal static partial class Tests
                 scene.AddAgent(agent, root: "arm");
                 scene.ReadJoint("hinge");
                 if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 0.004); // two time steps of 2 ms
+                if (shakes > 0) scene.LimitSense("proprioception/velocity", signalNoise: shakes);
                 using (var env = new Env(scene))
                 {
                     var seen = new List<float>();
@@ -212,9 +213,10 @@ internal static partial class Tests
                 }
             }
         };
-        float[] plain = speeds(false), late = speeds(true);
+        float[] plain = speeds(false, 0), late = speeds(true, 0), shaky = speeds(false, 0.01);
         Check(plain[0] != plain[1] && plain[0] != 0, "the arm does not fall");
         Near(2 * plain[1], late[2], 1e-6, "twice and late");
+        for (var i = 0; i < 3; ++i) Check(shaky[i] != plain[i] && Math.Abs(shaky[i] / plain[i] - 1) < 0.06, "noise");
     }
 
     /// <summary>A cup that is fastened to the world does not fall.</summary>

@@ -1,7 +1,7 @@
 % Tests of what worlds observe and act with.
 function all_of_them = layout_tests()
-  all_of_them = {@fields_lie_where_it_says, @labels_are_names, @late_fields_say_so, @actions_are_described, ...
-                 @receptors_lie_on_the_skin, @fields_on_request, @members_are_told_apart};
+  all_of_them = {@fields_lie_where_it_says, @labels_are_names, @late_fields_say_so, @nerves_take_time, ...
+                 @actions_are_described, @receptors_lie_on_the_skin, @fields_on_request, @members_are_told_apart};
 end
 
 % In the block, in C's order.
@@ -60,6 +60,44 @@ function late_fields_say_so()
   assert(max(abs(late.time - [-0.035 -0.035])) < 1e-12, mat2str(late.time));
   assert(isequal(field_of(layout, 'proprioception/position').time, [0 0]));
   mimo_close(world);
+end
+
+% Late by the nerve of the part that a joint moves, and on its way through the brain, to the nearest time step of 5 ms.
+function nerves_take_time()
+  newborn = mimo_maturity(0);
+  assert(newborn.acuity == 0.70 && newborn.chroma == 0 && mimo_maturity(24).acuity == 11.1);
+  refused(@() mimo_maturity(25), 'mimo:INVALID_ARGUMENT');
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'age', 0, 'maturity', {'body', 'delays'});
+  late = mimo_delays(world, 'proprioception/limit');
+  joints = mimo_labels(world, 'proprioception/limit');
+  assert(isequal(size(late), size(joints)));
+  bodies = cellfun(@(joint) mimo_body_of(world, 'joint', joint), joints, 'UniformOutput', false);
+  lengths = mimo_get(world, 'body_nerve_length', bodies);
+  exact = lengths / newborn.conduction_speed + newborn.sensory_delay;
+  assert(max(abs(late - exact)) < 0.0025 + 1e-9 && numel(unique(late)) > 1);
+  time = field_of(mimo_layout(world), 'proprioception/limit').time;
+  assert(max(abs(time + [max(late) min(late)])) < 1e-12);
+  older = mimo_create('free', 'vision', 0, 'touch', 0, 'ages', 18, 'maturity', {'body', 'delays'});
+  assert(mimo_get(older, 'agent_age') == 18);
+  sooner = mimo_delays(older, 'proprioception/limit');
+  assert(sum(sooner) < sum(late) && all(sooner > 0));
+  mimo_close(older);
+  assert(isequal(size(mimo_delays(world, 'proprioception/torque')), [21 3]));
+  mimo_close(world);
+  refused(@() mimo_create('free', 'maturity', 'ears'), 'mimo:INVALID_ARGUMENT');
+  scene = mimo_scene('free');
+  mimo_scene_add(scene, 'agent', 'vision', 0, 'touch', 0, 'maturity', 'all');
+  mimo_scene_add(scene, 'maturity', 'age', 3, 'vestibular_delay', 0.1);
+  world = mimo_create(scene);
+  assert(max(abs(mimo_delays(world, 'vestibular/acceleration') - 0.1)) < 1e-12);
+  mimo_close(world);
+  mimo_scene_add(scene, 'maturity');
+  world = mimo_create(scene);
+  assert(all(mimo_delays(world, 'vestibular/acceleration') < 0.01));
+  refused(@() mimo_scene_add(scene, 'maturity', 'age', 25), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'maturity', 'hunger', 1), 'mimo:INVALID_ARGUMENT');
+  mimo_close(world);
+  mimo_close(scene);
 end
 
 % Under position control bounds are the ranges of the joints; muscles are activated from 0 to 1.

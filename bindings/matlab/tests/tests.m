@@ -38,6 +38,11 @@ function infants_of_any_age()
   info = mimo_info(world);
   assert(abs(info.agents(1).mass - 7.297 / 10.585 * 10.905) < 0.04);
   mimo_close(world);
+  % What is said of an infant is so at all ages.
+  worlds = mimo_create('free', 'vision', 0, 'ages', [6 18], 'worlds', 2, 'sex', 1);
+  info = mimo_info(worlds);
+  assert(abs(info.agents(1).mass - 7.297 / 10.585 * 10.905) < 0.04);
+  mimo_close(worlds);
   said = message_of(@() mimo_create('free', 'vision', 0, 'age', 24.5));
   assert(~isempty(strfind(said, 'age is 24.5')), said);
 end
@@ -144,6 +149,12 @@ function senses_are_limited()
   assert(max(abs(late.proprioception_velocity - 2 * before.proprioception_velocity)) < 1e-6);
   assert(~isequal(before.proprioception_velocity, first.proprioception_velocity));
   refused(@() mimo_create('reach', 'limits', struct('gain', 2)), 'mimo:INVALID_ARGUMENT');
+  shaky = mimo_create('reach', 'limits', struct('path', 'proprioception/velocity', 'signal_noise', 0.1));
+  mimo_reset(shaky, 1);
+  for step = 1:3, shaken = mimo_step(shaky, []); end
+  share = shaken.proprioception_velocity ./ first.proprioception_velocity - 1;
+  assert(max(abs(share)) > 0.01 && max(abs(share)) < 1);
+  mimo_close(shaky);
   refused(@() mimo_create('reach', 'motor_limits', struct('path', 'tail')), 'mimo:NOT_FOUND');
   report = mimo_load(limited, mimo_save(plain));
   assert(isequal(report.fresh, {'delay/proprioception/velocity'}) && isempty(report.ignored));

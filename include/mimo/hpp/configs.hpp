@@ -62,6 +62,14 @@ inline mimo_picture_config picture_config() { return detail::defaults(mimo_pictu
 inline mimo_limits limits() { return detail::defaults(mimo_limits_init); }
 /// The body of 18 months.
 inline mimo_growth growth() { return detail::defaults(mimo_growth_init); }
+/// Perfect eyes, and nerves that take no time.
+inline mimo_maturity maturity() { return detail::defaults(mimo_maturity_init); }
+/// Eyes and nerves of an age, months from 0 to 24.
+inline mimo_maturity maturity(double age) {
+  mimo_maturity maturity;
+  check(mimo_maturity_at(age, &maturity, sizeof maturity));
+  return maturity;
+}
 /// An episode that goes on with the world's random numbers; in a batch one of all worlds.
 inline mimo_reset_config reset_config() { return detail::described<mimo_reset_config>(); }
 inline mimo_batch_reset_config batch_reset_config() { return detail::described<mimo_batch_reset_config>(); }

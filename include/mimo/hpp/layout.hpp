@@ -48,6 +48,12 @@ class Layout {
     check(mimo_layout_label(layout_, find(field), element, &label));
     return label;
   }
+  /// How late that element comes, in seconds; 0 for what is sensed at once.
+  double delay(const std::string &field, std::size_t element) const {
+    double seconds = 0;
+    check(mimo_layout_delay(layout_, find(field), element, &seconds));
+    return seconds;
+  }
 
   /// Where a field reports, in the order of its first axis; none where it is not of skin.
   std::vector<Receptor> receptors(const std::string &field) const {

@@ -51,6 +51,12 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   void limit_motor(const std::string &path, const mimo_limits &limits, std::size_t agent = 0) {
     check(mimo_scene_limit_motor(get(), agent, path.c_str(), &limits));
   }
+  /// Eyes and nerves of one's own, in place of those that its growth says.
+  void set_maturity(const mimo_maturity &maturity, std::size_t agent = 0) {
+    check(mimo_scene_set_maturity(get(), agent, &maturity));
+  }
+  /// As its growth says.
+  void clear_maturity(std::size_t agent = 0) { check(mimo_scene_set_maturity(get(), agent, nullptr)); }
   /// All infants that the scene names; returns how many.
   std::size_t add_agents(const mimo_agent_config *config = nullptr) {
     std::size_t count = 0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/status.h"
 #include "observation/observer.h"
 #include "unit/observation/parts.h"
@@ -15,19 +17,21 @@ class LimitedSensesTest : public ::testing::Test {
  protected:
   LimitedSensesTest()
       : sense_(Share::kTask, {signal("anna/touch", 1), signal("anna/touch/slip", 1), signal("anna/touching", 1),
-                              signal("ben/touch", 1)}) {
+                              signal("ben/touch", 1)}),
+        limited_(observer_) {
     observer_.add(sense_);
     block_.resize(observer_.layout().bytes());
   }
 
-  void limit(const std::vector<PathLimits>& paths) {
-    limited_.add(observer_.layout(), "anna/", paths, 0.01);
-    limited_.make_room(observer_.layout());
+  void limit(const std::vector<PathLimits>& paths, const Clock& clock = {0.01, 1, true}) {
+    limited_.add("anna/", paths, {}, clock);
+    limited_.make_room();
   }
   // What is sensed of a value, field by field.
   std::vector<float> sensed(float value, std::uint64_t step) {
-    observer_.observe(mjModel_{}, mjData_{value}, block_.data(), nullptr);
-    step == 0 ? limited_.begin(block_.data(), kNoise) : limited_.step(block_.data(), kNoise, step);
+    const mjData_ data{value};
+    if (step == 0) limited_.begin(mjModel_{}, data, block_.data(), kNoise);
+    if (step > 0) limited_.step(mjModel_{}, data, block_.data(), kNoise, step, nullptr);
     std::vector<float> values;
     for (std::size_t i = 0; i < observer_.layout().size(); ++i) {
       values.push_back(*reinterpret_cast<const float*>(block_.data() + observer_.layout()[i].offset));
@@ -56,7 +60,6 @@ TEST_F(LimitedSensesTest, TheLastOneCounts) {
 
 TEST_F(LimitedSensesTest, AreLateByWholeSteps) {
   limit({{"touching", {1, 0, 0, 0.02}}});
-  ASSERT_TRUE(limited_.late());
   EXPECT_EQ(sensed(1, 0), (Values{1, 1, 1, 1}));
   EXPECT_EQ(sensed(2, 1), (Values{2, 2, 1, 2}));
   EXPECT_EQ(sensed(3, 2), (Values{3, 3, 1, 3}));
@@ -65,7 +68,7 @@ TEST_F(LimitedSensesTest, AreLateByWholeSteps) {
 
 TEST_F(LimitedSensesTest, WithoutAnyNothingIsKept) {
   limit({});
-  EXPECT_FALSE(limited_.late());
+  EXPECT_FALSE(limited_.wants(1));
   std::vector<Section> sections;
   limited_.list(sections);
   EXPECT_TRUE(sections.empty());
@@ -78,6 +81,73 @@ TEST_F(LimitedSensesTest, DelaysAreRoundedToSteps) {
   sensed(2, 1);
   EXPECT_EQ(sensed(3, 2), (Values{3, 3, 1, 3}));
   EXPECT_EQ(sensed(4, 3), (Values{4, 4, 2, 4}));
+}
+
+// Steps of three ticks. A field that is 4 ticks late is sensed at ticks 2, 5, 8 alone, and read at 3, 6, 9.
+TEST_F(LimitedSensesTest, AreLateByTicksWithinAStep) {
+  limit({{"touching", {1, 0, 0, 0.04}}}, {0.01, 3, true});
+  const auto passed = [&](std::uint64_t tick) {
+    const bool wanted = limited_.wants(tick);
+    if (wanted) limited_.pass(mjModel_{}, mjData_{static_cast<float>(tick)}, tick, nullptr);
+    return wanted;
+  };
+  sensed(0, 0);
+  EXPECT_FALSE(passed(1));
+  EXPECT_TRUE(passed(2));
+  EXPECT_EQ(sensed(3, 3)[2], 0);
+  EXPECT_FALSE(passed(4));
+  EXPECT_TRUE(passed(5));
+  EXPECT_EQ(sensed(6, 6)[2], 2);
+  EXPECT_TRUE(passed(8));
+  EXPECT_EQ(sensed(9, 9)[2], 5);
+}
+
+// One element at once, one a tick, one five ticks late; in steps of two ticks.
+TEST(DelayLine, EachElementIsLateByItself) {
+  Signals sense(Share::kTouch, {signal("touch", 3)});
+  Observer observer;
+  observer.add(sense);
+  LimitedSenses limited(observer);
+  limited.add("", {}, [](const Field&, Share) { return Nature{{0, 0.01, 0.05}, {}}; }, {0.01, 2, true});
+  limited.make_room();
+  std::vector<std::uint8_t> block(observer.layout().bytes());
+  const auto* seen = reinterpret_cast<const float*>(block.data());
+  limited.begin(mjModel_{}, mjData_{0}, block.data(), 1);
+  for (std::uint64_t tick = 1; tick <= 20; ++tick) {
+    const mjData_ data{static_cast<float>(tick)};
+    if (tick % 2 == 1) {
+      ASSERT_TRUE(limited.wants(tick));
+      limited.pass(mjModel_{}, data, tick, nullptr);
+      continue;
+    }
+    limited.step(mjModel_{}, data, block.data(), 1, tick, nullptr);
+    const auto now = static_cast<float>(tick);
+    EXPECT_EQ(seen[0], now);
+    EXPECT_EQ(seen[1], now - 1);
+    EXPECT_EQ(seen[2], std::max(0.0F, now - 5));
+  }
+  const DelayLine* delay = limited.delay(observer.layout()[0]);
+  ASSERT_NE(delay, nullptr);
+  EXPECT_EQ(delay->lateness().seconds(0), 0);
+  EXPECT_EQ(delay->lateness().seconds(2), 0.05);
+  EXPECT_EQ(delay->lateness().most(), 5u);
+}
+
+// Attached senses see the ends of steps only: 30 ms are nearest to two steps of 20 ms, 24 ms to one.
+TEST_F(LimitedSensesTest, WithoutTicksWithinAStepDelaysAreWholeSteps) {
+  limit({{"touching", {1, 0, 0, 0.03}}, {"touch", {1, 0, 0, 0.024}}}, {0.01, 2, false});
+  for (int step = 0; step <= 6; ++step) {
+    const std::vector<float> now = sensed(static_cast<float>(step), 2 * static_cast<std::uint64_t>(step));
+    EXPECT_EQ(now[0], std::max(0.0F, static_cast<float>(step) - 1));
+    EXPECT_EQ(now[2], std::max(0.0F, static_cast<float>(step) - 2));
+  }
+}
+
+TEST_F(LimitedSensesTest, NoiseMayGrowWithTheSignal) {
+  limit({{"touch", {1, 0, 0, 0, 0.5}}});
+  const std::vector<float> small = sensed(1, 3), large = sensed(10, 3);
+  EXPECT_NE(small[0], 1);
+  EXPECT_NEAR(large[0], 10 * small[0], 1e-5);
 }
 
 TEST_F(LimitedSensesTest, AfterForgettingTheFirstStepIsAllThereIs) {
@@ -95,12 +165,12 @@ TEST_F(LimitedSensesTest, AfterForgettingTheFirstStepIsAllThereIs) {
   EXPECT_EQ(sensed(6, 5)[2], 4);
 }
 
-TEST_F(LimitedSensesTest, RefuseMoreThan1000Steps) {
+TEST_F(LimitedSensesTest, RefuseMoreThan2000Steps) {
   try {
-    limit({{"touching", {1, 0, 0, 10.01}}});
+    limit({{"touching", {1, 0, 0, 20.01}}});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.message(), "delay is 10.01 s, which is 1001 steps of 0.01 s, expected 0 to 1000 steps");
+    EXPECT_EQ(error.message(), "delay is 20.01 s, which is 2001 steps of 0.01 s, expected 0 to 2000 steps");
   }
 }
 

@@ -38,7 +38,10 @@ TEST(Observer, WritesEveryByte) {
   observer.add(first);
   observer.add(std::make_unique<Signals>(Share::kTask, std::vector<Signal>{signal("c", 16, 1)}));
   Block block(observer.layout().bytes(), 0xcd);
-  observer.observe(mjModel_{}, mjData_{2}, block.data(), nullptr);
+  for (std::size_t i = 0; i < observer.senses(); ++i) {
+    observer.write(i, mjModel_{}, mjData_{2}, block.data(), nullptr);
+  }
+  observer.layout().clear_gaps(block.data());
   EXPECT_EQ(number(block, 0), 2);
   EXPECT_EQ(number(block, 4), 2);
   EXPECT_EQ(number(block, 64), 2.5f);
@@ -67,7 +70,7 @@ TEST(Observer, AddsUpWhatEachPartTakes) {
   Block block(observer.layout().bytes());
   ShareTimes times{};
   times.fill(1);
-  for (int i = 0; i < 100; ++i) observer.observe(mjModel_{}, mjData_{0}, block.data(), &times);
+  for (int i = 0; i < 100; ++i) observer.write(0, mjModel_{}, mjData_{0}, block.data(), &times);
   EXPECT_GT(times[static_cast<std::size_t>(Share::kVestibular)], 1);
   EXPECT_EQ(times[static_cast<std::size_t>(Share::kTouch)], 1);
   EXPECT_EQ(times[static_cast<std::size_t>(Share::kTask)], 1);

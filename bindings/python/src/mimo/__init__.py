@@ -24,6 +24,7 @@ from .constants import (
     Jacobian,
     Kind,
     Look,
+    Mature,
     Outcome,
     Place,
     Proprioception,
@@ -52,6 +53,7 @@ from .errors import (
     UnsupportedError,
 )
 from .layout import Action, Field, Layout, Observation, Receptors, Term
+from .maturity import Maturity
 from .own_task import Moment, WorldTask
 from .results import StepResult
 from .scene import Scene, faces, rooms, scenes, tasks
@@ -103,6 +105,8 @@ __all__ = [
     "Layout",
     "LoadReport",
     "Look",
+    "Mature",
+    "Maturity",
     "ModelError",
     "Moment",
     "NotFoundError",

@@ -86,6 +86,8 @@ class Growth(Struct):
         ("contracture", c_double),
         ("absolute", c_uint32),
         ("keep_spacing", c_uint32),
+        ("maturity", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -128,6 +130,22 @@ class Limits(Struct):
         ("gain", c_double),
         ("noise", c_double),
         ("blur", c_double),
+        ("signal_noise", c_double),
+    ]
+
+
+class Maturity(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("acuity", c_double),
+        ("peak_contrast", c_double),
+        ("chroma", c_double),
+        ("conduction_speed", c_double),
+        ("sensory_delay", c_double),
+        ("motor_delay", c_double),
+        ("vision_delay", c_double),
+        ("vestibular_delay", c_double),
     ]
 
 
@@ -523,6 +541,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_limits_init": (_status, [_config(Limits), c_size_t]),
     "mimo_scene_limit_sense": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),
     "mimo_scene_limit_motor": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),
+    "mimo_maturity_init": (_status, [_config(Maturity), c_size_t]),
+    "mimo_maturity_at": (_status, [c_double, _config(Maturity), c_size_t]),
+    "mimo_scene_set_maturity": (_status, [_Handle, c_size_t, _config(Maturity)]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
     "mimo_model_config_init": (_status, [_config(ModelConfig), c_size_t]),
@@ -546,6 +567,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_layout_field": (_status, [_Handle, c_size_t, _config(Field)]),
     "mimo_layout_find": (_status, [_Handle, c_char_p, _Out_size]),
     "mimo_layout_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
+    "mimo_layout_delay": (_status, [_Handle, c_size_t, c_size_t, _Out_f64]),
     "mimo_layout_receptor_width": (_status, [_Handle, c_size_t, c_int32, _Out_size]),
     "mimo_layout_receptors": (_status, [_Handle, c_size_t, c_int32, _Array, c_size_t]),
     "mimo_layout_action": (_status, [_Handle, c_size_t, _config(Action)]),

@@ -308,6 +308,7 @@ class Bodies(Selection):
     force = WritableValues(Quantity.BODY_FORCE, "Force (N), torque (Nm) that you apply until changed or reset: 6.")
     mass = WritableValues(Quantity.BODY_MASS, "kg; inertia grows along, outlives resets.")
     center_of_mass = Values(Quantity.BODY_CENTER_OF_MASS, "Of the body alone, world, m.")
+    nerve_length = Values(Quantity.BODY_NERVE_LENGTH, "Of an infant's nerves from here to its head, m; else 0.")
 
 
 class Joints(Selection):

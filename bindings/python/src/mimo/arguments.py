@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from enum import IntEnum, IntFlag
+from functools import reduce
+from operator import or_
 from typing import Any, Iterable, List, Mapping, Optional, Type, Union
 
 import numpy as np
@@ -12,12 +14,14 @@ Choice = Union[Type[IntEnum], Type[IntFlag]]
 
 
 def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
-    """An integer; where an enum is taken also the name of a member, in any case."""
+    """An integer; where an enum is taken also the name of a member, in any case, and of bits several of these."""
     if choice is not None and isinstance(value, str):
         member = choice.__members__.get(value.upper())
         if member is None:
             raise ValueError(f"{name} is {value!r}, expected {_members(choice)}")
         return int(member)
+    if choice is not None and issubclass(choice, IntFlag) and isinstance(value, (list, tuple, set, frozenset)):
+        return reduce(or_, (whole_number(name, one, choice) for one in value), 0)
     try:
         number = int(value)
         if number == value and (choice is None or abs(number) < 2**32):

@@ -162,6 +162,7 @@ class Batch(Access):
         self._settings["ages"] = now
         for world in self._worlds.values():
             world.agents = agents_of(world._handle, self.layout.agents)
+        self.layout._renew()
 
     def step(self, actions: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""

@@ -57,6 +57,15 @@ class GrowthModel(IntEnum):
     ORIGINAL = 1
 
 
+class Mature(IntFlag):
+    """What of an infant is as old as it. ALL is a bit of its own: all that the library has."""
+
+    BODY = 0x1
+    EYES = 0x2
+    DELAYS = 0x4
+    ALL = 0x80000000
+
+
 class Actuation(IntEnum):
     """What an action is: a motor's share of its largest torque, a joint's angle, or a muscle's activation."""
 
@@ -259,6 +268,7 @@ class Quantity(IntEnum):
     AGENT_ACHIEVED = 53
     AGENT_AGE = 54
     AGENT_PHYSIOLOGICAL_AGE = 55
+    BODY_NERVE_LENGTH = 56
 
 
 NOW = 0x40000000  # or-ed to a quantity: its value of now

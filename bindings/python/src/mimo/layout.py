@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, NamedTuple, Tuple
 
 import numpy as np
@@ -114,19 +114,42 @@ class Layout:
         record = np.ndarray(block.shape[:-1], self._record, block)
         return {name: record[name] for name in self._names}
 
+    def _renew(self) -> None:
+        """Reads anew when fields are true: infants of other ages are late by other times."""
+        for index, field in enumerate(self.fields.values()):
+            now = self._raw(index)
+            self.fields[field.name] = replace(field, start=now.start, end=now.end)
+
     def receptors(self, name: str) -> Receptors:
         """Where a field's receptors are; none where it is not of skin."""
+        _owner, index = self._find(name)
+        return Receptors(
+            bodies=self._of_receptors(index, Receptor.BODY).astype(np.int32),
+            geoms=self._of_receptors(index, Receptor.GEOM).astype(np.int32),
+            position=self._of_receptors(index, Receptor.POSITION).reshape(-1, 3),
+            frame=self._of_receptors(index, Receptor.FRAME).reshape(-1, 3, 3),
+        )
+
+    def delays(self, name: str) -> NDArray[np.float64]:
+        """How late each element of a field comes, s, in the order of the flattened field; 0 for what comes at once.
+
+        In a batch, like the times of its fields: as world 0 was made.
+        """
+        _owner, index = self._find(name)
+        delays, seconds = np.empty(int(np.prod(self.fields[name].shape))), ctypes.c_double()
+        for element in range(len(delays)):
+            check(LIB.mimo_layout_delay(self._handle, index, element, seconds))
+            delays[element] = seconds.value
+        return delays
+
+    def _find(self, name: str) -> Tuple[Native, int]:
+        """What this describes, which no other thread destroys while the caller holds it, and a field's index."""
         wanted, index = utf8(name), ctypes.c_size_t()
-        owner = self._owner()  # which no other thread destroys from here on
+        owner = self._owner()
         if owner is None:
             raise ClosedError("what this layout describes is closed")
         check(LIB.mimo_layout_find(self._handle, wanted, index))
-        return Receptors(
-            bodies=self._of_receptors(index.value, Receptor.BODY).astype(np.int32),
-            geoms=self._of_receptors(index.value, Receptor.GEOM).astype(np.int32),
-            position=self._of_receptors(index.value, Receptor.POSITION).reshape(-1, 3),
-            frame=self._of_receptors(index.value, Receptor.FRAME).reshape(-1, 3, 3),
-        )
+        return owner, index.value
 
     def _of_receptors(self, field: int, quantity: Receptor) -> NDArray[np.float64]:
         count = ctypes.c_size_t()
@@ -135,9 +158,13 @@ class Layout:
         check(LIB.mimo_layout_receptors(self._handle, field, quantity, values.ctypes.data, values.size))
         return values
 
-    def _field(self, index: int) -> Field:
+    def _raw(self, index: int) -> _abi.Field:
         field = _abi.Field()
         check(LIB.mimo_layout_field(self._handle, index, field))
+        return field
+
+    def _field(self, index: int) -> Field:
+        field = self._raw(index)
         shape = tuple(field.shape[: field.ndim])
         return Field(
             name=text(field.name),

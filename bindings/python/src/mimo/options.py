@@ -24,6 +24,7 @@ from .constants import (
     Frame,
     GrowthModel,
     Jacobian,
+    Mature,
     Place,
     Proprioception,
     Quantity,
@@ -54,7 +55,7 @@ class DocumentOptions(TypedDict, total=False):
 
 
 class GrowthOptions(TypedDict, total=False):
-    """How old an infant is (months), how large and strong for its age."""
+    """How old an infant is (months), how large and strong for its age; what of it is as old: "all"."""
 
     age: float
     physiological_age: float
@@ -70,6 +71,7 @@ class GrowthOptions(TypedDict, total=False):
     contracture: float
     absolute: bool
     keep_spacing: bool
+    maturity: Union[Mature, Sequence[Union[Mature, str]]]
 
 
 class AgentOptions(GrowthOptions, total=False):

@@ -15,6 +15,7 @@ from ._library import LIB, check, log_to_python, text, utf8
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
 from .constants import NOW, Place, Quantity
+from .maturity import Maturity, maturity_from
 from .options import (
     AgentOptions,
     CameraOptions,
@@ -153,27 +154,55 @@ class Scene(Handle):
         self._remember("read_joint", joint, agent)
 
     def limit_sense(
-        self, path: str, *, gain: float = 1, noise: float = 0, delay: float = 0, blur: float = 0, agent: int = 0
+        self,
+        path: str,
+        *,
+        gain: float = 1,
+        noise: float = 0,
+        delay: float = 0,
+        blur: float = 0,
+        signal_noise: float = 0,
+        agent: int = 0,
     ) -> None:
         """Limits a sense ("touch") or a field ("vision/eye_left") of an agent.
 
-        Values get a factor, Gaussian noise of a standard deviation in the field's unit, and a delay in seconds.
-        Pictures keep half the contrast of lines of `blur` cycles per degree.
+        Values get a factor, a delay in seconds, and Gaussian noise of a standard deviation in the field's unit;
+        `signal_noise` is that of further noise, as a share of the value. Pictures keep half the contrast of lines of
+        `blur` cycles per degree.
         """
-        limits = _limits(gain=gain, noise=noise, delay=delay, blur=blur)
+        given = {"gain": gain, "noise": noise, "delay": delay, "blur": blur, "signal_noise": signal_noise}
+        limits = _limits(**given)
         check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 64), utf8(path), limits))
-        self._remember("limit_sense", path, gain=gain, noise=noise, delay=delay, blur=blur, agent=agent)
+        self._remember("limit_sense", path, **given, agent=agent)
 
     def limit_motor(
-        self, path: str = "", *, gain: float = 1, noise: float = 0, delay: float = 0, agent: int = 0
+        self,
+        path: str = "",
+        *,
+        gain: float = 1,
+        noise: float = 0,
+        delay: float = 0,
+        signal_noise: float = 0,
+        agent: int = 0,
     ) -> None:
         """Limits the way of actions to a motor ("act:left_elbow"), a part of the body ("left_arm"), or all of it.
 
-        Actions get a factor, Gaussian noise of a standard deviation in their unit, and a delay in seconds.
+        Actions get a factor, Gaussian noise of a standard deviation in their unit, and a delay in seconds;
+        `signal_noise` is that of further noise, as a share of the action.
         """
-        limits = _limits(gain=gain, noise=noise, delay=delay)
+        given = {"gain": gain, "noise": noise, "delay": delay, "signal_noise": signal_noise}
+        limits = _limits(**given)
         check(LIB.mimo_scene_limit_motor(self._handle, number_of("agent", agent, 64), utf8(path), limits))
-        self._remember("limit_motor", path, gain=gain, noise=noise, delay=delay, agent=agent)
+        self._remember("limit_motor", path, **given, agent=agent)
+
+    def set_maturity(self, maturity: Optional[Maturity], agent: int = 0) -> None:
+        """Gives an infant such eyes and nerves; None: as its age and the option `maturity` have them.
+
+        Delays of limit_sense and limit_motor take the place of these.
+        """
+        raw = maturity_from(maturity)
+        check(LIB.mimo_scene_set_maturity(self._handle, number_of("agent", agent, 64), raw))
+        self._remember("set_maturity", maturity, agent)
 
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""

@@ -160,6 +160,7 @@ class World(Access):
         if ages:
             self._growths = ages
             self.agents = agents_of(self._handle, self.layout.agents)
+            self.layout._renew()
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""

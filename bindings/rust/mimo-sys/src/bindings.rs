@@ -82,6 +82,14 @@ pub const MIMO_SEX_MALE: u32 = 2;
 pub const MIMO_GROWTH_WHO: u32 = 0;
 #[doc = "The rules of MIMo's second version, for those who compare."]
 pub const MIMO_GROWTH_ORIGINAL: u32 = 1;
+#[doc = "Size, mass, strength and joints. 0 stands for this one."]
+pub const MIMO_MATURITY_BODY: u32 = 1;
+#[doc = "What its eyes see, at its physiological age: mimo_maturity_at."]
+pub const MIMO_MATURITY_EYES: u32 = 2;
+#[doc = "How long its nerves take, to and from the brain; likewise."]
+pub const MIMO_MATURITY_DELAYS: u32 = 4;
+#[doc = "All that the loaded library has."]
+pub const MIMO_MATURITY_ALL: u32 = 2147483648;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 #[doc = "Three-axis torque sensors at the joints, Nm."]
@@ -352,6 +360,8 @@ pub const MIMO_AGENT_ACHIEVED: u32 = 53;
 pub const MIMO_AGENT_AGE: u32 = 54;
 #[doc = "Agent: 1, months, of strength, range of motion and tone; likewise."]
 pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: u32 = 55;
+#[doc = "Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their\nway; 0 for what is no part of one."]
+pub const MIMO_BODY_NERVE_LENGTH: u32 = 56;
 #[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
 pub const MIMO_NOW: u32 = 1073741824;
 #[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
@@ -787,6 +797,10 @@ pub struct mimo_growth {
     #[doc = "1: touch sensors are as far apart as at 18 months and so fewer; 0 (default): there"]
     #[doc = "are as many, and their distances grow with the body."]
     pub keep_spacing: u32,
+    #[doc = "MIMO_MATURITY_ bits; 0 and default: MIMO_MATURITY_BODY."]
+    pub maturity: u32,
+    #[doc = "0."]
+    pub reserved: u32,
 }
 extern "C" {
     #[doc = "Fills a growth with that of the infant as it is without: 18 months, mean of the sexes, median."]
@@ -950,8 +964,8 @@ pub struct mimo_limits {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Seconds by which it comes late, >= 0: the nearest whole number of steps, up to 1000."]
-    #[doc = "Default 0."]
+    #[doc = "Seconds by which it comes late, 0 to 2: the nearest number of time steps of the model,"]
+    #[doc = "up to 2000, whatever frame_skip is; with attached senses, of steps. Default 0."]
     pub delay: f64,
     #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
     pub gain: f64,
@@ -961,6 +975,8 @@ pub struct mimo_limits {
     #[doc = "Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half"]
     #[doc = "their contrast; 0 (default): sharp. 0.05 to 1000."]
     pub blur: f64,
+    #[doc = "Standard deviation of further noise as a share of the value, 0 to 1000. Default 0."]
+    pub signal_noise: f64,
 }
 extern "C" {
     #[doc = "Fills limits with those of a perfect sense or motor."]
@@ -969,17 +985,17 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the"]
-    #[doc = "picture is blurred, then comes the gain, then the noise, then the delay; before the delay is over, what the episode"]
+    #[doc = "picture is blurred, then comes the gain, then the delay, then the noise; before the delay is over, what the episode"]
     #[doc = "began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are"]
-    #[doc = "none. The noise follows from the world's seed, the step and the field's name: it is the same in every run and for any"]
-    #[doc = "number of looks at a step. What is late is part of the world's state, and no episode senses anything of the one"]
-    #[doc = "before."]
+    #[doc = "none. The noise follows from the world's seed, the time step and the field's name: it is the same in every run and"]
+    #[doc = "for any number of looks at a step. What is late is part of the world's state, and no episode senses anything of the"]
+    #[doc = "one before."]
     #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
     #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
     #[doc = "              segmentation, unless these are named."]
     #[doc = "@param limits NULL: a perfect sense."]
     #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach for a path that leads to no field, with a list"]
-    #[doc = "        of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps."]
+    #[doc = "        of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 2000 time steps."]
     pub fn mimo_scene_limit_sense(
         scene: *mut mimo_scene,
         agent: usize,
@@ -999,8 +1015,8 @@ extern "C" {
     #[doc = "              concern an action, the last one counts."]
     #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur is 0."]
     #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent"]
-    #[doc = "        has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 1000 steps. mimo_senses_attach refuses limits of"]
-    #[doc = "        motors with MIMO_E_UNSUPPORTED: the host commands them."]
+    #[doc = "        has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 2000 time steps. mimo_senses_attach refuses"]
+    #[doc = "        limits of motors with MIMO_E_UNSUPPORTED: the host commands them."]
     pub fn mimo_scene_limit_motor(
         scene: *mut mimo_scene,
         agent: usize,
@@ -1008,7 +1024,64 @@ extern "C" {
         limits: *const mimo_limits,
     ) -> mimo_status;
 }
-#[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes. It belongs to the world, the batch or the senses that it describes, and is refused\n(MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have its layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
+#[doc = "How mature an agent's eyes and nerves are, in numbers. Sources, and which of them are weak: docs/guide/maturity.md."]
+#[doc = "A nerve of length L is late by L / conduction_speed, and by what its way through the brain adds:"]
+#[doc = "  - touch by the part of the body that a sensor sits on, proprioception by the part that a joint moves:"]
+#[doc = "    sensory_delay;"]
+#[doc = "  - the vestibular sense and vision by their own delay alone;"]
+#[doc = "  - an action by the part that its motor moves: motor_delay."]
+#[doc = "Lengths are those of the agent's own body, MIMO_BODY_NERVE_LENGTH; delays are rounded to the nearest number of time"]
+#[doc = "steps of the model (with attached senses to that of the host's steps)."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_maturity {
+    #[doc = "sizeof(mimo_maturity), set by mimo_maturity_init."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default): pictures"]
+    #[doc = "as they are drawn."]
+    pub acuity: f64,
+    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of"]
+    #[doc = "the contrast is left. Default 2. Counts with an acuity."]
+    pub peak_contrast: f64,
+    #[doc = "Share of colour that is seen, 0 (grey) to 1 (default)."]
+    pub chroma: f64,
+    #[doc = "Of large nerve fibres, m/s, 0.1 to 200; 0 (default): they take no time."]
+    pub conduction_speed: f64,
+    #[doc = "From the brain stem to the cortex, s, 0 to 2."]
+    pub sensory_delay: f64,
+    #[doc = "From the cortex to the brain stem, s, 0 to 2."]
+    pub motor_delay: f64,
+    #[doc = "From the eye to the cortex, s, 0 to 2."]
+    pub vision_delay: f64,
+    #[doc = "From the inner ear to the brain stem, s, 0 to 2."]
+    pub vestibular_delay: f64,
+}
+extern "C" {
+    #[doc = "Fills maturity with that of perfect eyes, and of nerves that take no time."]
+    #[doc = "@param size sizeof(mimo_maturity) as the caller knows it."]
+    pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Fills maturity with the numbers of an age."]
+    #[doc = "@param age      months, 0 (a newborn) to 24."]
+    #[doc = "@param size     sizeof(mimo_maturity) as the caller knows it."]
+    pub fn mimo_maturity_at(age: f64, maturity: *mut mimo_maturity, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Gives an agent such eyes and nerves, for environments made and senses attached from now on. Limits of"]
+    #[doc = "mimo_scene_limit_sense and mimo_scene_limit_motor have the last word: what they concern is as late as they say."]
+    #[doc = "Attached senses have no motors, so that their delays do not count."]
+    #[doc = "@param maturity NULL: as old as the agent's mimo_growth says, by its member maturity."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for an agent that is no infant where nerves take time."]
+    pub fn mimo_scene_set_maturity(
+        scene: *mut mimo_scene,
+        agent: usize,
+        maturity: *const mimo_maturity,
+    ) -> mimo_status;
+}
+#[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_layout {
@@ -1100,6 +1173,19 @@ extern "C" {
         field: usize,
         element: usize,
         label: *mut *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "How late one element of a field comes, in seconds: a whole number of the model's time steps. A field's start and end"]
+    #[doc = "are those of all its elements. A batch tells those of its first world, which others of another age do not share."]
+    #[doc = "@param field   index of the field."]
+    #[doc = "@param element position in the flattened field."]
+    #[doc = "@param seconds receives the delay; 0 for what is sensed at once."]
+    pub fn mimo_layout_delay(
+        layout: *const mimo_layout,
+        field: usize,
+        element: usize,
+        seconds: *mut f64,
     ) -> mimo_status;
 }
 extern "C" {

@@ -51,6 +51,12 @@ impl Growth {
         self
     }
 
+    /// `MIMO_MATURITY_` constants: what of it is as old; at first its body alone.
+    pub fn maturity(&mut self, maturity: u32) -> &mut Self {
+        self.raw.maturity = maturity;
+        self
+    }
+
     /// Everything else.
     pub fn raw_mut(&mut self) -> &mut sys::mimo_growth {
         &mut self.raw

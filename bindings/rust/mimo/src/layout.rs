@@ -121,6 +121,19 @@ impl<'a> Layout<'a> {
         Ok(text(label))
     }
 
+    /// How late each element of a field comes, in seconds; 0 for what is sensed at once. A reset that makes an infant
+    /// older changes it, and so when fields are true; of a batch both are as world 0 was made.
+    pub fn delays(&self, field: usize) -> Result<Vec<f64>> {
+        let elements = self.field(field)?.shape.iter().product::<usize>();
+        (0..elements).map(|element| self.delay(field, element)).collect()
+    }
+
+    fn delay(&self, field: usize, element: usize) -> Result<f64> {
+        let mut seconds = 0.0;
+        check(unsafe { sys::mimo_layout_delay(self.handle, field, element, &mut seconds) })?;
+        Ok(seconds)
+    }
+
     /// Where a field's receptors are, in the order of its first axis.
     pub fn receptors(&self, field: usize) -> Result<Vec<Receptor>> {
         let bodies = self.receptor_values(field, sys::MIMO_RECEPTOR_BODY)?;

@@ -5,6 +5,7 @@ use crate::error::{c_string, check, text, Result};
 use crate::field_config::FieldConfig;
 use crate::limits::Limits;
 use crate::log::Log;
+use crate::maturity::Maturity;
 use crate::object::{Model, Object};
 use crate::scene_config::SceneConfig;
 use crate::structs::{defaults, pointer};
@@ -139,6 +140,14 @@ impl Scene {
     pub fn limit_motor(&mut self, agent: usize, path: &str, limits: &Limits) -> Result<()> {
         let (path, limits) = (c_string(path)?, limits.raw()?);
         check(unsafe { sys::mimo_scene_limit_motor(self.handle(), agent, path.as_ptr(), &limits) })
+    }
+
+    /// Gives an agent such eyes and nerves, for worlds made from now on; with None it is as its growth says. Limits take
+    /// the place of these delays.
+    pub fn set_maturity(&mut self, agent: usize, maturity: Option<&Maturity>) -> Result<()> {
+        let raw = maturity.map(Maturity::raw).transpose()?;
+        let maturity = raw.as_ref().map_or(null(), |raw| raw as *const _);
+        check(unsafe { sys::mimo_scene_set_maturity(self.handle(), agent, maturity) })
     }
 
     /// Has a camera observed; its fields come after those of all infants.

@@ -1,6 +1,6 @@
 //! What is observed: the layout, times of fields, fields on request.
 use mimo::sys::*;
-use mimo::{Env, EnvConfig, FieldConfig, Kind, Layout, Limits, Object, Reset, Scene, Type};
+use mimo::{Env, EnvConfig, FieldConfig, Growth, Kind, Layout, Limits, Maturity, Object, Reset, Scene, Type};
 
 fn world(scene: &Scene) -> Env {
     Env::new(scene, &EnvConfig::new().unwrap()).unwrap()
@@ -60,6 +60,46 @@ fn fields_say_when_they_are_true() {
     for ((start, end), expected) in late.into_iter().zip([-0.03, -0.035]) {
         assert!((start - expected).abs() < 1e-12 && (end - expected).abs() < 1e-12, "{} {}", start, end);
     }
+}
+
+/// Late by the nerve of the part that a joint moves, and on its way through the brain, to the nearest time step of 5 ms.
+#[test]
+fn nerves_are_as_late_as_the_infant_is_old() {
+    let newborn = Maturity::of_age(0.0).unwrap();
+    assert_eq!((newborn.acuity, newborn.chroma), (0.70, 0.0));
+    assert_eq!(Maturity::of_age(24.0).unwrap().acuity, 11.1);
+    assert!(Maturity::of_age(25.0).unwrap_err().message().contains("age is 25"));
+    let build = |bits: u32, maturity: Option<&Maturity>| {
+        let mut scene = Scene::builtin("free").unwrap();
+        let mut agent = scene.default_agent().unwrap();
+        let mut growth = Growth::of_age(0.0).unwrap();
+        agent.vision(0, 1, 1).touch(0, 1.0).growth(*growth.maturity(bits));
+        scene.add_agent(&agent).unwrap();
+        scene.set_maturity(0, maturity).unwrap();
+        world(&scene)
+    };
+    let delays = |env: &Env, field: &str| {
+        let layout = env.layout().unwrap();
+        layout.delays(index(&layout, field)).unwrap()
+    };
+    let mut env = build(MIMO_MATURITY_ALL, None);
+    assert_eq!(delays(&env, "vestibular/acceleration"), [newborn.vestibular_delay; 3]);
+    let late = delays(&env, "proprioception/limit");
+    for (label, seconds) in labels(&env.layout().unwrap(), "proprioception/limit").iter().zip(&late) {
+        let body = env.body_of(MIMO_JOINT, env.find(MIMO_JOINT, label).unwrap()).unwrap();
+        let length = env.get(MIMO_BODY_NERVE_LENGTH, &[body]).unwrap()[0];
+        let exact = length / newborn.conduction_speed + newborn.sensory_delay;
+        assert!((seconds - exact).abs() < 0.0025 + 1e-9, "{}: {} and {}", label, seconds, exact);
+    }
+    let mut older = Growth::of_age(18.0).unwrap();
+    older.maturity(MIMO_MATURITY_ALL);
+    env.reset(Reset::new().ages(&[Some(older)]), None).unwrap();
+    assert!(delays(&env, "proprioception/limit").iter().sum::<f64>() < late.iter().sum());
+    assert_eq!(delays(&build(MIMO_MATURITY_EYES, None), "vestibular/acceleration"), [0.0; 3]);
+    let slow = Maturity { vestibular_delay: 0.1, ..Maturity::default() };
+    assert_eq!(delays(&build(MIMO_MATURITY_ALL, Some(&slow)), "vestibular/acceleration"), [0.1; 3]);
+    let error = Scene::builtin("free").unwrap().set_maturity(0, Some(&newborn)).unwrap_err();
+    assert_eq!(error.kind(), Kind::InvalidArgument);
 }
 
 fn labels(layout: &Layout, field: &str) -> Vec<String> {

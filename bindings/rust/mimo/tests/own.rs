@@ -139,6 +139,9 @@ fn limited_senses() {
     let twice = build(Some(mimo::Limits { gain: 2.0, delay: 0.02, ..mimo::Limits::default() }));
     assert_eq!(twice[4][0], 2.0 * plain[2][0]);
     assert_ne!(plain[2], plain[4]);
+    let shaky = build(Some(mimo::Limits { signal_noise: 0.1, ..mimo::Limits::default() }));
+    assert_ne!(shaky[4], plain[4]);
+    assert!((shaky[4][0] / plain[4][0] - 1.0).abs() < 0.6);
     let error =
         Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::default()).unwrap_err();
     assert_eq!(error.kind(), Kind::InvalidArgument);

@@ -1,0 +1,15 @@
+// How well eyes see at an age.
+#pragma once
+
+namespace mimo::growth {
+
+struct Eyesight {
+  double acuity;         // the finest lines that are seen, cycles per degree
+  double peak_contrast;  // greatest contrast sensitivity
+  double chroma;         // share of colour that is seen, 0 to 1
+};
+
+// At an age in months, 0 to 24.
+Eyesight eyesight_at(double age);
+
+}  // namespace mimo::growth

@@ -1,0 +1,120 @@
+// What something costs that can be switched on: two worlds of the benchmark scene that go the same way, one of which
+// has it, are stepped in turns.
+//
+//   bench_extras contacts [STEPS]   what touches what within a step is recorded (step_contacts); no senses
+//   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
+//   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels
+#include <mimo/mimo.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void check(mimo_status status) {
+  if (status == MIMO_OK) return;
+  std::fprintf(stderr, "%s\n", mimo_last_error());
+  std::exit(1);
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+enum class Extra { kContacts, kDelays, kEyes };
+
+// Eyes or nerves of a newborn; actions arrive at once, so that both worlds go the same way.
+void mature(mimo_scene* scene, Extra extra) {
+  mimo_maturity newborn, perfect;
+  mimo_limits prompt;
+  check(mimo_maturity_at(0, &newborn, sizeof newborn));
+  check(mimo_maturity_init(&perfect, sizeof perfect));
+  check(mimo_limits_init(&prompt, sizeof prompt));
+  if (extra == Extra::kEyes) {
+    perfect.acuity = newborn.acuity;
+    perfect.peak_contrast = newborn.peak_contrast;
+    perfect.chroma = newborn.chroma;
+  } else {
+    perfect.conduction_speed = newborn.conduction_speed;
+    perfect.sensory_delay = newborn.sensory_delay;
+    perfect.vestibular_delay = newborn.vestibular_delay;
+    check(mimo_scene_limit_motor(scene, 0, "", &prompt));
+  }
+  check(mimo_scene_set_maturity(scene, 0, &perfect));
+}
+
+mimo_env* make(Extra extra, bool has) {
+  mimo_scene_config named;
+  check(mimo_scene_config_init(&named, sizeof named));
+  named.name = "benchmark";
+  mimo_scene* scene = nullptr;
+  check(mimo_scene_create(&named, &scene));
+  mimo_agent_config agent;
+  check(mimo_scene_default_agent(scene, &agent, sizeof agent));
+  if (extra != Extra::kEyes) agent.vision = 0;
+  check(mimo_scene_add_agent(scene, &agent, nullptr));
+  if (has && extra != Extra::kContacts) mature(scene, extra);
+  mimo_env_config config;
+  check(mimo_env_config_init(&config, sizeof config));
+  config.step_contacts = has && extra == Extra::kContacts ? 1 : 0;
+  mimo_env* env = nullptr;
+  check(mimo_env_create(scene, &config, &env));
+  mimo_scene_destroy(scene);
+  return env;
+}
+
+// Each motor has a rhythm of its own.
+std::vector<float> wish(std::size_t actions, int step) {
+  std::vector<float> action(actions);
+  for (std::size_t i = 0; i < actions; ++i) {
+    action[i] = static_cast<float>(std::sin(0.05 * step * (1 + 0.1 * static_cast<double>(i)) + static_cast<double>(i)));
+  }
+  return action;
+}
+
+// Without a block nothing is sensed.
+double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std::uint8_t>& block) {
+  const auto start = Clock::now();
+  check(
+      mimo_env_step(env, action.data(), action.size(), block.empty() ? nullptr : block.data(), block.size(), nullptr));
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "contacts";
+  const Extra extra = what == "eyes" ? Extra::kEyes : what == "delays" ? Extra::kDelays : Extra::kContacts;
+  const int usual_steps = extra == Extra::kEyes ? 200 : 4000;
+  const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
+  mimo_env *const having = make(extra, true), *const usual = make(extra, false);
+  const mimo_layout* layout = nullptr;
+  mimo_layout_info info{};
+  info.struct_size = sizeof info;
+  check(mimo_env_layout(usual, &layout));
+  check(mimo_layout_describe(layout, &info));
+  std::vector<std::uint8_t> block(extra == Extra::kContacts ? 0 : info.block_bytes);
+  for (mimo_env* env : {having, usual}) check(mimo_env_reset(env, nullptr, nullptr, 0));
+
+  std::vector<double> with, without, shares;
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<float> action = wish(info.actions, step);
+    // Who goes second finds warm caches: they take turns at that, too.
+    if (step % 2 == 0) with.push_back(seconds(having, action, block));
+    without.push_back(seconds(usual, action, block));
+    if (step % 2 != 0) with.push_back(seconds(having, action, block));
+    shares.push_back(with.back() / without.back() - 1);
+  }
+  std::printf("a step takes %.1f us, with %s %.1f us: %.4f of a step more (median)\n", median(without) * 1e6,
+              what.c_str(), median(with) * 1e6, median(shares));
+  mimo_env_destroy(having);
+  mimo_env_destroy(usual);
+}

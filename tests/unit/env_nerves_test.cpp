@@ -1,0 +1,131 @@
+// Nerves in a world: each part is late by what its own nerve takes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "body/nerves.h"
+#include "growth/conduction.h"
+#include "support/block.h"
+#include "support/scenes.h"
+
+namespace mimo::test {
+namespace {
+
+constexpr double kTick = 0.005;
+constexpr std::uint64_t kSeed = 3;
+
+env::AgentOptions infant(bool with_nerves, double age = 0) {
+  env::AgentOptions options = blind();
+  options.touch.everywhere = 0.05;
+  options.growth.physiological_age = age;
+  options.growth.delays = with_nerves;
+  return options;
+}
+
+std::unique_ptr<env::World> world_of(const env::AgentOptions& agent, int frame_skip) {
+  env::EnvOptions options;
+  options.frame_skip = frame_skip;
+  return std::make_unique<env::World>(benchmark_model(), std::vector<env::AgentOptions>{agent}, options);
+}
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Blocks at the reset and after each step; nobody moves it, it falls.
+std::vector<Bytes> episode(env::World& world, int steps) {
+  Observation block(world);
+  world.reset(&kSeed, block.data());
+  std::vector<Bytes> blocks = {block.bytes()};
+  for (int i = 0; i < steps; ++i) {
+    world.step({}, block.data(), {});
+    blocks.push_back(block.bytes());
+  }
+  return blocks;
+}
+
+std::size_t ticks(double seconds) { return static_cast<std::size_t>(std::lround(seconds / kTick)); }
+
+// How late an element has to be, by the formula.
+std::size_t expected(const env::World& world, const observation::Field& field, std::size_t element) {
+  const growth::Conduction at = growth::conduction_at(0);
+  if (field.name.compare(0, 10, "vestibular") == 0) return ticks(at.vestibular);
+  const bool touch = !field.receptors.empty();
+  const int part = touch ? field.receptors[element / 3].body : field.bodies[element];
+  return ticks(body::nerve_length(world.model(), part) / at.speed + at.sensory);
+}
+
+// The impulse is that of the whole body falling on the floor: what each element of a perfect infant senses, a newborn's
+// nerves bring as much later as they take, to the bit.
+TEST(Nerves, EachElementIsAsLateAsItsNerve) {
+  constexpr int kSteps = 90;
+  const auto perfect = world_of(infant(false), 1), late = world_of(infant(true), 1);
+  const std::vector<Bytes> now = episode(*perfect, kSteps), then = episode(*late, kSteps);
+  std::size_t felt = 0, least = 1000, most = 0;
+  for (std::size_t f = 0; f < late->layout().size(); ++f) {
+    const observation::Field& field = late->layout()[f];
+    for (std::size_t e = 0; e < field.count(); ++e) {
+      const std::size_t delay = expected(*late, field, e), at = field.offset + 4 * e;
+      least = std::min(least, delay);
+      most = std::max(most, delay);
+      for (std::size_t step = 0; step < then.size(); ++step) {
+        const Bytes& source = now[step < delay ? 0 : step - delay];
+        ASSERT_TRUE(std::equal(then[step].begin() + at, then[step].begin() + at + 4, source.begin() + at))
+            << field.name << " " << e << " at " << step << ", late by " << delay;
+      }
+      if (!field.receptors.empty() &&
+          !std::equal(now[90].begin() + at, now[90].begin() + at + 4, now[0].begin() + at)) {
+        ++felt;
+      }
+    }
+  }
+  EXPECT_GT(felt, 10u);  // something was touched
+  EXPECT_EQ(least, 1u);  // the vestibular organ's 5 ms
+  EXPECT_EQ(most, ticks(0.776 / 24.5 + 0.026));
+}
+
+TEST(Nerves, DoNotDependOnFrameSkip) {
+  env::AgentOptions agent = infant(true);
+  agent.limits = {{"vestibular", {0.5, 0.1, 0, 0.015}}};  // noise is that of the time step
+  const auto fine = world_of(agent, 1), coarse = world_of(agent, 2), third = world_of(agent, 3);
+  const std::vector<Bytes> one = episode(*fine, 120), two = episode(*coarse, 60), three = episode(*third, 40);
+  for (std::size_t step = 0; step < two.size(); ++step) EXPECT_EQ(one[2 * step], two[step]) << step;
+  for (std::size_t step = 0; step < three.size(); ++step) EXPECT_EQ(one[3 * step], three[step]) << step;
+}
+
+TEST(Nerves, WhatIsOnItsWayIsPartOfTheState) {
+  const auto first = world_of(infant(true), 2), second = world_of(infant(true), 2);
+  episode(*first, 31);
+  Bytes state(first->state_bytes());
+  first->save(Span<std::uint8_t>(state));
+  second->load(Span<const std::uint8_t>(state));
+  Observation one(*first), two(*second);
+  for (int step = 0; step < 20; ++step) {
+    first->step({}, one.data(), {});
+    second->step({}, two.data(), {});
+    EXPECT_EQ(one.bytes(), two.bytes()) << step;
+  }
+}
+
+// An action of the first step reaches each motor on its tick, also within a step.
+TEST(Nerves, ActionsArriveByThePartThatTheyMove) {
+  const auto world = world_of(infant(true), 1);
+  const growth::Conduction at = growth::conduction_at(0);
+  world->reset(&kSeed, nullptr);
+  const std::vector<float> actions(world->action_size(), 0.5F);
+  const std::vector<int>& motors = world->agents()[0].body.actuators;
+  std::size_t nearest = 1000, farthest = 0;
+  for (std::size_t step = 0; step < 14; ++step) {
+    world->step(step == 0 ? Span<const float>(actions) : Span<const float>(), nullptr, {});
+    for (const int motor : motors) {
+      const int part = body::moved_by(world->model(), motor);
+      const std::size_t delay = ticks(body::nerve_length(world->model(), part) / at.speed + at.motor);
+      EXPECT_EQ(world->data().ctrl[motor] != 0, step >= delay) << motor << " in step " << step;
+      nearest = std::min(nearest, delay);
+      farthest = std::max(farthest, delay);
+    }
+  }
+  EXPECT_EQ(nearest, ticks(0.074 / 24.5 + 0.022));
+  EXPECT_GT(farthest, nearest + 3);
+}
+
+}  // namespace
+}  // namespace mimo::test
