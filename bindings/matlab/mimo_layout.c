@@ -136,16 +136,20 @@ static void layout(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add_number(out[0], "block_bytes", (double)all->sizes.block_bytes);
 }
 
+/* The field that (number, field) asks for. */
+static mimo_field field_asked(int nin, const mxArray* in[], const worlds** all, size_t* index) {
+  mimo_need(nin == 2, "expected a world and a field");
+  *all = mimo_any_worlds_of(in[0]);
+  *index = index_of(*all, in[1]);
+  return field_at(*all, *index);
+}
+
 /* labels = labels(number, field): a cell array of the field's size */
 static void labels(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const worlds* all;
-  mimo_field field;
   size_t index, i;
+  const mimo_field field = field_asked(nin, in, &all, &index);
   (void)nout;
-  mimo_need(nin == 2, "expected a world and a field");
-  all = mimo_any_worlds_of(in[0]);
-  index = index_of(all, in[1]);
-  field = field_at(all, index);
   out[0] = mimo_cells_of(&field);
   for (i = 0; i < mimo_elements(&field); ++i) {
     const char* label = NULL;
@@ -157,13 +161,9 @@ static void labels(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 /* seconds = delays(number, field): an array of the field's size */
 static void delays(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const worlds* all;
-  mimo_field field;
   size_t index, i;
+  const mimo_field field = field_asked(nin, in, &all, &index);
   (void)nout;
-  mimo_need(nin == 2, "expected a world and a field");
-  all = mimo_any_worlds_of(in[0]);
-  index = index_of(all, in[1]);
-  field = field_at(all, index);
   out[0] = mimo_zeros_of(&field);
   for (i = 0; i < mimo_elements(&field); ++i)
     mimo_check(mimo_layout_delay(all->layout, index, i, mxGetPr(out[0]) + mimo_place_of(&field, i)));

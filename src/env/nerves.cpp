@@ -34,8 +34,8 @@ std::vector<double> of_bodies(const Field& field, const growth::Conduction& nerv
 
 std::vector<double> delays_of(const Field& field, Share share, const growth::Conduction& nerves,
                               const std::vector<double>& lengths) {
-  if (share == Share::kVision) return std::vector<double>(field.count(), nerves.vision);
-  if (share == Share::kVestibular) return std::vector<double>(field.count(), nerves.vestibular);
+  if (share == Share::kVision) return {nerves.vision};
+  if (share == Share::kVestibular) return {nerves.vestibular};
   if (!field.receptors.empty()) return of_receptors(field, nerves, lengths);
   return of_bodies(field, nerves, lengths);
 }

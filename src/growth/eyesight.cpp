@@ -4,23 +4,16 @@
 #include <cmath>
 #include <cstddef>
 
+#include "growth/points.h"
+
 namespace mimo::growth {
 namespace {
 
-struct Point {
-  double age, value;  // months
-};
-
-// Straight lines through the points' logarithms; beyond their ends it stays.
+// Straight lines through the points' logarithms.
 template <std::size_t kCount>
 double between(const Point (&points)[kCount], double age) {
-  if (age <= points[0].age) return points[0].value;
-  for (std::size_t i = 1; i < kCount; ++i) {
-    const Point &left = points[i - 1], &right = points[i];
-    if (age > right.age) continue;
-    return left.value * std::pow(right.value / left.value, (age - left.age) / (right.age - left.age));
-  }
-  return points[kCount - 1].value;
+  const Stretch at = stretch_at(points, age);
+  return at.left * std::pow(at.right / at.left, at.share);
 }
 
 // Cycles per degree, of one eye. Gratings on cards: at birth Brown and Yamamoto 1986; then the mean of Mayer et al.

@@ -29,18 +29,20 @@ double Lateness::seconds(std::size_t element) const {
 DelayLine::DelayLine(const Field& field, const std::vector<double>& seconds, const Clock& clock)
     : field_(&field), lateness_{clock.tick, {}} {
   const std::size_t grain = clock.within_a_step ? 1 : clock.per_step;  // ticks
-  for (const double late : seconds) add(steps_of_delay(late, static_cast<double>(grain) * clock.tick) * grain);
+  const std::size_t elements = seconds.size() == 1 ? field.count() : 1;
+  for (const double late : seconds)
+    add(elements, steps_of_delay(late, static_cast<double>(grain) * clock.tick) * grain);
   if (lateness_.most() == 0) return;
   choose_ticks(clock.per_step);
   past_.resize(rows_ * field.bytes());
 }
 
-void DelayLine::add(std::size_t ticks) {
+void DelayLine::add(std::size_t elements, std::size_t ticks) {
   std::vector<Run>& runs = lateness_.runs;
   if (!runs.empty() && runs.back().ticks == ticks) {
-    ++runs.back().count;
+    runs.back().count += elements;
   } else {
-    runs.push_back({runs.empty() ? 0 : runs.back().first + runs.back().count, 1, ticks});
+    runs.push_back({runs.empty() ? 0 : runs.back().first + runs.back().count, elements, ticks});
   }
 }
 

@@ -35,8 +35,8 @@ struct Lateness {
 
 class DelayLine {
  public:
-  // For each element how late it is, in seconds: the nearest number of ticks, or of steps where nothing is sensed
-  // within them. Throws for more than 1000 steps. The field outlives this object.
+  // How late each element is, in seconds, or one number for all of them: the nearest number of ticks, or of steps where
+  // nothing is sensed within them. Throws for more than 2000 of these. The field outlives this object.
   DelayLine(const Field& field, const std::vector<double>& seconds, const Clock& clock);
 
   bool late() const { return !past_.empty(); }
@@ -58,7 +58,7 @@ class DelayLine {
   Section section();
 
  private:
-  void add(std::size_t ticks);
+  void add(std::size_t elements, std::size_t ticks);
   void choose_ticks(std::size_t per_step);
   std::size_t row(std::uint64_t number) const { return static_cast<std::size_t>(number % rows_) * field_->bytes(); }
 

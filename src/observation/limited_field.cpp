@@ -12,8 +12,8 @@ namespace {
 
 bool is_picture(const Field& field) { return field.type == Type::kU8 && field.shape.size() == 3; }
 
-std::vector<double> delays_of(const Field& field, const Limits& limits, const Nature& nature) {
-  return limits.delay > 0 ? std::vector<double>(field.count(), limits.delay) : nature.delays;
+std::vector<double> delays_of(const Limits& limits, const Nature& nature) {
+  return limits.delay > 0 ? std::vector<double>{limits.delay} : nature.delays;
 }
 
 // The limit of blur leaves half the contrast.
@@ -39,7 +39,7 @@ double Limits::deviation(double value) const {
 LimitedField::LimitedField(const Field& field, const Limits& limits, const Nature& nature, const Clock& clock)
     : field_(field),
       limits_(limits),
-      delay_(field, delays_of(field, limits, nature), clock),
+      delay_(field, delays_of(limits, nature), clock),
       eye_(eye_of(field, limits, nature.eyes)) {}
 
 void LimitedField::weaken(std::uint8_t* block) {

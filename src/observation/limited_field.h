@@ -24,7 +24,8 @@ struct Limits {
   double deviation(double value) const;
 };
 
-// What an infant is like by itself: how late each element of a field comes, in seconds, empty where none does; and how
+// What an infant is like by itself: how late each element of a field comes, in seconds, one number where all come
+// together, empty where none is late; and how
 // well it sees, of pictures in colour.
 struct Nature {
   std::vector<double> delays;

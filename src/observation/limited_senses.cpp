@@ -64,14 +64,13 @@ void LimitedSenses::add(const std::string& prefix, const std::vector<PathLimits>
 void LimitedSenses::make_room() {
   for (std::size_t i = 0; i < observer_.senses(); ++i) {
     Member member{i};
-    const std::vector<Field>& all = observer_.sense(i).fields();
+    const Sense& sense = observer_.sense(i);
     for (LimitedField& field : fields_) {
-      const Field* its = &field.field();
-      if (its >= all.data() && its < all.data() + all.size()) member.limited.push_back(&field);
+      if (sense.has(field.field())) member.limited.push_back(&field);
     }
     const auto late = std::count_if(member.limited.begin(), member.limited.end(),
                                     [](const LimitedField* field) { return field->late(); });
-    member.now = late < static_cast<std::ptrdiff_t>(all.size());
+    member.now = late < static_cast<std::ptrdiff_t>(sense.fields().size());
     if (late > 0) room_.resize(observer_.layout().bytes());
     members_.push_back(std::move(member));
   }

@@ -24,10 +24,7 @@ void Observer::add(std::unique_ptr<Sense> sense) {
 }
 
 Share Observer::share_of(const Field& field) const {
-  const auto has = [&field](const Sense* sense) {
-    const std::vector<Field>& all = sense->fields();
-    return std::any_of(all.begin(), all.end(), [&field](const Field& its) { return &its == &field; });
-  };
+  const auto has = [&field](const Sense* sense) { return sense->has(field); };
   return (*std::find_if(senses_.begin(), senses_.end(), has))->share();
 }
 

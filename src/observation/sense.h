@@ -20,6 +20,7 @@ class Sense {
   virtual ~Sense() = default;
   std::vector<Field>& fields() { return fields_; }
   const std::vector<Field>& fields() const { return fields_; }
+  bool has(const Field& field) const { return &field >= fields_.data() && &field < fields_.data() + fields_.size(); }
   virtual Share share() const = 0;
   // Fills its fields of the block from the current data.
   virtual void write(const mjModel& model, const mjData& data, std::uint8_t* block) = 0;
