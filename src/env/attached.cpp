@@ -25,7 +25,7 @@ Attached::Attached(const Kit& kit, double step)
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const AgentOptions& agent = kit.agents[i];
-    limits_.add(agent.prefix(), agent.limits, nature_of_senses(*model_, agents_[i].body, agent), clock());
+    limits_.add(agent.prefix(), agent.limits, nature_of_senses(*model_, agents_[i], agent), clock());
   }
   limits_.make_room();
   episode_.start(random_, true);

@@ -64,10 +64,14 @@ int actuator_of(const mjModel& model, const body::Body& body, const std::string&
 
 }  // namespace
 
-observation::NatureOf nature_of_senses(const mjModel& model, const body::Body& body, const AgentOptions& options) {
+observation::NatureOf nature_of_senses(const mjModel& model, const Perception& agent, const AgentOptions& options) {
   const Maturity is = maturity_of(options);
   if (!is.eyes.any() && !is.nerves.any()) return {};
-  return [is, lengths = body::nerve_lengths(model, body)](const Field& field, Share share) {
+  return [is, &agent, lengths = body::nerve_lengths(model, agent.body)](const Field& field) {
+    const auto its = std::find_if(agent.senses.begin(), agent.senses.end(),
+                                  [&field](const auto& sense) { return sense->has(field); });
+    if (its == agent.senses.end()) return observation::Nature{};
+    const Share share = (*its)->share();
     return observation::Nature{is.nerves.any() ? delays_of(field, share, is.nerves, lengths) : std::vector<double>{},
                                share == Share::kVision ? is.eyes : observation::Eyesight{}};
   };

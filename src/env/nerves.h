@@ -12,8 +12,8 @@
 namespace mimo::env {
 
 // Of its senses: touch is late by the part of the body, proprioception by the joint, vision and the vestibular organ by
-// themselves. Null where eyes are perfect and nerves take no time.
-observation::NatureOf nature_of_senses(const mjModel& model, const body::Body& body, const AgentOptions& options);
+// themselves. Null where eyes are perfect and nerves take no time; the agent outlives it.
+observation::NatureOf nature_of_senses(const mjModel& model, const Perception& agent, const AgentOptions& options);
 
 // By action, how late its motors are, in seconds; empty where nerves take no time.
 std::vector<double> motor_delays(const mjModel& model, const body::Body& body, const actuation::Actuation& actuation,

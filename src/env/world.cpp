@@ -53,7 +53,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
     observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
   }
   for (std::size_t i = 0; i < agents.size(); ++i) {
-    limits_.add(agents[i].prefix(), agents[i].limits, nature_of_senses(physics_.model(), agents_[i].body, agents[i]),
+    limits_.add(agents[i].prefix(), agents[i].limits, nature_of_senses(physics_.model(), agents_[i], agents[i]),
                 clock());
   }
   limits_.make_room();

@@ -53,8 +53,7 @@ void LimitedSenses::add(const std::string& prefix, const std::vector<PathLimits>
     }
   }
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    const bool own = !layout[i].exempt && layout[i].name.compare(0, prefix.size(), prefix) == 0;
-    Nature nature = nature_of && own ? nature_of(layout[i], observer_.share_of(layout[i])) : Nature{};
+    Nature nature = nature_of && !layout[i].exempt ? nature_of(layout[i]) : Nature{};
     if (chosen[i]) nature.delays.clear();
     const Limits limits = chosen[i].value_or(Limits{});
     if (limits.any() || nature.any()) fields_.emplace_back(layout[i], limits, nature, clock);

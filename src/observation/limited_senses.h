@@ -16,8 +16,8 @@ struct PathLimits {
   Limits limits;
 };
 
-// What an agent is like by itself in a field of its senses.
-using NatureOf = std::function<Nature(const Field& field, Share share)>;
+// What an agent is like by itself in a field; nothing in those that are not of its senses.
+using NatureOf = std::function<Nature(const Field& field)>;
 
 class LimitedSenses {
  public:

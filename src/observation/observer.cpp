@@ -1,6 +1,5 @@
 #include "observation/observer.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/fail.h"
@@ -21,11 +20,6 @@ void Observer::add(Sense& sense) {
 void Observer::add(std::unique_ptr<Sense> sense) {
   own_.push_back(std::move(sense));
   add(*own_.back());
-}
-
-Share Observer::share_of(const Field& field) const {
-  const auto has = [&field](const Sense* sense) { return sense->has(field); };
-  return (*std::find_if(senses_.begin(), senses_.end(), has))->share();
 }
 
 void Observer::write(std::size_t sense, const mjModel& model, const mjData& data, std::uint8_t* block,

@@ -23,8 +23,6 @@ class Observer {
 
   std::size_t senses() const { return senses_.size(); }
   const Sense& sense(std::size_t i) const { return *senses_[i]; }
-  // The share of the sense that a field belongs to.
-  Share share_of(const Field& field) const;
 
   // Fills the fields of one sense, and adds what it took to `times`; null: nobody wants to know.
   void write(std::size_t sense, const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;

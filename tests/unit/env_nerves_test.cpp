@@ -105,6 +105,29 @@ TEST(Nerves, WhatIsOnItsWayIsPartOfTheState) {
   }
 }
 
+// A camera of the scene is nobody's eye: an infant without a name, whose fields have no prefix, does not make it one.
+TEST(Nerves, CamerasSeeAsTheyAre) {
+  const auto world_beside = [](bool mature) {
+    env::AgentOptions agent = infant(mature);
+    agent.growth.eyes = mature;
+    env::EnvOptions options;
+    options.cameras.resize(1);
+    options.cameras[0].camera = "eye_left";
+    options.cameras[0].vision.width = options.cameras[0].vision.height = 32;
+    return std::make_unique<env::World>(benchmark_model(), std::vector<env::AgentOptions>{agent}, options);
+  };
+  const auto perfect = world_beside(false), newborn = world_beside(true);
+  const observation::Field& camera = perfect->layout()[perfect->layout().size() - 1];
+  ASSERT_EQ(camera.name, "vision/eye_left");
+  const std::vector<Bytes> plain = episode(*perfect, 3), beside = episode(*newborn, 3);
+  for (std::size_t step = 0; step < plain.size(); ++step) {
+    const auto first = static_cast<std::ptrdiff_t>(camera.offset);
+    const auto last = first + static_cast<std::ptrdiff_t>(camera.bytes());
+    EXPECT_TRUE(std::equal(plain[step].begin() + first, plain[step].begin() + last, beside[step].begin() + first))
+        << step;
+  }
+}
+
 // An action of the first step reaches each motor on its tick, also within a step.
 TEST(Nerves, ActionsArriveByThePartThatTheyMove) {
   const auto world = world_of(infant(true), 1);

@@ -108,7 +108,7 @@ TEST(DelayLine, EachElementIsLateByItself) {
   Observer observer;
   observer.add(sense);
   LimitedSenses limited(observer);
-  limited.add("", {}, [](const Field&, Share) { return Nature{{0, 0.01, 0.05}, {}}; }, {0.01, 2, true});
+  limited.add("", {}, [](const Field&) { return Nature{{0, 0.01, 0.05}, {}}; }, {0.01, 2, true});
   limited.make_room();
   std::vector<std::uint8_t> block(observer.layout().bytes());
   const auto* seen = reinterpret_cast<const float*>(block.data());
