@@ -186,6 +186,15 @@ static double add_maturity(mimo_scene* scene, properties* given) {
   return 0;
 }
 
+static double add_sensory_delay(mimo_scene* scene, properties* given) {
+  const size_t agent = take_agent(given);
+  const mxArray* body = mimo_take(given, "body");
+  const double seconds = mimo_take_number(given, "seconds");
+  mimo_set_all(NULL, mimo_no_options, given, "a sensory delay");
+  mimo_check(mimo_scene_set_sensory_delay(scene, agent, body == NULL ? NULL : mimo_text(body, "body"), seconds));
+  return 0;
+}
+
 static double add_parameter(mimo_scene* scene, properties* given) {
   const char* name = mimo_take_text(given, "name");
   const double value = mimo_take_number(given, "value");
@@ -198,14 +207,23 @@ static const struct thing {
   const char* name;
   adder add;
 } things[] = {
-    {"agent", add_agent},         {"agents", add_agents},
-    {"object", add_object},       {"model", add_model},
-    {"camera", add_camera},       {"room", add_room},
-    {"weld", add_weld},           {"lock", add_lock},
-    {"pose", add_pose},           {"skin", add_skin},
-    {"joint", add_joint},         {"limits", add_limits},
-    {"parameter", add_parameter}, {"motor_limits", add_motor_limits},
-    {"field", add_field},         {"maturity", add_maturity},
+    {"agent", add_agent},
+    {"agents", add_agents},
+    {"object", add_object},
+    {"model", add_model},
+    {"camera", add_camera},
+    {"room", add_room},
+    {"weld", add_weld},
+    {"lock", add_lock},
+    {"pose", add_pose},
+    {"skin", add_skin},
+    {"joint", add_joint},
+    {"limits", add_limits},
+    {"parameter", add_parameter},
+    {"motor_limits", add_motor_limits},
+    {"field", add_field},
+    {"maturity", add_maturity},
+    {"sensory_delay", add_sensory_delay},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */
