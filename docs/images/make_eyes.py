@@ -17,7 +17,9 @@ def seen(program: str, folder: str, age: float, *options: str) -> Image.Image:
     """What the left eye of the infant of 18 months sees with eyes of an age: the view stays the same."""
     out = Path(folder) / f"{age}.png"
     look = ["--scene", "playdate", "--camera", "anna/eye_left", "--width", str(SIDE), "--height", str(SIDE)]
-    subprocess.run([program, "render", "--age", "18", "--physiological-age", str(age), *look, *options, "--out", out], check=True)
+    subprocess.run(
+        [program, "render", "--age", "18", "--physiological-age", str(age), *look, *options, "--out", out], check=True
+    )
     return Image.open(out)
 
 

@@ -69,8 +69,8 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
       GROWTH_RANGE(percentile, 0.13, 99.87), GROWTH_RANGE(strength_exponent, -0.1, 5.1),                           \
       GROWTH_RANGE(neck_strength, -0.1, 10.1), GROWTH_RANGE(birth_tone, 0.09, 10.1),                               \
       GROWTH_RANGE(contracture, -0.1, 1.1), GROWTH_UNKNOWN(absolute, 2), GROWTH_UNKNOWN(keep_spacing, 2),          \
-      GROWTH_UNKNOWN(maturity, 0x20), GROWTH_UNKNOWN(maturity, 8), GROWTH_UNKNOWN(maturity, -1),                   \
-      GROWTH_UNKNOWN(reserved, 1)
+      GROWTH_UNKNOWN(maturity, 0x20), BAD_FIELD(growth, mimo_growth, maturity, 8, "maturity"),                     \
+      GROWTH_UNKNOWN(maturity, -1), GROWTH_UNKNOWN(reserved, 1)
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))

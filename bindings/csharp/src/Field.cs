@@ -140,7 +140,7 @@ namespace Mimo
         /// each, height x width x 3, in its frame: x right, y up, z backwards.</summary>
         public float[] Directions()
         {
-            var directions = new float[Shape.Count < 2 ? 0 : Shape[0] * Shape[1] * 3];
+            var directions = new float[Shape.Length < 2 ? 0 : Shape[0] * Shape[1] * 3];
             MimoException.Check(Native.mimo_layout_directions(layout, index, directions, (UIntPtr)(uint)directions.Length));
             return directions;
         }

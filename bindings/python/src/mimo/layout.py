@@ -137,7 +137,7 @@ class Layout:
         """
         _owner, index = self._find(name)
         delays = np.empty(int(np.prod(self.fields[name].shape)))
-        check(LIB.mimo_layout_delays(self._handle, index, delays, delays.size))
+        check(LIB.mimo_layout_delays(self._handle, index, delays.ctypes.data, delays.size))
         return delays
 
     def directions(self, name: str) -> NDArray[np.float32]:
@@ -147,7 +147,7 @@ class Layout:
         """
         _owner, index = self._find(name)
         directions = np.empty((*self.fields[name].shape[:2], 3), np.float32)
-        check(LIB.mimo_layout_directions(self._handle, index, directions, directions.size))
+        check(LIB.mimo_layout_directions(self._handle, index, directions.ctypes.data, directions.size))
         return directions
 
     def _find(self, name: str) -> Tuple[Native, int]:

@@ -134,7 +134,9 @@ impl<'a> Layout<'a> {
     pub fn directions(&self, field: usize) -> Result<Vec<[f32; 3]>> {
         let mut vectors = vec![[0.0; 3]; self.field(field)?.shape.iter().take(2).product()];
         let count = 3 * vectors.len();
-        check(unsafe { sys::mimo_layout_directions(self.handle, field, vectors.as_mut_ptr().cast(), count) })?;
+        check(unsafe {
+            sys::mimo_layout_directions(self.handle, field, vectors.as_mut_ptr().cast(), count)
+        })?;
         Ok(vectors)
     }
 
