@@ -215,7 +215,8 @@ def test_foveated_pictures_tell_where_their_pixels_lie():
 
 
 def test_options_of_eyes_are_off_unless_asked():
-    assert mimo.Maturity.at(3).flicker == 0 and mimo.Maturity.at(3).contrast_threshold is False
+    assert mimo.Maturity.at(3).flicker == 0
+    assert not mimo.Maturity.at(3).contrast_threshold
     scene = mimo.Scene("free")
     scene.add_agent()
     scene.set_maturity(mimo.Maturity(acuity=2, flicker=4, contrast_threshold=True))
