@@ -25,13 +25,13 @@ typedef struct mimo_maturity {
   uint32_t struct_size;        /**< sizeof(mimo_maturity), set by mimo_maturity_init. */
   uint32_t contrast_threshold; /**< 1: contrasts that are too faint to be seen are gone; 0 (default): they stay.
                                 Counts with an acuity. */
-  double acuity;               /**< The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default): pictures
-                                    as they are drawn. */
-  double peak_contrast;        /**< The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of
-                                    the contrast is left. Default 2. Counts with an acuity. */
+  double acuity;               /**< The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default):
+                                    pictures as they are drawn. */
+  double peak_contrast;        /**< The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast
+                                    of the contrast is left. Default 2. Counts with an acuity. */
   double chroma;               /**< Share of colour that is seen, 0 (grey) to 1 (default). */
-  double flicker;              /**< Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over the
-                                    pictures that are sensed. 0 (default): none. */
+  double flicker;              /**< Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over
+                                    the pictures that are sensed. 0 (default): none. */
   double conduction_speed;     /**< Of large nerve fibres, m/s, 0.1 to 200; 0 (default): they take no time. */
   double sensory_delay;        /**< From the brain stem to the cortex, s, 0 to 2. */
   double motor_delay;          /**< From the cortex to the brain stem, s, 0 to 2. */

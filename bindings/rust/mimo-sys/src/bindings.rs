@@ -1047,16 +1047,16 @@ pub struct mimo_maturity {
     #[doc = "1: contrasts that are too faint to be seen are gone; 0 (default): they stay."]
     #[doc = "Counts with an acuity."]
     pub contrast_threshold: u32,
-    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default): pictures"]
-    #[doc = "as they are drawn."]
+    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default):"]
+    #[doc = "pictures as they are drawn."]
     pub acuity: f64,
-    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of"]
-    #[doc = "the contrast is left. Default 2. Counts with an acuity."]
+    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast"]
+    #[doc = "of the contrast is left. Default 2. Counts with an acuity."]
     pub peak_contrast: f64,
     #[doc = "Share of colour that is seen, 0 (grey) to 1 (default)."]
     pub chroma: f64,
-    #[doc = "Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over the"]
-    #[doc = "pictures that are sensed. 0 (default): none."]
+    #[doc = "Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over"]
+    #[doc = "the pictures that are sensed. 0 (default): none."]
     pub flicker: f64,
     #[doc = "Of large nerve fibres, m/s, 0.1 to 200; 0 (default): they take no time."]
     pub conduction_speed: f64,
