@@ -1,7 +1,6 @@
 // Pictures for people.
 #include <cmath>
 
-#include "base/angle.h"
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -72,8 +71,7 @@ void check_picture(const mimo_picture_config& config, const mimo_picture& to) {
 
 // What eyes that look from there would see; the same for a picture of no foveation.
 observation::FovealMap map_of(const mimo_picture_config& config, const render::View& from) {
-  const double focal = 0.5 * config.height / std::tan(from.fovy / 2 * kDegree);
-  return {config.height, config.width, focal, config.foveation};
+  return {config.height, config.width, render::focal_length(from.fovy, config.height), config.foveation};
 }
 
 void foveate(const env::World& world, const mimo_picture_config& config, const render::Picture& drawn) {
@@ -138,10 +136,11 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     array(pixels, 3 * count, "pixels");
     engine::Present present;
     const render::View from = render::view_from(world.model(), present.of(world.physics()), viewpoint(world, ours));
+    const observation::FovealMap map = map_of(ours, from);
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
       Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);
-      if (ours.foveation > 0) to_foveated(map_of(ours, from), pixels + 3 * i);
+      if (ours.foveation > 0) to_foveated(map, pixels + 3 * i);
     }
   });
 }

@@ -69,7 +69,11 @@ void LimitedField::see(std::uint8_t* rgb, std::uint64_t tick, Memory memory) {
 
 void LimitedField::forget() {
   delay_.forget();
-  if (eye_) eye_->begin();
+  if (eye_) forget_sight();
+}
+
+void LimitedField::forget_sight() {
+  eye_->begin();
   seen_at_ = 0;
 }
 
@@ -94,10 +98,7 @@ Section LimitedField::sight() {
     seen_at_ = from.take<std::uint64_t>();
     eye_->load(from);
   };
-  section.forget = [this] {
-    eye_->begin();
-    seen_at_ = 0;
-  };
+  section.forget = [this] { forget_sight(); };
   return section;
 }
 

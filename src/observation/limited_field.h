@@ -58,6 +58,7 @@ class LimitedField {
 
  private:
   void see(std::uint8_t* rgb, std::uint64_t tick, Memory memory);
+  void forget_sight();
   Section sight();
   template <typename T>
   void scale(T* values) const;

@@ -1,11 +1,10 @@
 #include "senses/vision.h"
 
-#include <cmath>
 #include <limits>
 
-#include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "render/projection.h"
 
 namespace mimo::senses {
 namespace {
@@ -61,7 +60,7 @@ Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   }
   const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];
   for (observation::Field& field : fields_) {
-    if (field.focal == 0) field.focal = options_.height / 2.0 / std::tan(fovy / 2 * kDegree);  // those just added
+    if (field.focal == 0) field.focal = render::focal_length(fovy, options_.height);  // those just added
   }
   return view;
 }

@@ -147,23 +147,31 @@ static void parts_are_late_as_told(void) {
   mimo_scene_destroy(scene);
 }
 
-/* A point of the world lies in a foveated picture where the directions of its pixels say. */
-static void foveated_pictures_tell_directions(void) {
+/* Sees with a foveation of 10. */
+static mimo_env* foveated_world(uint32_t width, uint32_t height) {
   mimo_scene* scene = NULL;
   mimo_env* env = NULL;
   mimo_agent_config agent;
+  CHECK_OK(mimo_scene_create(SIZED(mimo_scene_config, .name = "benchmark"), &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.vision_width = width;
+  agent.vision_height = height;
+  agent.vision_foveation = 10;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  mimo_scene_destroy(scene);
+  if (env == NULL) exit(failures());
+  return env;
+}
+
+/* A point of the world lies in a foveated picture where the directions of its pixels say. */
+static void foveated_pictures_tell_directions(void) {
+  mimo_env* env = foveated_world(32, 48);
   mimo_picture_config eye;
   mimo_gaze gaze = {.struct_size = sizeof gaze};
   double point[3], pixel[3], plain[3];
   float* directions = malloc(48 * 32 * 3 * sizeof *directions);
   size_t index = 0, i, left, right;
-  CHECK_OK(mimo_scene_create(SIZED(mimo_scene_config, .name = "benchmark"), &scene));
-  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
-  agent.vision_width = 32;
-  agent.vision_height = 48;
-  agent.vision_foveation = 10;
-  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
-  CHECK_OK(mimo_env_create(scene, NULL, &env));
   CHECK_OK(mimo_layout_find(layout_of(env), "vision/eye_left", &index));
   CHECK_OK(mimo_layout_directions(layout_of(env), index, directions, 48 * 32 * 3));
   left = (24 * 32 + 15) * 3; /* beside the middle, above the middle of the lower half */
@@ -193,25 +201,16 @@ static void foveated_pictures_tell_directions(void) {
               mimo_layout_directions(layout_of(env), index, directions, 3));
   free(directions);
   mimo_env_destroy(env);
-  mimo_scene_destroy(scene);
 }
 
 /* What eyes see of a picture as drawn: what a fovea makes of it is the same as for a picture for people. */
 static void eyes_see_as_pictures_are(void) {
-  mimo_scene* scene = NULL;
-  mimo_env* env = NULL;
-  mimo_agent_config agent;
+  mimo_env* env = foveated_world(32, 32);
   mimo_picture_config eye;
   uint8_t picture[32 * 32 * 3], *block;
   mimo_picture to = {.struct_size = sizeof to, .rgb = picture, .rgb_bytes = sizeof picture};
   mimo_field field;
   size_t bytes;
-  CHECK_OK(mimo_scene_create(SIZED(mimo_scene_config, .name = "benchmark"), &scene));
-  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
-  agent.vision_width = agent.vision_height = 32;
-  agent.vision_foveation = 10;
-  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
-  CHECK_OK(mimo_env_create(scene, NULL, &env));
   bytes = sizes_of(env).block_bytes;
   block = malloc(bytes);
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
@@ -227,7 +226,6 @@ static void eyes_see_as_pictures_are(void) {
   CHECK(memcmp(picture, block + field.offset, sizeof picture) == 0);
   free(block);
   mimo_env_destroy(env);
-  mimo_scene_destroy(scene);
 }
 
 /* Options of the eyes need the eyes. */

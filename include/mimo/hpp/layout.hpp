@@ -53,7 +53,9 @@ class Layout {
   /// How late each element of the flattened field comes, in seconds; 0 for what is sensed at once.
   std::vector<double> delays(const std::string &name) const {
     const mimo_field it = field(name);
-    std::vector<double> seconds(std::accumulate(it.shape, it.shape + it.ndim, std::size_t{1}, std::multiplies<std::size_t>()));
+    const std::size_t elements =
+        std::accumulate(it.shape, it.shape + it.ndim, std::size_t{1}, std::multiplies<std::size_t>());
+    std::vector<double> seconds(elements);
     check(mimo_layout_delays(layout_, find(name), seconds.data(), seconds.size()));
     return seconds;
   }
