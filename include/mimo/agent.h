@@ -26,6 +26,9 @@ extern "C" {
 
 #define MIMO_VESTIBULAR_ACCELERATION 0x1u     /**< vestibular/acceleration, 3, m/s^2, gravity included. */
 #define MIMO_VESTIBULAR_ANGULAR_VELOCITY 0x2u /**< vestibular/angular_velocity, 3, rad/s. */
+#define MIMO_VESTIBULAR_CANALS 0x4u           /**< vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md. */
+#define MIMO_VESTIBULAR_OTOLITHS 0x8u         /**< vestibular/otoliths, 2 x 2 x 2 x 2, Hz: likewise. */
+#define MIMO_VESTIBULAR_GRAVITY 0x10u         /**< vestibular/gravity, 3, m/s^2: where up is, as it is estimated. */
 
 #define MIMO_PLACE_SCENE 0  /**< The scene's own place for an infant. */
 #define MIMO_PLACE_ROOT 1   /**< The origin of its root body mimo_location; standing soles are 0.33 m below. */
@@ -102,7 +105,7 @@ typedef struct mimo_agent_config {
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:
                                     all but JOINT_TORQUE and EFFORT. */
-  uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both. */
+  uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: the first two. */
   double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
   uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
   uint32_t vision_width;       /**< Pixels, 1 to 4096. Default 256. */

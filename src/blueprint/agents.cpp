@@ -35,7 +35,10 @@ void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
     felt.position = felt.velocity = felt.torque = felt.limit = felt.joint_torque = false;
     options.actuation.felt = options.actuation.effort = false;
   }
-  if (!kept.vestibular) options.vestibular.acceleration = options.vestibular.angular_velocity = false;
+  if (!kept.vestibular) {
+    options.vestibular.acceleration = options.vestibular.angular_velocity = false;
+    options.vestibular.labyrinth = {};
+  }
   if (!kept.vision) options.vision.rgb = options.vision.depth = options.vision.segmentation = false;
   if (!kept.touch) {
     senses::TouchOptions& touch = options.touch;

@@ -86,10 +86,15 @@ actuation::Options actuation(const mimo_agent_config& config) {
 }
 
 senses::VestibularOptions vestibular(const mimo_agent_config& config) {
-  check_bits(config.vestibular, MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY, "vestibular");
+  constexpr std::uint32_t kAll = MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY |
+                                 MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+  check_bits(config.vestibular, kAll, "vestibular");
   senses::VestibularOptions options;
   options.acceleration = (config.vestibular & MIMO_VESTIBULAR_ACCELERATION) != 0;
   options.angular_velocity = (config.vestibular & MIMO_VESTIBULAR_ANGULAR_VELOCITY) != 0;
+  options.labyrinth.canals = (config.vestibular & MIMO_VESTIBULAR_CANALS) != 0;
+  options.labyrinth.otoliths = (config.vestibular & MIMO_VESTIBULAR_OTOLITHS) != 0;
+  options.labyrinth.gravity = (config.vestibular & MIMO_VESTIBULAR_GRAVITY) != 0;
   options.at = text(config.vestibular_at);
   return options;
 }

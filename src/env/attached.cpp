@@ -43,7 +43,7 @@ void Attached::add_agent(const AgentOptions& options) {
   }
   AgentOptions idle = options;
   idle.actuation.none = true;  // the host commands
-  agents_.push_back(perceive(*model_, idle, renderer_.get()));
+  agents_.push_back(perceive(*model_, idle, step_seconds_, renderer_.get()));
 }
 
 // Noise is that of the physics step, as a world's is; what the host calls a step is at least one.
@@ -59,12 +59,14 @@ void Attached::reset(const mjData& data, const std::uint64_t* seed) {
   if (seed != nullptr) random.reseed(*seed);
   Episode episode = episode_;
   episode.start(random, seed != nullptr);
-  limits_.begin(*model_, data, nullptr, episode.noise);  // first, as it may fail
+  observer_.begin(*model_, data);
+  limits_.begin(*model_, data, nullptr, episode.noise);  // before the episode starts, as it may fail
   random_ = random;
   episode_ = episode;
 }
 
 void Attached::advance(const mjData& data) {
+  observer_.advance(*model_, data, nullptr);
   limits_.step(*model_, data, nullptr, episode_.noise, ticks(episode_.step + 1), nullptr);
   ++episode_.step;
 }
@@ -76,6 +78,7 @@ void Attached::observe(const mjData& data, std::uint8_t* block) {
 std::vector<Section> Attached::sections() {
   std::vector<Section> sections;
   sections.push_back(episode_.section());
+  observer_.list(sections);
   limits_.list(sections);
   return sections;
 }

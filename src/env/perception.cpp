@@ -45,7 +45,8 @@ SkinPtr make_skin(const mjModel& model, const body::Body& body, const senses::To
 
 }  // namespace
 
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer, SkinPtr skin) {
+Perception perceive(const mjModel& model, const AgentOptions& options, double tick, render::Renderer* renderer,
+                    SkinPtr skin) {
   Perception agent;
   const auto add = [&](std::unique_ptr<observation::Sense> sense) { add_sense(agent, options, std::move(sense)); };
   agent.body = find(model, options);
@@ -55,7 +56,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, render::R
     add(senses::make_proprioception(model, chosen_joints(model, agent.body, options.joints), options.proprioception,
                                     std::move(feedback.commands)));
   }
-  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular));
+  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular, tick));
   if (options.touch.any()) {
     agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));
@@ -84,6 +85,7 @@ std::unique_ptr<observation::Sense> make_camera(const mjModel& model, const Came
 void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<observation::Sense> sense) {
   if (sense->fields().empty()) return;
   for (observation::Field& field : sense->fields()) field.name = options.prefix() + field.name;
+  for (const auto& process : sense->processes()) process->belong_to(options.prefix());
   agent.senses.push_back(std::move(sense));
 }
 

@@ -21,7 +21,8 @@ struct Perception {
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.
 // A skin that is there already is shared instead of made anew.
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer,
+// `tick` is the time from one advance of the senses' processes to the next, s.
+Perception perceive(const mjModel& model, const AgentOptions& options, double tick, render::Renderer* renderer,
                     SkinPtr skin = nullptr);
 
 // One more sense, unless it has no fields; the agent's name goes before theirs.

@@ -192,6 +192,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
       const Stopwatch watch(options_.timing, timing_.physics);
       step_once(last || sensed);
     }
+    observer_.advance(model(), data(), options_.timing ? &timing_.senses : nullptr);
     for (const Agent& agent : agents_) agent.task->watch(physics_);
     if (sensed) limits_.pass(model(), data(), tick, options_.timing ? &timing_.senses : nullptr);
   }
@@ -237,7 +238,10 @@ void World::step_physics(int count) {
   physics_.require_usable();
   physics_.require_undisturbed();
   step_contacts_.begin();
-  for (int i = 0; i < count; ++i) step_once(i + 1 == count);
+  for (int i = 0; i < count; ++i) {
+    step_once(i + 1 == count);
+    observer_.advance(model(), data(), nullptr);
+  }
 }
 
 void World::step_once(bool sensors) {
@@ -253,6 +257,7 @@ void World::observe(std::uint8_t* block) {
 
 // Only steps are timed: looking in between would blur what a step costs.
 void World::sense(std::uint8_t* block, Moment moment) {
+  if (moment == Moment::kStart) observer_.begin(model(), data());
   switch (moment) {
     case Moment::kStart: return limits_.begin(model(), data(), block, episode_.noise);
     case Moment::kStep:
