@@ -7,13 +7,15 @@
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
 #include "env/requested_fields.h"
+#include "env/things.h"
 
 namespace mimo::env {
 
 Attached::Attached(const Kit& kit, double step)
     : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep), limits_(observer_) {
   if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
-  for (const AgentOptions& agent : kit.agents) add_agent(agent);
+  const Setting setting{step_seconds_, things_of(*model_, kit.agents, kit.options)};
+  for (const AgentOptions& agent : kit.agents) add_agent(agent, setting);
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
   }
@@ -32,7 +34,7 @@ Attached::Attached(const Kit& kit, double step)
   archive_ = Archive(engine::shape(*model_), sections());
 }
 
-void Attached::add_agent(const AgentOptions& options) {
+void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
   require(options.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
           options.face);
   if (!options.motors.empty()) {
@@ -43,7 +45,7 @@ void Attached::add_agent(const AgentOptions& options) {
   }
   AgentOptions idle = options;
   idle.actuation.none = true;  // the host commands
-  agents_.push_back(perceive(*model_, idle, step_seconds_, renderer_.get()));
+  agents_.push_back(perceive(*model_, idle, setting, renderer_.get()));
 }
 
 // Noise is that of the physics step, as a world's is; what the host calls a step is at least one.

@@ -11,8 +11,11 @@ namespace {
 using observation::Field;
 using observation::Share;
 
-// Of nerves that end in the brain stem, and in the cortex.
-double late(const growth::Conduction& nerves, double metres) { return nerves.along(metres) + nerves.sensory; }
+// Of nerves that end in the brain stem, and in the cortex; thin ones are slower.
+double late(const growth::Conduction& nerves, double metres, const Field& field) {
+  const bool slow = field.nerve_speed > 0 && nerves.speed > 0;
+  return (slow ? metres / field.nerve_speed : nerves.along(metres) / field.nerve_share) + nerves.sensory;
+}
 
 std::vector<double> of_receptors(const Field& field, const growth::Conduction& nerves,
                                  const std::vector<double>& lengths) {
@@ -20,7 +23,7 @@ std::vector<double> of_receptors(const Field& field, const growth::Conduction& n
   std::vector<double> delays;
   delays.reserve(field.count());
   for (const observation::Receptor& receptor : field.receptors) {
-    delays.insert(delays.end(), width, late(nerves, lengths[static_cast<std::size_t>(receptor.body)]));
+    delays.insert(delays.end(), width, late(nerves, lengths[static_cast<std::size_t>(receptor.body)], field));
   }
   return delays;
 }
@@ -28,7 +31,7 @@ std::vector<double> of_receptors(const Field& field, const growth::Conduction& n
 std::vector<double> of_bodies(const Field& field, const growth::Conduction& nerves,
                               const std::vector<double>& lengths) {
   std::vector<double> delays;
-  for (const int body : field.bodies) delays.push_back(late(nerves, lengths[static_cast<std::size_t>(body)]));
+  for (const int body : field.bodies) delays.push_back(late(nerves, lengths[static_cast<std::size_t>(body)], field));
   return delays;
 }
 

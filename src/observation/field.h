@@ -29,7 +29,9 @@ struct Field {
   Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it
   bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
   double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else
-  std::size_t offset = 0;           // in the block; set by the layout
+  // How fast its nerves are: a share of what large fibres conduct at, or a speed of their own in m/s where it is not 0.
+  double nerve_share = 1, nerve_speed = 0;
+  std::size_t offset = 0;  // in the block; set by the layout
 
   std::size_t count() const;
   std::size_t bytes() const { return count() * size_of(type); }

@@ -77,7 +77,7 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
     UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
-    AGENT_UNKNOWN(proprioception, 0x80), AGENT_UNKNOWN(proprioception, -1), AGENT_UNKNOWN(vestibular, 32),
+    AGENT_UNKNOWN(proprioception, 0x800), AGENT_UNKNOWN(proprioception, -1), AGENT_UNKNOWN(vestibular, 32),
     UNREAL(agent_config, mimo_agent_config, limit_threshold, "limit_threshold"),
     AGENT_REAL(limit_threshold, 0, "limit"), AGENT_UNKNOWN(vision, 8), AGENT(vision_width, 0),
     AGENT(vision_width, 4097), AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097),
