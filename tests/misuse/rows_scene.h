@@ -99,6 +99,13 @@ ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_conf
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent_index, a->part, a->spacing), NULL_OK(part),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
+ROW(mimo_material_name, 0, check_list(mimo_material_name), NONE)
+ROW(mimo_scene_set_room_temperature, ON_SCENE, mimo_scene_set_room_temperature(a->scene, a->spacing),
+    NOT_FINITE(spacing, "celsius"), BAD_F64(spacing, -41, "celsius"), BAD_F64(spacing, 81, "celsius"))
+ROW(mimo_scene_set_temperature, ON_SCENE, mimo_scene_set_temperature(a->scene, a->part, a->spacing),
+    NO_NULL(part, "body"), NOT_FINITE(spacing, "celsius"), BAD_F64(spacing, -273.16, "celsius"),
+    BAD_F64(spacing, 1001, "celsius"))
+ROW(mimo_scene_set_material, ON_SCENE, mimo_scene_set_material(a->scene, a->part, "cork"), NO_NULL(part, "body"))
 ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_index, a->name),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(name, "joint"),
     DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))
