@@ -44,12 +44,16 @@ void Afferents::rest(const Felt& felt) {
   }
 }
 
-void Afferents::go_on(const Felt& felt, const Things& things) {
+void Afferents::go_on(const Felt& felt) {
   for (const int sensor : felt.sensors()) restless_.add(sensor);
-  restless_.each([&](std::size_t sensor) { return update(sensor, felt.of(static_cast<int>(sensor)), things); });
+  restless_.each([&](std::size_t sensor) { return update(sensor, felt.of(static_cast<int>(sensor))); });
 }
 
-bool Afferents::update(std::size_t sensor, const Feeling& feeling, const Things& things) {
+void Afferents::tell(const Felt& felt, const Things& things) {
+  for (const int sensor : restless_.all()) tell(static_cast<std::size_t>(sensor), felt.of(sensor), things);
+}
+
+bool Afferents::update(std::size_t sensor, const Feeling& feeling) {
   State& state = states_[sensor];
   const auto smooth = [this](double& value, double now) { value = now + kept_ * (value - now); };
   smooth(state.normal, feeling.normal);
@@ -62,9 +66,10 @@ bool Afferents::update(std::size_t sensor, const Feeling& feeling, const Things&
   state.depth = depth;
   state.speed = speed;
   const bool gone = feeling.normal == 0 && state.normal < kNoForce && std::abs(speed) < kStill && state.jolts == 0;
-  if (gone) state = {};
-  tell(sensor, feeling, things);
-  return !gone;
+  if (!gone) return true;
+  state = {};
+  tell(sensor, {}, {});
+  return false;
 }
 
 void Afferents::tell(std::size_t sensor, const Feeling& feeling, const Things& things) {
@@ -80,7 +85,7 @@ void Afferents::tell(std::size_t sensor, const Feeling& feeling, const Things& t
   ra_[sensor] = static_cast<float>(ra);
   pc_[sensor] = static_cast<float>(pc);
   const bool stretched = state.normal >= kNoForce && patches_[sensor].region != receptors::Region::kFinger;
-  const double force = std::hypot(state.along, state.across);
+  const double force = std::sqrt(state.along * state.along + state.across * state.across);
   const double all = receptors::stretch(force, patches_[sensor].spacing);
   const auto channel = [&](double part) {
     return stretched ? static_cast<float>(receptors::sa2_rate(force > 0 ? all * part / force : 0, all)) : 0.0F;

@@ -15,7 +15,9 @@ class Afferents {
   Afferents(const std::vector<Patch>& patches, double slip_threshold, double tick);
 
   void rest(const Felt& felt);
-  void go_on(const Felt& felt, const Things& things);
+  void go_on(const Felt& felt);
+  // Brings the rates up to date; only who looks at them pays for it. What is felt is that of the last go_on.
+  void tell(const Felt& felt, const Things& things);
 
   // Hz, by sensor; two directions each of SA2.
   const std::vector<float>& sa1() const { return sa1_; }
@@ -35,7 +37,7 @@ class Afferents {
     double depth = 0, speed = 0;               // m, m/s
     double jolts = 0;                          // envelope of PC, Hz
   };
-  bool update(std::size_t sensor, const Feeling& feeling, const Things& things);
+  bool update(std::size_t sensor, const Feeling& feeling);
   void tell(std::size_t sensor, const Feeling& feeling, const Things& things);
 
   const std::vector<Patch>& patches_;

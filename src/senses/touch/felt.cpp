@@ -7,8 +7,8 @@
 
 namespace mimo::senses::touch {
 
-Felt::Felt(const Skin& skin, Response response)
-    : skin_(skin), spread_(skin, response), feelings_(skin.sensors().size()) {
+Felt::Felt(const Skin& skin, Response response, Wanted wanted)
+    : skin_(skin), spread_(skin, response), wanted_(wanted), feelings_(skin.sensors().size()) {
   sensors_.reserve(feelings_.size());
   pricks_.reserve(feelings_.size());
 }
@@ -32,7 +32,7 @@ void Felt::add(const mjModel& model, const mjData& data, const Press& press, int
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(data.xmat + 9 * press.body);
   const Vec3 point = rotation.transpose() * (press.point - Vec3(data.xpos + 3 * press.body));
   const Vec3 force = rotation.transpose() * press.force;
-  const double sliding = slip_velocity(model, data, press).norm();
+  const double sliding = wanted_.sliding ? slip_velocity(model, data, press).norm() : 0;
   int nearest = -1;
   double most = -1;
   for (const Share& share : spread_.at(press.body, press.geom, point)) {
@@ -53,7 +53,7 @@ void Felt::add(const mjModel& model, const mjData& data, const Press& press, int
       nearest = share.sensor;
     }
   }
-  if (nearest < 0 || pricks_.size() == pricks_.capacity()) return;
+  if (!wanted_.pricks || nearest < 0 || pricks_.size() == pricks_.capacity()) return;
   const double radius = curvature_radius(model, data, press.geom, other_geom, press.point);
   pricks_.push_back({nearest, receptors::contact_pressure(press.normal_force, radius)});
 }

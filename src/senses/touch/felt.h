@@ -25,7 +25,11 @@ struct Prick {
 
 class Felt {
  public:
-  Felt(const Skin& skin, Response response);
+  // What is not wanted, slip and pricks, costs nothing.
+  struct Wanted {
+    bool sliding, pricks;
+  };
+  Felt(const Skin& skin, Response response, Wanted wanted);
 
   void take_in(const mjModel& model, const mjData& data);
   // Those that feel anything now, each once.
@@ -38,6 +42,7 @@ class Felt {
 
   const Skin& skin_;
   Spread spread_;
+  Wanted wanted_;
   std::vector<Feeling> feelings_;
   std::vector<int> sensors_;
   std::vector<Prick> pricks_;

@@ -25,7 +25,8 @@ class Nerves : public observation::Process {
         patches_(touch::patches(model, body, *skin_)),
         wants_warmth_(options.receptors.warmth() || options.receptors.pain()),
         wants_pain_(options.receptors.pain()),
-        felt_(*skin_, options.response),
+        wants_rates_of_warmth_(options.receptors.cold || options.receptors.warm),
+        felt_(*skin_, options.response, {options.receptors.ra || options.receptors.pc, wants_pain_}),
         afferents_(patches_, options.slip_threshold, tick),
         warmth_(patches_, things_->air, tick),
         pain_(patches_, tick) {}
@@ -36,24 +37,36 @@ class Nerves : public observation::Process {
   void rest(const mjModel& model, const mjData& data) override {
     felt_.take_in(model, data);
     afferents_.rest(felt_);
+    stale_ = false;
     warmth_.rest();
     pain_.rest();
   }
   void go_on(const mjModel& model, const mjData& data) override {
     felt_.take_in(model, data);
-    afferents_.go_on(felt_, *things_);
+    afferents_.go_on(felt_);
+    stale_ = true;
     if (wants_warmth_) warmth_.go_on(felt_, afferents_, *things_);
     if (wants_pain_) pain_.go_on(felt_, warmth_);
   }
   void save(ByteWriter& to) const override {
+    tell();
     afferents_.save(to);
     if (wants_warmth_) warmth_.save(to);
     if (wants_pain_) pain_.save(to);
   }
   void load(ByteReader& from) override {
+    stale_ = false;
     afferents_.load(from);
     if (wants_warmth_) warmth_.load(from);
     if (wants_pain_) pain_.load(from);
+  }
+
+  // Rates are worked out when they are looked at.
+  void tell() const {
+    if (!stale_) return;
+    afferents_.tell(felt_, *things_);
+    if (wants_rates_of_warmth_) warmth_.tell();
+    stale_ = false;
   }
 
   Signal signal(const char* name, const std::vector<float>& values, const char* unit = "Hz") const;
@@ -62,10 +75,11 @@ class Nerves : public observation::Process {
   std::shared_ptr<const touch::Skin> skin_;
   touch::ThingsPtr things_;
   std::vector<touch::Patch> patches_;
-  bool wants_warmth_, wants_pain_;
+  bool wants_warmth_, wants_pain_, wants_rates_of_warmth_;
+  mutable bool stale_ = false;  // rates are of an earlier step
   touch::Felt felt_;
-  touch::Afferents afferents_;
-  touch::Warmth warmth_;
+  mutable touch::Afferents afferents_;
+  mutable touch::Warmth warmth_;
   touch::Pain pain_;
 };
 
@@ -80,8 +94,10 @@ Signal Nerves::signal(const char* name, const std::vector<float>& values, const 
   field.unit = unit;
   if (unit == std::string("Hz")) field.low = 0;
   field.receptors = skin_->sensors();
-  return {field,
-          [&values](const mjModel&, const mjData&, float* out) { std::copy(values.begin(), values.end(), out); }};
+  return {field, [this, &values](const mjModel&, const mjData&, float* out) {
+            tell();
+            std::copy(values.begin(), values.end(), out);
+          }};
 }
 
 // How many afferents of each kind a sensor stands for; on a regular grid of triangles it has 0.87 of its spacing's

@@ -64,9 +64,15 @@ bool Warmth::update(std::size_t sensor, int touching, double force, const Things
   state.at_warm = state.surface + kept_warm_ * (state.at_warm - state.surface);
   const auto off = [this](double degrees) { return std::abs(degrees - rest_) > kRested; };
   const bool restless = state.other >= 0 || off(state.surface) || off(state.at_cold) || off(state.at_warm);
-  if (!restless) state = {rest_, rest_, rest_};
+  temperature_[sensor] = static_cast<float>(state.surface);
+  if (restless) return true;
+  state = {rest_, rest_, rest_};
   tell(sensor);
-  return restless;
+  return false;
+}
+
+void Warmth::tell() {
+  for (const int sensor : restless_.all()) tell(static_cast<std::size_t>(sensor));
 }
 
 void Warmth::tell(std::size_t sensor) {

@@ -15,6 +15,9 @@ class Warmth {
   // `afferents` are those of the same tick: they know how hard each sensor is pressed.
   void go_on(const Felt& felt, const Afferents& afferents, const Things& things);
 
+  // Brings the rates up to date; only who looks at them pays for it.
+  void tell();
+
   const std::vector<float>& temperature() const { return temperature_; }  // degrees Celsius
   const std::vector<float>& cold() const { return cold_; }                // Hz
   const std::vector<float>& warm() const { return warm_; }
