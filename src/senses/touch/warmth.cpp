@@ -39,7 +39,8 @@ void Warmth::go_on(const Felt& felt, const Afferents& afferents, const Things& t
     if (afferents.force(static_cast<std::size_t>(sensor)) > kTouching) restless_.add(sensor);
   }
   restless_.each([&](std::size_t sensor) {
-    return update(sensor, felt.of(static_cast<int>(sensor)).other, afferents.force(sensor), things);
+    const double force = afferents.force(sensor);
+    return update(sensor, force > kTouching ? felt.of(static_cast<int>(sensor)).other : -1, force, things);
   });
 }
 
