@@ -23,7 +23,7 @@ extern "C" {
 #define MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY 0x100u /**< proprioception/spindle_secondary, likewise: II. */
 #define MIMO_PROPRIOCEPTION_TENDON_ORGAN 0x200u      /**< proprioception/tendon_organ, likewise: Ib. */
 #define MIMO_PROPRIOCEPTION_JOINT_RECEPTOR 0x400u    /**< proprioception/joint_receptor, joints x 2: near its ends. */
-#define MIMO_PROPRIOCEPTION_ALL 0x80000000u    /**< All that the loaded library has. */
+#define MIMO_PROPRIOCEPTION_ALL 0x80000000u          /**< All that the loaded library has. */
 
 #define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */

@@ -28,8 +28,8 @@ MIMO_API mimo_status mimo_scene_set_room_temperature(mimo_scene *scene, double c
 MIMO_API mimo_status mimo_scene_set_temperature(mimo_scene *scene, const char *body, double celsius) MIMO_NOEXCEPT;
 
 /**
- * Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to slide
- * over. Default "plastic", of infants "skin".
+ * Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to
+ * slide over. Default "plastic", of infants "skin".
  * @param body     as in mimo_scene_set_temperature.
  * @param material one of mimo_material_name.
  * Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in
