@@ -108,6 +108,14 @@ pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
 pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
 #[doc = "proprioception/effort, 0 to 1: see docs/guide/muscles.md."]
 pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
+#[doc = "proprioception/spindle_primary, two muscles a motor: Ia."]
+pub const MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY: u32 = 128;
+#[doc = "proprioception/spindle_secondary, likewise: II."]
+pub const MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY: u32 = 256;
+#[doc = "proprioception/tendon_organ, likewise: Ib."]
+pub const MIMO_PROPRIOCEPTION_TENDON_ORGAN: u32 = 512;
+#[doc = "proprioception/joint_receptor, joints x 2: near its ends."]
+pub const MIMO_PROPRIOCEPTION_JOINT_RECEPTOR: u32 = 1024;
 #[doc = "All that the loaded library has."]
 pub const MIMO_PROPRIOCEPTION_ALL: u32 = 2147483648;
 #[doc = "Colour, uint8 H x W x 3, row 0 is the top."]
@@ -120,6 +128,12 @@ pub const MIMO_VISION_SEGMENTATION: u32 = 4;
 pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
 #[doc = "vestibular/angular_velocity, 3, rad/s."]
 pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
+#[doc = "vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md."]
+pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
+#[doc = "vestibular/otoliths, 2 x 2 x 2 x 2, Hz: likewise."]
+pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
+#[doc = "vestibular/gravity, 3, m/s^2: where up is, as it is estimated."]
+pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
 #[doc = "The scene's own place for an infant."]
 pub const MIMO_PLACE_SCENE: u32 = 0;
 #[doc = "The origin of its root body mimo_location; standing soles are 0.33 m below."]
@@ -170,6 +184,26 @@ pub const MIMO_TOUCH_NORMAL_FORCE: u32 = 2;
 pub const MIMO_TOUCH_SLIP: u32 = 4;
 #[doc = "touch/friction_use, N x 1: share of the possible friction in use; 1: all."]
 pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
+#[doc = "touch/sa1: how deep the skin is pressed."]
+pub const MIMO_TOUCH_SA1: u32 = 16;
+#[doc = "touch/ra: how fast that changes, and sliding."]
+pub const MIMO_TOUCH_RA: u32 = 32;
+#[doc = "touch/pc: jolts and vibration, as an envelope."]
+pub const MIMO_TOUCH_PC: u32 = 64;
+#[doc = "touch/sa2, N x 2: stretch along the sensor's two tangents."]
+pub const MIMO_TOUCH_SA2: u32 = 128;
+#[doc = "touch/temperature: of the skin's surface, degrees Celsius."]
+pub const MIMO_TOUCH_TEMPERATURE: u32 = 256;
+#[doc = "touch/cold."]
+pub const MIMO_TOUCH_COLD: u32 = 512;
+#[doc = "touch/warm."]
+pub const MIMO_TOUCH_WARM: u32 = 1024;
+#[doc = "touch/nociception_fast: pricks and heat, at once."]
+pub const MIMO_TOUCH_NOCICEPTION_FAST: u32 = 2048;
+#[doc = "touch/nociception_slow: the same and cold, late and lasting."]
+pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
+#[doc = "touch/units, N x 4: SA1, RA, PC, SA2 that a sensor stands for."]
+pub const MIMO_TOUCH_UNITS: u32 = 8192;
 #[doc = "The nearest sensor feels all of a touch."]
 pub const MIMO_RESPONSE_NEAREST: u32 = 1;
 #[doc = "Weights fall linearly with the distance along the skin, to 0 at 2 spacings."]
@@ -842,9 +876,9 @@ pub struct mimo_agent_config {
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
     #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:"]
-    #[doc = "all but JOINT_TORQUE and EFFORT."]
+    #[doc = "all but JOINT_TORQUE, EFFORT and what nerves tell."]
     pub proprioception: u32,
-    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both."]
+    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: the first two."]
     pub vestibular: u32,
     #[doc = "Limit sensors work this near to a limit; radians, > 0. Default 0.035."]
     pub limit_threshold: f64,
@@ -1108,6 +1142,43 @@ extern "C" {
         body: *const std::os::raw::c_char,
         seconds: f64,
     ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets how warm the room is: its air, and all that has no temperature of its own. Default 24, at which naked skin is"]
+    #[doc = "33.0. Infants are as warm as skin in that room. For environments made and senses attached from now on."]
+    #[doc = "@param celsius -40 to 80."]
+    pub fn mimo_scene_set_room_temperature(scene: *mut mimo_scene, celsius: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets how warm a body of the scene is, with all that hangs on it; it stays so whatever touches it. Where several calls"]
+    #[doc = "concern a body, the last one counts."]
+    #[doc = "@param body    its name in the model, \"cup\", \"anna/left_hand\"."]
+    #[doc = "@param celsius -273.15 (absolute zero) to 1000."]
+    #[doc = "Errors: a body that the model does not have is MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach."]
+    pub fn mimo_scene_set_temperature(
+        scene: *mut mimo_scene,
+        body: *const std::os::raw::c_char,
+        celsius: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to"]
+    #[doc = "slide over. Default \"plastic\", of infants \"skin\"."]
+    #[doc = "@param body     as in mimo_scene_set_temperature."]
+    #[doc = "@param material one of mimo_material_name."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in"]
+    #[doc = "        mimo_scene_set_temperature."]
+    pub fn mimo_scene_set_material(
+        scene: *mut mimo_scene,
+        body: *const std::os::raw::c_char,
+        material: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Name of the index-th material, or NULL past the last: \"copper\", \"aluminium\", \"steel\", \"granite\", \"glass\", \"water\","]
+    #[doc = "\"polyethylene\", \"plastic\", \"rubber\", \"leather\", \"hardwood\", \"softwood\", \"cotton\", \"cork\", \"foam\", \"skin\". Static"]
+    #[doc = "string."]
+    pub fn mimo_material_name(index: usize) -> *const std::os::raw::c_char;
 }
 #[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
 #[repr(C)]
