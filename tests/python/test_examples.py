@@ -33,7 +33,7 @@ def test_no_example_is_forgotten(root):
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | in_test_sb3
 
 
-@pytest.mark.parametrize(("page", "least"), [("python.md", 6), ("coming-from-mimo.md", 2)])
+@pytest.mark.parametrize(("page", "least"), [("python.md", 6), ("coming-from-mimo.md", 2), ("guide/classic.md", 1)])
 def test_programs_of_the_documentation(page, least, root, tmp_path):
     text = (root / "docs" / page).read_text()
     programs = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)
