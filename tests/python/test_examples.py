@@ -8,6 +8,7 @@ import sys
 import pytest
 
 EXAMPLES = {
+    "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
     "muscles.py": [],
     "own_experiment.py": ["--worlds", "2", "--steps", "20"],
     "own_scene.py": [],
@@ -33,7 +34,10 @@ def test_no_example_is_forgotten(root):
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | in_test_sb3
 
 
-@pytest.mark.parametrize(("page", "least"), [("python.md", 6), ("coming-from-mimo.md", 2), ("guide/classic.md", 1)])
+@pytest.mark.parametrize(
+    ("page", "least"),
+    [("python.md", 6), ("coming-from-mimo.md", 2), ("guide/classic.md", 1), ("guide/babybench.md", 2)],
+)
 def test_programs_of_the_documentation(page, least, root, tmp_path):
     text = (root / "docs" / page).read_text()
     programs = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)

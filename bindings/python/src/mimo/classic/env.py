@@ -30,10 +30,11 @@ GOALS = ("achieved_goal", "desired_goal")
 class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     """One world with the original's observations, goals and info.
 
-    `model_path` is the name of a built-in scene, or the path of an MJCF file of your own. `initial_qpos` has angles of
-    joints (rad) by name, seven numbers for the root `mimo_location`. What a sense is told by its dictionary, and None
-    switches it off, is in mimo.classic.params. `parameters` are those of the library's task. Further options are those
-    of mimo.World. With `tell_differences` the environment warns of each place where its numbers are not the original's.
+    `model_path` is the name of a built-in scene, the path of an MJCF file of your own, or a mimo.Scene. `initial_qpos`
+    has angles of joints (rad) by name, seven numbers for the root `mimo_location`. What a sense is told by its
+    dictionary is in mimo.classic.params; None switches it off. `parameters` are those of the library's task, further
+    options those of mimo.World. With `tell_differences` the environment warns of each place where its numbers are not
+    the original's.
 
     Environments of your own derive from it and override what the original's do: compute_reward, is_success,
     is_failure, is_truncated, sample_goal, get_achieved_goal, reset_model, _step_callback.

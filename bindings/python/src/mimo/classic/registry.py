@@ -10,6 +10,7 @@ from gymnasium.envs.registration import EnvSpec
 
 from . import envs
 from .differences import differences_of
+from .members import SPEC
 
 # Class and step limit of each.
 ENVIRONMENTS: Mapping[str, Tuple[Any, int]] = {
@@ -26,7 +27,8 @@ ENVIRONMENTS: Mapping[str, Tuple[Any, int]] = {
 
 def _spec(name: str) -> EnvSpec:
     kind, steps = ENVIRONMENTS[_known(name)]
-    return EnvSpec(name, entry_point=f"mimo.classic:{kind.__name__}", max_episode_steps=steps)
+    entry = f"mimo.classic:{kind.__name__}"
+    return EnvSpec(name, entry_point=entry, max_episode_steps=steps, additional_wrappers=(SPEC,))
 
 
 def make(name: str, **arguments: Any) -> "gymnasium.Env[Any, Any]":

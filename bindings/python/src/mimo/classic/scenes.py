@@ -55,13 +55,19 @@ def scene_of(
 
 
 def _start(model_path: Any) -> Tuple[Scene, bool]:
+    if isinstance(model_path, Scene):
+        return model_path.copy(), _brings_infant(model_path)
     path = os.fspath(model_path)
     if path in scenes():
         return Scene(path), False
     if not os.path.exists(path):
         raise FileNotFoundError(f"model_path is {path!r}, expected an MJCF file or one of {', '.join(scenes())}")
     scene = Scene(file=path)
-    return scene, f'name="{ROOT}"' in scene.xml
+    return scene, _brings_infant(scene)
+
+
+def _brings_infant(scene: Scene) -> bool:
+    return f'name="{ROOT}"' in scene.xml
 
 
 def _posed(pose: Mapping[str, ArrayLike]) -> Tuple[Dict[str, float], Dict[str, Any]]:
