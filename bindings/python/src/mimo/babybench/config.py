@@ -47,7 +47,7 @@ def load(config: Given) -> Config:
 
 
 def on(config: Mapping[str, Any], prefix: str) -> List[str]:
-    """The groups that are switched on: on(config, "act")."""
+    """The groups that are switched on by switches of a kind, such as "act"."""
     return [group for name, group in flags(prefix).items() if config[name]]
 
 
