@@ -129,8 +129,8 @@ static void check_agents(void) {
   } while (0)
   REFUSED(MIMO_E_NOT_FOUND, "no body named \"octopus\"; there are: mitten, fingers", body, "octopus", "mitten");
   REFUSED(MIMO_E_INVALID_ARGUMENT, "name is \"a/b\"", name, "a/b", "anna");
-  REFUSED(MIMO_E_UNSUPPORTED, "proprioception is 0x80", proprioception, 0x80, defaults);
-  REFUSED(MIMO_E_UNSUPPORTED, "vestibular is 0x4", vestibular, 4, 3);
+  REFUSED(MIMO_E_UNSUPPORTED, "proprioception is 0x800", proprioception, 0x800, defaults);
+  REFUSED(MIMO_E_UNSUPPORTED, "vestibular is 0x20", vestibular, 0x20, 3);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is 0", limit_threshold, 0, 0.035);
   REFUSED(MIMO_E_INVALID_ARGUMENT, "limit_threshold is nan", limit_threshold, (double)NAN, 0.035);
   REFUSED(MIMO_E_UNSUPPORTED, "vision is 0x8", vision, 8, MIMO_VISION_RGB);
