@@ -28,6 +28,11 @@ struct Maturity {
   growth::Conduction nerves;
 };
 
+struct ReflexOptions {
+  std::uint32_t wanted = 0;     // bits in the order of reflexes::Reflex
+  bool where_possible = false;  // of these, those that the body can do; else one that it cannot do is refused
+};
+
 struct AgentOptions {
   std::string name;  // "" for a sole agent
   std::string root;  // "": an infant; else the body of the model that the agent consists of, with all below it
@@ -36,6 +41,7 @@ struct AgentOptions {
   senses::VestibularOptions vestibular;
   senses::VisionOptions vision;
   actuation::Options actuation;
+  ReflexOptions reflexes;  // of an infant
   senses::TouchOptions touch;
   growth::Growth growth;                        // of an infant
   std::optional<Maturity> maturity;             // nothing: as its growth says
