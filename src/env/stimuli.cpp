@@ -1,5 +1,6 @@
 #include "env/stimuli.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -76,9 +77,10 @@ void Stimuli::mark(const mjModel& model, const std::string& name, Part part, std
 // The palm looks to where fingers bend.
 void Stimuli::find_hands(const mjModel& model) {
   for (std::size_t side = 0; side < kSides; ++side) {
-    for (const char* name : {"hand", "ffknuckle", "mfknuckle", "rfknuckle", "lfknuckle", "lfmetacarpal"}) {
+    for (const char* name : {"hand", "ffknuckle", "mfknuckle", "rfknuckle", "lfknuckle", "lfmetacarpal", "thbase"}) {
       mark(model, name, Part::kHand, side);
     }
+    hand_[side] = engine::find_or_fail(model, Kind::kBody, prefix_ + kSideNames[side] + "_hand");
     const std::string its = prefix_ + "robot:" + kSideNames[side] + "_mf_knuckle";
     const int joint = engine::find_or_fail(model, Kind::kJoint, its);
     const std::string next = prefix_ + kSideNames[side] + "_mfmiddle";
@@ -131,6 +133,7 @@ void Stimuli::take_in(const mjModel& model, const mjData& data) {
 }
 
 void Stimuli::touch(const mjModel& model, const mjData& data) {
+  hurt_ = {};
   for (int i = 0; i < data.ncon; ++i) {
     const int first = data.contact[i].geom1, second = data.contact[i].geom2;
     const int bodies[] = {model.geom_bodyid[first], model.geom_bodyid[second]};
@@ -144,6 +147,8 @@ void Stimuli::touch(const mjModel& model, const mjData& data) {
     const Side side = at_first.own ? Side::kFirst : Side::kSecond;
     feel(model, data, press_on(model, data, i, *force, side), at_first.own ? second : first);
   }
+  Sides& withdrawal = share(Reflex::kWithdrawal);
+  for (std::size_t side = 0; side < kSides; ++side) withdrawal[side] = std::max(withdrawal[side], hurt_[side]);
 }
 
 void Stimuli::feel(const mjModel& model, const mjData& data, const Press& press, int other_geom) {
@@ -160,8 +165,8 @@ void Stimuli::feel(const mjModel& model, const mjData& data, const Press& press,
 }
 
 void Stimuli::feel_hand(const mjData& data, const Press& press, std::size_t side) {
-  const Vec3 outward = rotation(data, press.body).transpose() * press.normal;
-  if (outward.dot(palm_[side]) <= 0) return;  // the back of the hand
+  const Vec3 palm = rotation(data, hand_[side]) * palm_[side];
+  if (press.normal.dot(palm) <= 0) return;  // the back of the hand
   share(Reflex::kPalmarGrasp)[side] += press.normal_force / reflexes::rule(Reflex::kPalmarGrasp).threshold;
 }
 
@@ -182,14 +187,14 @@ void Stimuli::feel_leg(const mjModel& model, const mjData& data, const Press& pr
   const double factor = place.part == Part::kThigh      ? reflexes::kThigh
                         : place.part == Part::kLowerLeg ? reflexes::kLowerLeg
                                                         : 1;
-  double& strongest = share(Reflex::kWithdrawal)[place.side];
   if (!stands_still(model, press.other)) {
-    strongest = std::max(strongest, press.normal_force / (withdrawal_ * factor));
+    share(Reflex::kWithdrawal)[place.side] += press.normal_force / (withdrawal_ * factor);
     return;
   }
   const double radius = senses::touch::curvature_radius(model, data, press.geom, other_geom, press.point);
   const double pressure = receptors::contact_pressure(press.normal_force, radius);
-  strongest = std::max(strongest, pressure / receptors::kPainfulPressure);
+  double& hurt = hurt_[place.side];
+  hurt = std::max(hurt, pressure / receptors::kPainfulPressure);
 }
 
 void Stimuli::feel_face(const mjData& data, const Press& press) {

@@ -65,7 +65,8 @@ class Stimuli {
   double withdrawal_;          // N, on the sole
   double smoothed_, slow_;     // shares that the two filters of the otoliths' change take in with each tick
   std::vector<Place> places_;  // by body of the model
-  std::array<Vec3, reflexes::kSides> palm_;      // where the palm looks, in the frames of hand and fingers
+  std::array<int, reflexes::kSides> hand_{};     // bodies
+  std::array<Vec3, reflexes::kSides> palm_;      // where the palm looks, in the hand's frame
   std::array<double, reflexes::kSides> ball_{};  // from there on the foot's ball begins, m along the foot
   std::array<Vec3, reflexes::kSides> mouth_;     // its corners, from the head's middle; of length 1
   Vec3 head_middle_ = Vec3::Zero();
@@ -73,6 +74,7 @@ class Stimuli {
 
   std::array<Sides, reflexes::kReflexes> shares_{};
   Sides load_{};
+  Sides hurt_{};  // of legs, by what stands still: the pressure in units of the painful one
   Vec3 quick_ = Vec3::Zero(), lasting_ = Vec3::Zero();  // what the otoliths feel, smoothed; m/s^2, in the head
 };
 
