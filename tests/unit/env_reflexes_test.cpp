@@ -251,5 +251,274 @@ TEST(ReflexesInWorlds, AreHabituatedTo) {
   }
 }
 
+// An infant whose head is held so far to the left.
+class LookingAside : public Hanging {
+ public:
+  LookingAside(double degrees, const env::AgentOptions& agent, int frame_skip = 1)
+      : Hanging("mitten", agent, frame_skip), joint_(id(mjOBJ_JOINT, "robot:head_swivel")) {
+    turn(degrees);
+  }
+  void turn(double degrees) {
+    const double angle = degrees * 3.14159265358979323846 / 180;
+    data().qpos[model().jnt_qposadr[joint_]] = angle;
+    world().physics().hold(engine::find_lock(model(), joint_), angle);
+  }
+  // A second, with these actions.
+  void wait(const std::vector<float>& actions, double seconds = 1) {
+    for (int i = 0; i < std::lround(seconds / world().step_seconds()); ++i) step(actions);
+  }
+
+ private:
+  int joint_;
+};
+
+const char* const kNeck = "asymmetric_tonic_neck";
+
+// 45 degrees and more; the side of the face is stretched, the other one bent, with 0.3 of what each motor can do: of
+// the elbow 0.83 and 1, of the knee 1 and 0.65, of the hip 1 to both sides.
+TEST(ReflexesInWorlds, ATurnedHeadStretchesTheLimbsOfItsSide) {
+  const std::string reflex = kNeck;
+  LookingAside little(40, newborn(bit(Reflex::kTonicNeck)));
+  EXPECT_LT(little.delay(reflex + "/left"), 0);
+  for (const bool left : {true, false}) {
+    const std::string face = left ? "left" : "right", back = left ? "right" : "left";
+    LookingAside infant(left ? 55 : -55, newborn(bit(Reflex::kTonicNeck)));
+    infant.wait({});
+    EXPECT_NEAR(infant.now(reflex + "/" + face), 1, 1e-6);
+    EXPECT_EQ(infant.now(reflex + "/" + back), 0);
+    EXPECT_NEAR(infant.control(face + "_elbow"), 0.3 * 0.83, 1e-9);
+    EXPECT_NEAR(infant.control(face + "_knee"), 0.3, 1e-9);
+    EXPECT_NEAR(infant.control(face + "_hip_flex"), 0.3, 1e-9);
+    EXPECT_NEAR(infant.control(back + "_elbow"), -0.3, 1e-9);
+    EXPECT_NEAR(infant.control(back + "_knee"), -0.3 * 0.65, 1e-9);
+    EXPECT_NEAR(infant.control(back + "_hip_flex"), -0.3, 1e-9);
+    EXPECT_EQ(infant.control(face + "_shoulder_abduction"), 0);
+  }
+}
+
+// What is left and what is right follows the mirror image, motor by motor and tick by tick.
+TEST(ReflexesInWorlds, MirroredStimuliGiveMirroredMovements) {
+  LookingAside left(60, newborn(bit(Reflex::kTonicNeck))), right(-60, newborn(bit(Reflex::kTonicNeck)));
+  for (int tick = 0; tick < 200; ++tick) {
+    left.step();
+    right.step();
+    for (const char* motor : {"elbow", "knee", "hip_flex"}) {
+      EXPECT_EQ(left.control(std::string("left_") + motor), right.control(std::string("right_") + motor));
+      EXPECT_EQ(left.control(std::string("right_") + motor), right.control(std::string("left_") + motor));
+    }
+  }
+}
+
+std::size_t action_of(const Hanging& infant, const std::string& motor) {
+  const std::vector<std::string>& names = const_cast<Hanging&>(infant).world().agents()[0].actuation->names();
+  const auto found = std::find(names.begin(), names.end(), "act:" + motor);
+  EXPECT_NE(found, names.end()) << motor;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+// They add to commands, to no more than the motors' limits; what was commanded comes back to the bit.
+TEST(ReflexesInWorlds, AddToWhatIsCommanded) {
+  LookingAside infant(55, newborn(bit(Reflex::kTonicNeck)));
+  std::vector<float> actions(infant.world().action_size(), 0.0F);
+  actions[action_of(infant, "left_elbow")] = -1;
+  actions[action_of(infant, "left_knee")] = 0.9F;
+  actions[action_of(infant, "right_elbow")] = 0.1F;
+  infant.wait(actions);
+  EXPECT_NEAR(infant.control("left_elbow"), -1 + 0.3 * 0.83, 1e-7);
+  EXPECT_EQ(infant.control("left_knee"), 1);
+  EXPECT_NEAR(infant.control("right_elbow"), 0.1 - 0.3, 1e-7);
+  infant.data().ctrl[infant.id(mjOBJ_ACTUATOR, "act:left_elbow")] = 0.25;  // by the host
+  infant.step();
+  EXPECT_NEAR(infant.control("left_elbow"), 0.25 + 0.3 * 0.83, 1e-7);
+  infant.turn(0);
+  infant.wait({});
+  EXPECT_EQ(infant.now(kNeck + std::string("/left")), 0);
+  EXPECT_EQ(infant.control("left_elbow"), 0.25);
+  EXPECT_EQ(infant.control("left_knee"), static_cast<double>(0.9F));
+  EXPECT_EQ(infant.control("right_elbow"), static_cast<double>(0.1F));
+}
+
+// A command that equals what stands there with the reflex is a command all the same.
+TEST(ReflexesInWorlds, ACommandAtTheLimitIsKept) {
+  LookingAside infant(55, newborn(bit(Reflex::kTonicNeck)));
+  std::vector<float> actions(infant.world().action_size(), 0.0F);
+  actions[action_of(infant, "left_knee")] = 0.9F;
+  infant.wait(actions);
+  ASSERT_EQ(infant.control("left_knee"), 1);
+  actions[action_of(infant, "left_knee")] = 1;
+  infant.step(actions);
+  infant.turn(0);
+  infant.wait({});
+  EXPECT_EQ(infant.control("left_knee"), 1);
+}
+
+TEST(ReflexesInWorlds, PullTheMuscleOfTheirSide) {
+  env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck));
+  agent.actuation.mode = actuation::Mode::kMuscle;
+  LookingAside infant(55, agent);
+  std::vector<float> actions(infant.world().action_size(), 0.0F);
+  actions[action_of(infant, "left_knee/positive")] = 0.9F;
+  actions[action_of(infant, "right_elbow/negative")] = 0.2F;
+  infant.wait(actions);
+  Observation block(infant.world());
+  infant.world().step(actions, block.data(), {});
+  const auto activation = [&](const char* muscle) { return block.at("proprioception/activation", muscle); };
+  EXPECT_NEAR(activation("act:left_elbow/positive"), 0.3, 1e-3);
+  EXPECT_NEAR(activation("act:left_elbow/negative"), 0, 1e-3);
+  EXPECT_NEAR(activation("act:left_knee/positive"), 1, 1e-3);
+  EXPECT_NEAR(activation("act:right_elbow/negative"), 0.5, 1e-3);
+}
+
+// Under position control by a share of the range of motion, within it.
+TEST(ReflexesInWorlds, MoveTheAngleThatIsCommanded) {
+  env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck));
+  agent.actuation.mode = actuation::Mode::kPosition;
+  LookingAside infant(55, agent);
+  const int elbow = infant.id(mjOBJ_JOINT, "robot:left_elbow"), knee = infant.id(mjOBJ_JOINT, "robot:left_knee");
+  const double* range = infant.model().jnt_range;
+  std::vector<float> actions(infant.world().action_size(), 0.0F);
+  actions[action_of(infant, "left_elbow")] = -1.5F;
+  actions[action_of(infant, "head_swivel")] = 0.96F;
+  infant.wait(actions);
+  const auto held = [&](int joint) {
+    return engine::lock_angle(infant.model(), engine::find_lock(infant.model(), joint));
+  };
+  EXPECT_NEAR(held(elbow), -1.5 + 0.3 * (range[2 * elbow + 1] - range[2 * elbow]), 1e-6);
+  EXPECT_NEAR(held(knee), range[2 * knee + 1], 1e-9);
+}
+
+TEST(ReflexesInWorlds, LeaveLockedJointsAlone) {
+  LookingAside infant(55, newborn(bit(Reflex::kTonicNeck)));
+  infant.lock(infant.id(mjOBJ_JOINT, "robot:left_elbow"));
+  infant.wait({});
+  EXPECT_EQ(infant.control("left_elbow"), 0);
+  EXPECT_NEAR(infant.control("left_knee"), 0.3, 1e-9);
+  infant.world().physics().release(engine::find_lock(infant.model(), infant.id(mjOBJ_JOINT, "robot:left_elbow")));
+  infant.step();
+  EXPECT_NEAR(infant.control("left_elbow"), 0.3 * 0.83, 1e-9);
+}
+
+// Held, nothing; let go, it falls, and what the otoliths feel goes from 1 g to none at once. Arms open, then close.
+TEST(ReflexesInWorlds, AFallThrowsTheArmsOpen) {
+  Hanging infant("mitten", newborn(bit(Reflex::kMoro)), 1, true);
+  infant.lock_all();
+  // The weld that holds it gives way at first; after half a minute that is forgotten.
+  for (int tick = 0; tick < 6400; ++tick) infant.step();
+  EXPECT_LT(infant.delay("moro/left"), 0) << "while it is held";
+  for (const body::Joint& joint : infant.world().agents()[0].body.joints) {
+    if (const int lock = engine::find_lock(infant.model(), joint.id); lock >= 0) infant.world().physics().release(lock);
+  }
+  infant.world().physics().release(infant.id(mjOBJ_EQUALITY, "hold"));
+  const double after = infant.delay("moro/left");
+  // Filters take up to 0.03 s, nerves 10 ms there and back, the brain stem 25 ms.
+  EXPECT_GT(after, 0.035);
+  EXPECT_LT(after, 0.08);
+  EXPECT_GT(infant.now("moro/right"), 0);
+  double opened = 0, closed = 0;
+  for (int tick = 0; tick < 400; ++tick) {
+    infant.step();
+    opened = std::max(opened, infant.control("left_shoulder_abduction"));
+    closed = std::min(closed, infant.control("left_elbow"));
+    EXPECT_EQ(infant.control("left_elbow"), infant.control("right_elbow"));
+    EXPECT_TRUE(tick >= 60 || infant.control("left_elbow") >= 0);
+  }
+  EXPECT_NEAR(opened, 0.4, 1e-6);
+  EXPECT_NEAR(closed, -0.4, 1e-6);
+}
+
+// The head turned back fast, as if it dropped.
+TEST(ReflexesInWorlds, AHeadThatDropsBackIsEnough) {
+  for (const bool fast : {true, false}) {
+    Hanging infant("mitten", newborn(bit(Reflex::kMoro)));
+    const int dof = infant.model().jnt_dofadr[infant.id(mjOBJ_JOINT, "robot:head_tilt")];
+    double most = 0;
+    for (int tick = 0; tick < 60; ++tick) {
+      if (tick < 4) infant.data().qvel[dof] = fast ? -4 : 0.1;
+      infant.step();
+      most = std::max(most, infant.now("moro/left"));
+    }
+    EXPECT_EQ(most > 0, fast);
+  }
+}
+
+// The same bytes whatever a step is.
+TEST(ReflexesInWorlds, DoNotDependOnFrameSkip) {
+  const auto state = [](int frame_skip) {
+    LookingAside infant(55, newborn(bit(Reflex::kTonicNeck) | bit(Reflex::kMoro)), frame_skip);
+    infant.wait({}, 0.6);
+    return std::pair(std::vector<double>(infant.data().qpos, infant.data().qpos + infant.model().nq),
+                     infant.now(kNeck + std::string("/left")));
+  };
+  const auto one = state(1);
+  EXPECT_EQ(state(2), one);
+  EXPECT_EQ(state(5), one);
+}
+
+Bytes physical(env::World& world) {
+  Bytes bytes(4096 * 16);
+  ByteWriter to{Span<std::uint8_t>(bytes)};
+  world.physics().save(to);
+  bytes.resize(to.size());
+  return bytes;
+}
+
+// Whoever has none, and whoever's are over, move alike to the bit.
+TEST(ReflexesInWorlds, WhatIsOffOrOverChangesNothing) {
+  Hanging none("fingers", newborn(0, 10)), over("fingers", newborn(bit(Reflex::kMoro) | bit(Reflex::kTonicNeck), 10));
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<float> actions = some_actions(none.world(), i);
+    none.world().step(actions, nullptr, {});
+    over.world().step(actions, nullptr, {});
+  }
+  EXPECT_EQ(physical(none.world()), physical(over.world()));
+  for (std::size_t i = 0; i < none.world().layout().size(); ++i) {
+    EXPECT_EQ(none.world().layout()[i].name.find("reflex"), std::string::npos);
+  }
+}
+
+// In the middle of one, on its way and with its habituation: what is loaded goes on as if nothing had happened; what
+// has no memory of them starts rested, and an episode starts so too.
+TEST(ReflexesInWorlds, GoOnFromAState) {
+  const env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck) | bit(Reflex::kMoro));
+  LookingAside one(55, agent), other(0, agent);
+  const std::string label = kNeck + std::string("/left");
+  for (const double seconds : {0.02, 0.1, 1.0}) {
+    one.wait({}, seconds);
+    other.world().load(saved(one.world()));
+    for (int i = 0; i < 30; ++i) {
+      one.step();
+      other.step();
+      EXPECT_EQ(one.now(label), other.now(label));
+      EXPECT_EQ(physical(one.world()), physical(other.world()));
+    }
+  }
+  ASSERT_GT(one.now(label), 0.99);
+  LookingAside blank(55, newborn(0));
+  blank.wait({});
+  const env::LoadReport report = other.world().load(saved(blank.world()));
+  EXPECT_EQ(report.fresh_names, "receptors/reflexes");
+  other.step();
+  EXPECT_EQ(other.now(label), 0);
+  one.world().reset(nullptr, nullptr);
+  one.step();
+  EXPECT_EQ(one.now(label), 0);
+  EXPECT_EQ(one.control("left_elbow"), 0);
+}
+
+TEST(ReflexesInWorlds, MittensDoNotGrasp) {
+  try {
+    Hanging("mitten", newborn(bit(Reflex::kPalmarGrasp)));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::kUnsupported);
+    EXPECT_NE(std::string(error.what()).find("palmar_grasp"), std::string::npos);
+  }
+  env::AgentOptions all = newborn((1U << reflexes::kReflexes) - 1);
+  all.reflexes.where_possible = true;
+  Hanging mitten("mitten", all), fingers("fingers", all);
+  EXPECT_EQ(mitten.world().layout()[mitten.world().layout().size() - 1].shape[0], reflexes::kReflexes - 1);
+  EXPECT_EQ(fingers.world().layout()[fingers.world().layout().size() - 1].shape[0], reflexes::kReflexes);
+}
+
 }  // namespace
 }  // namespace mimo::test
