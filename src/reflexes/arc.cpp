@@ -52,7 +52,7 @@ void Arc::notice(double stimulus) {
     return;
   }
   gone_ = 0;
-  if (!on_) trigger();
+  if (!on_ && !busy()) trigger();
   on_ = true;
   if (rule_.tonic && due_ == kNone) left_ = std::max(left_, latency_ + 1);
 }

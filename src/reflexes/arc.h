@@ -39,6 +39,8 @@ class Arc {
   static constexpr std::int32_t kNone = -1;
 
   void notice(double stimulus);
+  // Whether it runs its course, in which nothing disturbs it.
+  bool busy() const { return !rule_.tonic && left_ > 0; }
   void trigger();
   void begin();
   double recovered() const;

@@ -128,6 +128,17 @@ TEST(Reflexes, HappenOnceForAStimulus) {
   }
 }
 
+// Once begun it runs its course: stimuli in between neither begin it anew nor count as repeats.
+TEST(Reflexes, RunTheirCourse) {
+  Arc moro(rule(Reflex::kMoro), 10, kTick);
+  course(moro, 1, 0.1);
+  course(moro, 0, 0.4);
+  const std::vector<double> again = course(moro, 1, 0.1), after = course(moro, 0, 3);
+  EXPECT_EQ(again.back(), 1);
+  EXPECT_NEAR(moro.seconds(), 0.1 + rule(Reflex::kMoro).hold + rule(Reflex::kMoro).decay, 0.011);
+  EXPECT_NEAR(poke(moro, 3), 0.8, 1e-9) << "the second, not the third";
+}
+
 TEST(Reflexes, AFlickeringStimulusIsOne) {
   Arc arc(rule(Reflex::kWithdrawal), 10, kTick);
   for (int i = 0; i < 2000; ++i) arc.advance(i % 10 == 0 ? 1 : 0);
