@@ -21,13 +21,17 @@ constexpr double kTick = 0.005;
 
 std::uint32_t bit(Reflex reflex) { return 1U << static_cast<int>(reflex); }
 
-// An infant of that age that hangs on a weld 1 m above the origin, without a floor; and a ball, which flies free.
-engine::ModelPtr hanging(const std::string& body, double months) {
-  scene::Scene scene(
-      from_text("<mujoco><include file='mimo/parts/options.xml'/><worldbody><body name='ball' pos='0 2 1'><freejoint/>"
-                "<geom type='sphere' size='.005' mass='.0005'/></body></worldbody>"
-                "<equality><weld name='hold' body1='mimo_location' active='true' solref='.01 1' solimp='.9999 .9999 "
-                ".001 .5 1'/></equality></mujoco>"));
+const char* const kBall = "<geom type='sphere' size='.005' mass='.0005'/>";
+
+// An infant of that age that hangs on a weld 1 m above the origin, without a floor; and a thing that flies free.
+engine::ModelPtr hanging(const std::string& body, double months, const std::string& thing) {
+  scene::Scene scene(from_text(
+      std::string(
+          "<mujoco><include file='mimo/parts/options.xml'/><worldbody><body name='thing' pos='0 2 1'><freejoint/>") +
+      thing +
+      "</body></worldbody>"
+      "<equality><weld name='hold' body1='mimo_location' active='true' solref='.01 1' solimp='.9999 .9999 "
+      ".001 .5 1'/></equality></mujoco>"));
   const scene::Pose pose{{0, 0, 1}, {1, 0, 0, 0}};
   scene.add_body(body, "", &pose);
   scene.grow("", aged(months));
@@ -61,8 +65,9 @@ Touch on_mouth(double side) {
 
 class Hanging {
  public:
-  Hanging(const std::string& body, const env::AgentOptions& agent, int frame_skip = 1, bool gravity = false)
-      : world_(hanging(body, agent.growth.age), {agent}, options(frame_skip, gravity)), block_(world_) {
+  Hanging(const std::string& body, const env::AgentOptions& agent, int frame_skip = 1, bool gravity = false,
+          const std::string& thing = kBall)
+      : world_(hanging(body, agent.growth.age, thing), {agent}, options(frame_skip, gravity)), block_(world_) {
     world_.reset(nullptr, block_.data());
   }
 
@@ -94,25 +99,36 @@ class Hanging {
     if (lock >= 0) world_.physics().hold(lock, data().qpos[model().jnt_qposadr[joint]]);
   }
   // Puts the ball beside a point of a body, so far away from it.
-  void place_ball(const Touch& touch, double away) {
+  void place_thing(const Touch& touch, double away) {
     const Vector3d at =
         Vector3d(data().xpos + 3 * id(mjOBJ_BODY, touch.body)) + frame(touch) * (touch.point + away * touch.from);
-    move_ball(at);
+    move_thing(at);
   }
   void push_with(const Touch& touch, double newtons) {
-    Eigen::Map<Vector3d>{data().xfrc_applied + 6 * id(mjOBJ_BODY, "ball")} = -newtons * (frame(touch) * touch.from);
+    Eigen::Map<Vector3d>{data().xfrc_applied + 6 * id(mjOBJ_BODY, "thing")} = -newtons * (frame(touch) * touch.from);
+  }
+  // Lays the thing, which is long, across a hand.
+  void lay_across(const Touch& touch, double away) {
+    place_thing(touch, away);
+    const int joint = model().body_jntadr[id(mjOBJ_BODY, "thing")];
+    Eigen::Quaterniond across(frame(touch) * Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitY()));
+    double* quat = data().qpos + model().jnt_qposadr[joint] + 3;
+    quat[0] = across.w(), quat[1] = across.x(), quat[2] = across.y(), quat[3] = across.z();
+  }
+  double distance(const char* one, const char* other) {
+    return (Vector3d(data().xpos + 3 * id(mjOBJ_BODY, one)) - Vector3d(data().xpos + 3 * id(mjOBJ_BODY, other))).norm();
   }
   void take_away() {
-    move_ball(Vector3d(0, 2, 1));
-    push_with({"ball", {}, Vector3d::UnitX()}, 0);
+    move_thing(Vector3d(0, 2, 1));
+    push_with({"thing", {}, Vector3d::UnitX()}, 0);
   }
 
  private:
   Eigen::Matrix3d frame(const Touch& touch) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data().xmat + 9 * id(mjOBJ_BODY, touch.body));
   }
-  void move_ball(const Vector3d& to) {
-    const int joint = model().body_jntadr[id(mjOBJ_BODY, "ball")];
+  void move_thing(const Vector3d& to) {
+    const int joint = model().body_jntadr[id(mjOBJ_BODY, "thing")];
     Eigen::Map<Vector3d>{data().qpos + model().jnt_qposadr[joint]} = to;
     Eigen::Map<Eigen::Matrix<double, 6, 1>>{data().qvel + model().jnt_dofadr[joint]}.setZero();
   }
@@ -168,16 +184,16 @@ class Touching : public Hanging {
  private:
   void approach(const Touch& touch) {
     for (double away = touch.far; away > 0; away -= 0.0002) {
-      place_ball(touch, away);
+      place_thing(touch, away);
       world().physics().update_contacts();
-      if (data().ncon > 0) return place_ball(touch, away + 0.0002);
+      if (data().ncon > 0) return place_thing(touch, away + 0.0002);
     }
     ADD_FAILURE() << "no skin there";
   }
   double pressed() const {
     double sum = 0;
     const mjData& now = const_cast<Touching*>(this)->data();
-    const int ball = model().body_geomadr[id(mjOBJ_BODY, "ball")];
+    const int ball = model().body_geomadr[id(mjOBJ_BODY, "thing")];
     for (int i = 0; i < now.ncon; ++i) {
       if (now.contact[i].geom1 != ball && now.contact[i].geom2 != ball) continue;
       sum += engine::contact_force(model(), now, i)[0];
@@ -518,6 +534,99 @@ TEST(ReflexesInWorlds, MittensDoNotGrasp) {
   Hanging mitten("mitten", all), fingers("fingers", all);
   EXPECT_EQ(mitten.world().layout()[mitten.world().layout().size() - 1].shape[0], reflexes::kReflexes - 1);
   EXPECT_EQ(fingers.world().layout()[fingers.world().layout().size() - 1].shape[0], reflexes::kReflexes);
+}
+
+// A rod of 1 cm that lies across the palm, is pressed into it with 0.3 N for half a second, and then pulled with 0.5 N
+// for five: how far it is from the palm in the end, m.
+double rod_after_a_pull(std::uint32_t reflexes, const Vector3d& pull, double months = 1) {
+  Hanging infant("fingers", newborn(reflexes, months), 1, false,
+                 "<geom type='capsule' size='.005 .04' mass='.01' friction='1 .005 .0001'/>");
+  infant.lock_all();
+  for (const body::Joint& joint : infant.world().agents()[0].body.joints) {
+    const std::string name = engine::name(infant.model(), engine::Kind::kJoint, joint.id);
+    const bool finger = name.find("_hand") == std::string::npos && name.find("robot:left_") == 0 &&
+                        (name.find("f_") != std::string::npos || name.find("left_th") != std::string::npos);
+    if (finger) infant.world().physics().release(engine::find_lock(infant.model(), joint.id));
+  }
+  const Touch palm{"left_hand", {0, 0, 0.022}, {0, 1, 0}};
+  infant.lay_across(palm, 0.013);
+  for (int tick = 0; tick < 1100; ++tick) {
+    infant.push_with(palm, tick < 100 ? 0.3 : 0);
+    if (tick >= 100) infant.push_with({"left_hand", {}, pull}, -0.5);
+    infant.step();
+    if (infant.distance("left_hand", "thing") > 0.5) break;  // it is gone
+  }
+  return infant.distance("left_hand", "thing");
+}
+
+TEST(ReflexesInWorlds, AGraspHoldsARod) {
+  for (const Vector3d& pull : {Vector3d(0, 0, 1), Vector3d(0, 1, 0)}) {
+    EXPECT_LT(rod_after_a_pull(bit(Reflex::kPalmarGrasp), pull), 0.05);
+    EXPECT_GT(rod_after_a_pull(0, pull), 0.5);
+    EXPECT_GT(rod_after_a_pull(bit(Reflex::kPalmarGrasp), pull, 7), 0.5);
+  }
+}
+
+// Held upright over a floor that its soles just reach, its trunk bent forward by that many degrees in all.
+class OnItsFeet : public Hanging {
+ public:
+  explicit OnItsFeet(double degrees, bool free_hips = false)
+      : Hanging("mitten", newborn(bit(Reflex::kStepping), 0.5), 1, true, kFloor) {
+    lock_all();
+    for (const char* name : {"robot:hip_bend1", "robot:hip_bend2"}) {
+      const int joint = id(mjOBJ_JOINT, name);
+      data().qpos[model().jnt_qposadr[joint]] = degrees / 2 * 3.14159265358979323846 / 180;
+      lock(joint);
+    }
+    for (const char* name : {"robot:left_hip1", "robot:right_hip1"}) {
+      if (free_hips) world().physics().release(engine::find_lock(model(), id(mjOBJ_JOINT, name)));
+    }
+    world().physics().forward();
+    const body::Extent extent = body::extent(model(), data(), world().agents()[0].body);
+    const int floor = model().jnt_qposadr[model().body_jntadr[id(mjOBJ_BODY, "thing")]];
+    Eigen::Map<Vector3d>{data().qpos + floor} = Vector3d(0, 0, extent.low - 0.0505);
+    Eigen::Map<Vector3d>{data().xfrc_applied + 6 * id(mjOBJ_BODY, "thing")} = Vector3d(0, 0, kWeight + kBorne);
+  }
+  // Counts how often each leg begins to be lifted, and whether both ever are at once.
+  void walk(double seconds) {
+    double before[2] = {0, 0};
+    for (int tick = 0; tick < std::lround(seconds / kTick); ++tick) {
+      step();
+      const double lifted[2] = {now("stepping/left"), now("stepping/right")};
+      for (int leg : {0, 1}) {
+        if (before[leg] == 0 && lifted[leg] > 0) order.push_back(leg);
+        before[leg] = lifted[leg];
+        least = std::min(least, control(leg == 0 ? "left_hip_flex" : "right_hip_flex"));
+      }
+      together = together || (lifted[0] > 0 && lifted[1] > 0);
+    }
+  }
+  std::vector<int> order;
+  bool together = false;
+  double least = 0;
+
+ private:
+  // A plate that is pressed up against the soles by 12 N.
+  static constexpr double kWeight = 0.5 * 9.81, kBorne = 12;
+  static constexpr const char* kFloor = "<geom type='box' size='.3 .3 .05' mass='.5'/>";
+};
+
+// Legs take turns as long as the trunk leans forward over feet that bear weight; upright, backward or far forward not.
+TEST(ReflexesInWorlds, LegsStepInTurn) {
+  OnItsFeet infant(16);
+  infant.walk(4);
+  ASSERT_GE(infant.order.size(), 5U);
+  for (std::size_t i = 1; i < infant.order.size(); ++i) EXPECT_NE(infant.order[i], infant.order[i - 1]);
+  EXPECT_FALSE(infant.together);
+  EXPECT_EQ(infant.least, 0) << "its hips are locked";
+  OnItsFeet loose(16, true);
+  loose.walk(0.6);
+  EXPECT_NEAR(loose.least, -0.4, 0.01);
+  for (const double degrees : {0.0, -10.0}) {
+    OnItsFeet still(degrees);
+    still.walk(1);
+    EXPECT_TRUE(still.order.empty()) << degrees;
+  }
 }
 
 }  // namespace
