@@ -107,6 +107,12 @@ impl AgentConfig {
         self
     }
 
+    /// `MIMO_REFLEX_` bits: reflexes of newborns, which add to its commands; at first none.
+    pub fn reflexes(&mut self, bits: u32) -> &mut Self {
+        self.raw.reflexes = bits;
+        self
+    }
+
     /// `MIMO_VISION_` bits of both eyes, and the size of their pictures, 1 to 4096 pixels; bits 0: no vision.
     pub fn vision(&mut self, bits: u32, width: u32, height: u32) -> &mut Self {
         self.raw.vision = bits;
