@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "engine/motion.h"
-#include "receptors/nociceptors.h"
 #include "receptors/vectors.h"
-#include "senses/touch/curvature.h"
 
 namespace mimo::env {
 namespace {
@@ -133,7 +131,6 @@ void Stimuli::take_in(const mjModel& model, const mjData& data) {
 }
 
 void Stimuli::touch(const mjModel& model, const mjData& data) {
-  hurt_ = {};
   for (int i = 0; i < data.ncon; ++i) {
     const int first = data.contact[i].geom1, second = data.contact[i].geom2;
     const int bodies[] = {model.geom_bodyid[first], model.geom_bodyid[second]};
@@ -145,13 +142,11 @@ void Stimuli::touch(const mjModel& model, const mjData& data) {
     if (!force) continue;
     using senses::touch::Side;
     const Side side = at_first.own ? Side::kFirst : Side::kSecond;
-    feel(model, data, press_on(model, data, i, *force, side), at_first.own ? second : first);
+    feel(model, data, press_on(model, data, i, *force, side));
   }
-  Sides& withdrawal = share(Reflex::kWithdrawal);
-  for (std::size_t side = 0; side < kSides; ++side) withdrawal[side] = std::max(withdrawal[side], hurt_[side]);
 }
 
-void Stimuli::feel(const mjModel& model, const mjData& data, const Press& press, int other_geom) {
+void Stimuli::feel(const mjModel& model, const mjData& data, const Press& press) {
   const Place& place = places_[static_cast<std::size_t>(press.body)];
   switch (place.part) {
     case Part::kHand: return feel_hand(data, press, place.side);
@@ -159,7 +154,7 @@ void Stimuli::feel(const mjModel& model, const mjData& data, const Press& press,
     case Part::kFoot:
     case Part::kToes: feel_foot(model, data, press, place); [[fallthrough]];
     case Part::kLowerLeg:
-    case Part::kThigh: return feel_leg(model, data, press, place, other_geom);
+    case Part::kThigh: return feel_leg(model, press, place);
     case Part::kNone: return;
   }
 }
@@ -180,21 +175,13 @@ void Stimuli::feel_foot(const mjModel& model, const mjData& data, const Press& p
   share(Reflex::kPlantarGrasp)[place.side] += press.normal_force / reflexes::rule(Reflex::kPlantarGrasp).threshold;
 }
 
-// Any touch by something that moves, but of what stands still only what hurts.
-void Stimuli::feel_leg(const mjModel& model, const mjData& data, const Press& press, const Place& place,
-                       int other_geom) {
-  if (!wants(Reflex::kWithdrawal)) return;
+// Of what stands still legs feel the load: who lies on a floor does not flee from it.
+void Stimuli::feel_leg(const mjModel& model, const Press& press, const Place& place) {
+  if (!wants(Reflex::kWithdrawal) || stands_still(model, press.other)) return;
   const double factor = place.part == Part::kThigh      ? reflexes::kThigh
                         : place.part == Part::kLowerLeg ? reflexes::kLowerLeg
                                                         : 1;
-  if (!stands_still(model, press.other)) {
-    share(Reflex::kWithdrawal)[place.side] += press.normal_force / (withdrawal_ * factor);
-    return;
-  }
-  const double radius = senses::touch::curvature_radius(model, data, press.geom, other_geom, press.point);
-  const double pressure = receptors::contact_pressure(press.normal_force, radius);
-  double& hurt = hurt_[place.side];
-  hurt = std::max(hurt, pressure / receptors::kPainfulPressure);
+  share(Reflex::kWithdrawal)[place.side] += press.normal_force / (withdrawal_ * factor);
 }
 
 void Stimuli::feel_face(const mjData& data, const Press& press) {

@@ -49,11 +49,10 @@ class Stimuli {
   void find_legs(const mjModel& model);
   void find_head(const mjModel& model);
   void touch(const mjModel& model, const mjData& data);
-  void feel(const mjModel& model, const mjData& data, const senses::touch::Press& press, int other_geom);
+  void feel(const mjModel& model, const mjData& data, const senses::touch::Press& press);
   void feel_hand(const mjData& data, const senses::touch::Press& press, std::size_t side);
   void feel_foot(const mjModel& model, const mjData& data, const senses::touch::Press& press, const Place& place);
-  void feel_leg(const mjModel& model, const mjData& data, const senses::touch::Press& press, const Place& place,
-                int other_geom);
+  void feel_leg(const mjModel& model, const senses::touch::Press& press, const Place& place);
   void feel_face(const mjData& data, const senses::touch::Press& press);
   void turn_neck(const mjData& data);
   void drop_head(const mjModel& model, const mjData& data);
@@ -74,7 +73,6 @@ class Stimuli {
 
   std::array<Sides, reflexes::kReflexes> shares_{};
   Sides load_{};
-  Sides hurt_{};  // of legs, by what stands still: the pressure in units of the painful one
   Vec3 quick_ = Vec3::Zero(), lasting_ = Vec3::Zero();  // what the otoliths feel, smoothed; m/s^2, in the head
 };
 
