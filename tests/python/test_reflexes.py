@@ -71,6 +71,29 @@ def test_over_at_18_months():
             assert not world.step().observation["reflex/activation"].any()
 
 
+def test_as_old_as_a_reset_says():
+    with looking_aside() as world:
+        for age, strength in (0, 1), (5.5, 0.5), (7, 0), (1, 1):
+            world.reset(age=age)
+            world.joints(HEAD).lock = TURNED
+            for _ in range(60):
+                felt = world.step().observation["reflex/activation"]
+            np.testing.assert_allclose(felt, [[strength, 0]], atol=1e-6)
+
+
+def test_each_infant_has_its_own():
+    scene = mimo.Scene("playdate")
+    scene.add_agents(age=1, acts="all", reflexes="all", **BLIND)
+    with mimo.World(scene) as world:
+        world.reset(seed=0)
+        world.joints("anna/" + HEAD).lock = TURNED
+        for _ in range(60):
+            observation = world.step().observation
+        neck = list(world.layout.fields["anna/reflex/activation"].labels).index("asymmetric_tonic_neck/left")
+        assert observation["anna/reflex/activation"].ravel()[neck] > 0.99
+        assert observation["ben/reflex/activation"].ravel()[neck] == 0
+
+
 def test_goes_on_from_a_copy():
     with looking_aside() as world:
         for _ in range(5):

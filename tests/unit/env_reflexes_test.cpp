@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "body/nerves.h"
+#include "env/attached.h"
 #include "reflexes/table.h"
 #include "support/block.h"
 #include "support/infants.h"
@@ -368,6 +369,22 @@ TEST(ReflexesInWorlds, ACommandAtTheLimitIsKept) {
   EXPECT_EQ(infant.control("left_knee"), 1);
 }
 
+// Weak motors are so for what the brain commands: reflexes come from below it.
+TEST(ReflexesInWorlds, ComeAfterTheLimitsOfMotors) {
+  env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck));
+  actuation::MotorLimits half;
+  half.concern = [](const std::string&) { return true; };
+  half.limits.gain = 0.5;
+  half.limits.delay = 0.05;
+  agent.motors = {half};
+  LookingAside infant(55, agent);
+  std::vector<float> actions(infant.world().action_size(), 0.0F);
+  actions[action_of(infant, "left_elbow")] = -1;
+  infant.wait(actions);
+  EXPECT_NEAR(infant.control("left_elbow"), -0.5 + 0.3 * 0.83, 1e-7);
+  EXPECT_NEAR(infant.control("left_knee"), 0.3, 1e-7);
+}
+
 TEST(ReflexesInWorlds, PullTheMuscleOfTheirSide) {
   env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck));
   agent.actuation.mode = actuation::Mode::kMuscle;
@@ -529,6 +546,11 @@ TEST(ReflexesInWorlds, MittensDoNotGrasp) {
     EXPECT_EQ(error.status(), Status::kUnsupported);
     EXPECT_NE(std::string(error.what()).find("palmar_grasp"), std::string::npos);
   }
+  env::Kit attached;
+  attached.model = hanging("fingers", 1, kBall);
+  attached.agents = {newborn(bit(Reflex::kMoro))};
+  attached.options = without_renderer();
+  EXPECT_THROW(env::Attached(attached, 0), Error) << "the host commands the motors";
   env::AgentOptions all = newborn((1U << reflexes::kReflexes) - 1);
   all.reflexes.where_possible = true;
   Hanging mitten("mitten", all), fingers("fingers", all);
