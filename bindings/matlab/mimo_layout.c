@@ -163,10 +163,28 @@ static void delays(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const worlds* all;
   size_t index, i;
   const mimo_field field = field_asked(nin, in, &all, &index);
+  const size_t count = mimo_elements(&field);
+  double* seconds = mxCalloc(count, sizeof *seconds);
   (void)nout;
   out[0] = mimo_zeros_of(&field);
-  for (i = 0; i < mimo_elements(&field); ++i)
-    mimo_check(mimo_layout_delay(all->layout, index, i, mxGetPr(out[0]) + mimo_place_of(&field, i)));
+  mimo_check(mimo_layout_delays(all->layout, index, seconds, count));
+  for (i = 0; i < count; ++i) mxGetPr(out[0])[mimo_place_of(&field, i)] = seconds[i];
+}
+
+/* vectors = directions(number, field): height x width x 3 */
+static void directions(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const worlds* all;
+  size_t index, pixel, axis;
+  const mimo_field field = field_asked(nin, in, &all, &index);
+  const size_t height = field.ndim < 2 ? 0 : field.shape[0], width = field.ndim < 2 ? 0 : field.shape[1];
+  const mwSize size[] = {height, width, 3};
+  float* rows = mxCalloc(height * width * 3 + 1, sizeof *rows);
+  (void)nout;
+  mimo_check(mimo_layout_directions(all->layout, index, rows, height * width * 3));
+  out[0] = mxCreateNumericArray(3, size, mxDOUBLE_CLASS, mxREAL);
+  for (pixel = 0; pixel < height * width; ++pixel)
+    for (axis = 0; axis < 3; ++axis)
+      mxGetPr(out[0])[axis * height * width + pixel % width * height + pixel / width] = rows[pixel * 3 + axis];
 }
 
 static int32_t receptor_quantity(const mxArray* name) {
@@ -236,5 +254,5 @@ static void block(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 }
 
 const mimo_command mimo_layout_commands[] = {
-    {"layout", layout},           {"labels", labels}, {"delays", delays}, {"receptors", receptors},
-    {"observation", observation}, {"block", block},   {NULL, NULL}};
+    {"layout", layout},       {"labels", labels},           {"delays", delays}, {"directions", directions},
+    {"receptors", receptors}, {"observation", observation}, {"block", block},   {NULL, NULL}};

@@ -32,6 +32,7 @@ const option mimo_agent_options[] = {
     OPTION(mimo_agent_config, vision_height, kUnsigned),
     OPTION(mimo_agent_config, vision_width, kUnsigned),
     OPTION(mimo_agent_config, vision_fovy, kNumber),
+    OPTION(mimo_agent_config, vision_foveation, kNumber),
     OPTION(mimo_agent_config, actuation, kUnsigned),
     OPTION(mimo_agent_config, acts, kUnsigned),
     OPTION(mimo_agent_config, normalize_actions, kUnsigned),
@@ -127,6 +128,8 @@ const option mimo_maturity_options[] = {
     OPTION(mimo_maturity, acuity, kNumber),
     OPTION(mimo_maturity, peak_contrast, kNumber),
     OPTION(mimo_maturity, chroma, kNumber),
+    OPTION(mimo_maturity, flicker, kNumber),
+    OPTION(mimo_maturity, contrast_threshold, kUnsigned),
     OPTION(mimo_maturity, conduction_speed, kNumber),
     OPTION(mimo_maturity, sensory_delay, kNumber),
     OPTION(mimo_maturity, motor_delay, kNumber),
@@ -136,13 +139,10 @@ const option mimo_maturity_options[] = {
 };
 
 const option mimo_picture_options[] = {
-    OPTION(mimo_picture_config, camera, kText),
-    OPTION(mimo_picture_config, look_at, kThree),
-    OPTION(mimo_picture_config, distance, kNumber),
-    OPTION(mimo_picture_config, azimuth, kNumber),
-    OPTION(mimo_picture_config, elevation, kNumber),
-    OPTION(mimo_picture_config, fovy, kNumber),
-    {NULL, kText, 0},
+    OPTION(mimo_picture_config, camera, kText),      OPTION(mimo_picture_config, look_at, kThree),
+    OPTION(mimo_picture_config, distance, kNumber),  OPTION(mimo_picture_config, azimuth, kNumber),
+    OPTION(mimo_picture_config, elevation, kNumber), OPTION(mimo_picture_config, fovy, kNumber),
+    OPTION(mimo_picture_config, foveation, kNumber), {NULL, kText, 0},
 };
 
 const option mimo_no_options[] = {{NULL, kText, 0}};
@@ -232,18 +232,19 @@ static uint32_t maturity(const char* name, const mxArray* value) {
   static const struct word {
     const char* text;
     uint32_t bit;
-  } words[] = {{"body", MIMO_MATURITY_BODY},
-               {"eyes", MIMO_MATURITY_EYES},
-               {"delays", MIMO_MATURITY_DELAYS},
-               {"all", MIMO_MATURITY_ALL}};
+  } words[] = {{"body", MIMO_MATURITY_BODY},       {"eyes", MIMO_MATURITY_EYES},
+               {"delays", MIMO_MATURITY_DELAYS},   {"threshold", MIMO_MATURITY_THRESHOLD},
+               {"flicker", MIMO_MATURITY_FLICKER}, {"all", MIMO_MATURITY_ALL}};
+  const size_t known = sizeof words / sizeof words[0];
   uint32_t bits = 0;
   const char** texts;
   size_t count, i, word;
   if (mxIsNumeric(value)) return (uint32_t)whole(name, value, 0, 4294967295.0);
   texts = mimo_texts(value, &count, name);
   for (i = 0; i < count; ++i) {
-    for (word = 0; word < 4 && strcmp(words[word].text, texts[i]) != 0; ++word) continue;
-    if (word == 4) mimo_refuse("%s is \"%s\", expected body, eyes, delays or all", name, texts[i]);
+    for (word = 0; word < known && strcmp(words[word].text, texts[i]) != 0; ++word) continue;
+    if (word == known)
+      mimo_refuse("%s is \"%s\", expected body, eyes, delays, threshold, flicker or all", name, texts[i]);
     bits |= words[word].bit;
   }
   return bits;

@@ -180,6 +180,8 @@ static void maturity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add_number(out[0], "acuity", at.acuity);
   mimo_add_number(out[0], "peak_contrast", at.peak_contrast);
   mimo_add_number(out[0], "chroma", at.chroma);
+  mimo_add_number(out[0], "flicker", at.flicker);
+  mimo_add_number(out[0], "contrast_threshold", at.contrast_threshold);
   mimo_add_number(out[0], "conduction_speed", at.conduction_speed);
   mimo_add_number(out[0], "sensory_delay", at.sensory_delay);
   mimo_add_number(out[0], "motor_delay", at.motor_delay);

@@ -23,6 +23,7 @@ function number = mimo_scene_add(scene, what, varargin)
 %                  part of the body ('left_arm') or, with '', to all; agent
 %     'maturity'   eyes and nerves: those of an age (months) or else perfect ones, but for what is given of
 %                  help mimo_maturity; with nothing given as the option maturity of mimo_create says; agent
+%     'sensory_delay'  seconds by which an agent feels body, or else all of it, late, by touch and joints; agent
 %     'parameter'  name, value (mimo_parameters)
 %   agent is the number of one, 1 unless given. number is 0 for what has none.
 number = mimo_mex('scene_add', scene, char(what), varargin{:});

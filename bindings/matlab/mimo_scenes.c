@@ -132,13 +132,23 @@ static double add_pose(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-static double add_skin(mimo_scene* scene, properties* given) {
+/* A number of a part of the body, or of all of it. */
+static double set_part(mimo_scene* scene, properties* given, const char* number, const char* what,
+                       mimo_status (*set)(mimo_scene*, size_t, const char*, double)) {
   const size_t agent = take_agent(given);
   const mxArray* body = mimo_take(given, "body");
-  const double spacing = mimo_take_number(given, "spacing");
-  mimo_set_all(NULL, mimo_no_options, given, "a skin");
-  mimo_check(mimo_scene_set_touch(scene, agent, body == NULL ? NULL : mimo_text(body, "body"), spacing));
+  const double value = mimo_take_number(given, number);
+  mimo_set_all(NULL, mimo_no_options, given, what);
+  mimo_check(set(scene, agent, body == NULL ? NULL : mimo_text(body, "body"), value));
   return 0;
+}
+
+static double add_skin(mimo_scene* scene, properties* given) {
+  return set_part(scene, given, "spacing", "a skin", mimo_scene_set_touch);
+}
+
+static double add_sensory_delay(mimo_scene* scene, properties* given) {
+  return set_part(scene, given, "seconds", "a sensory delay", mimo_scene_set_sensory_delay);
 }
 
 static double add_joint(mimo_scene* scene, properties* given) {
@@ -198,14 +208,23 @@ static const struct thing {
   const char* name;
   adder add;
 } things[] = {
-    {"agent", add_agent},         {"agents", add_agents},
-    {"object", add_object},       {"model", add_model},
-    {"camera", add_camera},       {"room", add_room},
-    {"weld", add_weld},           {"lock", add_lock},
-    {"pose", add_pose},           {"skin", add_skin},
-    {"joint", add_joint},         {"limits", add_limits},
-    {"parameter", add_parameter}, {"motor_limits", add_motor_limits},
-    {"field", add_field},         {"maturity", add_maturity},
+    {"agent", add_agent},
+    {"agents", add_agents},
+    {"object", add_object},
+    {"model", add_model},
+    {"camera", add_camera},
+    {"room", add_room},
+    {"weld", add_weld},
+    {"lock", add_lock},
+    {"pose", add_pose},
+    {"skin", add_skin},
+    {"joint", add_joint},
+    {"limits", add_limits},
+    {"parameter", add_parameter},
+    {"motor_limits", add_motor_limits},
+    {"field", add_field},
+    {"maturity", add_maturity},
+    {"sensory_delay", add_sensory_delay},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */

@@ -139,6 +139,8 @@ typedef struct mimo_agent_config {
   uint32_t vision_height;      /**< Pixels, 1 to 4096. Default 256. */
   uint32_t actuation;          /**< A MIMO_ACTUATION_ constant. Default torque. */
   double vision_fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
+  double vision_foveation;     /**< Of colour: the middle is shown L / ln(1 + L) times as large and the rim small, 0.01
+                                    to 100; 0 (default): as drawn. See mimo_layout_directions. */
   uint32_t acts;               /**< MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice. */
   uint32_t normalize_actions;  /**< 1: actions go from -1 to 1, mapped linearly to their range; 0: their own range. */
   uint32_t touch;              /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */

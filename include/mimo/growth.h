@@ -24,7 +24,9 @@ extern "C" {
 #define MIMO_MATURITY_BODY 0x1u       /**< Size, mass, strength and joints. 0 stands for this one. */
 #define MIMO_MATURITY_EYES 0x2u       /**< What its eyes see, at its physiological age: mimo_maturity_at. */
 #define MIMO_MATURITY_DELAYS 0x4u     /**< How long its nerves take, to and from the brain; likewise. */
-#define MIMO_MATURITY_ALL 0x80000000u /**< All that the loaded library has. */
+#define MIMO_MATURITY_THRESHOLD 0x8u  /**< With its eyes: contrasts too faint for them are gone. */
+#define MIMO_MATURITY_FLICKER 0x10u   /**< With its eyes: changes too fast for them are blurred. */
+#define MIMO_MATURITY_ALL 0x80000000u /**< All that the loaded library has but the options _THRESHOLD and _FLICKER. */
 
 /**
  * How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months.

@@ -82,14 +82,26 @@ MIMO_API mimo_status mimo_layout_label(const mimo_layout *layout, size_t field, 
                                        const char **label) MIMO_NOEXCEPT;
 
 /**
- * How late one element of a field comes, in seconds: a whole number of the model's time steps. A field's start and end
- * are those of all its elements. A batch tells those of its first world, which others of another age do not share.
+ * How late the elements of a field come, in seconds: whole numbers of the model's time steps, 0 for what is sensed at
+ * once. A field's start and end are those of all its elements. A batch tells those of its first world, which others of
+ * another age do not share.
  * @param field   index of the field.
- * @param element position in the flattened field.
- * @param seconds receives the delay; 0 for what is sensed at once.
+ * @param seconds receives one number for each element of the flattened field.
+ * @param count   length of seconds: the product of the field's shape.
  */
-MIMO_API mimo_status mimo_layout_delay(const mimo_layout *layout, size_t field, size_t element,
-                                       double *seconds) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_layout_delays(const mimo_layout *layout, size_t field, double *seconds,
+                                        size_t count) MIMO_NOEXCEPT;
+
+/**
+ * Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of each, in its
+ * own frame: x to the right, y up, z backwards.
+ * @param field      index of a picture: of colour, depth or segmentation.
+ * @param directions receives height x width x 3 numbers.
+ * @param count      length of directions.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a field that is no picture.
+ */
+MIMO_API mimo_status mimo_layout_directions(const mimo_layout *layout, size_t field, float *directions,
+                                            size_t count) MIMO_NOEXCEPT;
 
 #define MIMO_RECEPTOR_BODY 1     /**< 1, id of the body that it sits on. */
 #define MIMO_RECEPTOR_GEOM 2     /**< 1, id of the geom whose surface it lies on. */

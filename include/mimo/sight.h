@@ -74,6 +74,7 @@ typedef struct mimo_picture_config {
   double azimuth;       /**< Free camera: degrees; 0 looks along +x, 90 along +y. */
   double elevation;     /**< Free camera: degrees; negative looks down. */
   double fovy;          /**< Vertical field of view, degrees; 0: the camera's own. */
+  double foveation;     /**< Of colour and of places: as vision_foveation of mimo_agent_config. Default 0. */
 } mimo_picture_config;
 
 /**

@@ -48,6 +48,15 @@ void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
   }
 }
 
+// Whether there is such a body; of what is no infant only the compiled model can tell.
+void require_part(const env::AgentOptions& options, const std::string& body, const scene::Scene& scene) {
+  const std::vector<std::string> names = scene.body_names(options.prefix());
+  const bool known = options.root.empty() && !names.empty();
+  if (known && std::find(names.begin(), names.end(), body) == names.end()) {
+    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, join(names, ", "));
+  }
+}
+
 }  // namespace
 
 AgentPlan usual_agent(const scene::Scene& scene) {
@@ -129,6 +138,14 @@ void Agents::set_maturity(std::size_t agent, const std::optional<env::Maturity>&
   options.maturity = maturity;
 }
 
+void Agents::set_sensory_delay(std::size_t agent, const std::string& body, double seconds, const scene::Scene& scene) {
+  env::AgentOptions& options = at(agent);
+  require_part(options, body, scene);
+  options.delays.parts[body] = seconds;
+}
+
+void Agents::set_sensory_delay(std::size_t agent, double seconds) { at(agent).delays = {seconds, {}}; }
+
 void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
   require(options.root.empty(), "growth: agent {} is body \"{}\" with what hangs on it, but only infants grow", agent,
@@ -139,11 +156,7 @@ void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene&
 
 void Agents::set_touch(std::size_t agent, const std::string& body, double spacing, const scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
-  const std::vector<std::string> names = scene.body_names(options.prefix());
-  const bool known = options.root.empty() && !names.empty();  // else only the compiled model tells
-  if (known && std::find(names.begin(), names.end(), body) == names.end()) {
-    fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, join(names, ", "));
-  }
+  require_part(options, body, scene);
   options.touch.spacing[body] = spacing;
 }
 

@@ -40,6 +40,9 @@ class Agents {
   void limit_motor(std::size_t agent, const std::string& path, const observation::Limits& limits);
   // Its eyes and nerves; nothing: as its growth says.
   void set_maturity(std::size_t agent, const std::optional<env::Maturity>& maturity);
+  // Of a part of its body, or of all.
+  void set_sensory_delay(std::size_t agent, const std::string& body, double seconds, const scene::Scene& scene);
+  void set_sensory_delay(std::size_t agent, double seconds);
   // Another age, of its body in the scene.
   void grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene);
   // How dense its skin is on a body of its own, or everywhere.

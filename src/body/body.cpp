@@ -99,6 +99,10 @@ std::vector<int> right_fingers(const mjModel& model, const Body& body) {
   return bodies;
 }
 
+std::string short_name(const mjModel& model, const Body& body, int id) {
+  return std::string(engine::name(model, engine::Kind::kBody, id)).substr(body.prefix.size());
+}
+
 Body find_body(const mjModel& model, const std::string& prefix) {
   Body body;
   body.prefix = prefix;

@@ -49,6 +49,9 @@ struct Body {
   bool has(int body) const;
 };
 
+// The name of one of its bodies without its own prefix: "left_hand".
+std::string short_name(const mjModel& model, const Body& body, int id);
+
 // A hinge or a slide.
 Joint joint(const mjModel& model, int id);
 Sensor sensor(const mjModel& model, int id);

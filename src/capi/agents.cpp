@@ -131,6 +131,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.vestibular = vestibular(config);
   options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
                           {"vision_height", config.vision_height}, {"vision_fovy", config.vision_fovy});
+  options.vision.foveation = foveation(config.vision_foveation, "vision_foveation");
   options.touch = touch(config);
   options.face = text(config.face);
   options.actuation = actuation(config);
@@ -156,6 +157,7 @@ void write_vision(const senses::VisionOptions& options, mimo_agent_config& confi
   config.vision_width = static_cast<std::uint32_t>(options.width);
   config.vision_height = static_cast<std::uint32_t>(options.height);
   config.vision_fovy = options.fovy;
+  config.vision_foveation = options.foveation;
 }
 
 void write_touch(const senses::TouchOptions& options, mimo_agent_config& config) {

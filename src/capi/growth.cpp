@@ -35,9 +35,15 @@ void take_percentile(const mimo_growth& config, growth::Growth& growth) {
 }
 
 std::uint32_t maturity_bits(const mimo_growth& config) {
+  constexpr std::uint32_t kOptions = MIMO_MATURITY_THRESHOLD | MIMO_MATURITY_FLICKER;
   constexpr std::uint32_t kKnown = MIMO_MATURITY_BODY | MIMO_MATURITY_EYES | MIMO_MATURITY_DELAYS;
-  return config.maturity == 0 ? MIMO_MATURITY_BODY
-                              : resolve_bits(config.maturity, MIMO_MATURITY_ALL, kKnown, "maturity");
+  if (config.maturity == 0) return MIMO_MATURITY_BODY;
+  const std::uint32_t options = config.maturity & kOptions;
+  const std::uint32_t bits = resolve_bits(config.maturity & ~kOptions, MIMO_MATURITY_ALL, kKnown, "maturity");
+  require(options == 0 || (bits & MIMO_MATURITY_EYES) != 0,
+          "maturity is {:#x}: MIMO_MATURITY_THRESHOLD and MIMO_MATURITY_FLICKER need MIMO_MATURITY_EYES",
+          config.maturity);
+  return bits | options;
 }
 
 }  // namespace
@@ -68,6 +74,8 @@ growth::Growth growth_from(const mimo_growth& given, const char* argument) {
   growth.body = (mature & MIMO_MATURITY_BODY) != 0;
   growth.eyes = (mature & MIMO_MATURITY_EYES) != 0;
   growth.delays = (mature & MIMO_MATURITY_DELAYS) != 0;
+  growth.threshold = (mature & MIMO_MATURITY_THRESHOLD) != 0;
+  growth.flicker = (mature & MIMO_MATURITY_FLICKER) != 0;
   take_percentile(config, growth);
   growth::check(growth);
   return growth;

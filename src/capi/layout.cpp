@@ -5,6 +5,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "observation/foveal_map.h"
 
 namespace mimo::capi {
 
@@ -110,12 +111,30 @@ mimo_status mimo_layout_label(const mimo_layout* layout, size_t field, size_t el
   });
 }
 
-mimo_status mimo_layout_delay(const mimo_layout* layout, size_t field, size_t element, double* seconds) noexcept {
+mimo_status mimo_layout_delays(const mimo_layout* layout, size_t field, double* seconds, size_t count) noexcept {
   return guard(layout, [&] {
     const env::Description& description = description_of(layout);
     const observation::Field& inside = field_at(description, field, "field");
-    require(element < inside.count(), "element is {}, but {} has {} elements", element, inside.name, inside.count());
-    out(seconds, "seconds") = description.delays[field].seconds(element);
+    const Span<double> to = array(seconds, count, "seconds");
+    require(count == inside.count(), "count is {}, expected {}, the elements of {}", count, inside.count(),
+            inside.name);
+    description.delays[field].tell(to);
+  });
+}
+
+mimo_status mimo_layout_directions(const mimo_layout* layout, size_t field, float* directions, size_t count) noexcept {
+  return guard(layout, [&] {
+    const observation::Field& picture = field_at(description_of(layout), field, "field");
+    require(picture.is_picture(), "field {} is {}, expected a picture", field, picture.name);
+    const Span<float> to = array(directions, count, "directions");
+    const std::size_t width = picture.shape[1], expected = picture.shape[0] * width * 3;
+    require(count == expected, "count is {}, expected {}, 3 for each pixel of {}", count, expected, picture.name);
+    const observation::FovealMap map = observation::map_of(picture);
+    for (std::size_t i = 0; i < count; i += 3) {
+      const std::size_t x = i / 3 % width, y = i / 3 / width;
+      const auto towards = map.direction({static_cast<double>(x), static_cast<double>(y)});
+      std::copy(towards.begin(), towards.end(), to.data() + i);
+    }
   });
 }
 

@@ -48,11 +48,13 @@ double off_or_within(double value, double low, double high, const char* name, co
 }
 
 observation::Eyesight eyes_from(const mimo_maturity& config) {
-  check_reserved(config.reserved, "reserved");
+  check_flag(config.contrast_threshold, "contrast_threshold");
   observation::Eyesight eyes;
   eyes.acuity = off_or_within(config.acuity, 0.05, 1000, "acuity", " cycles per degree");
   eyes.peak_contrast = within(config.peak_contrast, 1.01, 1000, "peak_contrast", "");
   eyes.chroma = within(config.chroma, 0, 1, "chroma", "");
+  eyes.flicker = off_or_within(config.flicker, 0.01, 1000, "flicker", " Hz");
+  eyes.threshold = config.contrast_threshold != 0;
   return eyes;
 }
 
@@ -92,6 +94,17 @@ mimo_status mimo_scene_set_maturity(mimo_scene* scene, size_t agent, const mimo_
       ours = env::Maturity{eyes_from(config), nerves_from(config)};
     }
     blueprint.edit([&](blueprint::Draft& draft) { draft.agents.set_maturity(agent, ours); });
+  });
+}
+
+mimo_status mimo_scene_set_sensory_delay(mimo_scene* scene, size_t agent, const char* body, double seconds) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    within(seconds, 0, kMostDelay, "seconds", "");
+    blueprint.edit([&](blueprint::Draft& draft) {
+      if (body == nullptr) return draft.agents.set_sensory_delay(agent, seconds);
+      draft.agents.set_sensory_delay(agent, body, seconds, draft.scene);
+    });
   });
 }
 

@@ -7,6 +7,7 @@
 #include "capi/structs.h"
 #include "capi/vision.h"
 #include "engine/present.h"
+#include "observation/foveation.h"
 #include "render/format.h"
 #include "render/projection.h"
 #include "render/viewpoint.h"
@@ -29,6 +30,7 @@ mimo_picture_config default_picture_config() {
 
 void check_picture_config(const mimo_picture_config& config) {
   check_view({"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
+  foveation(config.foveation, "foveation");
   check_bits(config.format, MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP, "format");
   if (config.camera != nullptr) return;
   check_finite(config.look_at, 3, "look_at");
@@ -67,6 +69,25 @@ void check_picture(const mimo_picture_config& config, const mimo_picture& to) {
   check_buffer(to.segmentation, to.segmentation_count, pixels, "picture: segmentation");
 }
 
+// What eyes that look from there would see; the same for a picture of no foveation.
+observation::FovealMap map_of(const mimo_picture_config& config, const render::View& from) {
+  return {config.height, config.width, render::focal_length(from.fovy, config.height), config.foveation};
+}
+
+void foveate(const env::World& world, const mimo_picture_config& config, const render::Picture& drawn) {
+  if (config.foveation == 0 || drawn.rgb == nullptr) return;
+  engine::Present present;
+  const render::View from = render::view_from(world.model(), present.of(world.physics()), viewpoint(world, config));
+  observation::Foveation(config.height, config.width, map_of(config, from)).filter(drawn.rgb);
+}
+
+// Places in pixels are counted from the picture's corner.
+void to_foveated(const observation::FovealMap& map, double* pixel) {
+  const auto [x, y] = map.foveated({pixel[0] - 0.5, pixel[1] - 0.5});
+  pixel[0] = x + 0.5;
+  pixel[1] = y + 0.5;
+}
+
 render::Picture picture_for(const mimo_picture_config& config, const mimo_picture& to) {
   render::Picture picture;
   picture.width = static_cast<int>(config.width);
@@ -99,6 +120,7 @@ mimo_status mimo_env_render(mimo_env* env, const mimo_picture_config* config, co
     check_picture(ours, to);
     const render::Picture drawn = picture_for(ours, to);
     world.draw(viewpoint(world, ours), drawn);
+    foveate(world, ours, drawn);
     render::deliver(drawn, format_of(ours));
   });
 }
@@ -114,9 +136,11 @@ mimo_status mimo_env_project(const mimo_env* env, const mimo_picture_config* con
     array(pixels, 3 * count, "pixels");
     engine::Present present;
     const render::View from = render::view_from(world.model(), present.of(world.physics()), viewpoint(world, ours));
+    const observation::FovealMap map = map_of(ours, from);
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Map<const Eigen::Vector3d> point(points + 3 * i);
       Eigen::Map<Eigen::Vector3d>(pixels + 3 * i) = render::project(from, ours.width, ours.height, point);
+      if (ours.foveation > 0) to_foveated(map, pixels + 3 * i);
     }
   });
 }

@@ -27,6 +27,12 @@ inline void check_view(Entry<std::uint32_t> width, Entry<std::uint32_t> height, 
           "{} is {}, expected 1 to 170 degrees, or 0 for the camera's own", fovy.name, fovy.value);
 }
 
+inline double foveation(double strength, const char* name) {
+  require(strength == 0 || (strength >= 0.01 && strength <= 100), "{} is {}, expected 0.01 to 100, or 0 for none", name,
+          strength);
+  return strength;
+}
+
 inline senses::VisionOptions vision(Entry<std::uint32_t> outputs, Entry<std::uint32_t> width,
                                     Entry<std::uint32_t> height, Entry<double> fovy) {
   check_bits(outputs.value, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, outputs.name);

@@ -33,6 +33,7 @@ mimo_picture_config view(mimo::Env& env, const RenderOptions& options) {
   config.distance = options.distance.value_or(config.distance);
   config.azimuth = options.azimuth.value_or(config.azimuth);
   config.elevation = options.elevation.value_or(config.elevation);
+  config.foveation = options.world.foveation;
   return config;
 }
 
@@ -116,6 +117,7 @@ void add_render(CLI::App& program) {
   add_camera_options(*command, *options);
   add_size_option(*command, "--width", options->width);
   add_size_option(*command, "--height", options->height);
+  add_foveation_option(*command, options->world);
   add_renderer_option(*command, options->world);
   add_touch_option(*command, options->world);
   add_face_option(*command, options->world);

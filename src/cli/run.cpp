@@ -184,6 +184,7 @@ void add_run(CLI::App& program) {
       ->check(number(0.01, 1e6))
       ->capture_default_str();
   add_vision_options(*command, options->world);
+  add_foveation_option(*command, options->world);
   add_touch_option(*command, options->world);
   add_face_option(*command, options->world);
   add_seed_option(*command, options->world);

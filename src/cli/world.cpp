@@ -189,6 +189,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
     agent.vision_width = options.eye_width;
     agent.vision_height = options.eye_height;
   }
+  agent.vision_foveation = options.foveation;
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
@@ -224,6 +225,15 @@ void add_vision_options(CLI::App& command, WorldOptions& options, const std::str
       ->type_name("PX|off")
       ->check(CLI::Validator(check_vision, ""));
   add_renderer_option(command, options);
+}
+
+void add_foveation_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--foveation", options.foveation,
+                  "Show the middle of what is seen L / ln(1 + L) times as large, the\nrim small, 0.01 to 100. Default: "
+                  "as drawn")
+      ->type_name("L")
+      ->check(number(0.01, 100));
 }
 
 void add_touch_option(CLI::App& command, WorldOptions& options) {

@@ -19,6 +19,7 @@ struct WorldOptions {
   std::uint32_t render_threads = 1;             // that draw one picture
   std::string effects;                          // comma-separated, or "none"; "" for the usual ones
   std::uint32_t eye_width = 0, eye_height = 0;  // of an eye's picture that is no square; 0: as vision says
+  double foveation = 0;                         // of the eyes' colour pictures; 0: none
   std::string vision;        // "off", pixels, or "" for 256 where a renderer works; with kOwn "" is the scene's
   bool every_sense = false;  // beside those, all that nerves tell: receptors of skin, muscles, joints and labyrinth
   std::string reflexes = "none";  // comma-separated, or "all"
@@ -36,6 +37,7 @@ constexpr char kUsualVision[] = "256, or off where nothing can draw";
 // Each adds options to a command; that of vision also adds those of add_renderer_option.
 void add_scene_options(CLI::App& command, WorldOptions& options);
 void add_vision_options(CLI::App& command, WorldOptions& options, const std::string& usual = kUsualVision);
+void add_foveation_option(CLI::App& command, WorldOptions& options);
 void add_touch_option(CLI::App& command, WorldOptions& options);
 void add_renderer_option(CLI::App& command, WorldOptions& options);  // and those for how pictures are made
 void add_actuation_option(CLI::App& command, WorldOptions& options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,14 @@ struct ReflexOptions {
   bool where_possible = false;  // of these, those that the body can do; else one that it cannot do is refused
 };
 
+// How late an agent feels parts of its body, in seconds, whatever its nerves are like.
+struct PartDelays {
+  std::optional<double> everywhere;
+  std::map<std::string, double> parts;  // by body, without the agent's name
+
+  bool any() const { return everywhere || !parts.empty(); }
+};
+
 struct AgentOptions {
   std::string name;  // "" for a sole agent
   std::string root;  // "": an infant; else the body of the model that the agent consists of, with all below it
@@ -45,6 +54,7 @@ struct AgentOptions {
   senses::TouchOptions touch;
   growth::Growth growth;                        // of an infant
   std::optional<Maturity> maturity;             // nothing: as its growth says
+  PartDelays delays;                            // of touch and proprioception
   std::string face;                             // that it shows at first; "": the model's own
   std::vector<observation::PathLimits> limits;  // of its senses
   std::vector<actuation::MotorLimits> motors;   // and of the paths to its motors

@@ -24,11 +24,15 @@ constexpr Point kAcuity[] = {{0, 0.70}, {1, 0.88}, {1.5, 1.11}, {2.5, 2.16}, {4,
 // Estimated between what is known: 2 at birth (Brown 2015), ten times that in a year (Teller 1997), 200 at ten years.
 constexpr Point kPeakContrast[] = {{0, 2}, {1, 2.8}, {2, 5}, {3, 8}, {4, 11}, {6, 14}, {9, 17}, {12, 20}, {24, 40}};
 
+// Estimated, from what of flicker infants of 2 to 4 months see best (Rasengane et al. 1997).
+constexpr Point kFlicker[] = {{2, 4}, {4, 8}, {12, 15}};
+
 }  // namespace
 
 // Colour comes in from the first to the third month (Varner 1985, Suttle 1997); the line between is estimated.
 Eyesight eyesight_at(double age) {
-  return {between(kAcuity, age), between(kPeakContrast, age), std::clamp((age - 1) / 2, 0.0, 1.0)};
+  return {between(kAcuity, age), between(kPeakContrast, age), std::clamp((age - 1) / 2, 0.0, 1.0),
+          between(kFlicker, age)};
 }
 
 }  // namespace mimo::growth

@@ -33,13 +33,16 @@ struct Growth {
   bool body = true;
   bool eyes = false;
   bool delays = false;
+  // Of eyes that are as old: contrasts that they cannot see, and changes that are too fast for them.
+  bool threshold = false;
+  bool flicker = false;
 };
 
 inline bool operator==(const Growth& a, const Growth& b) {
   const auto all = [](const Growth& g) {
     return std::tie(g.age, g.physiological_age, g.sex, g.model, g.z_length, g.z_weight, g.z_head, g.absolute,
                     g.strength_exponent, g.neck_strength, g.birth_tone, g.contracture, g.keep_spacing, g.body, g.eyes,
-                    g.delays);
+                    g.delays, g.threshold, g.flicker);
   };
   return all(a) == all(b);
 }

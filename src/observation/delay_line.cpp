@@ -1,7 +1,6 @@
 #include "observation/delay_line.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/delay.h"
 #include "base/hash.h"
@@ -20,10 +19,11 @@ std::size_t Lateness::most() const {
   return most;
 }
 
-double Lateness::seconds(std::size_t element) const {
-  const auto after = std::upper_bound(runs.begin(), runs.end(), element,
-                                      [](std::size_t at, const Run& run) { return at < run.first; });
-  return runs.empty() ? 0 : static_cast<double>(std::prev(after)->ticks) * tick;
+void Lateness::tell(Span<double> seconds) const {
+  std::fill(seconds.begin(), seconds.end(), 0.0);
+  for (const Run& run : runs) {
+    std::fill_n(seconds.begin() + run.first, run.count, static_cast<double>(run.ticks) * tick);
+  }
 }
 
 DelayLine::DelayLine(const Field& field, const std::vector<double>& seconds, const Clock& clock)

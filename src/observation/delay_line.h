@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/section.h"
+#include "base/span.h"
 #include "observation/field.h"
 
 namespace mimo::observation {
@@ -30,7 +31,8 @@ struct Lateness {
 
   std::size_t least() const;  // ticks
   std::size_t most() const;
-  double seconds(std::size_t element) const;
+  // In seconds, of each element.
+  void tell(Span<double> seconds) const;
 };
 
 class DelayLine {

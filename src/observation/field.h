@@ -28,11 +28,13 @@ struct Field {
   std::vector<int> bodies;          // one per element: the part of the body that it is about; empty: none
   Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it
   bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
-  double pixels_per_degree = 0;     // in the middle of a picture; 0 for all else
+  double focal = 0;                 // how far a picture is from its eye, in pixels; 0 for all else
+  double foveation = 0;             // of a picture in colour: see Foveation; 0: as it was drawn
   // How fast its nerves are: a share of what large fibres conduct at, or a speed of their own in m/s where it is not 0.
   double nerve_share = 1, nerve_speed = 0;
   std::size_t offset = 0;  // in the block; set by the layout
 
+  bool is_picture() const { return focal > 0; }
   std::size_t count() const;
   std::size_t bytes() const { return count() * size_of(type); }
   // What element i of the flattened field is; "" where there are no labels.

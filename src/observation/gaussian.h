@@ -1,13 +1,14 @@
-// A Gaussian for pictures.
+// The Gaussian that pictures are blurred with.
 #pragma once
 
 #include <vector>
 
 namespace mimo::observation {
 
-// Half of it, from its middle outwards, with a sum of one as a whole; `sigma` is in pixels. What it leaves of the
-// contrast of f cycles per pixel is exp(-2 (pi sigma f)^2), as near as so many numbers allow, below one pixel as well:
-// a sampled bell would leave up to a third too much there.
-std::vector<float> gaussian(double sigma);
+// Half of the kernel, from its middle outwards, for a Gaussian of `sigma` pixels; the whole kernel's sum is exactly 1.
+// No weight is negative, so that no edge gets a ring. What it leaves of a grating of f cycles per pixel follows
+// exp(-2 pi^2 sigma^2 f^2): up to f = 0.3 within 0.015, from 0.7 pixels on within 0.002. Towards f = 0.5 it leaves less
+// than that, by up to 0.16 at 0.4 pixels.
+std::vector<float> gaussian_kernel(double sigma);
 
 }  // namespace mimo::observation

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/angle.h"
 #include "base/fail.h"
+#include "base/hash.h"
 #include "base/noise.h"
 
 namespace mimo::observation {
@@ -16,17 +18,22 @@ std::vector<double> delays_of(const Limits& limits, const Nature& nature) {
   return limits.delay > 0 ? std::vector<double>{limits.delay} : nature.delays;
 }
 
-// The limit of blur leaves half the contrast.
-Eyesight blurred(double cycles) { return {cycles, 2, 1}; }
+Eyesight seen_with(const Limits& limits, Eyesight eyes) {
+  eyes.blur = limits.blur;
+  return eyes;
+}
 
-std::optional<EyeFilter> eye_of(const Field& field, const Limits& limits, const Eyesight& eyes) {
-  if (limits.blur > 0) {
-    require(is_picture(field) && field.pixels_per_degree > 0, "blur is {}, but {} is no picture in colour", limits.blur,
-            field.name);
-  }
-  if (!is_picture(field) || field.pixels_per_degree <= 0 || (limits.blur == 0 && !eyes.any())) return std::nullopt;
-  const double sigma = std::hypot(eyes.sigma(), blurred(limits.blur).sigma());  // one Gaussian after the other is one
-  return EyeFilter(field.shape[0], field.shape[1], sigma * field.pixels_per_degree, eyes.chroma);
+std::optional<EyeFilter> eye_of(const Field& field, const Limits& limits, const Eyesight& nature) {
+  const bool in_colour = is_picture(field) && field.focal > 0;
+  require(limits.blur == 0 || in_colour, "blur is {}, but {} is no picture in colour", limits.blur, field.name);
+  const Eyesight eyes = seen_with(limits, nature);
+  if (!in_colour || !eyes.any()) return std::nullopt;
+  return EyeFilter(field.shape[0], field.shape[1], field.focal * kDegree, eyes);
+}
+
+std::optional<Foveation> fovea_of(const Field& field) {
+  if (field.foveation == 0) return std::nullopt;
+  return Foveation(field.shape[0], field.shape[1], map_of(field));
 }
 
 }  // namespace
@@ -40,14 +47,59 @@ LimitedField::LimitedField(const Field& field, const Limits& limits, const Natur
     : field_(field),
       limits_(limits),
       delay_(field, delays_of(limits, nature), clock),
-      eye_(eye_of(field, limits, nature.eyes)) {}
+      tick_(clock.tick),
+      eye_(eye_of(field, limits, nature.eyes)),
+      fovea_(fovea_of(field)) {}
 
-void LimitedField::weaken(std::uint8_t* block) {
+void LimitedField::weaken(std::uint8_t* block, std::uint64_t tick, Memory memory) {
   std::uint8_t* start = block + field_.offset;
-  if (eye_) eye_->filter(start);
+  if (eye_) see(start, tick, memory);
+  if (fovea_) fovea_->filter(start);
   if (limits_.gain == 1) return;
   if (field_.type == Type::kU8) scale(start);
   if (field_.type == Type::kF32) scale(reinterpret_cast<float*>(start));
+}
+
+void LimitedField::see(std::uint8_t* rgb, std::uint64_t tick, Memory memory) {
+  if (eye_->remembers()) eye_->advance(static_cast<double>(tick - seen_at_) * tick_);
+  if (memory == Memory::kLeave) return eye_->glance(rgb);
+  eye_->filter(rgb);
+  seen_at_ = tick;
+}
+
+void LimitedField::forget() {
+  delay_.forget();
+  if (eye_) forget_sight();
+}
+
+void LimitedField::forget_sight() {
+  eye_->begin();
+  seen_at_ = 0;
+}
+
+void LimitedField::list(std::vector<Section>& sections) {
+  if (late()) sections.push_back(delay_.section());
+  if (flickers()) sections.push_back(sight());
+}
+
+Section LimitedField::sight() {
+  Hash kind;
+  for (const std::size_t extent : field_.shape) kind.add(std::uint64_t{extent});
+  kind.add(std::uint64_t{eye_->colours()});
+  Section section;
+  section.name = "sight/" + field_.name;
+  section.kind = kind.value();
+  section.essential = false;
+  section.save = [this](ByteWriter& to) {
+    to.put(seen_at_);
+    eye_->save(to);
+  };
+  section.load = [this](ByteReader& from) {
+    seen_at_ = from.take<std::uint64_t>();
+    eye_->load(from);
+  };
+  section.forget = [this] { forget_sight(); };
+  return section;
 }
 
 void LimitedField::disturb(std::uint8_t* block, std::uint64_t episode, std::uint64_t tick) const {

@@ -8,6 +8,7 @@
 #include "observation/delay_line.h"
 #include "observation/eyesight.h"
 #include "observation/field.h"
+#include "observation/foveation.h"
 
 namespace mimo::observation {
 
@@ -25,8 +26,7 @@ struct Limits {
 };
 
 // What an infant is like by itself: how late each element of a field comes, in seconds, one number where all come
-// together, empty where none is late; and how
-// well it sees, of pictures in colour.
+// together, empty where none is late; and how well it sees, of pictures in colour.
 struct Nature {
   std::vector<double> delays;
   Eyesight eyes;
@@ -43,14 +43,23 @@ class LimitedField {
   const Field& field() const { return field_; }
   const DelayLine& delay() const { return delay_; }
   bool late() const { return delay_.late(); }
+  // Whether what is seen depends on the pictures before.
+  bool flickers() const { return eye_ && eye_->remembers(); }
 
-  // What the receptors make of it, before it travels.
-  void weaken(std::uint8_t* block);
+  // What the receptors make of it at a tick of the episode, before it travels.
+  enum class Memory { kKeep, kLeave };
+  void weaken(std::uint8_t* block, std::uint64_t tick, Memory memory);
   // Noise is that of the moment when it arrives; equal seeds of an episode give equal noise.
   void disturb(std::uint8_t* block, std::uint64_t episode, std::uint64_t tick) const;
   DelayLine& delay() { return delay_; }
+  void forget();
+  // What it remembers.
+  void list(std::vector<Section>& sections);
 
  private:
+  void see(std::uint8_t* rgb, std::uint64_t tick, Memory memory);
+  void forget_sight();
+  Section sight();
   template <typename T>
   void scale(T* values) const;
   template <typename T>
@@ -63,7 +72,10 @@ class LimitedField {
   const Field& field_;
   Limits limits_;
   DelayLine delay_;
+  double tick_;  // seconds
   std::optional<EyeFilter> eye_;
+  std::uint64_t seen_at_ = 0;  // the tick of the picture that it remembers
+  std::optional<Foveation> fovea_;
 };
 
 }  // namespace mimo::observation

@@ -56,7 +56,7 @@ void LimitedSenses::add(const std::string& prefix, const std::vector<PathLimits>
     Nature nature = nature_of && !layout[i].exempt ? nature_of(layout[i]) : Nature{};
     if (chosen[i]) nature.delays.clear();
     const Limits limits = chosen[i].value_or(Limits{});
-    if (limits.any() || nature.any()) fields_.emplace_back(layout[i], limits, nature, clock);
+    if (limits.any() || nature.any() || layout[i].foveation > 0) fields_.emplace_back(layout[i], limits, nature, clock);
   }
 }
 
@@ -70,7 +70,9 @@ void LimitedSenses::make_room() {
     const auto late = std::count_if(member.limited.begin(), member.limited.end(),
                                     [](const LimitedField* field) { return field->late(); });
     member.now = late < static_cast<std::ptrdiff_t>(sense.fields().size());
-    if (late > 0) room_.resize(observer_.layout().bytes());
+    const bool flickers = std::any_of(member.limited.begin(), member.limited.end(),
+                                      [](const LimitedField* field) { return field->flickers(); });
+    if (late > 0 || flickers) room_.resize(observer_.layout().bytes());
     members_.push_back(std::move(member));
   }
 }
@@ -83,7 +85,8 @@ const DelayLine* LimitedSenses::delay(const Field& field) const {
 }
 
 bool LimitedSenses::remembers(const LimitedField& field, Moment moment, std::uint64_t tick) {
-  return field.late() && (field.delay().wants(tick) || (moment == Moment::kEnd && !field.delay().begun()));
+  if (!field.late()) return moment == Moment::kEnd && field.flickers();
+  return field.delay().wants(tick) || (moment == Moment::kEnd && !field.delay().begun());
 }
 
 bool LimitedSenses::remembers(const Member& member, Moment moment, std::uint64_t tick) {
@@ -101,8 +104,8 @@ bool LimitedSenses::wants(std::uint64_t tick) const {
 void LimitedSenses::take(const Member& member, std::uint8_t* block, Moment moment, std::uint64_t tick) {
   for (LimitedField* field : member.limited) {
     const bool kept = remembers(*field, moment, tick);
-    if (kept || !field->late()) field->weaken(block);
-    if (kept) field->delay().keep(block, tick);
+    if (kept || !field->late()) field->weaken(block, tick, LimitedField::Memory::kKeep);
+    if (kept && field->late()) field->delay().keep(block, tick);
   }
 }
 
@@ -115,7 +118,7 @@ void LimitedSenses::finish(std::uint8_t* block, std::uint64_t episode, std::uint
 }
 
 void LimitedSenses::begin(const mjModel& model, const mjData& data, std::uint8_t* block, std::uint64_t episode) {
-  for (LimitedField& field : fields_) field.delay().forget();
+  for (LimitedField& field : fields_) field.forget();
   step(model, data, block, episode, 0, nullptr);
 }
 
@@ -146,15 +149,13 @@ void LimitedSenses::look(const mjModel& model, const mjData& data, std::uint8_t*
                                    [](const LimitedField* field) { return field->late() && !field->delay().begun(); });
     if (!member.now && !fresh) continue;
     observer_.write(member.sense, model, data, block, nullptr);
-    for (LimitedField* field : member.limited) field->weaken(block);
+    for (LimitedField* field : member.limited) field->weaken(block, tick, LimitedField::Memory::kLeave);
   }
   finish(block, episode, tick);
 }
 
 void LimitedSenses::list(std::vector<Section>& sections) {
-  for (LimitedField& field : fields_) {
-    if (field.late()) sections.push_back(field.delay().section());
-  }
+  for (LimitedField& field : fields_) field.list(sections);
 }
 
 }  // namespace mimo::observation

@@ -59,7 +59,7 @@ class LimitedSenses {
   };
   // When fields are looked at. What was never sensed before starts with the end of a step.
   enum class Moment { kWithin, kEnd };
-  // Of what comes late, whether it is remembered as it is at this tick.
+  // Of what comes late or is seen slowly, whether it is remembered as it is at this tick.
   static bool remembers(const LimitedField& field, Moment moment, std::uint64_t tick);
   static bool remembers(const Member& member, Moment moment, std::uint64_t tick);
   static void take(const Member& member, std::uint8_t* block, Moment moment, std::uint64_t tick);

@@ -1,11 +1,10 @@
 #include "senses/vision.h"
 
-#include <cmath>
 #include <limits>
 
-#include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "render/projection.h"
 
 namespace mimo::senses {
 namespace {
@@ -51,20 +50,19 @@ Vision::Vision(const mjModel& model, const std::vector<Lens>& lenses, const Visi
 Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   const double far = model.vis.map.zfar * model.stat.extent;
   View view{lens.camera, kNone, kNone, kNone};
-  if (options_.rgb) view.rgb = add(lens.path, observation::Type::kU8, "", 0, 255);
+  if (options_.rgb) {
+    view.rgb = add(lens.path, observation::Type::kU8, "", 0, 255);
+    fields_.back().foveation = options_.foveation;
+  }
   if (options_.depth) view.depth = add(lens.path + "_depth", observation::Type::kF32, "m", 0, far);
   if (options_.segmentation) {
     view.segmentation = add(lens.path + "_segmentation", observation::Type::kI32, "", -1, model.ngeom - 1);
   }
   const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];
   for (observation::Field& field : fields_) {
-    if (field.pixels_per_degree == 0) field.pixels_per_degree = pixels_per_degree(fovy);  // those just added
+    if (field.focal == 0) field.focal = render::focal_length(fovy, options_.height);  // those just added
   }
   return view;
-}
-
-double Vision::pixels_per_degree(double fovy) const {
-  return options_.height / 2.0 / std::tan(fovy / 2 * kDegree) * kDegree;
 }
 
 int Vision::add(const std::string& name, observation::Type type, const char* unit, double low, double high) {

@@ -16,7 +16,8 @@ struct VisionOptions {
   bool segmentation = false;
   int width = 256;
   int height = 256;
-  double fovy = 0;  // degrees; 0: the camera's own
+  double fovy = 0;       // degrees; 0: the camera's own
+  double foveation = 0;  // of colour; 0: none
 
   bool any() const { return rgb || depth || segmentation; }
 };
@@ -47,8 +48,6 @@ class Vision : public observation::Sense {
   };
 
   int add(const std::string& name, observation::Type type, const char* unit, double low, double high);
-  // In the middle of the picture of a camera with this field of view.
-  double pixels_per_degree(double fovy) const;
   View view(const mjModel& model, const Lens& lens);
   template <typename T>
   T* pixels(std::uint8_t* block, int field) const {

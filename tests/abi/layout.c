@@ -85,6 +85,7 @@ int main(void) {
   FIELD(mimo_agent_config, vision_height);
   FIELD(mimo_agent_config, actuation);
   FIELD(mimo_agent_config, vision_fovy);
+  FIELD(mimo_agent_config, vision_foveation);
   FIELD(mimo_agent_config, acts);
   FIELD(mimo_agent_config, normalize_actions);
   FIELD(mimo_agent_config, touch);
@@ -109,10 +110,11 @@ int main(void) {
 
   BEGIN(mimo_maturity);
   FIELD(mimo_maturity, struct_size);
-  FIELD(mimo_maturity, reserved);
+  FIELD(mimo_maturity, contrast_threshold);
   FIELD(mimo_maturity, acuity);
   FIELD(mimo_maturity, peak_contrast);
   FIELD(mimo_maturity, chroma);
+  FIELD(mimo_maturity, flicker);
   FIELD(mimo_maturity, conduction_speed);
   FIELD(mimo_maturity, sensory_delay);
   FIELD(mimo_maturity, motor_delay);
@@ -276,6 +278,7 @@ int main(void) {
   FIELD(mimo_picture_config, azimuth);
   FIELD(mimo_picture_config, elevation);
   FIELD(mimo_picture_config, fovy);
+  FIELD(mimo_picture_config, foveation);
 
   BEGIN(mimo_picture);
   FIELD(mimo_picture, struct_size);

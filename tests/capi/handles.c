@@ -65,7 +65,7 @@ static void check_layout(const mimo_layout* layout, mimo_status status, const ch
   CHECK_FAILS(status, part, mimo_layout_field(layout, 0, &field));
   CHECK_FAILS(status, part, mimo_layout_find(layout, "touch/force", &size));
   CHECK_FAILS(status, part, mimo_layout_label(layout, 0, 0, &text));
-  CHECK_FAILS(status, part, mimo_layout_delay(layout, 0, 0, &value));
+  CHECK_FAILS(status, part, mimo_layout_delays(layout, 0, &value, 1));
   CHECK_FAILS(status, part, mimo_layout_receptor_width(layout, 0, MIMO_RECEPTOR_BODY, &size));
   CHECK_FAILS(status, part, mimo_layout_receptors(layout, 0, MIMO_RECEPTOR_BODY, &value, 1));
   CHECK_FAILS(status, part, mimo_layout_action(layout, 0, &action));

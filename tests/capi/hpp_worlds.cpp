@@ -329,7 +329,7 @@ void check_maturity() {
   infant.vision = infant.touch = 0;
   scene.add_agent(infant);
   const auto late = [&](const char* field, std::size_t element) {
-    return mimo::Env(scene).layout().delay(field, element);
+    return mimo::Env(scene).layout().delays(field).at(element);
   };
   CHECK(late("proprioception/position", 0) == 0);
   mimo_maturity slow = mimo::maturity(0);

@@ -25,7 +25,6 @@ static void check_times(void) {
   mimo_env* env = NULL;
   mimo_limits late;
   mimo_field field;
-  double seconds = -1;
   CHECK_OK(mimo_limits_init(&late, sizeof late));
   late.delay = 0.032;
   CHECK_OK(mimo_scene_limit_sense(scene, 0, "touch", &late));
@@ -39,10 +38,8 @@ static void check_times(void) {
   field = field_of(env, "proprioception/position");
   CHECK_NEAR(-0.03, field.start, 1e-12);
   CHECK_NEAR(-0.03, field.end, 1e-12);
-  CHECK_OK(mimo_layout_delay(layout_of(env), 0, 46, &seconds));
-  CHECK_NEAR(0.03, seconds, 1e-12);
-  CHECK_OK(mimo_layout_delay(layout_of(env), 1, 46, &seconds));
-  CHECK(seconds == 0);
+  CHECK_NEAR(0.03, delay_of(env, "proprioception/position", 46), 1e-12);
+  CHECK(delay_of(env, "proprioception/velocity", 46) == 0);
   CHECK_NEAR(0.01, field.period, 1e-12);
   field = field_of(env, "proprioception/velocity");
   CHECK(field.start == 0 && field.end == 0);

@@ -62,11 +62,11 @@ ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
 #define VIEW_UNKNOWN(f, n) UNKNOWN_FIELD(picture_config, mimo_picture_config, f, n, #f)
 #define VIEW_REAL(f, n) BAD_REAL(picture_config, mimo_picture_config, f, n, #f)
 #define VIEW_UNREAL(f) UNREAL(picture_config, mimo_picture_config, f, #f)
-#define VIEWS                                                                                                       \
-  CONFIG(picture_config, mimo_picture_config, "config"), VIEW(width, 0), VIEW(width, 4097), VIEW(width, -1),        \
-      VIEW(height, 0), VIEW(height, 4097), VIEW_UNKNOWN(format, 4), VIEW_UNREAL(look_at[2]), VIEW_UNREAL(distance), \
-      VIEW_REAL(distance, 0), VIEW_REAL(distance, -1), VIEW_UNREAL(azimuth), VIEW_UNREAL(elevation),                \
-      VIEW_UNREAL(fovy), VIEW_REAL(fovy, -1), VIEW_REAL(fovy, 171),                                                 \
+#define VIEWS                                                                                                          \
+  CONFIG(picture_config, mimo_picture_config, "config"), VIEW(width, 0), VIEW(width, 4097), VIEW(width, -1),           \
+      VIEW(height, 0), VIEW(height, 4097), VIEW_UNKNOWN(format, 4), VIEW_UNREAL(look_at[2]), VIEW_UNREAL(distance),    \
+      VIEW_REAL(distance, 0), VIEW_REAL(distance, -1), VIEW_UNREAL(azimuth), VIEW_UNREAL(elevation),                   \
+      VIEW_UNREAL(fovy), VIEW_REAL(fovy, -1), VIEW_REAL(fovy, 171), VIEW_UNREAL(foveation), VIEW_REAL(foveation, 101), \
       DO(unknown_camera, MIMO_E_NOT_FOUND, "no camera named")
 #define CHANNEL(f, count)                                                                            \
   {FAULT_FIELD_NULL, #f " is NULL", MEMBER(picture), FIELD(mimo_picture, f), 0, 0, NULL, E_ARG, #f}, \

@@ -69,7 +69,8 @@ ROW(mimo_scene_destroy, ON_SCENE | ON_ENV | ON_BATCH | DESTROYS, check_destroy_s
       GROWTH_RANGE(percentile, 0.13, 99.87), GROWTH_RANGE(strength_exponent, -0.1, 5.1),                           \
       GROWTH_RANGE(neck_strength, -0.1, 10.1), GROWTH_RANGE(birth_tone, 0.09, 10.1),                               \
       GROWTH_RANGE(contracture, -0.1, 1.1), GROWTH_UNKNOWN(absolute, 2), GROWTH_UNKNOWN(keep_spacing, 2),          \
-      GROWTH_UNKNOWN(maturity, 8), GROWTH_UNKNOWN(maturity, -1), GROWTH_UNKNOWN(reserved, 1)
+      GROWTH_UNKNOWN(maturity, 0x20), BAD_FIELD(growth, mimo_growth, maturity, 8, "maturity"),                     \
+      GROWTH_UNKNOWN(maturity, -1), GROWTH_UNKNOWN(reserved, 1)
 ROW(mimo_scene_default_agent, ON_SCENE,
     mimo_scene_default_agent(a->scene, a->agent_config, sizeof *a->agent_config + a->more_bytes),
     INIT(agent_config, mimo_agent_config, "config"))
@@ -82,7 +83,8 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(limit_threshold, 0, "limit"), AGENT_UNKNOWN(vision, 8), AGENT(vision_width, 0),
     AGENT(vision_width, 4097), AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097),
     AGENT_UNKNOWN(actuation, 4), UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"),
-    AGENT_REAL(vision_fovy, 171, "vision_fovy"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
+    AGENT_REAL(vision_fovy, 171, "vision_fovy"), UNREAL(agent_config, mimo_agent_config, vision_foveation, "foveation"),
+    AGENT_REAL(vision_foveation, 101, "vision_foveation"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
     AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x4000), AGENT(touch, 3),
     AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
     AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(reflexes, 0x80),
@@ -129,11 +131,15 @@ ROW(mimo_scene_limit_motor, ON_SCENE, mimo_scene_limit_motor(a->scene, a->agent_
       BAD_REAL(maturity, mimo_maturity, f, high, #f)
 ROW(mimo_scene_set_maturity, ON_SCENE, mimo_scene_set_maturity(a->scene, a->agent_index, a->maturity),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NULL_OK(maturity),
-    CONFIG(maturity, mimo_maturity, "maturity"), UNKNOWN_FIELD(maturity, mimo_maturity, reserved, 1, "reserved"),
+    CONFIG(maturity, mimo_maturity, "maturity"),
+    UNKNOWN_FIELD(maturity, mimo_maturity, contrast_threshold, 2, "contrast_threshold"),
     MATURITY_RANGE(acuity, 0.04, 1001), MATURITY_RANGE(peak_contrast, 1, 1001), MATURITY_RANGE(chroma, -0.01, 1.01),
-    MATURITY_RANGE(conduction_speed, 0.09, 201), MATURITY_RANGE(sensory_delay, -0.01, 2.01),
-    MATURITY_RANGE(motor_delay, -0.01, 2.01), MATURITY_RANGE(vision_delay, -0.01, 2.01),
-    MATURITY_RANGE(vestibular_delay, -0.01, 2.01))
+    MATURITY_RANGE(flicker, 0.009, 1001), MATURITY_RANGE(conduction_speed, 0.09, 201),
+    MATURITY_RANGE(sensory_delay, -0.01, 2.01), MATURITY_RANGE(motor_delay, -0.01, 2.01),
+    MATURITY_RANGE(vision_delay, -0.01, 2.01), MATURITY_RANGE(vestibular_delay, -0.01, 2.01))
+ROW(mimo_scene_set_sensory_delay, ON_SCENE, mimo_scene_set_sensory_delay(a->scene, a->agent_index, a->part, a->spacing),
+    NULL_OK(part), BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "seconds"),
+    BAD_F64(spacing, -1, "seconds"), BAD_F64(spacing, 2.01, "seconds"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
 
 #define OBJECT(f, n) BAD_FIELD(object_config, mimo_object_config, f, n, #f)
 #define OBJECT_UNKNOWN(f, n) UNKNOWN_FIELD(object_config, mimo_object_config, f, n, #f)

@@ -64,13 +64,13 @@ typedef struct args {
   /* arrays that are written */
   void *block, *blocks, *state_out, *states_out, *memory_out;
   char* text;
-  double *reward, *values, *all_values, *numbers, *pixels, *receptors, *look_angles;
+  double *reward, *values, *all_values, *numbers, *pixels, *receptors, *look_angles, *delays;
   uint8_t *terminated, *truncated, *rgb;
   mimo_status* statuses;
-  float* depth;
+  float *depth, *directions;
   int32_t *outcome, *segmentation, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, rgb_bytes, depth_count, segmentation_count;
-  size_t receptor_count, look_capacity, number_count, term_count;
+  size_t receptor_count, look_capacity, number_count, term_count, delay_count, direction_count, picture_index;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;

@@ -166,6 +166,9 @@ static void make_arrays(void) {
   CHECK_OK(mimo_layout_find(good.layout, "touch/force", &good.field_index));
   CHECK_OK(mimo_layout_receptor_width(good.layout, good.field_index, MIMO_RECEPTOR_FRAME, &good.receptor_count));
   good.term_count = sizes_of(good.env).terms;
+  good.delay_count = good.receptor_count / 3; /* a frame has nine numbers, a force three */
+  CHECK_OK(mimo_layout_find(good.layout, "vision/eye_left", &good.picture_index));
+  good.direction_count = 3 * PICTURE_SIZE * PICTURE_SIZE;
   CHECK_OK(mimo_scene_xml(spare_scene, NULL, 0, &text));
   CHECK(actions > 1 && good.receptor_count > 0 && good.term_count > 0);
   good.blocks_bytes = worlds * good.block_bytes;
@@ -209,6 +212,8 @@ static void make_arrays(void) {
   good.pixels = region(3 * good.point_count * sizeof(double));
   good.statuses = region(worlds * sizeof(mimo_status));
   good.receptors = region(good.receptor_count * sizeof(double));
+  good.delays = region(good.delay_count * sizeof(double));
+  good.directions = region(good.direction_count * sizeof(float));
   good.look_capacity = LOOK_JOINTS;
   good.look_joints = region(LOOK_JOINTS * sizeof(int32_t));
   good.look_angles = region(LOOK_JOINTS * sizeof(double));

@@ -80,8 +80,8 @@ def test_what_no_infant_has_is_refused():
         agent_of(sex="boy")
     with pytest.raises(ValueError, match=r"maturity is 'ears', expected mimo.Mature or a name"):
         agent_of(age=3, maturity=["eyes", "ears"])
-    with pytest.raises(mimo.UnsupportedError, match="maturity is 0x8"):
-        agent_of(age=3, maturity=8)
+    with pytest.raises(mimo.UnsupportedError, match="maturity is 0x20"):
+        agent_of(age=3, maturity=32)
     scene = mimo.Scene(xml="<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
     with pytest.raises(mimo.ArgumentError, match="only infants grow"):
         scene.add_agent(body="scene", root="box", age=3, vision=False, vestibular=False)
@@ -178,3 +178,49 @@ def test_nerves_of_one_s_own():
         scene.set_maturity(mimo.Maturity(chroma=2))
     with pytest.raises(TypeError, match=r"maturity is 3, expected a mimo.Maturity or None"):
         scene.set_maturity(3)
+
+
+def test_a_part_is_late_as_told():
+    scene = mimo.Scene("free")
+    scene.add_agent(vision=False)
+    scene.set_sensory_delay(None, 0.02)
+    scene.set_sensory_delay("left_hand", 0.1)
+    with pytest.raises(mimo.NotFoundError, match="paw"):
+        scene.set_sensory_delay("paw", 0.1)
+    with mimo.World(scene) as world:
+        bodies = world.layout.receptors("touch/force").bodies
+        late = world.layout.delays("touch/force").reshape(-1, 3)
+        hand = bodies == world.find(mimo.Kind.BODY, "left_hand")
+        assert hand.any()
+        np.testing.assert_allclose(late[hand], 0.1)
+        np.testing.assert_allclose(late[~hand], 0.02)
+
+
+def test_foveated_pictures_tell_where_their_pixels_lie():
+    scene = mimo.Scene("free")
+    scene.add_agent(vision_width=33, vision_height=33, vision_foveation=10)
+    with mimo.World(scene) as world:
+        towards = world.layout.directions("vision/eye_left")
+        assert towards.shape == (33, 33, 3)
+        np.testing.assert_allclose(np.linalg.norm(towards, axis=2), 1, atol=1e-6)
+        np.testing.assert_allclose(towards[16, 16], [0, 0, -1], atol=1e-7)
+        # R (11^(r / R) - 1) / 10 pixels from the middle, of a focal length of 16.5 / tan(30 degrees)
+        corner = 16 * np.sqrt(2)
+        right = corner * (11 ** (16 / corner) - 1) / 10
+        np.testing.assert_allclose(
+            towards[16, 32, 0] / -towards[16, 32, 2], right * np.tan(np.pi / 6) / 16.5, rtol=1e-5
+        )
+        with pytest.raises(mimo.ArgumentError, match="expected a picture"):
+            world.layout.directions("touch/force")
+
+
+def test_options_of_eyes_are_off_unless_asked():
+    assert mimo.Maturity.at(3).flicker == 0
+    assert not mimo.Maturity.at(3).contrast_threshold
+    scene = mimo.Scene("free")
+    scene.add_agent()
+    scene.set_maturity(mimo.Maturity(acuity=2, flicker=4, contrast_threshold=True))
+    with pytest.raises(mimo.ArgumentError, match="flicker is -1"):
+        scene.set_maturity(mimo.Maturity(flicker=-1))
+    eyes = ["body", "eyes", "threshold", "flicker"]
+    mimo.make("free", age=3, maturity=eyes, vision_width=16, vision_height=16).close()

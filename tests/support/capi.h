@@ -100,6 +100,20 @@ static inline mimo_field field_of(const mimo_env* env, const char* name) {
   return field_at(layout_of(env), index);
 }
 
+/* How late one element of a field comes. */
+static inline double delay_of(const mimo_env* env, const char* name, size_t element) {
+  const mimo_field field = field_of(env, name);
+  size_t index = 0, count = 1, i;
+  double *all, seconds;
+  for (i = 0; i < field.ndim; ++i) count *= field.shape[i];
+  all = (double*)malloc(count * sizeof *all);
+  CHECK_OK(mimo_layout_find(layout_of(env), name, &index));
+  CHECK_OK(mimo_layout_delays(layout_of(env), index, all, count));
+  seconds = all[element];
+  free(all);
+  return seconds;
+}
+
 static inline mimo_action action_at(const mimo_env* env, size_t index) {
   mimo_action action;
   memset(&action, 0, sizeof action);

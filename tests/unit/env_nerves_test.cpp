@@ -128,6 +128,66 @@ TEST(Nerves, CamerasSeeAsTheyAre) {
   }
 }
 
+env::AgentOptions slow_eyes(double flicker) {
+  env::AgentOptions agent = infant(false);
+  agent.vision.rgb = true;
+  agent.vision.width = agent.vision.height = 24;
+  agent.maturity = env::Maturity{};
+  agent.maturity->eyes.flicker = flicker;
+  return agent;
+}
+
+// What slow eyes see follows what fast ones see by 1 - exp(-2 pi f t), in light; whether anybody looks at it or not.
+TEST(Nerves, SlowEyesFollowWhatFastOnesSee) {
+  constexpr double kFlicker = 4;
+  const auto light = [](std::uint8_t level) {
+    const double code = level / 255.0;
+    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+  };
+  const auto fast = world_of(slow_eyes(0), 2), slow = world_of(slow_eyes(kFlicker), 2);
+  const std::vector<Bytes> sharp = episode(*fast, 40), seen = episode(*slow, 40);
+  const observation::Field& eye = fast->layout()[fast->layout().size() - 2];
+  ASSERT_EQ(eye.name, "vision/eye_left");
+  const double share = 1 - std::exp(-2 * 3.14159265358979 * kFlicker * 2 * kTick);
+  double differs = 0;
+  for (std::size_t i = eye.offset; i < eye.offset + eye.bytes(); ++i) {
+    double expected = light(sharp[0][i]);
+    for (std::size_t step = 1; step < sharp.size(); ++step) {
+      expected += share * (light(sharp[step][i]) - expected);
+      ASSERT_NEAR(light(seen[step][i]), expected, 0.006) << i << " in step " << step;
+      differs = std::max(differs, std::abs(light(sharp[step][i]) - expected));
+    }
+  }
+  EXPECT_GT(differs, 0.05);
+
+  const auto unseen = world_of(slow_eyes(kFlicker), 2), looked = world_of(slow_eyes(kFlicker), 2);
+  Observation last(*unseen), between(*looked);
+  for (const auto& world : {unseen.get(), looked.get()}) world->reset(&kSeed, nullptr);
+  for (int step = 1; step <= 40; ++step) {
+    unseen->step({}, step == 40 ? last.data() : nullptr, {});
+    looked->step({}, between.data(), {});
+    looked->observe(between.data());
+  }
+  EXPECT_EQ(last.bytes(), seen[40]);
+  const auto at = static_cast<std::ptrdiff_t>(eye.offset), end = at + static_cast<std::ptrdiff_t>(eye.bytes());
+  EXPECT_TRUE(std::equal(last.bytes().begin() + at, last.bytes().begin() + end, between.bytes().begin() + at));
+}
+
+TEST(Nerves, WhatSlowEyesSawIsPartOfTheState) {
+  const auto first = world_of(slow_eyes(2), 2), second = world_of(slow_eyes(2), 2);
+  episode(*first, 31);
+  Bytes state(first->state_bytes());
+  first->save(Span<std::uint8_t>(state));
+  second->load(Span<const std::uint8_t>(state));
+  Observation one(*first), two(*second);
+  for (int step = 0; step < 10; ++step) {
+    first->step({}, one.data(), {});
+    second->step({}, two.data(), {});
+    EXPECT_EQ(one.bytes(), two.bytes()) << step;
+  }
+  EXPECT_EQ(episode(*first, 3), episode(*second, 3));  // nothing of the episode before is seen
+}
+
 // An action of the first step reaches each motor on its tick, also within a step.
 TEST(Nerves, ActionsArriveByThePartThatTheyMove) {
   const auto world = world_of(infant(true), 1);

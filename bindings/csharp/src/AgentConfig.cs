@@ -45,6 +45,8 @@ namespace Mimo
         public Actuation actuation;
         /// <summary>Vertical field of view, degrees; 0: the camera's own.</summary>
         public double vision_fovy;
+        /// <summary>Of colour: the middle is shown L / ln(1 + L) times as large, the rim small; 0: as drawn.</summary>
+        public double vision_foveation;
         /// <summary>Parts that have motors; 0: the scene's own choice.</summary>
         public Act acts;
         /// <summary>1: all actions go from -1 to 1.</summary>

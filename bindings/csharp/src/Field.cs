@@ -127,18 +127,22 @@ namespace Mimo
             return Utf8.Of(label);
         }
 
-        /// <summary>How late one element comes, seconds; 0 for what is sensed at once.</summary>
-        public double Delay(int element)
+        /// <summary>How late each element of the flattened field comes, seconds, 0 for what is sensed at once; in a batch as
+        /// world 0 was made.</summary>
+        public double[] Delays()
         {
-            double seconds;
-            MimoException.Check(Native.mimo_layout_delay(layout, index, (UIntPtr)checked((uint)element), out seconds));
+            var seconds = new double[Shape.Aggregate(1, (count, size) => count * size)];
+            MimoException.Check(Native.mimo_layout_delays(layout, index, seconds, (UIntPtr)(uint)seconds.Length));
             return seconds;
         }
 
-        /// <summary>How late each element of the flattened field comes, seconds; in a batch as world 0 was made.</summary>
-        public double[] Delays()
+        /// <summary>Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of
+        /// each, height x width x 3, in its frame: x right, y up, z backwards.</summary>
+        public float[] Directions()
         {
-            return Enumerable.Range(0, Shape.Aggregate(1, (count, size) => count * size)).Select(Delay).ToArray();
+            var directions = new float[Shape.Length < 2 ? 0 : Shape[0] * Shape[1] * 3];
+            MimoException.Check(Native.mimo_layout_directions(layout, index, directions, (UIntPtr)(uint)directions.Length));
+            return directions;
         }
 
         /// <summary>Where the receptors are: a quantity of all of them, one after the other.</summary>

@@ -13,7 +13,11 @@ namespace Mimo
         Eyes = 0x2,
         /// <summary>How long its nerves take, to and from the brain.</summary>
         Delays = 0x4,
-        /// <summary>All that the library has.</summary>
+        /// <summary>With its eyes: contrasts too faint for them are gone.</summary>
+        Threshold = 0x8,
+        /// <summary>With its eyes: changes too fast for them are blurred.</summary>
+        Flicker = 0x10,
+        /// <summary>All that the library has but Threshold and Flicker.</summary>
         All = 0x80000000
     }
 
@@ -33,7 +37,8 @@ namespace Mimo
             }
         }
 
-        /// <summary>Those of an age, months from 0 to 24.</summary>
+        /// <summary>Those of an age, months from 0 to 24; contrast_threshold and flicker, which are options, stay
+        /// 0.</summary>
         public static Maturity OfAge(double months)
         {
             Library.Require();
@@ -43,13 +48,16 @@ namespace Mimo
         }
 
         internal uint struct_size;
-        internal uint reserved;
+        /// <summary>1: contrasts too faint for such eyes are gone; 0: they stay.</summary>
+        public uint contrast_threshold;
         /// <summary>The finest lines that are seen, cycles per degree; 0: pictures as drawn.</summary>
         public double acuity;
         /// <summary>The greatest contrast sensitivity.</summary>
         public double peak_contrast;
         /// <summary>Share of colour that is seen, 0 (grey) to 1.</summary>
         public double chroma;
+        /// <summary>Faster changes are seen less and less, Hz; 0: all are seen.</summary>
+        public double flicker;
         /// <summary>Of large nerve fibres, m/s; 0: they take no time.</summary>
         public double conduction_speed;
         /// <summary>From the brain stem to the cortex, s.</summary>

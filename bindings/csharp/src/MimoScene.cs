@@ -226,6 +226,13 @@ namespace Mimo
                 : Native.mimo_scene_set_maturity(Handle, (UIntPtr)agent, ref given));
         }
 
+        /// <summary>Sets how late an agent feels a part of its body ("left_hand"), by touch and by its joints, seconds; a body
+        /// of null: all of it. It counts instead of what follows from its age.</summary>
+        public void SetSensoryDelay(string body, double seconds, int agent = 0)
+        {
+            MimoException.Check(Native.mimo_scene_set_sensory_delay(Handle, (UIntPtr)agent, Utf8.Bytes(body), seconds));
+        }
+
         private static LimitsStruct Limits(double gain, double noise, double delay, double signalNoise)
         {
             LimitsStruct limits;

@@ -69,6 +69,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_set_maturity(SceneHandle scene, Size agent, ref Maturity maturity);
         [DllImport(File)] internal static extern int mimo_scene_set_maturity(SceneHandle scene, Size agent, IntPtr none);
+        [DllImport(File)] internal static extern int mimo_scene_set_sensory_delay(SceneHandle scene, Size agent, byte[] body, double seconds);
         [DllImport(File)] internal static extern int mimo_scene_get_parameter(SceneHandle scene, byte[] name, out double value);
         [DllImport(File)] internal static extern int mimo_env_task(EnvHandle env, out IntPtr name);
         [DllImport(File)] internal static extern int mimo_task_init(out TaskStruct task, Size size);
@@ -81,7 +82,8 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_layout_field(LayoutHandle layout, Size index, ref FieldStruct field);
         [DllImport(File)] internal static extern int mimo_layout_find(LayoutHandle layout, byte[] name, out Size index);
         [DllImport(File)] internal static extern int mimo_layout_label(LayoutHandle layout, Size field, Size element, out IntPtr label);
-        [DllImport(File)] internal static extern int mimo_layout_delay(LayoutHandle layout, Size field, Size element, out double seconds);
+        [DllImport(File)] internal static extern int mimo_layout_delays(LayoutHandle layout, Size field, double[] seconds, Size count);
+        [DllImport(File)] internal static extern int mimo_layout_directions(LayoutHandle layout, Size field, float[] directions, Size count);
         [DllImport(File)] internal static extern int mimo_layout_receptor_width(LayoutHandle layout, Size field, int quantity, out Size count);
         [DllImport(File)] internal static extern int mimo_layout_receptors(LayoutHandle layout, Size field, int quantity, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_layout_action(LayoutHandle layout, Size index, ref ActionStruct action);

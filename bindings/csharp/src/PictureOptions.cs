@@ -24,6 +24,8 @@ namespace Mimo
         public double Elevation;
         /// <summary>Vertical field of view, degrees; 0: the camera's own.</summary>
         public double FieldOfView;
+        /// <summary>Of colour: the middle is shown L / ln(1 + L) times as large, the rim small; 0: as drawn.</summary>
+        public double Foveation;
 
         private const uint FourBytes = 1, LowestFirst = 2; // MIMO_PICTURE_RGBA, MIMO_PICTURE_BOTTOM_UP
 
@@ -39,6 +41,7 @@ namespace Mimo
                 config.format = FourBytes | (BottomUp ? LowestFirst : 0);
                 config.camera = camera.Pointer;
                 config.fovy = FieldOfView;
+                config.foveation = Foveation;
                 if (LookAt.HasValue)
                 {
                     config.look_at = LookAt.Value;

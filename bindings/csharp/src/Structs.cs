@@ -196,7 +196,7 @@ namespace Mimo
         internal uint struct_size, width, height, format;
         internal IntPtr camera;
         internal Vector3d look_at;
-        internal double distance, azimuth, elevation, fovy;
+        internal double distance, azimuth, elevation, fovy, foveation;
     }
 
     [StructLayout(LayoutKind.Sequential)]

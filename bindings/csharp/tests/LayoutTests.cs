@@ -99,9 +99,9 @@ internal static partial class Tests
             var slow = Maturity.Default;
             slow.vestibular_delay = 0.1;
             scene.SetMaturity(slow);
-            using (var env = new Env(scene)) Near(0.1, env.Layout.Find("vestibular/acceleration").Delay(0), 1e-12, "slow");
+            using (var env = new Env(scene)) Near(0.1, env.Layout.Find("vestibular/acceleration").Delays()[0], 1e-12, "slow");
             scene.SetMaturity(null);
-            using (var env = new Env(scene)) Near(0.005, env.Layout.Find("vestibular/acceleration").Delay(0), 1e-12, "a newborn");
+            using (var env = new Env(scene)) Near(0.005, env.Layout.Find("vestibular/acceleration").Delays()[0], 1e-12, "a newborn");
         }
     }
 

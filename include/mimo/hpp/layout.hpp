@@ -6,6 +6,8 @@
 #ifndef MIMO_HPP_LAYOUT
 #define MIMO_HPP_LAYOUT
 
+#include <functional>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -48,11 +50,21 @@ class Layout {
     check(mimo_layout_label(layout_, find(field), element, &label));
     return label;
   }
-  /// How late that element comes, in seconds; 0 for what is sensed at once.
-  double delay(const std::string &field, std::size_t element) const {
-    double seconds = 0;
-    check(mimo_layout_delay(layout_, find(field), element, &seconds));
+  /// How late each element of the flattened field comes, in seconds; 0 for what is sensed at once.
+  std::vector<double> delays(const std::string &name) const {
+    const mimo_field it = field(name);
+    const std::size_t elements =
+        std::accumulate(it.shape, it.shape + it.ndim, std::size_t{1}, std::multiplies<std::size_t>());
+    std::vector<double> seconds(elements);
+    check(mimo_layout_delays(layout_, find(name), seconds.data(), seconds.size()));
     return seconds;
+  }
+  /// Where the pixels of a picture lie: unit vectors, height x width x 3, right, up, backwards.
+  std::vector<float> directions(const std::string &name) const {
+    const mimo_field picture = field(name);
+    std::vector<float> directions(picture.ndim < 2 ? 0 : picture.shape[0] * picture.shape[1] * 3);
+    check(mimo_layout_directions(layout_, find(name), directions.data(), directions.size()));
+    return directions;
   }
 
   /// Where a field reports, in the order of its first axis; none where it is not of skin.

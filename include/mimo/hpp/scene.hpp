@@ -41,6 +41,13 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   void set_touch(const std::string &body, double spacing, std::size_t agent = 0) {
     check(mimo_scene_set_touch(get(), agent, body.c_str(), spacing));
   }
+  /// How late an agent feels its whole body, or a part of it: seconds.
+  void set_sensory_delay(double seconds, std::size_t agent = 0) {
+    check(mimo_scene_set_sensory_delay(get(), agent, nullptr, seconds));
+  }
+  void set_sensory_delay(const std::string &body, double seconds, std::size_t agent = 0) {
+    check(mimo_scene_set_sensory_delay(get(), agent, body.c_str(), seconds));
+  }
   void read_joint(const std::string &joint, std::size_t agent = 0) {
     check(mimo_scene_read_joint(get(), agent, joint.c_str()));
   }

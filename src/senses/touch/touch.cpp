@@ -29,15 +29,10 @@ const char* frame_name(TouchFrame frame) {
   return "";
 }
 
-// A body's name as options have it.
-std::string short_name(const mjModel& model, const body::Body& body, int id) {
-  return std::string(engine::name(model, Kind::kBody, id)).substr(body.prefix.size());
-}
-
 void check_names(const mjModel& model, const body::Body& body, const TouchOptions& options) {
   std::vector<std::string> there;
   for (const int id : body.bodies) {
-    if (!touch::geoms_with_skin(model, id).empty()) there.push_back(short_name(model, body, id));
+    if (!touch::geoms_with_skin(model, id).empty()) there.push_back(body::short_name(model, body, id));
   }
   for (const auto& [name, spacing] : options.spacing) {
     if (std::find(there.begin(), there.end(), name) != there.end()) continue;
@@ -71,7 +66,7 @@ std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body&
   const UsualSpacing usual(model, body);
   std::vector<touch::BodySpacing> list;
   for (const int id : body.bodies) {
-    const std::string name = short_name(model, body, id);
+    const std::string name = body::short_name(model, body, id);
     const auto own = options.spacing.find(name);
     const double spacing =
         own != options.spacing.end() ? own->second : options.everywhere.value_or(usual.of(id, name) / options.scale);

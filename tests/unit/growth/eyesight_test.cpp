@@ -27,6 +27,12 @@ TEST(Eyesight, SeesColourFromTheSecondMonth) {
   EXPECT_EQ(eyesight_at(24).chroma, 1);
 }
 
+TEST(Eyesight, FollowsFasterChanges) {
+  EXPECT_DOUBLE_EQ(eyesight_at(0).flicker, 4);
+  EXPECT_DOUBLE_EQ(eyesight_at(4).flicker, 8);
+  EXPECT_DOUBLE_EQ(eyesight_at(24).flicker, 15);
+}
+
 TEST(Eyesight, Sharpens) {
   for (double age = 0; age < 24; age += 0.25) {
     EXPECT_GT(eyesight_at(age + 0.25).acuity, eyesight_at(age).acuity);

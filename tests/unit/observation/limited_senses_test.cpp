@@ -128,8 +128,9 @@ TEST(DelayLine, EachElementIsLateByItself) {
   }
   const DelayLine* delay = limited.delay(observer.layout()[0]);
   ASSERT_NE(delay, nullptr);
-  EXPECT_EQ(delay->lateness().seconds(0), 0);
-  EXPECT_EQ(delay->lateness().seconds(2), 0.05);
+  std::vector<double> seconds(3);
+  delay->lateness().tell(seconds);
+  EXPECT_EQ(seconds, (std::vector<double>{0, 0.01, 0.05}));
   EXPECT_EQ(delay->lateness().most(), 5u);
 }
 

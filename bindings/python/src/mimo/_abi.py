@@ -107,6 +107,7 @@ class AgentConfig(Struct):
         ("vision_height", c_uint32),
         ("actuation", c_uint32),
         ("vision_fovy", c_double),
+        ("vision_foveation", c_double),
         ("acts", c_uint32),
         ("normalize_actions", c_uint32),
         ("touch", c_uint32),
@@ -137,10 +138,11 @@ class Limits(Struct):
 class Maturity(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("contrast_threshold", c_uint32),
         ("acuity", c_double),
         ("peak_contrast", c_double),
         ("chroma", c_double),
+        ("flicker", c_double),
         ("conduction_speed", c_double),
         ("sensory_delay", c_double),
         ("motor_delay", c_double),
@@ -349,6 +351,7 @@ class PictureConfig(Struct):
         ("azimuth", c_double),
         ("elevation", c_double),
         ("fovy", c_double),
+        ("foveation", c_double),
     ]
 
 
@@ -547,6 +550,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_set_temperature": (_status, [_Handle, c_char_p, c_double]),
     "mimo_scene_set_material": (_status, [_Handle, c_char_p, c_char_p]),
     "mimo_scene_set_maturity": (_status, [_Handle, c_size_t, _config(Maturity)]),
+    "mimo_scene_set_sensory_delay": (_status, [_Handle, c_size_t, c_char_p, c_double]),
     "mimo_object_config_init": (_status, [_config(ObjectConfig), c_size_t]),
     "mimo_scene_add_object": (_status, [_Handle, _config(ObjectConfig)]),
     "mimo_model_config_init": (_status, [_config(ModelConfig), c_size_t]),
@@ -571,7 +575,8 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_layout_field": (_status, [_Handle, c_size_t, _config(Field)]),
     "mimo_layout_find": (_status, [_Handle, c_char_p, _Out_size]),
     "mimo_layout_label": (_status, [_Handle, c_size_t, c_size_t, _Out_text]),
-    "mimo_layout_delay": (_status, [_Handle, c_size_t, c_size_t, _Out_f64]),
+    "mimo_layout_delays": (_status, [_Handle, c_size_t, _Array, c_size_t]),
+    "mimo_layout_directions": (_status, [_Handle, c_size_t, _Array, c_size_t]),
     "mimo_layout_receptor_width": (_status, [_Handle, c_size_t, c_int32, _Out_size]),
     "mimo_layout_receptors": (_status, [_Handle, c_size_t, c_int32, _Array, c_size_t]),
     "mimo_layout_action": (_status, [_Handle, c_size_t, _config(Action)]),

@@ -78,11 +78,13 @@ class GrowthModel(IntEnum):
 
 
 class Mature(IntFlag):
-    """What of an infant is as old as it. ALL is a bit of its own: all that the library has."""
+    """What of an infant is as old as it. ALL is a bit of its own: all but the options of the eyes, the last two."""
 
     BODY = 0x1
     EYES = 0x2
     DELAYS = 0x4
+    THRESHOLD = 0x8
+    FLICKER = 0x10
     ALL = 0x80000000
 
 

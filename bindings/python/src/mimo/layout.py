@@ -136,11 +136,19 @@ class Layout:
         In a batch, like the times of its fields: as world 0 was made.
         """
         _owner, index = self._find(name)
-        delays, seconds = np.empty(int(np.prod(self.fields[name].shape))), ctypes.c_double()
-        for element in range(len(delays)):
-            check(LIB.mimo_layout_delay(self._handle, index, element, seconds))
-            delays[element] = seconds.value
+        delays = np.empty(int(np.prod(self.fields[name].shape)))
+        check(LIB.mimo_layout_delays(self._handle, index, delays.ctypes.data, delays.size))
         return delays
+
+    def directions(self, name: str) -> NDArray[np.float32]:
+        """Where the pixels of a picture lie, foveated or not: unit vectors, height x width x 3.
+
+        They lead from the eye or camera to the middle of each pixel, in its frame: x right, y up, z backwards.
+        """
+        _owner, index = self._find(name)
+        directions = np.empty((*self.fields[name].shape[:2], 3), np.float32)
+        check(LIB.mimo_layout_directions(self._handle, index, directions.ctypes.data, directions.size))
+        return directions
 
     def _find(self, name: str) -> Tuple[Native, int]:
         """What this describes, which no other thread destroys while the caller holds it, and a field's index."""

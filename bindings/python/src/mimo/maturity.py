@@ -22,6 +22,8 @@ class Maturity:
     acuity: float = 0  # the finest lines that are seen, cycles per degree; 0: pictures as drawn
     peak_contrast: float = 2  # the greatest contrast sensitivity
     chroma: float = 1  # share of colour that is seen, 0 (grey) to 1
+    flicker: float = 0  # Hz: faster changes are seen less and less; 0: all
+    contrast_threshold: bool = False  # contrasts too faint for such eyes are gone
     conduction_speed: float = 0  # of large nerve fibres, m/s; 0: they take no time
     sensory_delay: float = 0  # from the brain stem to the cortex, s
     motor_delay: float = 0  # from the cortex to the brain stem, s
@@ -30,10 +32,11 @@ class Maturity:
 
     @classmethod
     def at(cls, age: float) -> Maturity:
-        """That of an age, 0 (a newborn) to 24 months."""
+        """That of an age, 0 (a newborn) to 24 months; flicker and contrast_threshold, which are options, stay off."""
         raw = _abi.Maturity()
         check(LIB.mimo_maturity_at(real_number("age", age), raw, ctypes.sizeof(raw)))
-        return cls(**{name: getattr(raw, name) for name in cls.__dataclass_fields__})
+        numbers = {name: getattr(raw, name) for name in cls.__dataclass_fields__}
+        return cls(**{**numbers, "contrast_threshold": bool(raw.contrast_threshold)})
 
 
 def maturity_from(maturity: Optional[Maturity]) -> Optional[_abi.Maturity]:
@@ -44,6 +47,8 @@ def maturity_from(maturity: Optional[Maturity]) -> Optional[_abi.Maturity]:
         raise TypeError(f"maturity is {maturity!r}, expected a mimo.Maturity or None")
     raw = _abi.Maturity()
     check(LIB.mimo_maturity_init(raw, ctypes.sizeof(raw)))
-    for name, value in asdict(maturity).items():
+    numbers = asdict(maturity)
+    raw.contrast_threshold = bool(numbers.pop("contrast_threshold"))
+    for name, value in numbers.items():
         setattr(raw, name, real_number(name, value))
     return raw

@@ -90,6 +90,7 @@ class AgentOptions(GrowthOptions, total=False):
     vision_width: int
     vision_height: int
     vision_fovy: float
+    vision_foveation: float
     actuation: Actuation
     acts: Act
     normalize_actions: bool
@@ -198,6 +199,7 @@ class PictureOptions(TypedDict, total=False):
     azimuth: float
     elevation: float
     fovy: float
+    foveation: float
 
 
 @lru_cache(maxsize=None)

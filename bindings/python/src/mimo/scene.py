@@ -239,6 +239,15 @@ class Scene(Handle):
         check(LIB.mimo_scene_set_maturity(self._handle, number_of("agent", agent, 64), raw))
         self._remember("set_maturity", maturity, agent)
 
+    def set_sensory_delay(self, body: Optional[str], seconds: float, agent: int = 0) -> None:
+        """Sets how late (s) an agent feels a part of its body, by touch and by its joints; None: all of it.
+
+        It counts instead of what follows from its age; delays of limit_sense come before it.
+        """
+        number = number_of("agent", agent, 64)
+        check(LIB.mimo_scene_set_sensory_delay(self._handle, number, utf8(body), real_number("seconds", seconds)))
+        self._remember("set_sensory_delay", body, seconds, agent)
+
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
         config = _abi.ObjectConfig()

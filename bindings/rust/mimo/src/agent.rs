@@ -113,6 +113,12 @@ impl AgentConfig {
         self
     }
 
+    /// Of colour: the middle is shown L / ln(1 + L) times as large and the rim small; 0: as drawn.
+    pub fn vision_foveation(&mut self, strength: f64) -> &mut Self {
+        self.raw.vision_foveation = strength;
+        self
+    }
+
     /// `MIMO_VISION_` bits of both eyes, and the size of their pictures, 1 to 4096 pixels; bits 0: no vision.
     pub fn vision(&mut self, bits: u32, width: u32, height: u32) -> &mut Self {
         self.raw.vision = bits;

@@ -124,14 +124,20 @@ impl<'a> Layout<'a> {
     /// How late each element of a field comes, in seconds; 0 for what is sensed at once. A reset that makes an infant
     /// older changes it, and so when fields are true; of a batch both are as world 0 was made.
     pub fn delays(&self, field: usize) -> Result<Vec<f64>> {
-        let elements = self.field(field)?.shape.iter().product::<usize>();
-        (0..elements).map(|element| self.delay(field, element)).collect()
+        let mut seconds = vec![0.0; self.field(field)?.shape.iter().product()];
+        check(unsafe { sys::mimo_layout_delays(self.handle, field, seconds.as_mut_ptr(), seconds.len()) })?;
+        Ok(seconds)
     }
 
-    fn delay(&self, field: usize, element: usize) -> Result<f64> {
-        let mut seconds = 0.0;
-        check(unsafe { sys::mimo_layout_delay(self.handle, field, element, &mut seconds) })?;
-        Ok(seconds)
+    /// Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of each, row
+    /// by row, in its own frame: x right, y up, z backwards.
+    pub fn directions(&self, field: usize) -> Result<Vec<[f32; 3]>> {
+        let mut vectors = vec![[0.0; 3]; self.field(field)?.shape.iter().take(2).product()];
+        let count = 3 * vectors.len();
+        check(unsafe {
+            sys::mimo_layout_directions(self.handle, field, vectors.as_mut_ptr().cast(), count)
+        })?;
+        Ok(vectors)
     }
 
     /// Where a field's receptors are, in the order of its first axis.

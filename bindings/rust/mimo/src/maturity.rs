@@ -14,6 +14,10 @@ pub struct Maturity {
     pub peak_contrast: f64,
     /// Share of colour that is seen, 0 (grey) to 1.
     pub chroma: f64,
+    /// Faster changes are seen less and less, Hz; 0: all are seen.
+    pub flicker: f64,
+    /// Contrasts too faint for such eyes are gone.
+    pub contrast_threshold: bool,
     /// Of large nerve fibres, m/s; 0: they take no time.
     pub conduction_speed: f64,
     /// From the brain stem to the cortex, s.
@@ -33,6 +37,8 @@ impl Default for Maturity {
             acuity: 0.0,
             peak_contrast: 2.0,
             chroma: 1.0,
+            flicker: 0.0,
+            contrast_threshold: false,
             conduction_speed: 0.0,
             sensory_delay: 0.0,
             motor_delay: 0.0,
@@ -43,7 +49,7 @@ impl Default for Maturity {
 }
 
 impl Maturity {
-    /// That of an age, 0 (a newborn) to 24 months.
+    /// That of an age, 0 (a newborn) to 24 months; flicker and contrast_threshold, which are options, stay off.
     pub fn of_age(months: f64) -> Result<Maturity> {
         let mut raw: sys::mimo_maturity = sized();
         check(unsafe { sys::mimo_maturity_at(months, &mut raw, size_of::<sys::mimo_maturity>()) })?;
@@ -51,6 +57,8 @@ impl Maturity {
             acuity: raw.acuity,
             peak_contrast: raw.peak_contrast,
             chroma: raw.chroma,
+            flicker: raw.flicker,
+            contrast_threshold: raw.contrast_threshold != 0,
             conduction_speed: raw.conduction_speed,
             sensory_delay: raw.sensory_delay,
             motor_delay: raw.motor_delay,
@@ -64,6 +72,8 @@ impl Maturity {
             acuity: self.acuity,
             peak_contrast: self.peak_contrast,
             chroma: self.chroma,
+            flicker: self.flicker,
+            contrast_threshold: u32::from(self.contrast_threshold),
             conduction_speed: self.conduction_speed,
             sensory_delay: self.sensory_delay,
             motor_delay: self.motor_delay,

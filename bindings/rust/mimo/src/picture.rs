@@ -61,6 +61,12 @@ impl PictureConfig {
         self
     }
 
+    /// The middle is shown L / ln(1 + L) times as large and the rim small; 0: as drawn.
+    pub fn foveation(&mut self, strength: f64) -> &mut Self {
+        self.raw.foveation = strength;
+        self
+    }
+
     /// `MIMO_PICTURE_` bits: four bytes a pixel, bottom row first. Otherwise RGB, row 0 is the top.
     pub fn format(&mut self, bits: u32) -> &mut Self {
         self.raw.format = bits;

@@ -181,6 +181,14 @@ impl Scene {
         check(unsafe { sys::mimo_scene_set_touch(self.handle(), agent, body.as_ptr(), spacing) })
     }
 
+    /// Sets how late an agent feels a part of its body, "left_hand", by touch and by its joints, seconds; None: all of it. It
+    /// counts instead of what follows from its age.
+    pub fn set_sensory_delay(&mut self, agent: usize, body: Option<&str>, seconds: f64) -> Result<()> {
+        let body = body.map(c_string).transpose()?;
+        let name = body.as_ref().map_or(null(), |name| name.as_ptr());
+        check(unsafe { sys::mimo_scene_set_sensory_delay(self.handle(), agent, name, seconds) })
+    }
+
     /// Sets a parameter of a task, "reach/success_reward", for worlds made from now on.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<()> {
         let name = c_string(name)?;

@@ -1,0 +1,113 @@
+#include "observation/smoother.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mimo::observation {
+namespace {
+
+constexpr std::size_t kTogether = 4;  // pairs of neighbours at once; even, see below
+
+// What a pair of neighbours adds to the middle: weight times how much they are brighter than it on average. All in 16
+// bits, so that eight pixels go into the smallest vectors, and exactly nothing where all are equal. `up` and `down`
+// round to the two sides; in turns they take back each other's error.
+int up(Light middle, Light before, Light after, std::int16_t weight) {
+  const auto mean = static_cast<Light>((before + after + 1) >> 1);
+  return (static_cast<std::int16_t>(mean - middle) * weight) >> 16;
+}
+int down(Light middle, Light before, Light after, std::int16_t weight) {
+  const auto mean = static_cast<Light>((before + after + 1) >> 1);
+  return -((static_cast<std::int16_t>(middle - mean) * weight) >> 16);
+}
+
+// Neighbours of one row, from the nearest on.
+struct Pairs {
+  const Light* const* before;
+  const Light* const* after;
+  const std::int16_t* weights;
+};
+
+// Adds what `kPairs` pairs add to the middle to `out`: the middle itself where they are the first.
+template <std::size_t kPairs, bool kFirst>
+void add(const Light* middle, const Pairs& pairs, std::size_t count, Light* __restrict out) {
+  constexpr std::size_t k1 = kPairs > 1 ? 1 : 0, k2 = kPairs > 2 ? 2 : 0, k3 = kPairs > 3 ? 3 : 0;
+  const Light *a0 = pairs.before[0], *a1 = pairs.before[k1], *a2 = pairs.before[k2], *a3 = pairs.before[k3];
+  const Light *b0 = pairs.after[0], *b1 = pairs.after[k1], *b2 = pairs.after[k2], *b3 = pairs.after[k3];
+  const std::int16_t w0 = pairs.weights[0], w1 = pairs.weights[k1], w2 = pairs.weights[k2], w3 = pairs.weights[k3];
+  for (std::size_t i = 0; i < count; ++i) {
+    const Light at = middle[i];
+    auto sum = static_cast<Light>((kFirst ? at : out[i]) + up(at, a0[i], b0[i], w0));
+    if (kPairs > 1) sum = static_cast<Light>(sum + down(at, a1[i], b1[i], w1));
+    if (kPairs > 2) sum = static_cast<Light>(sum + up(at, a2[i], b2[i], w2));
+    if (kPairs > 3) sum = static_cast<Light>(sum + down(at, a3[i], b3[i], w3));
+    out[i] = sum;
+  }
+}
+
+template <bool kFirst>
+void add(const Light* middle, const Pairs& pairs, std::size_t number, std::size_t count, Light* out) {
+  if (number == 1) return add<1, kFirst>(middle, pairs, count, out);
+  if (number == 2) return add<2, kFirst>(middle, pairs, count, out);
+  if (number == 3) return add<3, kFirst>(middle, pairs, count, out);
+  add<4, kFirst>(middle, pairs, count, out);
+}
+
+}  // namespace
+
+Smoother::Smoother(std::size_t height, std::size_t width, std::size_t planes, const std::vector<float>& kernel)
+    : height_(height), width_(width), planes_(planes), reach_(kernel.size() - 1) {
+  for (std::size_t k = 1; k <= reach_; ++k) {
+    weights_.push_back(static_cast<std::int16_t>(std::min(std::lround(kernel[k] * 2 * 65536), 32767L)));
+  }
+  read_.resize(planes * apart());
+  while (slots_ < 2 * reach_) slots_ = 2 * slots_ + 1;
+  rows_.resize((slots_ + 1) * planes * width);
+  written_.resize(planes * width);
+  before_.resize(reach_);
+  after_.resize(reach_);
+}
+
+void Smoother::run(FunctionRef<void(std::size_t, Light*)> read, FunctionRef<void(std::size_t, const Light*)> write) {
+  for (std::size_t y = 0; y < height_ + reach_; ++y) {
+    if (y < height_) {
+      read(y, read_.data() + reach_);
+      for (std::size_t plane = 0; plane < planes_; ++plane) blur_row(plane, row(y) + plane * width_);
+    }
+    if (y < reach_) continue;
+    blur_column(y - reach_);
+    write(y - reach_, written_.data());
+  }
+}
+
+Light* Smoother::row(std::size_t y) { return rows_.data() + (y & slots_) * planes_ * width_; }
+
+void Smoother::blur_row(std::size_t plane, Light* out) {
+  Light* middle = read_.data() + plane * apart() + reach_;
+  std::fill_n(middle - reach_, reach_, middle[0]);
+  std::fill_n(middle + width_, reach_, middle[width_ - 1]);
+  for (std::size_t k = 0; k < reach_; ++k) {
+    before_[k] = middle - (k + 1);
+    after_[k] = middle + (k + 1);
+  }
+  weigh(middle, width_, out);
+}
+
+void Smoother::blur_column(std::size_t y) {
+  for (std::size_t k = 0; k < reach_; ++k) {
+    before_[k] = row(y > k ? y - (k + 1) : 0);
+    after_[k] = row(std::min(y + k + 1, height_ - 1));
+  }
+  weigh(row(y), planes_ * width_, written_.data());
+}
+
+void Smoother::weigh(const Light* middle, std::size_t count, Light* out) const {
+  if (reach_ == 0) std::copy_n(middle, count, out);
+  for (std::size_t k = 0; k < reach_; k += kTogether) {
+    const Pairs pairs{before_.data() + k, after_.data() + k, weights_.data() + k};
+    const std::size_t number = std::min(kTogether, reach_ - k);
+    if (k == 0) add<true>(middle, pairs, number, count, out);
+    if (k > 0) add<false>(middle, pairs, number, count, out);
+  }
+}
+
+}  // namespace mimo::observation

@@ -1,0 +1,40 @@
+// Pictures blurred along rows and columns at once, row by row, so that only a few rows are on the way at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/function_ref.h"
+#include "observation/light.h"
+
+namespace mimo::observation {
+
+class Smoother {
+ public:
+  // `planes` colours; the kernel from its middle outwards. Beyond its edges a picture goes on as it is there.
+  Smoother(std::size_t height, std::size_t width, std::size_t planes, const std::vector<float>& kernel);
+
+  // Rows from the first to the last: `read` fills row y, its colours `apart()` from each other, `write` gets it
+  // blurred, its colours one right after the other. Row y is written only after all rows that it needs were read, and
+  // itself.
+  void run(FunctionRef<void(std::size_t y, Light* row)> read, FunctionRef<void(std::size_t y, const Light* row)> write);
+
+  std::size_t apart() const { return width_ + 2 * reach_; }
+
+ private:
+  Light* row(std::size_t y);
+  void blur_row(std::size_t plane, Light* out);
+  void blur_column(std::size_t y);
+  void weigh(const Light* middle, std::size_t count, Light* out) const;
+
+  std::size_t height_, width_, planes_, reach_;
+  std::size_t slots_ = 0;  // rows kept but one: only ones in binary, since divisions take as long as half a row
+  std::vector<std::int16_t> weights_;         // of both neighbours together, in 65536ths: from 1 pixel away on
+  std::vector<Light> read_;                   // a row, with what it is taken for beyond its edges
+  std::vector<Light> rows_;                   // the last rows, blurred along themselves
+  std::vector<Light> written_;                // a row blurred both ways
+  std::vector<const Light*> before_, after_;  // neighbours of the row that is weighed
+};
+
+}  // namespace mimo::observation

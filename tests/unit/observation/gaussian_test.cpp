@@ -1,0 +1,51 @@
+// The Gaussian's weights.
+#include "observation/gaussian.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mimo::observation {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// The largest difference to what a Gaussian leaves, up to `highest` cycles per pixel.
+double error(double sigma, double highest) {
+  const std::vector<float> kernel = gaussian_kernel(sigma);
+  double error = 0;
+  for (double f = 0; f <= highest; f += 0.001) {
+    double left = kernel[0];
+    for (std::size_t k = 1; k < kernel.size(); ++k) {
+      left += 2 * static_cast<double>(kernel[k]) * std::cos(2 * kPi * static_cast<double>(k) * f);
+    }
+    error = std::max(error, std::abs(left - std::exp(-2 * std::pow(kPi * sigma * f, 2))));
+  }
+  return error;
+}
+
+TEST(Gaussian, LeavesWhatItShould) {
+  for (double sigma = 0.02; sigma < 8.1; sigma *= 1.05) {
+    EXPECT_LT(error(sigma, 0.3), sigma < 0.7 ? 0.015 : 0.002) << sigma;
+    EXPECT_LT(error(sigma, 0.5), sigma < 1 ? 0.165 : 0.004) << sigma;
+  }
+}
+
+TEST(Gaussian, HasTheSumOneAndNothingBelowZero) {
+  for (double sigma = 0.001; sigma < 1000; sigma *= 1.1) {
+    const std::vector<float> kernel = gaussian_kernel(sigma);
+    double sum = kernel[0];
+    for (std::size_t k = 1; k < kernel.size(); ++k) {
+      EXPECT_GE(kernel[k], 0) << sigma;
+      EXPECT_LE(kernel[k], kernel[k - 1] + 1.0F / 65536) << sigma;
+      sum += 2 * static_cast<double>(kernel[k]);
+    }
+    EXPECT_EQ(sum, 1) << sigma;
+  }
+}
+
+TEST(Gaussian, IsJustTheMiddleWhereThereIsNothingToBlur) { EXPECT_EQ(gaussian_kernel(0), std::vector<float>{1}); }
+
+}  // namespace
+}  // namespace mimo::observation
