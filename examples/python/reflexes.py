@@ -1,5 +1,6 @@
-"""Reflexes of an infant of one month, who floats and commands nothing: its head is turned to the left and to the right, a
-rod is pressed into its palm and then pulled at, and its head drops back.
+"""Reflexes of an infant of one month, who floats and commands nothing.
+
+Its head is turned to the left and to the right, a rod is pressed into its palm and then pulled at, its head drops back.
 
 python reflexes.py [FOLDER]        # the picture goes there, by default to the current folder
 """

@@ -71,10 +71,10 @@ extern "C" {
 #define MIMO_ACT_NONE 0x40000000u  /**< No motor at all; excludes the other bits. */
 
 /** Reflexes of newborns, which add to the agent's commands by its age: see docs/guide/reflexes.md. */
-#define MIMO_REFLEX_PALMAR_GRASP 0x1u  /**< Fingers close on what presses on the palm; needs five fingers. */
-#define MIMO_REFLEX_PLANTAR_GRASP 0x2u /**< Toes curl under what presses on the ball of the foot. */
-#define MIMO_REFLEX_ROOTING 0x4u       /**< The head turns to what touches a corner of the mouth. */
-#define MIMO_REFLEX_MORO 0x8u          /**< A head that drops: arms open, then close. */
+#define MIMO_REFLEX_PALMAR_GRASP 0x1u           /**< Fingers close on what presses on the palm; needs five fingers. */
+#define MIMO_REFLEX_PLANTAR_GRASP 0x2u          /**< Toes curl under what presses on the ball of the foot. */
+#define MIMO_REFLEX_ROOTING 0x4u                /**< The head turns to what touches a corner of the mouth. */
+#define MIMO_REFLEX_MORO 0x8u                   /**< A head that drops: arms open, then close. */
 #define MIMO_REFLEX_ASYMMETRIC_TONIC_NECK 0x10u /**< The head turned aside: limbs stretch there, bend opposite. */
 #define MIMO_REFLEX_STEPPING 0x20u              /**< Upright on its feet, leaning forward: legs step in turn. */
 #define MIMO_REFLEX_WITHDRAWAL 0x40u            /**< Legs draw back from what touches or pricks one. */

@@ -29,7 +29,8 @@ def test_none_unless_asked_for():
 def test_asked_for_by_name_or_bit(wanted):
     with mimo.World("free", reflexes=wanted, **BLIND) as world:
         field = world.layout.fields["reflex/activation"]
-        assert field.shape == (1, 2) and field.dtype == np.float32
+        assert field.shape == (1, 2)
+        assert field.dtype == np.float32
         assert list(field.labels) == ["moro/left", "moro/right"]
 
 
