@@ -41,6 +41,7 @@ const option mimo_agent_options[] = {
     OPTION(mimo_agent_config, touch_frame, kSigned),
     OPTION(mimo_agent_config, touch_scale, kNumber),
     OPTION(mimo_agent_config, touch_slip_threshold, kNumber),
+    OPTION(mimo_agent_config, reflexes, kUnsigned),
     {NULL, kText, 0},
 };
 

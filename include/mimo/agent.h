@@ -70,6 +70,16 @@ extern "C" {
 #define MIMO_ACT_ALL 0x80000000u   /**< All that the loaded library has. */
 #define MIMO_ACT_NONE 0x40000000u  /**< No motor at all; excludes the other bits. */
 
+/** Reflexes of newborns, which add to the agent's commands by its age: see docs/guide/reflexes.md. */
+#define MIMO_REFLEX_PALMAR_GRASP 0x1u           /**< Fingers close on what presses on the palm; needs five fingers. */
+#define MIMO_REFLEX_PLANTAR_GRASP 0x2u          /**< Toes curl under what presses on the ball of the foot. */
+#define MIMO_REFLEX_ROOTING 0x4u                /**< The head turns to what touches a corner of the mouth. */
+#define MIMO_REFLEX_MORO 0x8u                   /**< A head that drops: arms open, then close. */
+#define MIMO_REFLEX_ASYMMETRIC_TONIC_NECK 0x10u /**< The head turned aside: limbs stretch there, bend opposite. */
+#define MIMO_REFLEX_STEPPING 0x20u              /**< Upright on its feet, leaning forward: legs step in turn. */
+#define MIMO_REFLEX_WITHDRAWAL 0x40u            /**< Legs draw back from what touches or pricks one. */
+#define MIMO_REFLEX_ALL 0x80000000u             /**< All that this body can do, of those of the loaded library. */
+
 #define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */
 #define MIMO_TOUCH_NORMAL_FORCE 0x2u /**< touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE. */
 #define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: how it slides over the skin, along its tangents, m/s. */
@@ -110,7 +120,7 @@ MIMO_API const char *mimo_face_name(size_t index) MIMO_NOEXCEPT;
  *   - has skin where mimo_scene_set_touch says so, and nowhere else;
  *   - sees with all cameras that it carries, "vision/NAME";
  *   - has a vestibular organ where vestibular_at says;
- *   - has no face, no gaze, and its only task is "none" or one of your own.
+ *   - has no face, no gaze, no reflexes, and its only task is "none" or one of your own.
  */
 typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
@@ -136,7 +146,7 @@ typedef struct mimo_agent_config {
   uint32_t touch;              /**< MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE. */
   int32_t touch_response;      /**< MIMO_RESPONSE_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much. */
   int32_t touch_frame;         /**< MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components. */
-  uint32_t touch_reserved;     /**< 0. */
+  uint32_t reflexes;           /**< MIMO_REFLEX_ bits, felt as reflex/activation; 0 (default): none. */
   double touch_scale;          /**< Divides the usual distances between sensors: 2 makes 4 times as many. Default 1. */
   double touch_slip_threshold; /**< Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005. */
   const char *face;            /**< The face that it shows at first, see mimo_face_name; NULL: neutral. */

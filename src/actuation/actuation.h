@@ -49,6 +49,10 @@ class Actuation {
   // pull with now; false where there are no such muscles.
   virtual bool pulls(const mjData&, double*) const { return false; }
 
+  // What it takes in each action's command to pull a motor with that share of all it can do to that side, -1 to 1; is
+  // added to one number for each action.
+  virtual void pull(std::size_t motor, double share, double* offsets) const = 0;
+
   // What the present commands cost, 0 to 1: their squares, weighted by the strength of the motors.
   virtual double effort(const mjModel& model, const mjData& data) const = 0;
   // What the options want the agent to feel of its commands. This object outlives it.
@@ -60,18 +64,24 @@ class Actuation {
   virtual void load(ByteReader&) {}
 
  protected:
+  struct Range {
+    double low, high;
+  };
+  // Of the command of an action.
+  const Range& range(std::size_t index) const { return ranges_[index]; }
+
   explicit Actuation(bool normalize) : normalize_(normalize) {}
   // One action after the other: its name, the range of its command, and its unit, "" for a share.
   void add(std::string name, double low, double high, const char* unit = "");
 
  private:
+  friend class Additions;
   // All that there is to feel, of all actuators of a body: also of those that are left to others.
   virtual Feedback feel(const mjModel& model, const body::Body& body) const = 0;
   virtual void command(std::size_t index, double value, engine::Physics& physics) = 0;
+  // What was commanded last, by whomever.
+  virtual double commanded(std::size_t index, const engine::Physics& physics) const = 0;
 
-  struct Range {
-    double low, high;
-  };
   bool normalize_;
   std::vector<Range> ranges_;
   std::vector<float> low_, high_;

@@ -77,6 +77,12 @@ void Muscle::reset(engine::Physics& physics) {
 
 void Muscle::command(std::size_t index, double value, engine::Physics&) { side(index).target = value; }
 
+double Muscle::commanded(std::size_t index, const engine::Physics&) const { return side(index).target; }
+
+void Muscle::pull(std::size_t motor, double share, double* offsets) const {
+  offsets[share > 0 ? motor + joints_.size() : motor] += std::abs(share);
+}
+
 double Muscle::force(const Joint& joint, const Side& side, const mjData& data) const {
   const double length = side.slope * (data.qpos[joint.joint.qpos] - joint.rest) + side.offset;
   const double velocity = side.slope * data.qvel[joint.joint.dof];

@@ -17,6 +17,8 @@ class Muscle : public Actuation {
 
   void reset(engine::Physics& physics) override;
   void advance(engine::Physics& physics) override;
+  // With the muscle of that side alone.
+  void pull(std::size_t motor, double share, double* offsets) const override;
   bool pulls(const mjData& data, double* shares) const override;
   double effort(const mjModel& model, const mjData& data) const override;
   void save(ByteWriter& to) const override;
@@ -52,6 +54,7 @@ class Muscle : public Actuation {
 
   Feedback feel(const mjModel& model, const body::Body& body) const override;
   void command(std::size_t index, double value, engine::Physics& physics) override;
+  double commanded(std::size_t index, const engine::Physics& physics) const override;
   const Joint& joint(std::size_t action) const { return joints_[action % joints_.size()]; }
   double force(const Joint& joint, const Side& side, const mjData& data) const;
   Side& side(std::size_t action) { return joints_[action % joints_.size()].sides[action / joints_.size()]; }

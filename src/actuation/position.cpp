@@ -62,4 +62,12 @@ void Position::command(std::size_t index, double value, engine::Physics& physics
   physics.hold(motors_[index].lock, value);
 }
 
+double Position::commanded(std::size_t index, const engine::Physics& physics) const {
+  return engine::lock_angle(physics.model(), motors_[index].lock);
+}
+
+void Position::pull(std::size_t motor, double share, double* offsets) const {
+  offsets[motor] += share * (range(motor).high - range(motor).low);
+}
+
 }  // namespace mimo::actuation

@@ -13,6 +13,8 @@ class Position : public Actuation {
   // Holds every joint where the world starts.
   void reset(engine::Physics& physics) override;
   bool holds(int lock) const override;
+  // By that share of the joint's range of motion.
+  void pull(std::size_t motor, double share, double* offsets) const override;
   // Locks cost nothing.
   double effort(const mjModel&, const mjData&) const override { return 0; }
 
@@ -20,6 +22,7 @@ class Position : public Actuation {
   // The angles at which joints are held.
   Feedback feel(const mjModel& model, const body::Body& body) const override;
   void command(std::size_t index, double value, engine::Physics& physics) override;
+  double commanded(std::size_t index, const engine::Physics& physics) const override;
 
   std::vector<body::Motor> motors_;
 };

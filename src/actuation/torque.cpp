@@ -39,6 +39,14 @@ void Torque::command(std::size_t index, double value, engine::Physics& physics) 
   physics.data().ctrl[actuators_[index]] = value;
 }
 
+double Torque::commanded(std::size_t index, const engine::Physics& physics) const {
+  return physics.data().ctrl[actuators_[index]];
+}
+
+void Torque::pull(std::size_t motor, double share, double* offsets) const {
+  offsets[motor] += share * std::abs(share > 0 ? range(motor).high : range(motor).low);
+}
+
 // What an infant's motors are told is known as torque as well; the actuators of others may be servos or muscles.
 Feedback Torque::feel(const mjModel& model, const body::Body& body) const {
   const std::vector<int>& ids = body.actuators;

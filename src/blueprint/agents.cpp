@@ -84,6 +84,9 @@ void Agents::require_name(const std::string& name) const {
 
 std::size_t Agents::add(const AgentPlan& plan, scene::Scene& scene) {
   require_name(plan.options.name);
+  require(plan.options.reflexes.wanted == 0 || plan.options.root.empty(),
+          "reflexes is {:#x}, but the agent is body \"{}\" with what hangs on it: only infants have reflexes",
+          plan.options.reflexes.wanted, plan.options.root);
   AgentPlan own = plan;
   own.options.root.empty() ? join_as_infant(own, scene) : join_as_part(own);
   agents_.push_back(std::move(own.options));

@@ -56,7 +56,6 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
                                  MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM |
                                  MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW | MIMO_TOUCH_UNITS;
   check_bits(config.touch, kAll, "touch");
-  check_reserved(config.touch_reserved, "touch_reserved");
   const auto has = [&](std::uint32_t bit) { return (config.touch & bit) != 0; };
   senses::TouchOptions options;
   options.force = has(MIMO_TOUCH_FORCE);
@@ -115,6 +114,16 @@ senses::VestibularOptions vestibular(const mimo_agent_config& config) {
   return options;
 }
 
+env::ReflexOptions reflexes(const mimo_agent_config& config) {
+  constexpr std::uint32_t kAll = MIMO_REFLEX_PALMAR_GRASP | MIMO_REFLEX_PLANTAR_GRASP | MIMO_REFLEX_ROOTING |
+                                 MIMO_REFLEX_MORO | MIMO_REFLEX_ASYMMETRIC_TONIC_NECK | MIMO_REFLEX_STEPPING |
+                                 MIMO_REFLEX_WITHDRAWAL;
+  env::ReflexOptions options;
+  options.wanted = resolve_bits(config.reflexes, MIMO_REFLEX_ALL, kAll, "reflexes");
+  options.where_possible = (config.reflexes & MIMO_REFLEX_ALL) != 0;
+  return options;
+}
+
 env::AgentOptions agent_options(const mimo_agent_config& config) {
   env::AgentOptions options;
   options.name = text(config.name);
@@ -126,6 +135,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.touch = touch(config);
   options.face = text(config.face);
   options.actuation = actuation(config);
+  options.reflexes = reflexes(config);
   options.root = text(config.root);
   return options;
 }

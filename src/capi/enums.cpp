@@ -10,6 +10,7 @@
 #include "growth/growth.h"
 #include "mimo/mimo.h"
 #include "observation/field.h"
+#include "reflexes/table.h"
 #include "scene/groups.h"
 #include "scene/scene.h"
 #include "senses/touch/options.h"
@@ -56,6 +57,15 @@ static_assert(same(MIMO_SEX_FEMALE, growth::Sex::kFemale));
 static_assert(same(MIMO_SEX_MALE, growth::Sex::kMale));
 static_assert(same(MIMO_GROWTH_WHO, growth::Model::kWho));
 static_assert(same(MIMO_GROWTH_ORIGINAL, growth::Model::kOriginal));
+
+constexpr bool is_bit(unsigned bit, reflexes::Reflex reflex) { return bit == 1U << static_cast<int>(reflex); }
+static_assert(is_bit(MIMO_REFLEX_PALMAR_GRASP, reflexes::Reflex::kPalmarGrasp));
+static_assert(is_bit(MIMO_REFLEX_PLANTAR_GRASP, reflexes::Reflex::kPlantarGrasp));
+static_assert(is_bit(MIMO_REFLEX_ROOTING, reflexes::Reflex::kRooting));
+static_assert(is_bit(MIMO_REFLEX_MORO, reflexes::Reflex::kMoro));
+static_assert(is_bit(MIMO_REFLEX_ASYMMETRIC_TONIC_NECK, reflexes::Reflex::kTonicNeck));
+static_assert(is_bit(MIMO_REFLEX_STEPPING, reflexes::Reflex::kStepping));
+static_assert(is_bit(MIMO_REFLEX_WITHDRAWAL, reflexes::Reflex::kWithdrawal));
 
 static_assert(same(MIMO_OUTCOME_NONE, tasks::Outcome::kNone));
 static_assert(same(MIMO_OUTCOME_SUCCESS, tasks::Outcome::kSuccess));

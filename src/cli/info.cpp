@@ -155,6 +155,7 @@ void add_info(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Count what a scene holds, list what its infant senses and does");
   add_scene_options(*command, options->world);
   add_actuation_option(*command, options->world);
+  add_reflexes_option(*command, options->world);
   add_vision_options(*command, options->world, "the scene's own");
   add_touch_option(*command, options->world);
   add_senses_option(*command, options->world);

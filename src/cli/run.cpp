@@ -178,6 +178,7 @@ void add_run(CLI::App& program) {
   add_scene_options(*command, options->world);
   add_maturity_options(*command, options->world.age);
   add_actuation_option(*command, options->world);
+  add_reflexes_option(*command, options->world);
   command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
       ->type_name("S")
       ->check(number(0.01, 1e6))

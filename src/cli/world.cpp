@@ -101,29 +101,42 @@ std::string check_seed(const std::string& text) {
   return good ? "" : "expected a whole number from 0 to 18446744073709551615, not '" + text + "'";
 }
 
-constexpr struct {
+struct Word {
   const char* name;
   std::uint32_t bit;
-} kEffects[] = {{"shadows", MIMO_RENDER_SHADOWS},
-                {"reflections", MIMO_RENDER_REFLECTIONS},
-                {"sky", MIMO_RENDER_SKY},
-                {"haze", MIMO_RENDER_HAZE},
-                {"fog", MIMO_RENDER_FOG}};
+};
 
-std::uint32_t effect_bit(const std::string& name) {
-  for (const auto& effect : kEffects) {
-    if (name == effect.name) return effect.bit;
+constexpr Word kEffects[] = {{"shadows", MIMO_RENDER_SHADOWS},
+                             {"reflections", MIMO_RENDER_REFLECTIONS},
+                             {"sky", MIMO_RENDER_SKY},
+                             {"haze", MIMO_RENDER_HAZE},
+                             {"fog", MIMO_RENDER_FOG}};
+
+constexpr Word kReflexes[] = {{"palmar_grasp", MIMO_REFLEX_PALMAR_GRASP},
+                              {"plantar_grasp", MIMO_REFLEX_PLANTAR_GRASP},
+                              {"rooting", MIMO_REFLEX_ROOTING},
+                              {"moro", MIMO_REFLEX_MORO},
+                              {"asymmetric_tonic_neck", MIMO_REFLEX_ASYMMETRIC_TONIC_NECK},
+                              {"stepping", MIMO_REFLEX_STEPPING},
+                              {"withdrawal", MIMO_REFLEX_WITHDRAWAL},
+                              {"all", MIMO_REFLEX_ALL}};
+
+template <std::size_t kCount>
+std::uint32_t bit_of(const Word (&words)[kCount], const std::string& name) {
+  for (const Word& word : words) {
+    if (name == word.name) return word.bit;
   }
   return 0;
 }
 
-// The bits of a list of effects; nothing where one is unknown.
-std::optional<std::uint32_t> effect_bits(const std::string& list) {
+// The bits of a list of words; nothing where one is unknown.
+template <std::size_t kCount>
+std::optional<std::uint32_t> bits_of(const Word (&words)[kCount], const std::string& list) {
   std::uint32_t bits = 0;
   if (list == "none") return bits;
   for (std::size_t start = 0; start <= list.size();) {
     const std::size_t end = std::min(list.find(',', start), list.size());
-    const std::uint32_t bit = effect_bit(list.substr(start, end - start));
+    const std::uint32_t bit = bit_of(words, list.substr(start, end - start));
     if (bit == 0) return std::nullopt;
     bits |= bit;
     start = end + 1;
@@ -131,8 +144,15 @@ std::optional<std::uint32_t> effect_bits(const std::string& list) {
   return bits;
 }
 
+std::string check_reflexes(const std::string& list) {
+  if (bits_of(kReflexes, list)) return "";
+  return "expected 'all', 'none' or a list of palmar_grasp, plantar_grasp, rooting, moro, asymmetric_tonic_neck, "
+         "stepping and withdrawal with commas between, not '" +
+         list + "'";
+}
+
 std::string check_effects(const std::string& list) {
-  if (effect_bits(list)) return "";
+  if (bits_of(kEffects, list)) return "";
   return "expected 'none' or a list of shadows, reflections, sky, haze and fog with commas between, not '" + list + "'";
 }
 
@@ -173,6 +193,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
+  agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0);
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
 }
@@ -264,6 +285,16 @@ void add_senses_option(CLI::App& command, WorldOptions& options) {
       ->check(CLI::IsMember({"usual", "all"}).description(""));
 }
 
+void add_reflexes_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--reflexes", options.reflexes,
+                  "Reflexes of newborns, which fade with age: none, all that the body can do,\nor a list of "
+                  "palmar_grasp,plantar_grasp,rooting,moro,\nasymmetric_tonic_neck,stepping,withdrawal")
+      ->type_name("LIST")
+      ->check(CLI::Validator(check_reflexes, ""))
+      ->capture_default_str();
+}
+
 void add_face_option(CLI::App& command, WorldOptions& options) {
   command.add_option("--face", options.face, "The infant's face: " + list(mimo::face_names()))->type_name("NAME");
 }
@@ -304,7 +335,7 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config) {
   config.renderer = options.renderer.c_str();
   config.samples = options.samples;
   config.render_threads = options.render_threads;
-  if (!options.effects.empty()) config.render = effect_bits(options.effects).value_or(config.render);
+  if (!options.effects.empty()) config.render = bits_of(kEffects, options.effects).value_or(config.render);
 }
 
 mimo::Env open_world(const WorldOptions& options, mimo_env_config config) {

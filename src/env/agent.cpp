@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "env/reflexes.h"
 #include "observation/signals.h"
 
 namespace mimo::env {
@@ -22,13 +23,24 @@ void check_joint_torque(const mjModel& model, const AgentOptions& options) {
        "model, for MuJoCo to compute the forces between its bodies");
 }
 
+void add_reflexes(Agent& agent, const mjModel& model, const AgentOptions& options, double tick) {
+  std::unique_ptr<Reflexes> reflexes = make_reflexes(model, agent, options, tick);
+  if (reflexes == nullptr) return;
+  agent.reflexes = reflexes.get();
+  auto felt = std::make_unique<observation::Signals>(observation::Share::kProprioception,
+                                                     std::vector<observation::Signal>{reflexes->signal()});
+  felt->keep(std::move(reflexes));
+  add_sense(agent, options, std::move(felt));
+}
+
 }  // namespace
 
 Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const Setting& setting,
                  const TaskMaker& make_task, std::size_t number, render::Renderer* renderer, SkinPtr skin) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
-  Agent agent{perceive(model, options, setting, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr};
+  Agent agent{
+      perceive(model, options, setting, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr, nullptr};
   if (options.root.empty()) {
     const growth::Growth grown = options.growth.body ? options.growth : growth::Growth{};
     agent.age = Age{grown.age, grown.physiological_age};
@@ -37,6 +49,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);
+  add_reflexes(agent, model, options, setting.tick);
   agent.task = make_task(model, agent.body, number);
   add_sense(agent, options,
             std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));

@@ -43,6 +43,9 @@ void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
   if (options.actuation.effort || actuation::is_muscle(options.actuation.mode)) {
     fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
   }
+  if (options.reflexes.wanted != 0) {
+    fail(Status::kUnsupported, "reflexes: with attached senses the host commands the motors, and nothing adds to that");
+  }
   AgentOptions idle = options;
   idle.actuation.none = true;  // the host commands
   agents_.push_back(perceive(*model_, idle, setting, renderer_.get()));

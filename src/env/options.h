@@ -29,6 +29,11 @@ struct Maturity {
   growth::Conduction nerves;
 };
 
+struct ReflexOptions {
+  std::uint32_t wanted = 0;     // bits in the order of reflexes::Reflex
+  bool where_possible = false;  // of these, those that the body can do; else one that it cannot do is refused
+};
+
 // How late an agent feels parts of its body, in seconds, whatever its nerves are like.
 struct PartDelays {
   std::optional<double> everywhere;
@@ -45,6 +50,7 @@ struct AgentOptions {
   senses::VestibularOptions vestibular;
   senses::VisionOptions vision;
   actuation::Options actuation;
+  ReflexOptions reflexes;  // of an infant
   senses::TouchOptions touch;
   growth::Growth growth;                        // of an infant
   std::optional<Maturity> maturity;             // nothing: as its growth says

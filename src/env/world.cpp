@@ -9,6 +9,7 @@
 #include "engine/custom.h"
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
+#include "env/reflexes.h"
 #include "env/requested_fields.h"
 #include "env/things.h"
 #include "format/names.h"
@@ -219,16 +220,21 @@ void World::act(Span<const float> actions) {
     if (agent.path) {
       agent.path->send(own, episode_.noise, episode_.step);
     } else if (!own.empty()) {
-      agent.actuation->apply(own, physics_);
+      apply(agent, own);
     }
   }
+}
+
+void World::apply(const Agent& agent, Span<const float> actions) {
+  agent.actuation->apply(actions, physics_);
+  if (agent.reflexes != nullptr) agent.reflexes->follow(actions, physics_);
 }
 
 void World::let_arrive(std::uint64_t tick) {
   for (const Agent& agent : agents_) {
     if (!agent.path) continue;
     const Span<const float> own = agent.path->arrive(tick);
-    if (!own.empty()) agent.actuation->apply(own, physics_);
+    if (!own.empty()) apply(agent, own);
   }
 }
 
@@ -248,7 +254,10 @@ void World::step_physics(int count) {
 }
 
 void World::step_once(bool sensors) {
-  for (const Agent& agent : agents_) agent.actuation->advance(physics_);
+  for (const Agent& agent : agents_) {
+    if (agent.reflexes != nullptr) agent.reflexes->act(physics_);
+    agent.actuation->advance(physics_);
+  }
   physics_.step(1, sensors);
   if (step_contacts_.wanted()) step_contacts_.add(physics_);
 }

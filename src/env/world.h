@@ -114,6 +114,7 @@ class World {
   // Ticks of the episode that its whole steps have.
   std::uint64_t ticks() const { return episode_.step * static_cast<std::uint64_t>(options_.frame_skip); }
   void act(Span<const float> actions);
+  void apply(const Agent& agent, Span<const float> actions);
   void let_arrive(std::uint64_t tick);
   std::vector<Section> sections();
   void add_sections(Agent& agent, std::vector<Section>& sections);

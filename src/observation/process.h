@@ -27,6 +27,10 @@ class Process {
   // What it remembers. This object outlives it and stays where it is.
   Section section();
 
+ protected:
+  // False from when its memory was lost until the next tick, with which it begins anew.
+  bool begun() const { return begun_; }
+
  private:
   virtual void rest(const mjModel& model, const mjData& data) = 0;
   virtual void go_on(const mjModel& model, const mjData& data) = 0;

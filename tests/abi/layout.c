@@ -91,7 +91,7 @@ int main(void) {
   FIELD(mimo_agent_config, touch);
   FIELD(mimo_agent_config, touch_response);
   FIELD(mimo_agent_config, touch_frame);
-  FIELD(mimo_agent_config, touch_reserved);
+  FIELD(mimo_agent_config, reflexes);
   FIELD(mimo_agent_config, touch_scale);
   FIELD(mimo_agent_config, touch_slip_threshold);
   FIELD(mimo_agent_config, face);

@@ -6,6 +6,7 @@
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
+//   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
 #include <mimo/mimo.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors };
+enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes };
 
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
@@ -73,6 +74,8 @@ mimo_env* make(Extra extra, bool has) {
     agent.proprioception |= MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY | MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY |
                             MIMO_PROPRIOCEPTION_TENDON_ORGAN | MIMO_PROPRIOCEPTION_JOINT_RECEPTOR;
   }
+  // Withdrawal stays; nothing touches the infant but the floor, so that both worlds go the same way.
+  if (has && extra == Extra::kReflexes) agent.reflexes = MIMO_REFLEX_ALL;
   check(mimo_scene_add_agent(scene, &agent, nullptr));
   if (has && (extra == Extra::kDelays || extra == Extra::kEyes)) mature(scene, extra);
   mimo_env_config config;
@@ -109,6 +112,7 @@ int main(int argc, char** argv) {
                       : what == "delays"    ? Extra::kDelays
                       : what == "skin"      ? Extra::kSkin
                       : what == "receptors" ? Extra::kReceptors
+                      : what == "reflexes"  ? Extra::kReflexes
                                             : Extra::kContacts;
   const int usual_steps = extra == Extra::kEyes ? 200 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;

@@ -225,6 +225,12 @@ static void root_and_groups(args* a) {
   a->agent_config->acts = MIMO_ACT_HEAD;
 }
 
+static void root_with_reflexes(args* a) {
+  a->agent_config->root = "torso";
+  a->agent_config->body = "scene";
+  a->agent_config->reflexes = MIMO_REFLEX_MORO;
+}
+
 /* ---- The table ---- */
 
 #define NONE \

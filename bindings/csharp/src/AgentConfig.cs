@@ -57,7 +57,8 @@ namespace Mimo
         public TouchResponse touch_response;
         /// <summary>The frame of touch forces.</summary>
         public TouchFrame touch_frame;
-        internal uint touch_reserved;
+        /// <summary>Its reflexes of newborns, which add to its commands; none by default.</summary>
+        public Reflexes reflexes;
         /// <summary>Divides the usual distances between touch sensors.</summary>
         public double touch_scale;
         /// <summary>Slip below counts as none, m/s.</summary>

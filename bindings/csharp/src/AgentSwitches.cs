@@ -49,6 +49,30 @@ namespace Mimo
         All = 0x80000000
     }
 
+    /// <summary>Reflexes of newborns.</summary>
+    [Flags]
+    public enum Reflexes : uint
+    {
+        /// <summary>None.</summary>
+        None = 0,
+        /// <summary>Fingers close on what presses on the palm; needs five fingers.</summary>
+        PalmarGrasp = 0x1,
+        /// <summary>Toes curl under what presses on the ball of the foot.</summary>
+        PlantarGrasp = 0x2,
+        /// <summary>The head turns to what touches a corner of the mouth.</summary>
+        Rooting = 0x4,
+        /// <summary>A head that drops: arms open, then close.</summary>
+        Moro = 0x8,
+        /// <summary>The head turned aside: limbs stretch there, bend opposite.</summary>
+        AsymmetricTonicNeck = 0x10,
+        /// <summary>Upright on its feet, leaning forward: legs step in turn.</summary>
+        Stepping = 0x20,
+        /// <summary>Legs draw back from what touches or pricks one.</summary>
+        Withdrawal = 0x40,
+        /// <summary>All that this body can do.</summary>
+        All = 0x80000000
+    }
+
     /// <summary>What the sense of balance feels.</summary>
     [Flags]
     public enum Vestibular : uint

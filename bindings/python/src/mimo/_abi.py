@@ -113,7 +113,7 @@ class AgentConfig(Struct):
         ("touch", c_uint32),
         ("touch_response", c_int32),
         ("touch_frame", c_int32),
-        ("touch_reserved", c_uint32),
+        ("reflexes", c_uint32),
         ("touch_scale", c_double),
         ("touch_slip_threshold", c_double),
         ("face", c_char_p),

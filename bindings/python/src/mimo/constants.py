@@ -40,6 +40,19 @@ class Vestibular(IntFlag):
     GRAVITY = 0x10
 
 
+class Reflex(IntFlag):
+    """Reflexes of newborns. ALL is a bit of its own: all that the body can do."""
+
+    PALMAR_GRASP = 0x1
+    PLANTAR_GRASP = 0x2
+    ROOTING = 0x4
+    MORO = 0x8
+    ASYMMETRIC_TONIC_NECK = 0x10
+    STEPPING = 0x20
+    WITHDRAWAL = 0x40
+    ALL = 0x80000000
+
+
 class Place(IntEnum):
     """Which point of an infant lies at its position."""
 

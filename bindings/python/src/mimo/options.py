@@ -28,6 +28,7 @@ from .constants import (
     Place,
     Proprioception,
     Quantity,
+    Reflex,
     Render,
     Sex,
     Shape,
@@ -98,6 +99,7 @@ class AgentOptions(GrowthOptions, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
+    reflexes: Union[Reflex, str, Sequence[Union[Reflex, str]]]
     senses: Literal["usual", "all"]
     face: str
     root: str

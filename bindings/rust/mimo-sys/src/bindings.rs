@@ -176,6 +176,22 @@ pub const MIMO_ACT_LEFT_FOOT: u32 = 1024;
 pub const MIMO_ACT_ALL: u32 = 2147483648;
 #[doc = "No motor at all; excludes the other bits."]
 pub const MIMO_ACT_NONE: u32 = 1073741824;
+#[doc = "Fingers close on what presses on the palm; needs five fingers."]
+pub const MIMO_REFLEX_PALMAR_GRASP: u32 = 1;
+#[doc = "Toes curl under what presses on the ball of the foot."]
+pub const MIMO_REFLEX_PLANTAR_GRASP: u32 = 2;
+#[doc = "The head turns to what touches a corner of the mouth."]
+pub const MIMO_REFLEX_ROOTING: u32 = 4;
+#[doc = "A head that drops: arms open, then close."]
+pub const MIMO_REFLEX_MORO: u32 = 8;
+#[doc = "The head turned aside: limbs stretch there, bend opposite."]
+pub const MIMO_REFLEX_ASYMMETRIC_TONIC_NECK: u32 = 16;
+#[doc = "Upright on its feet, leaning forward: legs step in turn."]
+pub const MIMO_REFLEX_STEPPING: u32 = 32;
+#[doc = "Legs draw back from what touches or pricks one."]
+pub const MIMO_REFLEX_WITHDRAWAL: u32 = 64;
+#[doc = "All that this body can do, of those of the loaded library."]
+pub const MIMO_REFLEX_ALL: u32 = 2147483648;
 #[doc = "touch/force, N x 3: normal force and friction, N."]
 pub const MIMO_TOUCH_FORCE: u32 = 1;
 #[doc = "touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE."]
@@ -858,7 +874,7 @@ extern "C" {
 #[doc = "  - has skin where mimo_scene_set_touch says so, and nowhere else;"]
 #[doc = "  - sees with all cameras that it carries, \"vision/NAME\";"]
 #[doc = "  - has a vestibular organ where vestibular_at says;"]
-#[doc = "  - has no face, no gaze, and its only task is \"none\" or one of your own."]
+#[doc = "  - has no face, no gaze, no reflexes, and its only task is \"none\" or one of your own."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_agent_config {
@@ -905,8 +921,8 @@ pub struct mimo_agent_config {
     pub touch_response: i32,
     #[doc = "MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components."]
     pub touch_frame: i32,
-    #[doc = "0."]
-    pub touch_reserved: u32,
+    #[doc = "MIMO_REFLEX_ bits, felt as reflex/activation; 0 (default): none."]
+    pub reflexes: u32,
     #[doc = "Divides the usual distances between sensors: 2 makes 4 times as many. Default 1."]
     pub touch_scale: f64,
     #[doc = "Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005."]

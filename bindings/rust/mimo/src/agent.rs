@@ -107,6 +107,12 @@ impl AgentConfig {
         self
     }
 
+    /// `MIMO_REFLEX_` bits: reflexes of newborns, which add to its commands; at first none.
+    pub fn reflexes(&mut self, bits: u32) -> &mut Self {
+        self.raw.reflexes = bits;
+        self
+    }
+
     /// Of colour: the middle is shown L / ln(1 + L) times as large and the rim small; 0: as drawn.
     pub fn vision_foveation(&mut self, strength: f64) -> &mut Self {
         self.raw.vision_foveation = strength;
