@@ -78,6 +78,7 @@ extern "C" {
 #define MIMO_REFLEX_ASYMMETRIC_TONIC_NECK 0x10u /**< The head turned aside: limbs stretch there, bend opposite. */
 #define MIMO_REFLEX_STEPPING 0x20u              /**< Upright on its feet, leaning forward: legs step in turn. */
 #define MIMO_REFLEX_WITHDRAWAL 0x40u            /**< Legs draw back from what touches or pricks one. */
+#define MIMO_REFLEX_FELT 0x40000000u            /**< reflex/activation has all that this body can do. */
 #define MIMO_REFLEX_ALL 0x80000000u             /**< All that this body can do, of those of the loaded library. */
 
 #define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */

@@ -119,7 +119,9 @@ env::ReflexOptions reflexes(const mimo_agent_config& config) {
                                  MIMO_REFLEX_MORO | MIMO_REFLEX_ASYMMETRIC_TONIC_NECK | MIMO_REFLEX_STEPPING |
                                  MIMO_REFLEX_WITHDRAWAL;
   env::ReflexOptions options;
-  options.wanted = resolve_bits(config.reflexes, MIMO_REFLEX_ALL, kAll, "reflexes");
+  check_bits(config.reflexes, kAll | MIMO_REFLEX_ALL | MIMO_REFLEX_FELT, "reflexes");
+  options.wanted = resolve_bits(config.reflexes & ~MIMO_REFLEX_FELT, MIMO_REFLEX_ALL, kAll, "reflexes");
+  options.felt = (config.reflexes & MIMO_REFLEX_FELT) != 0;
   options.where_possible = (config.reflexes & MIMO_REFLEX_ALL) != 0;
   return options;
 }

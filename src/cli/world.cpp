@@ -193,7 +193,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
-  agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0);
+  agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
 }

@@ -32,6 +32,7 @@ struct Maturity {
 struct ReflexOptions {
   std::uint32_t wanted = 0;     // bits in the order of reflexes::Reflex
   bool where_possible = false;  // of these, those that the body can do; else one that it cannot do is refused
+  bool felt = false;            // reflex/activation has all that the body can do, whatever is wanted
 };
 
 // How late an agent feels parts of its body, in seconds, whatever its nerves are like.

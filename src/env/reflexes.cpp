@@ -50,6 +50,16 @@ std::vector<Reflex> wanted(const mjModel& model, const Perception& agent, const 
   return reflexes;
 }
 
+std::vector<Reflex> felt(const mjModel& model, const Perception& agent, const ReflexOptions& options) {
+  if (!options.felt) return wanted(model, agent, options);
+  std::vector<Reflex> reflexes;
+  for (std::size_t i = 0; i < reflexes::kReflexes; ++i) {
+    const auto reflex = static_cast<Reflex>(i);
+    if (lacking(model, agent, reflex).empty()) reflexes.push_back(reflex);
+  }
+  return reflexes;
+}
+
 // Where its stimulus is felt.
 std::string place_of(Reflex reflex, Side side) {
   const std::string its = reflexes::kSideNames[static_cast<std::size_t>(side)];
@@ -81,6 +91,7 @@ double motor_length(const mjModel& model, const body::Body& body, Reflex reflex,
 
 Reflexes::Reflexes(const mjModel& model, const Perception& agent, const AgentOptions& options, double tick)
     : Process("reflexes"),
+      felt_(felt(model, agent, options.reflexes)),
       months_(options.growth.physiological_age),
       stimuli_(model, agent.body, months_, tick, wanted(model, agent, options.reflexes)),
       additions_(model, agent.body, *agent.actuation),
@@ -106,17 +117,28 @@ Reflexes::Reflexes(const mjModel& model, const Perception& agent, const AgentOpt
 observation::Signal Reflexes::signal() const {
   observation::Field field;
   field.name = "reflex/activation";
-  field.shape = {ones_.size() / reflexes::kSides, reflexes::kSides};
+  field.shape = {felt_.size(), reflexes::kSides};
   field.time = observation::Time::kEnd;
   field.low = 0;
   field.high = 1;
-  for (const One& one : ones_) {
-    const std::string side = reflexes::kSideNames[static_cast<std::size_t>(one.side)];
-    field.labels.push_back(reflexes::rule(one.reflex).name + ("/" + side));
+  for (const Reflex reflex : felt_) {
+    for (const Side side : kBoth) {
+      field.labels.push_back(reflexes::rule(reflex).name +
+                             ("/" + std::string(reflexes::kSideNames[static_cast<std::size_t>(side)])));
+    }
   }
-  return {field, [this](const mjModel&, const mjData&, float* out) {
-            for (const One& one : ones_) *out++ = static_cast<float>(activation(one));
-          }};
+  return {field, [this](const mjModel&, const mjData&, float* out) { tell(out); }};
+}
+
+// Both lists are in the order of reflexes.
+void Reflexes::tell(float* out) const {
+  auto one = ones_.begin();
+  for (const Reflex reflex : felt_) {
+    const bool acts = one != ones_.end() && one->reflex == reflex;
+    for (std::size_t side = 0; side < reflexes::kSides; ++side) {
+      *out++ = acts ? static_cast<float>(activation(*one++)) : 0.0F;
+    }
+  }
 }
 
 double Reflexes::activation(const One& one) const {
@@ -185,7 +207,7 @@ void Reflexes::load(ByteReader& from) {
 
 std::unique_ptr<Reflexes> make_reflexes(const mjModel& model, const Perception& agent, const AgentOptions& options,
                                         double tick) {
-  if (wanted(model, agent, options.reflexes).empty()) return nullptr;
+  if (felt(model, agent, options.reflexes).empty()) return nullptr;
   return std::make_unique<Reflexes>(model, agent, options, tick);
 }
 

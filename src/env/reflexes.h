@@ -48,11 +48,13 @@ class Reflexes : public observation::Process {
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;
 
+  void tell(float* out) const;
   double activation(const One& one) const;
   bool pull();
 
+  std::vector<reflexes::Reflex> felt_;  // that the field tells of
   double months_;
-  std::vector<One> ones_;  // reflexes in their order, of each left and right
+  std::vector<One> ones_;  // those that act, in the same order, of each left and right
   Stimuli stimuli_;
   actuation::Additions additions_;
   std::vector<double> shares_;  // one for each motor

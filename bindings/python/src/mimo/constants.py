@@ -41,7 +41,7 @@ class Vestibular(IntFlag):
 
 
 class Reflex(IntFlag):
-    """Reflexes of newborns. ALL is a bit of its own: all that the body can do."""
+    """Reflexes of newborns. ALL is a bit of its own: all that the body can do. FELT: the field has all of these."""
 
     PALMAR_GRASP = 0x1
     PLANTAR_GRASP = 0x2
@@ -50,6 +50,7 @@ class Reflex(IntFlag):
     ASYMMETRIC_TONIC_NECK = 0x10
     STEPPING = 0x20
     WITHDRAWAL = 0x40
+    FELT = 0x40000000
     ALL = 0x80000000
 
 

@@ -14,7 +14,7 @@ from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
-from .constants import NOW, Place, Proprioception, Quantity, Touch, Vestibular
+from .constants import NOW, Place, Proprioception, Quantity, Reflex, Touch, Vestibular
 from .maturity import Maturity, maturity_from
 from .options import (
     AgentOptions,
@@ -81,6 +81,7 @@ def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
         config.vestibular |= sum(Vestibular)
     if config.touch:
         config.touch |= sum(Touch) - Touch.FORCE - Touch.NORMAL_FORCE  # these two exclude each other
+    config.reflexes |= Reflex.FELT
 
 
 class Scene(Handle):
