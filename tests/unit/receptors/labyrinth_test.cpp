@@ -27,8 +27,7 @@ double over_rest(const Canals& canals, std::size_t canal, Afferent type) {
 
 // About the canal's own axis at 60 degrees a second, so that the cosine is 1. K T2/T1 = 0.4366 of Schneider et al. 2015
 // times 60, 26.18, falling to its e-th part in each 5.7 s: after 0.05, 1, 5.7, 11.4 and 17.1
-// s 25.95, 21.97, 9.63, 3.54, 1.30 spikes/s. What the onset adds is over after 0.05 s, of which its pole is the
-// nineteenth part.
+// s 25.95, 21.97, 9.63, 3.54, 1.30 spikes/s. What the onset adds is over by then, as T2 is 2.7 ms.
 TEST(Canals, ATurnThatGoesOnFades) {
   Canals canals(kTick);
   canals.rest(Vector3d::Zero());
