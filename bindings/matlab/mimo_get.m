@@ -6,7 +6,7 @@ function values = mimo_get(world, quantity, names, index)
 %     body_position, body_orientation (w x y z), body_pose, body_velocity, body_force, body_mass, body_center_of_mass,
 %     body_nerve_length (m, from a part of an infant to its head)
 %     joint_position, joint_velocity, joint_force, joint_acceleration, joint_range, joint_damping, joint_lock
-%     actuator_control, actuator_force, actuator_gear, sensor_value
+%     actuator_control, actuator_force, actuator_gear, actuator_fusimotor_drive, sensor_value
 %     geom_position, geom_orientation, geom_pose, geom_size, geom_friction, geom_color
 %     site_position, site_orientation, site_pose, site_velocity
 %     camera_position, camera_orientation, camera_pose

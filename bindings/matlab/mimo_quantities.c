@@ -37,6 +37,7 @@ static const quantity quantities[] = {
     QUANTITY(ACTUATOR, CONTROL, "actuator_control"),
     QUANTITY(ACTUATOR, FORCE, "actuator_force"),
     QUANTITY(ACTUATOR, GEAR, "actuator_gear"),
+    QUANTITY(ACTUATOR, FUSIMOTOR_DRIVE, "actuator_fusimotor_drive"),
     QUANTITY(SENSOR, VALUE, "sensor_value"),
     QUANTITY(LIGHT, POSITION, "light_position"),
     QUANTITY(LIGHT, DIRECTION, "light_direction"),

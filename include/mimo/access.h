@@ -131,6 +131,12 @@ extern "C" {
  * way; 0 for what is no part of one.
  */
 #define MIMO_BODY_NERVE_LENGTH 56
+/**
+ * Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that pulls
+ * to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its agent
+ * senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
+ */
+#define MIMO_ACTUATOR_FUSIMOTOR_DRIVE 57
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by

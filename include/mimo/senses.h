@@ -92,6 +92,18 @@ MIMO_API mimo_status mimo_senses_advance(mimo_senses *senses, const void *data) 
 MIMO_API mimo_status mimo_senses_observe(mimo_senses *senses, const void *data, void *block,
                                          size_t block_bytes) MIMO_NOEXCEPT;
 
+/**
+ * Tells fusimotor neurons of muscles how much to drive their spindles, from the next mimo_senses_advance on, until they
+ * are told otherwise or an episode starts; part of the saved state.
+ * @param actuators  ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all
+ *                   that have spindles.
+ * @param rates      for each of them what MIMO_ACTUATOR_FUSIMOTOR_DRIVE has: four numbers of Hz, 0 to 500.
+ * @param rate_count 4 times as many as actuators.
+ * Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or whose agent senses none. Nothing is changed then.
+ */
+MIMO_API mimo_status mimo_senses_drive_spindles(mimo_senses *senses, const int32_t *actuators, size_t actuator_count,
+                                                const double *rates, size_t rate_count) MIMO_NOEXCEPT;
+
 /** Size in bytes of what the senses remember; it does not change. */
 MIMO_API mimo_status mimo_senses_state_size(const mimo_senses *senses, size_t *bytes) MIMO_NOEXCEPT;
 

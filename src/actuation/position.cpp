@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "body/motor_forces.h"
 
 namespace mimo::actuation {
 
@@ -24,13 +25,17 @@ std::vector<body::Motor> motors_with_locks(const mjModel& model, const body::Bod
 }  // namespace
 
 Position::Position(const mjModel& model, const body::Body& body, bool normalize)
-    : Actuation(normalize), motors_(motors_with_locks(model, body)) {
+    : Actuation(normalize), motors_(motors_with_locks(model, body)), by_lock_(static_cast<std::size_t>(model.neq), -1) {
   for (const body::Motor& motor : motors_) {
     const char* name = engine::name(model, Kind::kActuator, motor.id);
     if (!std::isfinite(motor.joint.low)) {
       fail(Status::kUnsupported, "position control: joint {} of {} has no range",
            engine::name(model, Kind::kJoint, motor.joint.id), name);
     }
+    const auto [weakest, strongest] = body::forces_of(model, motor.id);
+    const double gear = model.actuator_gear[6 * motor.id];
+    by_lock_[static_cast<std::size_t>(motor.lock)] = static_cast<int>(strengths_.size());
+    strengths_.push_back({std::min(gear * weakest, gear * strongest), std::max(gear * weakest, gear * strongest)});
     add(name, motor.joint.low, motor.joint.high, body::units_of(model, {motor.joint}).position);
   }
 }
@@ -41,6 +46,22 @@ void Position::reset(engine::Physics& physics) {
 
 bool Position::holds(int lock) const {
   return std::any_of(motors_.begin(), motors_.end(), [=](const body::Motor& motor) { return motor.lock == lock; });
+}
+
+// A lock's row of the constraints is the joint itself, so that its force is a torque about it.
+bool Position::pulls(const mjData& data, double* shares) const {
+  const std::size_t count = motors_.size();
+  std::fill(shares, shares + 2 * count, 0.0);
+  for (int row = 0; row < data.ne; ++row) {
+    const int motor = by_lock_[static_cast<std::size_t>(data.efc_id[row])];
+    if (motor < 0) continue;
+    const auto at = static_cast<std::size_t>(motor);
+    const double torque = data.efc_force[row];
+    const Strength& strength = strengths_[at];
+    if (torque < 0 && strength.negative < 0) shares[at] = torque / strength.negative;
+    if (torque > 0 && strength.positive > 0) shares[count + at] = torque / strength.positive;
+  }
+  return true;
 }
 
 Feedback Position::feel(const mjModel& model, const body::Body& body) const {

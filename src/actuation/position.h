@@ -1,5 +1,5 @@
 // Position control: an action is the angle at which a joint is to be. The joint's lock, a soft constraint, is switched
-// on and follows the action; the motor itself does nothing.
+// on and follows the action; the motor itself does nothing. What the lock does to the joint is what muscles would.
 #pragma once
 
 #include "actuation/actuation.h"
@@ -15,6 +15,8 @@ class Position : public Actuation {
   bool holds(int lock) const override;
   // By that share of the joint's range of motion.
   void pull(std::size_t motor, double share, double* offsets) const override;
+  // Locks may be stronger than any muscle: shares above 1.
+  bool pulls(const mjData& data, double* shares) const override;
   // Locks cost nothing.
   double effort(const mjModel&, const mjData&) const override { return 0; }
 
@@ -24,7 +26,14 @@ class Position : public Actuation {
   void command(std::size_t index, double value, engine::Physics& physics) override;
   double commanded(std::size_t index, const engine::Physics& physics) const override;
 
+  // The largest torques of a motor to both sides, the negative one below 0.
+  struct Strength {
+    double negative, positive;
+  };
+
   std::vector<body::Motor> motors_;
+  std::vector<Strength> strengths_;  // as the model was when this was made
+  std::vector<int> by_lock_;         // index of a lock's motor; -1: none of these
 };
 
 }  // namespace mimo::actuation

@@ -196,7 +196,8 @@ static_assert(same(MIMO_AGENT_ACHIEVED, env::Quantity::kAgentAchieved));
 static_assert(same(MIMO_AGENT_AGE, env::Quantity::kAgentAge));
 static_assert(same(MIMO_AGENT_PHYSIOLOGICAL_AGE, env::Quantity::kAgentPhysiologicalAge));
 static_assert(same(MIMO_BODY_NERVE_LENGTH, env::Quantity::kBodyNerveLength));
-static_assert(same(MIMO_BODY_NERVE_LENGTH, env::kQuantities));
+static_assert(same(MIMO_ACTUATOR_FUSIMOTOR_DRIVE, env::Quantity::kActuatorFusimotorDrive));
+static_assert(same(MIMO_ACTUATOR_FUSIMOTOR_DRIVE, env::kQuantities));
 static_assert(same(MIMO_WARNING, env::kKinds));
 
 static_assert(same(MIMO_AUTORESET_NONE, batch::Autoreset::kNone));

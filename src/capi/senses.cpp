@@ -95,6 +95,17 @@ mimo_status mimo_senses_advance(mimo_senses* senses, const void* data) noexcept 
   });
 }
 
+mimo_status mimo_senses_drive_spindles(mimo_senses* senses, const int32_t* actuators, size_t actuator_count,
+                                       const double* rates, size_t rate_count) noexcept {
+  return guard(senses, [&] {
+    env::Attached& attached = open(senses).attached;
+    const auto motors = array(actuators, actuator_count, "actuators");
+    const auto from = array(rates, rate_count, "rates");
+    if (actuators == nullptr) return attached.drive_spindles(attached.driven(), from);
+    attached.drive_spindles(motors, from);
+  });
+}
+
 mimo_status mimo_senses_state_size(const mimo_senses* senses, size_t* bytes) noexcept {
   return guard(senses, [&] { out(bytes, "bytes") = open(senses).attached.state_bytes(); });
 }

@@ -8,6 +8,7 @@
 #include "body/nerves.h"
 #include "engine/overrides.h"
 #include "engine/present.h"
+#include "senses/fusimotor_drives.h"
 
 namespace mimo::env {
 namespace {
@@ -106,6 +107,9 @@ void of_world(const World& world, const mjData& data, Quantity quantity, int id,
     case Quantity::kAgentAchieved: world.agents()[index].task->achieved(data, to); break;
     case Quantity::kAgentAge: *to = world.agents()[index].age->body; break;
     case Quantity::kAgentPhysiologicalAge: *to = world.agents()[index].age->physiology; break;
+    case Quantity::kActuatorFusimotorDrive:
+      if (const auto* drives = drives_of(world, id)) drives->get(id, to);
+      break;
     case Quantity::kWarningCount: *to = static_cast<double>(world.physics().warnings()[index]); break;
     default: of_step_contact(world.step_contacts().all()[index], quantity, Out(to)); break;
   }

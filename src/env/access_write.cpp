@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "engine/overrides.h"
 #include "env/access.h"
+#include "senses/fusimotor_drives.h"
 
 namespace mimo::env {
 namespace {
@@ -139,6 +140,10 @@ void check_element(const World& world, Quantity quantity, int id, const double* 
     case Quantity::kLightPosition:
     case Quantity::kLightDirection: check_light(model, quantity, id, values); break;
     case Quantity::kLightColor: check_between("color of light", id, values, 3, 0, kBrightest); break;
+    case Quantity::kActuatorFusimotorDrive:
+      check_between("fusimotor drive of actuator", id, values, width(model, &world, quantity, id), 0,
+                    receptors::kMostFusimotorDrive);
+      break;
     case Quantity::kAgentFace: check_face(world, id, *values); break;
     case Quantity::kWarningCount: check_between("count of warning", id, values, 1, 0, 0); break;
     default: break;
@@ -195,6 +200,9 @@ void write(World& world, Quantity quantity, int id, const double* values, int co
     case Quantity::kLightDirection: std::copy_n(values, 3, physics.light_direction(id)); break;
     case Quantity::kLightColor: copy_narrowed(values, 3, physics.light_color(id)); break;
     case Quantity::kAgentFace: world.show_face(static_cast<std::size_t>(id), static_cast<int>(*values)); break;
+    case Quantity::kActuatorFusimotorDrive:
+      if (auto* drives = drives_of(world, id)) drives->set(id, values);
+      break;
     case Quantity::kWorldGravity: physics.set_gravity({values[0], values[1], values[2]}); break;
     case Quantity::kWarningCount: physics.forget_warnings(id); break;
     default: break;

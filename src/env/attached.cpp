@@ -8,6 +8,7 @@
 #include "env/nerves.h"
 #include "env/requested_fields.h"
 #include "env/things.h"
+#include "senses/fusimotor_drives.h"
 
 namespace mimo::env {
 
@@ -28,6 +29,9 @@ Attached::Attached(const Kit& kit, double step)
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const AgentOptions& agent = kit.agents[i];
     limits_.add(agent.prefix(), agent.limits, nature_of_senses(*model_, agents_[i], agent), clock());
+  }
+  for (int motor = 0; motor < model_->nu; ++motor) {
+    if (drives_of(motor) != nullptr) driven_.push_back(motor);
   }
   limits_.make_room();
   episode_.start(random_, true);
@@ -64,6 +68,9 @@ void Attached::reset(const mjData& data, const std::uint64_t* seed) {
   if (seed != nullptr) random.reseed(*seed);
   Episode episode = episode_;
   episode.start(random, seed != nullptr);
+  for (const Perception& agent : agents_) {
+    if (agent.drives) agent.drives->reset();
+  }
   observer_.begin(*model_, data);
   limits_.begin(*model_, data, nullptr, episode.noise);  // before the episode starts, as it may fail
   random_ = random;
@@ -78,6 +85,29 @@ void Attached::advance(const mjData& data) {
 
 void Attached::observe(const mjData& data, std::uint8_t* block) {
   limits_.look(*model_, data, block, episode_.noise, ticks(episode_.step));
+}
+
+senses::FusimotorDrives* Attached::drives_of(int motor) const {
+  for (const Perception& agent : agents_) {
+    if (agent.drives && agent.drives->has(motor)) return agent.drives.get();
+  }
+  return nullptr;
+}
+
+void Attached::drive_spindles(Span<const std::int32_t> motors, Span<const double> rates) {
+  constexpr std::size_t kNumbers = senses::FusimotorDrives::kNumbers;
+  require(rates.size() == kNumbers * motors.size(), "rate_count is {}, expected {}: {} for each actuator", rates.size(),
+          kNumbers * motors.size(), kNumbers);
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    if (drives_of(motors[i]) != nullptr) continue;
+    fail(Status::kNotFound, "actuators[{}] is {}, expected a motor with spindles that are sensed; there are {}", i,
+         motors[i], driven_.size());
+  }
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    require(rates[i] >= 0 && rates[i] <= receptors::kMostFusimotorDrive, "rates[{}] is {}, expected 0 to {} Hz", i,
+            rates[i], receptors::kMostFusimotorDrive);
+  }
+  for (std::size_t i = 0; i < motors.size(); ++i) drives_of(motors[i])->set(motors[i], rates.data() + kNumbers * i);
 }
 
 std::vector<Section> Attached::sections() {

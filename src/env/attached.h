@@ -35,12 +35,19 @@ class Attached {
   // What is sensed, with what is remembered, which stays as it is.
   void observe(const mjData& data, std::uint8_t* block);
 
+  // What the host tells the fusimotor neurons of these motors, as FusimotorDrives has it. Throws for what has none, and
+  // for rates that are none.
+  void drive_spindles(Span<const std::int32_t> motors, Span<const double> rates);
+  // All motors that have spindles.
+  Span<const std::int32_t> driven() const { return driven_; }
+
   // What is remembered.
   std::size_t state_bytes() const { return archive_.bytes(); }
   void save(Span<std::uint8_t> state) const { archive_.save(state); }
   LoadReport load(Span<const std::uint8_t> state) { return archive_.load(state); }
 
  private:
+  senses::FusimotorDrives* drives_of(int motor) const;
   void add_agent(const AgentOptions& options, const Setting& setting);
   observation::Clock clock() const;
   std::uint64_t ticks(std::uint64_t steps) const;
@@ -50,6 +57,7 @@ class Attached {
   double step_seconds_;
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Perception> agents_;
+  std::vector<std::int32_t> driven_;
   observation::Observer observer_;
   observation::LimitedSenses limits_;
   Random random_;

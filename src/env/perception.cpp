@@ -53,13 +53,14 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
   agent.body = find(model, options);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
   actuation::Feedback feedback = agent.actuation->feedback(model, agent.body, options.actuation);
+  if (options.proprioception.receptors.spindles()) agent.drives = senses::make_fusimotor_drives(model, agent.body);
   if (options.proprioception.any() || options.actuation.felt) {
     add(senses::make_proprioception(
         model, chosen_joints(model, agent.body, options.joints), options.proprioception, std::move(feedback.commands),
         [actuation = agent.actuation.get()](const mjData& data, double* shares) {
           return actuation->pulls(data, shares);
         },
-        setting.tick));
+        agent.drives, setting.tick));
   }
   if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular, setting.tick));
   if (options.touch.any()) {

@@ -11,13 +11,18 @@
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"
 
+namespace mimo::senses {
+class FusimotorDrives;
+}
+
 namespace mimo::env {
 
 struct Perception {
   body::Body body;
   std::unique_ptr<actuation::Actuation> actuation;  // whose commands are felt
   std::vector<std::unique_ptr<observation::Sense>> senses;
-  SkinPtr skin;  // null without touch
+  SkinPtr skin;                                       // null without touch
+  std::shared_ptr<senses::FusimotorDrives> drives{};  // of its spindles; null without them
 };
 
 // What its senses need to know of the world around.

@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "engine/joints.h"
+#include "senses/fusimotor_drives.h"
 
 namespace mimo::env {
 
@@ -67,6 +68,7 @@ const Traits& traits(Quantity quantity) {
       {"agent age", Kind::kAgent, 0, kRead, kAlways, "months"},
       {"agent physiological age", Kind::kAgent, 0, kRead, kAlways, "months"},
       {"body nerve length", Kind::kBody, 1, kRead, kAlways, "m"},
+      {"actuator fusimotor drive", Kind::kActuator, 0, kWrite, kAlways, "Hz"},
   }};
   return kTraits[static_cast<std::size_t>(quantity) - 1];
 }
@@ -84,10 +86,20 @@ int width_of_agent(const Agent& agent, Quantity quantity) {
 
 }  // namespace
 
+senses::FusimotorDrives* drives_of(const World& world, int motor) {
+  for (const Agent& agent : world.agents()) {
+    if (agent.drives && agent.drives->has(motor)) return agent.drives.get();
+  }
+  return nullptr;
+}
+
 int width(const mjModel& model, const World* world, Quantity quantity, int id) {
   const Traits& what = traits(quantity);
   if (what.width > 0) return what.width;
   if (what.kind == Kind::kAgent) return width_of_agent(world->agents()[static_cast<std::size_t>(id)], quantity);
+  if (quantity == Quantity::kActuatorFusimotorDrive) {
+    return world != nullptr && drives_of(*world, id) != nullptr ? senses::FusimotorDrives::kNumbers : 0;
+  }
   if (quantity == Quantity::kSensorValue) return model.sensor_dim[id];
   const int type = model.jnt_type[id];
   return quantity == Quantity::kJointPosition ? engine::position_count(type) : engine::velocity_count(type);

@@ -6,6 +6,10 @@
 #include "base/span.h"
 #include "env/kinds.h"
 
+namespace mimo::senses {
+class FusimotorDrives;
+}
+
 namespace mimo::env {
 
 // As mimo.h numbers them (MIMO_JOINT_POSITION ...).
@@ -66,8 +70,9 @@ enum class Quantity : int {
   kAgentAge,
   kAgentPhysiologicalAge,
   kBodyNerveLength,
+  kActuatorFusimotorDrive,
 };
-constexpr int kQuantities = 56;
+constexpr int kQuantities = 57;
 constexpr int kWidest = 9;  // of those with a width of their own
 
 // When a quantity is true.
@@ -101,6 +106,9 @@ const Traits& traits(Quantity quantity);
 
 // How many values one element has; the world is null where there is only a model, which has no agents.
 int width(const mjModel& model, const World* world, Quantity quantity, int id);
+
+// Whose spindles a motor has; null: nobody's.
+senses::FusimotorDrives* drives_of(const World& world, int motor);
 
 // Whether other worlds of the same model have as many elements.
 bool is_alike(Kind kind);

@@ -13,6 +13,7 @@
 #include "env/requested_fields.h"
 #include "env/things.h"
 #include "format/names.h"
+#include "senses/fusimotor_drives.h"
 
 namespace mimo::env {
 namespace {
@@ -135,6 +136,7 @@ void World::start() {
   for (const Agent& agent : agents_) {
     agent.actuation->reset(physics_);
     if (agent.path) agent.path->forget();
+    if (agent.drives) agent.drives->reset();
   }
 }
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "body/motor_forces.h"
 #include "receptors/joint_receptor.h"
-#include "receptors/spindle.h"
 #include "receptors/tendon_organ.h"
+#include "senses/fusimotor_drives.h"
 
 namespace mimo::senses {
 namespace {
@@ -23,17 +24,6 @@ struct Pair {
   double weakest, strongest;  // forces of the motor, negative and positive
 };
 
-// The motor's range of forces; what has none pulls as hard as its controls may tell it.
-std::pair<double, double> forces_of(const mjModel& model, int motor) {
-  if (model.actuator_forcelimited[motor] != 0) {
-    return {model.actuator_forcerange[2 * motor], model.actuator_forcerange[2 * motor + 1]};
-  }
-  const double gain = model.actuator_gaintype[motor] == mjGAIN_FIXED ? model.actuator_gainprm[mjNGAIN * motor] : 0;
-  const double* controls = model.actuator_ctrlrange + 2 * motor;
-  if (model.actuator_ctrllimited[motor] == 0) return {0, 0};
-  return {std::min(gain * controls[0], gain * controls[1]), std::max(gain * controls[0], gain * controls[1])};
-}
-
 std::vector<Pair> pairs_of(const mjModel& model, const body::Body& body) {
   std::vector<Pair> pairs;
   for (const int motor : body.actuators) {
@@ -42,7 +32,7 @@ std::vector<Pair> pairs_of(const mjModel& model, const body::Body& body) {
     const int type = model.jnt_type[joint];
     if ((type != mjJNT_HINGE && type != mjJNT_SLIDE) || model.jnt_limited[joint] == 0) continue;
     if (!(model.jnt_range[2 * joint] < model.jnt_range[2 * joint + 1])) continue;
-    const auto [weakest, strongest] = forces_of(model, motor);
+    const auto [weakest, strongest] = body::forces_of(model, motor);
     pairs.push_back({motor, body::joint(model, joint), weakest, strongest});
   }
   return pairs;
@@ -65,26 +55,52 @@ Field muscle_field(const mjModel& model, const std::vector<Pair>& pairs, const c
   return field;
 }
 
-// The muscle that pulls to the negative side is long where the angle is large.
-receptors::SpindleRates spindle_of(const Pair& pair, bool negative, const mjData& data,
-                                   const receptors::Fusimotion& drive) {
-  using receptors::kLongestMuscle;
-  using receptors::kShortestMuscle;
-  const double slope = (kLongestMuscle - kShortestMuscle) / (pair.joint.high - pair.joint.low);
-  const double angle = data.qpos[pair.joint.qpos] - pair.joint.low, speed = slope * data.qvel[pair.joint.dof];
-  if (negative) return receptors::spindle(kShortestMuscle + slope * angle, speed, drive);
-  return receptors::spindle(kLongestMuscle - slope * angle, -speed, drive);
-}
+class Spindles : public observation::Process {
+ public:
+  Spindles(std::vector<Pair> pairs, std::shared_ptr<FusimotorDrives> drives, double tick)
+      : Process("spindles"),
+        pairs_(std::move(pairs)),
+        drives_(std::move(drives)),
+        tick_(tick),
+        spindles_(2 * pairs_.size()) {}
 
-Signal spindles(const mjModel& model, const std::vector<Pair>& pairs, const char* name,
-                double receptors::SpindleRates::*part) {
-  return {muscle_field(model, pairs, name, Time::kEnd),
-          [pairs, part, drive = receptors::Fusimotion({})](const mjModel&, const mjData& data, float* out) {
-            for (const bool negative : {true, false}) {
-              for (const Pair& pair : pairs) *out++ = static_cast<float>(spindle_of(pair, negative, data, drive).*part);
-            }
-          }};
-}
+  Signal signal(const mjModel& model, const char* name, double receptors::SpindleRates::*part) const {
+    return {muscle_field(model, pairs_, name, Time::kEnd), [this, part](const mjModel&, const mjData&, float* out) {
+              for (const receptors::Spindle& spindle : spindles_) *out++ = static_cast<float>(spindle.rates().*part);
+            }};
+  }
+
+ private:
+  // The muscle that pulls to the negative side is long where the angle is large.
+  double length(std::size_t muscle, const mjData& data) const {
+    using receptors::kLongestMuscle;
+    using receptors::kShortestMuscle;
+    const bool negative = muscle < pairs_.size();
+    const body::Joint& joint = pairs_[negative ? muscle : muscle - pairs_.size()].joint;
+    const double up =
+        (kLongestMuscle - kShortestMuscle) * (data.qpos[joint.qpos] - joint.low) / (joint.high - joint.low);
+    return negative ? kShortestMuscle + up : kLongestMuscle - up;
+  }
+  void rest(const mjModel&, const mjData& data) override {
+    for (std::size_t i = 0; i < spindles_.size(); ++i) spindles_[i].rest(length(i, data), drives_->all()[i]);
+  }
+  void go_on(const mjModel&, const mjData& data) override {
+    for (std::size_t i = 0; i < spindles_.size(); ++i) spindles_[i].advance(length(i, data), drives_->all()[i], tick_);
+  }
+  void save(ByteWriter& to) const override {
+    drives_->save(to);
+    for (const receptors::Spindle& spindle : spindles_) spindle.save(to);
+  }
+  void load(ByteReader& from) override {
+    drives_->load(from);
+    for (receptors::Spindle& spindle : spindles_) spindle.load(from);
+  }
+
+  std::vector<Pair> pairs_;
+  std::shared_ptr<FusimotorDrives> drives_;
+  receptors::SpindleTick tick_;
+  std::vector<receptors::Spindle> spindles_;
+};
 
 class TendonOrgans : public observation::Process {
  public:
@@ -164,21 +180,31 @@ Signal joint_receptors(const mjModel& model, const std::vector<body::Joint>& joi
 
 }  // namespace
 
+std::shared_ptr<FusimotorDrives> make_fusimotor_drives(const mjModel& model, const body::Body& body) {
+  std::vector<int> motors;
+  for (const Pair& pair : pairs_of(model, body)) motors.push_back(pair.motor);
+  return std::make_shared<FusimotorDrives>(motors);
+}
+
 MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body,
                                       const MuscleReceptorOptions& options, double limit_threshold, Pulls pulls,
-                                      double tick) {
+                                      std::shared_ptr<FusimotorDrives> drives, double tick) {
   const std::vector<Pair> pairs = pairs_of(model, body);
   MuscleReceptors made;
-  if (options.spindle_primary) {
-    made.signals.push_back(spindles(model, pairs, "spindle_primary", &receptors::SpindleRates::primary));
-  }
-  if (options.spindle_secondary) {
-    made.signals.push_back(spindles(model, pairs, "spindle_secondary", &receptors::SpindleRates::secondary));
+  if (options.spindles()) {
+    using receptors::SpindleRates;
+    auto spindles = std::make_unique<Spindles>(pairs, std::move(drives), tick);
+    const auto add = [&](bool is, const char* name, double SpindleRates::*part) {
+      if (is) made.signals.push_back(spindles->signal(model, name, part));
+    };
+    add(options.spindle_primary, "spindle_primary", &SpindleRates::primary);
+    add(options.spindle_secondary, "spindle_secondary", &SpindleRates::secondary);
+    made.processes.push_back(std::move(spindles));
   }
   if (options.tendon_organ) {
     auto organs = std::make_unique<TendonOrgans>(pairs, std::move(pulls), tick);
     made.signals.push_back(organs->signal(model));
-    made.process = std::move(organs);
+    made.processes.push_back(std::move(organs));
   }
   if (options.joint_receptor) made.signals.push_back(joint_receptors(model, body.joints, limit_threshold));
   return made;

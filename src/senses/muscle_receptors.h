@@ -12,9 +12,12 @@
 
 namespace mimo::senses {
 
+class FusimotorDrives;
+
 struct MuscleReceptorOptions {
   bool spindle_primary = false, spindle_secondary = false, tendon_organ = false, joint_receptor = false;
-  bool any() const { return spindle_primary || spindle_secondary || tendon_organ || joint_receptor; }
+  bool any() const { return spindles() || tendon_organ || joint_receptor; }
+  bool spindles() const { return spindle_primary || spindle_secondary; }
 };
 
 // Of each muscle, first those that pull to the negative side, the share of its largest force; false: nothing else is
@@ -23,11 +26,14 @@ using Pulls = std::function<bool(const mjData& data, double* shares)>;
 
 struct MuscleReceptors {
   std::vector<observation::Signal> signals;
-  std::unique_ptr<observation::Process> process;  // which they refer to; null without tendon organs
+  std::vector<std::unique_ptr<observation::Process>> processes;  // which they refer to
 };
+
+// Of the motors that have spindles.
+std::shared_ptr<FusimotorDrives> make_fusimotor_drives(const mjModel& model, const body::Body& body);
 
 MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body,
                                       const MuscleReceptorOptions& options, double limit_threshold, Pulls pulls,
-                                      double tick);
+                                      std::shared_ptr<FusimotorDrives> drives, double tick);
 
 }  // namespace mimo::senses

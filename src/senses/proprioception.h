@@ -26,6 +26,6 @@ struct ProprioceptionOptions {
 std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, const body::Body& body,
                                                         const ProprioceptionOptions& options,
                                                         std::vector<observation::Signal> commands, Pulls pulls,
-                                                        double tick);
+                                                        std::shared_ptr<FusimotorDrives> drives, double tick);
 
 }  // namespace mimo::senses

@@ -29,8 +29,8 @@ ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "se
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
 
 #define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
-#define QUANTITIES                                                                              \
-  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_BODY_NERVE_LENGTH + 1, "quantity"), \
+#define QUANTITIES                                                                                     \
+  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_ACTUATOR_FUSIMOTOR_DRIVE + 1, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")

@@ -1,9 +1,11 @@
 // Nerves in a world: each part is late by what its own nerve takes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "body/nerves.h"
+#include "env/description.h"
 #include "growth/conduction.h"
 #include "support/block.h"
 #include "support/scenes.h"
@@ -80,6 +82,39 @@ TEST(Nerves, EachElementIsAsLateAsItsNerve) {
   EXPECT_GT(felt, 10u);  // something was touched
   EXPECT_EQ(least, 1u);  // the vestibular organ's 5 ms
   EXPECT_EQ(most, ticks(0.776 / 24.5 + 0.026));
+}
+
+double latest(const env::Description& of, const char* name) {
+  double seconds = 0;
+  for (std::size_t f = 0; f < of.fields.size(); ++f) {
+    if (of.fields[f].name != name) continue;
+    std::vector<double> delays(of.fields[f].count());
+    of.delays[f].tell(delays);
+    seconds = *std::max_element(delays.begin(), delays.end());
+  }
+  return seconds;
+}
+
+// Double pain. Where large fibres conduct as adults' do, at 56 m/s, A-delta fibres do at 13 and C fibres at 0.8 m/s;
+// cold comes at 6.3 and warmth at 0.7 m/s (Hensel and Iggo 1971). 18 months old, from the toes: 0.788 m.
+TEST(Nerves, PainComesTwice) {
+  env::AgentOptions agent = infant(false);
+  agent.touch.receptors = {true, false, false, false, false, true, true, true, true, false};
+  agent.maturity = env::Maturity{};
+  agent.maturity->nerves.speed = 56;
+  const auto world = world_of(agent, 1);
+  double metres = 0;
+  for (int body = 0; body < world->model().nbody; ++body) {
+    metres = std::max(metres, body::nerve_length(world->model(), body));
+  }
+  EXPECT_NEAR(metres, 0.79, 0.02);
+  const env::Description told = env::describe(*world);
+  const double half = 0.5 * kTick + 1e-9;
+  EXPECT_NEAR(latest(told, "touch/sa1"), metres / 56, half);
+  EXPECT_NEAR(latest(told, "touch/nociception_fast"), metres / 13, half);
+  EXPECT_NEAR(latest(told, "touch/nociception_slow"), metres / 0.8, half);
+  EXPECT_NEAR(latest(told, "touch/cold"), metres / 6.3, half);
+  EXPECT_NEAR(latest(told, "touch/warm"), metres / 0.7, half);
 }
 
 TEST(Nerves, DoNotDependOnFrameSkip) {

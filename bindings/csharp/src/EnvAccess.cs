@@ -152,6 +152,9 @@ namespace Mimo
         AgentPhysiologicalAge = 55,
         /// <summary>1, m, how long the nerves are from this part of an infant to its head; 0 for what is no part of one.</summary>
         BodyNerveLength = 56,
+        /// <summary>Actuator: 4, dynamic and static drive of its two muscles' spindles, Hz, until changed or reset.
+        /// Writable.</summary>
+        ActuatorFusimotorDrive = 57,
         /// <summary>Or-ed to a quantity: its value of now, which follows from the current positions.</summary>
         Now = 0x40000000
     }

@@ -147,6 +147,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_senses_layout(SensesHandle senses, out IntPtr layout);
         [DllImport(File)] internal static extern int mimo_senses_reset(SensesHandle senses, IntPtr data, ref ResetConfigStruct config);
         [DllImport(File)] internal static extern int mimo_senses_advance(SensesHandle senses, IntPtr data);
+        [DllImport(File)] internal static extern int mimo_senses_drive_spindles(SensesHandle senses, int[] actuators, Size actuatorCount, double[] rates, Size rateCount);
         [DllImport(File)] internal static extern int mimo_senses_observe(SensesHandle senses, IntPtr data, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_senses_state_size(SensesHandle senses, out Size bytes);
         [DllImport(File)] internal static extern int mimo_senses_state_save(SensesHandle senses, byte[] state, Size bytes);

@@ -75,6 +75,15 @@ namespace Mimo
         /// <summary>One step later, once after each step of the host: senses with a delay take in what the mjData hold.</summary>
         public void Advance(IntPtr data) { MimoException.Check(Native.mimo_senses_advance(handle, data)); }
 
+        /// <summary>Dynamic and static drive of the spindles of both muscles of each motor, Hz, 4 numbers a motor, until
+        /// an episode starts. Null: all motors that have spindles.</summary>
+        public void DriveSpindles(int[] actuators, double[] rates)
+        {
+            var count = (UIntPtr)(actuators == null ? 0 : actuators.Length);
+            MimoException.Check(
+                Native.mimo_senses_drive_spindles(handle, actuators, count, rates, (UIntPtr)rates.Length));
+        }
+
         /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
         public void Observe(IntPtr data)
         {

@@ -42,6 +42,11 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
   }
   /// One step later: what is late takes in what the data hold.
   void advance(const void *data) { check(mimo_senses_advance(get(), data)); }
+  /// Dynamic and static drive of both muscles of each motor, Hz: see mimo_senses_drive_spindles. No motors: all.
+  void drive_spindles(const std::vector<std::int32_t> &actuators, const std::vector<double> &rates) {
+    check(mimo_senses_drive_spindles(get(), actuators.empty() ? nullptr : actuators.data(), actuators.size(),
+                                     rates.data(), rates.size()));
+  }
   void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }
 
   /// What the senses remember.

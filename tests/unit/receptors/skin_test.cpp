@@ -13,18 +13,20 @@
 namespace mimo::receptors {
 namespace {
 
-// Mean rates of TouchSim's units: 44 Hz at a hold of 1 mm; 45, 68, 115, 225 Hz in the mean of ramps of 5 to 50 mm/s to
-// that depth, which the fit meets within 10 %.
+// TouchSim's units fire 44 Hz at a hold of 1 mm, and 45, 68, 115, 225 Hz in the mean of ramps of 5 to 50 mm/s to that
+// depth. The fit to them is a line in the speed, though theirs flatten (4.9 Hz per mm/s at 5 mm/s, 4.1 at 50), so that
+// it is 5 % too low where they are slow and 9 % too high at 50 mm/s. Its own means are 48 0.92^2 / 2 + 4.5 v.
 TEST(TouchAfferents, Sa1TellsDepth) {
   EXPECT_NEAR(sa1_rate(1e-3, 0), 44.2, 0.05);
   EXPECT_EQ(sa1_rate(0, 0), 0);
   EXPECT_EQ(sa1_rate(1e-2, 1), 350);
-  const double known[][2] = {{5, 45}, {10, 68}, {20, 115}, {50, 225}};
-  for (const auto& [speed, rate] : known) {
+  const double known[][3] = {{5, 42.8, 45}, {10, 65.3, 68}, {20, 110.3, 115}, {50, 245.3, 225}};
+  for (const auto& [speed, rate, of_touchsim] : known) {
     double sum = 0;
     const int steps = 100;
     for (int i = 1; i <= steps; ++i) sum += sa1_rate(1e-3 * i / steps, speed * 1e-3);
-    EXPECT_NEAR(sum / steps, rate, 0.1 * rate) << speed;
+    EXPECT_NEAR(sum / steps, rate, 0.4) << speed;  // a hundredth of the ramp in a step
+    EXPECT_NEAR(sum / steps, of_touchsim, (speed < 50 ? 0.05 : 0.095) * of_touchsim) << speed;
   }
 }
 

@@ -670,6 +670,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_senses_layout": (_status, [_Handle, _Out_handle]),
     "mimo_senses_reset": (_status, [_Handle, c_void_p, _config(ResetConfig)]),
     "mimo_senses_advance": (_status, [_Handle, c_void_p]),
+    "mimo_senses_drive_spindles": (_status, [_Handle, _Array, c_size_t, _Array, c_size_t]),
     "mimo_senses_observe": (_status, [_Handle, c_void_p, c_void_p, c_size_t]),
     "mimo_senses_state_size": (_status, [_Handle, _Out_size]),
     "mimo_senses_state_save": (_status, [_Handle, c_void_p, c_size_t]),

@@ -362,6 +362,10 @@ class Actuators(Selection):
     control = WritableValues(Quantity.ACTUATOR_CONTROL, "Control input.")
     force = Values(Quantity.ACTUATOR_FORCE, "N or Nm.")
     gear = WritableValues(Quantity.ACTUATOR_GEAR, "Torque at control input 1, Nm; outlives resets.")
+    fusimotor_drive = WritableValues(
+        Quantity.ACTUATOR_FUSIMOTOR_DRIVE,
+        "Dynamic and static drive of the spindles of its two muscles, Hz, until changed or reset: 4.",
+    )
 
 
 class Sensors(Selection):

@@ -302,6 +302,7 @@ class Quantity(IntEnum):
     AGENT_AGE = 54
     AGENT_PHYSIOLOGICAL_AGE = 55
     BODY_NERVE_LENGTH = 56
+    ACTUATOR_FUSIMOTOR_DRIVE = 57
 
 
 NOW = 0x40000000  # or-ed to a quantity: its value of now

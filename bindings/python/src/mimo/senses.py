@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import importlib
-from typing import Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Sequence
 
+import numpy as np
 from typing_extensions import Unpack
 
 from . import _abi
@@ -17,6 +18,9 @@ from .options import SensesOptions, fill
 from .scene import Scene
 from .states import LoadReport, reported, saved
 from .world import reset_config
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 class Senses(Handle):
@@ -63,6 +67,16 @@ class Senses(Handle):
     def advance(self, data: Any) -> None:
         """One step later, to be called once a step and before observe: senses with a delay take in what data hold."""
         check(LIB.mimo_senses_advance(self._handle, _address_of(data)))
+
+    def drive_spindles(self, rates: ArrayLike, actuators: Optional[Sequence[int]] = None) -> None:
+        """Dynamic and static drive of the spindles of both muscles of each motor, Hz, until an episode starts.
+
+        Four numbers a motor. Without actuators (ids in the host's model), of all that have spindles.
+        """
+        numbers = np.ascontiguousarray(rates, np.float64)
+        ids = None if actuators is None else np.ascontiguousarray(actuators, np.int32)
+        where, count = (None, 0) if ids is None else (ids.ctypes.data, ids.size)
+        check(LIB.mimo_senses_drive_spindles(self._handle, where, count, numbers.ctypes.data, numbers.size))
 
     def observe(self, data: Any) -> Observation:
         """What is sensed of data (a mujoco.MjData, or the address of an mjData) as they are.

@@ -416,6 +416,8 @@ pub const MIMO_AGENT_AGE: u32 = 54;
 pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: u32 = 55;
 #[doc = "Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their\nway; 0 for what is no part of one."]
 pub const MIMO_BODY_NERVE_LENGTH: u32 = 56;
+#[doc = "Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that pulls\nto the negative side, then of the other; until you change it or the world is reset, 70 each. None where its agent\nsenses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable."]
+pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: u32 = 57;
 #[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
 pub const MIMO_NOW: u32 = 1073741824;
 #[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
@@ -2456,6 +2458,22 @@ extern "C" {
         data: *const std::os::raw::c_void,
         block: *mut std::os::raw::c_void,
         block_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Tells fusimotor neurons of muscles how much to drive their spindles, from the next mimo_senses_advance on, until they"]
+    #[doc = "are told otherwise or an episode starts; part of the saved state."]
+    #[doc = "@param actuators  ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all"]
+    #[doc = "                  that have spindles."]
+    #[doc = "@param rates      for each of them what MIMO_ACTUATOR_FUSIMOTOR_DRIVE has: four numbers of Hz, 0 to 500."]
+    #[doc = "@param rate_count 4 times as many as actuators."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or whose agent senses none. Nothing is changed then."]
+    pub fn mimo_senses_drive_spindles(
+        senses: *mut mimo_senses,
+        actuators: *const i32,
+        actuator_count: usize,
+        rates: *const f64,
+        rate_count: usize,
     ) -> mimo_status;
 }
 extern "C" {

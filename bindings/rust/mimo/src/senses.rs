@@ -141,6 +141,15 @@ impl Senses {
         check(sys::mimo_senses_advance(self.handle(), data))
     }
 
+    /// Dynamic and static drive of the spindles of both muscles of each motor, Hz, four numbers a motor, until an episode
+    /// starts. None: all motors that have spindles.
+    pub fn drive_spindles(&mut self, actuators: Option<&[i32]>, rates: &[f64]) -> Result<()> {
+        let (ids, count) = actuators.map_or((std::ptr::null(), 0), |ids| (ids.as_ptr(), ids.len()));
+        check(unsafe {
+            sys::mimo_senses_drive_spindles(self.handle(), ids, count, rates.as_ptr(), rates.len())
+        })
+    }
+
     /// What the senses remember, as bytes.
     pub fn save(&self) -> Result<Vec<u8>> {
         let mut bytes = 0;
