@@ -12,7 +12,7 @@ function world = mimo_create(scene, varargin)
 %                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception
 %                  (2^31: all there is), vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts (2^31: all,
 %                  2^30: nothing), normalize_actions, body, reflexes (of newborns: 1 palmar grasp, 2 plantar grasp, 4 rooting, 8 Moro,
-%                  16 asymmetric tonic neck, 32 stepping, 64 withdrawal; 2^31: all that the body can do),
+%                  16 asymmetric tonic neck, 32 stepping, 64 withdrawal; 2^30: the field has all; 2^31: all that the body can do),
 %                  face, position, orientation (w x y z), place (1: position is that of the root, 2: of the soles,
 %                  3: of the lowest point); limits (struct array with path, gain, noise, delay in
 %                  seconds, blur, signal_noise: mimo_limits), motor_limits (the same without blur; path 'act:left_elbow',

@@ -35,7 +35,7 @@ def test_asked_for_by_name_or_bit(wanted):
 
 
 def test_all_that_the_body_can_do():
-    names = [member.name.lower() for member in mimo.Reflex if member != mimo.Reflex.ALL]
+    names = [member.name.lower() for member in mimo.Reflex if member not in (mimo.Reflex.ALL, mimo.Reflex.FELT)]
     for body, can in ("fingers", names), ("mitten", names[1:]):
         env = mimo.make("free", body=body, age=0, reflexes="all", **BLIND)
         assert env.observation_space["reflex/activation"].shape == (len(can), 2)
@@ -93,6 +93,25 @@ def test_each_infant_has_its_own():
         neck = list(world.layout.fields["anna/reflex/activation"].labels).index("asymmetric_tonic_neck/left")
         assert observation["anna/reflex/activation"].ravel()[neck] > 0.99
         assert observation["ben/reflex/activation"].ravel()[neck] == 0
+
+
+def test_all_senses_have_the_field_but_change_nothing():
+    def looked_aside(**options):
+        with mimo.World("free", age=1, **BLIND, **options) as world:
+            world.reset(seed=0)
+            world.joints(HEAD).lock = TURNED
+            for _ in range(60):
+                observation = world.step().observation
+            return world.bodies("left_hand", "right_hand", "left_foot").position.copy(), observation
+
+    usual, _ = looked_aside()
+    every, observation = looked_aside(senses="all")
+    assert np.array_equal(usual, every)
+    assert observation["reflex/activation"].shape == (6, 2)  # mittens do not grasp
+    assert not observation["reflex/activation"].any()
+    acting, observation = looked_aside(reflexes="all")
+    assert observation["reflex/activation"].any()
+    assert np.abs(usual - acting).max() > 0.01
 
 
 def test_goes_on_from_a_copy():

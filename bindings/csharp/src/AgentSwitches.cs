@@ -69,6 +69,8 @@ namespace Mimo
         Stepping = 0x20,
         /// <summary>Legs draw back from what touches or pricks one.</summary>
         Withdrawal = 0x40,
+        /// <summary>The field has all that the body can do; what is not chosen stays 0.</summary>
+        Felt = 0x40000000,
         /// <summary>All that this body can do.</summary>
         All = 0x80000000
     }
