@@ -1,9 +1,34 @@
 #include "sound/queue.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/angle.h"
+
 namespace mimo::sound {
+namespace {
+
+constexpr int kTaps = 8;
+using Weights = std::array<float, kTaps>;
+
+// Of the samples at -3 to 4, for what is at `x`, 0 to 1: a sinc under a raised cosine. Up to 5 kHz of 16 it loses less
+// than 0.2 dB wherever that is, so that both ears lose the same.
+Weights between_samples(double x) {
+  std::array<double, kTaps> weights;
+  double sum = 0;
+  for (int k = 0; k < kTaps; ++k) {
+    const double off = x + kTaps / 2 - 1 - k;
+    const double sinc = std::abs(off) < 1e-9 ? 1 : std::sin(kPi * off) / (kPi * off);
+    weights[static_cast<std::size_t>(k)] = sinc * (0.5 + 0.5 * std::cos(2 * kPi * off / (kTaps + 1)));
+    sum += weights[static_cast<std::size_t>(k)];
+  }
+  Weights scaled;
+  for (std::size_t k = 0; k < kTaps; ++k) scaled[k] = static_cast<float>(weights[k] / sum);
+  return scaled;
+}
+
+}  // namespace
 
 void Queue::clear() {
   std::fill(ring_.begin(), ring_.end(), 0.0F);
@@ -35,19 +60,19 @@ float Queue::sample(std::int64_t at) const {
 
 void Queue::read(double first, Span<float> out, float gain, float last_gain) const {
   const double whole = std::floor(first);
-  const auto x = static_cast<float>(first - whole);
-  // Lagrange's cubic through the samples at -1, 0, 1 and 2.
-  const float a = -x * (x - 1) * (x - 2) / 6, b = (x + 1) * (x - 1) * (x - 2) / 2, c = -(x + 1) * x * (x - 2) / 2,
-              d = (x + 1) * x * (x - 1) / 6;
   const auto at = static_cast<std::int64_t>(whole);
+  const auto count = static_cast<std::int64_t>(out.size());
+  if (at + count + kTaps < begin_ || at - kTaps >= end_) return;
+  const Weights weights = between_samples(first - whole);
   const float slope = (last_gain - gain) / static_cast<float>(out.size());
-  float before = sample(at - 1), here = sample(at), next = sample(at + 1);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const float later = sample(at + 2 + static_cast<std::int64_t>(i));
-    out[i] += (gain + slope * static_cast<float>(i + 1)) * (a * before + b * here + c * next + d * later);
-    before = here;
-    here = next;
-    next = later;
+  std::array<float, kTaps> near;
+  for (std::int64_t i = 0; i < kTaps - 1; ++i) near[static_cast<std::size_t>(i)] = sample(at - kTaps / 2 + 1 + i);
+  for (std::int64_t i = 0; i < count; ++i) {
+    near[kTaps - 1] = sample(at + kTaps / 2 + i);
+    float sum = 0;
+    for (std::size_t k = 0; k < kTaps; ++k) sum += weights[k] * near[k];
+    out[static_cast<std::size_t>(i)] += (gain + slope * static_cast<float>(i + 1)) * sum;
+    for (std::size_t k = 0; k + 1 < kTaps; ++k) near[k] = near[k + 1];
   }
 }
 

@@ -26,7 +26,7 @@ class Queue {
   // Everything is played and has passed every ear.
   bool over(std::int64_t now) const { return now >= end_ + kInTheAir; }
 
-  // Sound at times first, first + 1, ... (in samples, between samples a cubic), added to `out` with gains that go in a
+  // Sound at times first, first + 1, ... (in samples, and parts of one), added to `out` with gains that go in a
   // straight line from `gain` to `last_gain`.
   void read(double first, Span<float> out, float gain, float last_gain) const;
 

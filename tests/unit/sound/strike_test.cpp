@@ -53,16 +53,18 @@ TEST(Click, IsAsLoudAsTheFormulaSays) {
     EXPECT_NEAR(event_level(made, kNominalRate, 0.3), row.level, 1) << row.speed;
   }
   for (const Row& row : {Row{0.1, 0.66e-3, 61, 26}, Row{1, 0.42e-3, 88, 52}}) {
-    const Click made = of(kPlastic, kPlastic, 0.05, 0.02, row.speed);
+    const Click made = of(kPlastic, kWood, 0.05, 0.02, row.speed);
     EXPECT_NEAR(made.duration, row.duration, 0.006e-3) << row.speed;
     EXPECT_NEAR(peak_level(made), row.peak, 1) << row.speed;
     EXPECT_NEAR(event_level(made, kNominalRate, 0.3), row.level, 1) << row.speed;
   }
 }
 
+// Skin gives way: it touches for some ten milliseconds, and hardly anything of that is above 100 Hz.
 TEST(Click, OfAHandIsHardlyAny) {
   const Click made = of(kHand, kWood, 0.06, 0.02, 0.3);
-  EXPECT_NEAR(made.duration, 10.3e-3, 0.4e-3);
+  EXPECT_GT(made.duration, 8e-3);
+  EXPECT_LT(made.duration, 13e-3);
   EXPECT_LT(peak_level(made, 1e5), 32);
 }
 
