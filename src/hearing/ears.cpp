@@ -106,6 +106,14 @@ void Ears::keep() {
   quiet_ = quiet ? std::min(quiet_ + samples_, size) : 0;
 }
 
+bool Ears::at_rest(Span<const Source> sources, std::int64_t now) const {
+  return silent(kept_[0].size()) &&
+         std::none_of(sources.begin(), sources.end(), [](const Source& source) { return source.queue != nullptr; }) &&
+         std::none_of(voices_.begin(), voices_.end(), [now](const Voice& voice) { return voice.alive(now); });
+}
+
+void Ears::pass() { next_ = (next_ + samples_) % kept_[0].size(); }
+
 void Ears::latest(std::size_t ear, Span<float> out) const {
   const std::vector<float>& ring = kept_[ear];
   std::size_t from = (next_ + ring.size() - out.size() % ring.size()) % ring.size();

@@ -29,6 +29,10 @@ class Ears {
   // A tick, whose first sample is number `now`. As many sources as were promised.
   void advance(const Head& head, Span<const Source> sources, std::int64_t now);
 
+  // A tick of silence, where nothing else can come.
+  bool at_rest(Span<const Source> sources, std::int64_t now) const;
+  void pass();
+
   // The last out.size() samples, up to those that are kept.
   void latest(std::size_t ear, Span<float> out) const;
   // Of the last so many samples.

@@ -58,7 +58,8 @@ double Voice::remains(std::int64_t now) const {
       const double left = amplitude_[ear][i] * std::exp(-decay_[i] * gone);
       sum += left * left / (4 * decay_[i]);
     }
-    if (gone < click_.end() * rate_) sum += std::pow(gain_[ear] * click_.peak(), 2) * click_.duration * rate_;
+    if (click_.scale > 0 && gone < click_.end() * rate_)
+      sum += std::pow(gain_[ear] * click_.peak(), 2) * click_.duration * rate_;
   }
   return sum;
 }

@@ -49,11 +49,11 @@ Click click(const Strike& strike, double inverse_mass, double radius, double cos
 }
 
 double Click::at(double time) const {
-  if (time <= 0 || time >= end()) return 0;
+  if (scale <= 0 || time <= 0 || time >= end()) return 0;
   const double w = kPi / duration;
   return scale * (answer(time, w, settling) + answer(time - duration, w, settling));
 }
 
-double Click::peak() const { return scale * kPi / (2 * kSpeed * duration); }
+double Click::peak() const { return scale <= 0 ? 0 : scale * kPi / (2 * kSpeed * duration); }
 
 }  // namespace mimo::sound
