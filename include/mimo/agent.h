@@ -18,7 +18,12 @@ extern "C" {
 #define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
 #define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
 #define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, 0 to 1: see docs/guide/muscles.md. */
-#define MIMO_PROPRIOCEPTION_ALL 0x80000000u    /**< All that the loaded library has. */
+/** What nerves of muscles and joints tell, Hz: see docs/guide/proprioception.md. None by default. */
+#define MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY 0x80u    /**< proprioception/spindle_primary, two muscles a motor: Ia. */
+#define MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY 0x100u /**< proprioception/spindle_secondary, likewise: II. */
+#define MIMO_PROPRIOCEPTION_TENDON_ORGAN 0x200u      /**< proprioception/tendon_organ, likewise: Ib. */
+#define MIMO_PROPRIOCEPTION_JOINT_RECEPTOR 0x400u    /**< proprioception/joint_receptor, joints x 2: near its ends. */
+#define MIMO_PROPRIOCEPTION_ALL 0x80000000u          /**< All that the loaded library has. */
 
 #define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
@@ -26,6 +31,9 @@ extern "C" {
 
 #define MIMO_VESTIBULAR_ACCELERATION 0x1u     /**< vestibular/acceleration, 3, m/s^2, gravity included. */
 #define MIMO_VESTIBULAR_ANGULAR_VELOCITY 0x2u /**< vestibular/angular_velocity, 3, rad/s. */
+#define MIMO_VESTIBULAR_CANALS 0x4u           /**< vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md. */
+#define MIMO_VESTIBULAR_OTOLITHS 0x8u         /**< vestibular/otoliths, 2 x 2 x 2 x 2, Hz: likewise. */
+#define MIMO_VESTIBULAR_GRAVITY 0x10u         /**< vestibular/gravity, 3, m/s^2: where up is, as it is estimated. */
 
 #define MIMO_PLACE_SCENE 0  /**< The scene's own place for an infant. */
 #define MIMO_PLACE_ROOT 1   /**< The origin of its root body mimo_location; standing soles are 0.33 m below. */
@@ -67,6 +75,18 @@ extern "C" {
 #define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: how it slides over the skin, along its tangents, m/s. */
 #define MIMO_TOUCH_FRICTION_USE 0x8u /**< touch/friction_use, N x 1: share of the possible friction in use; 1: all. */
 
+/** What nerves of the skin tell, N a field: see docs/guide/skin.md. Hz but where it says otherwise; none by default. */
+#define MIMO_TOUCH_SA1 0x10u                /**< touch/sa1: how deep the skin is pressed. */
+#define MIMO_TOUCH_RA 0x20u                 /**< touch/ra: how fast that changes, and sliding. */
+#define MIMO_TOUCH_PC 0x40u                 /**< touch/pc: jolts and vibration, as an envelope. */
+#define MIMO_TOUCH_SA2 0x80u                /**< touch/sa2, N x 2: stretch along the sensor's two tangents. */
+#define MIMO_TOUCH_TEMPERATURE 0x100u       /**< touch/temperature: of the skin's surface, degrees Celsius. */
+#define MIMO_TOUCH_COLD 0x200u              /**< touch/cold. */
+#define MIMO_TOUCH_WARM 0x400u              /**< touch/warm. */
+#define MIMO_TOUCH_NOCICEPTION_FAST 0x800u  /**< touch/nociception_fast: pricks and heat, at once. */
+#define MIMO_TOUCH_NOCICEPTION_SLOW 0x1000u /**< touch/nociception_slow: the same and cold, late and lasting. */
+#define MIMO_TOUCH_UNITS 0x2000u            /**< touch/units, N x 4: SA1, RA, PC, SA2 that a sensor stands for. */
+
 #define MIMO_RESPONSE_NEAREST 1  /**< The nearest sensor feels all of a touch. */
 #define MIMO_RESPONSE_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to 0 at 2 spacings. */
 #define MIMO_RESPONSE_GAUSSIAN 3 /**< Weights fall as a bell of deviation 2/3 spacing, cut off at 2 spacings. */
@@ -101,8 +121,8 @@ typedef struct mimo_agent_config {
   double position[3];          /**< Of the point that place says, m, world frame; without meaning with PLACE_SCENE. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:
-                                    all but JOINT_TORQUE and EFFORT. */
-  uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both. */
+                                    all but JOINT_TORQUE, EFFORT and what nerves tell. */
+  uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: the first two. */
   double limit_threshold;      /**< Limit sensors work this near to a limit; radians, > 0. Default 0.035. */
   uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
   uint32_t vision_width;       /**< Pixels, 1 to 4096. Default 256. */

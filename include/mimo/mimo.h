@@ -56,6 +56,7 @@
 #include "growth.h"
 #include "agent.h"
 #include "maturity.h"
+#include "things.h"
 #include "observation.h"
 #include "env.h"
 #include "access.h"

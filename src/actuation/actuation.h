@@ -45,6 +45,10 @@ class Actuation {
   // Before each physics step, for what goes on by itself.
   virtual void advance(engine::Physics&) {}
 
+  // Of two muscles a motor, first those that pull to the negative side, the share of their largest force that they
+  // pull with now; false where there are no such muscles.
+  virtual bool pulls(const mjData&, double*) const { return false; }
+
   // What the present commands cost, 0 to 1: their squares, weighted by the strength of the motors.
   virtual double effort(const mjModel& model, const mjData& data) const = 0;
   // What the options want the agent to feel of its commands. This object outlives it.

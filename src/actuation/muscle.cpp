@@ -96,6 +96,13 @@ void Muscle::advance(engine::Physics& physics) {
   }
 }
 
+bool Muscle::pulls(const mjData& data, double* shares) const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    shares[i] = std::max(0.0, force(joint(i), side(i), data) / side(i).peak_force);
+  }
+  return true;
+}
+
 double Muscle::effort(const mjModel&, const mjData&) const {
   double spent = 0, most = 0;
   for (const Joint& joint : joints_) {

@@ -17,6 +17,7 @@ class Muscle : public Actuation {
 
   void reset(engine::Physics& physics) override;
   void advance(engine::Physics& physics) override;
+  bool pulls(const mjData& data, double* shares) const override;
   double effort(const mjModel& model, const mjData& data) const override;
   void save(ByteWriter& to) const override;
   void load(ByteReader& from) override;

@@ -33,13 +33,18 @@ void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
   if (!kept.proprioception) {
     senses::ProprioceptionOptions& felt = options.proprioception;
     felt.position = felt.velocity = felt.torque = felt.limit = felt.joint_torque = false;
+    felt.receptors = {};
     options.actuation.felt = options.actuation.effort = false;
   }
-  if (!kept.vestibular) options.vestibular.acceleration = options.vestibular.angular_velocity = false;
+  if (!kept.vestibular) {
+    options.vestibular.acceleration = options.vestibular.angular_velocity = false;
+    options.vestibular.labyrinth = {};
+  }
   if (!kept.vision) options.vision.rgb = options.vision.depth = options.vision.segmentation = false;
   if (!kept.touch) {
     senses::TouchOptions& touch = options.touch;
     touch.force = touch.normal_force = touch.slip = touch.friction_use = false;
+    touch.receptors = {};
   }
 }
 

@@ -17,10 +17,11 @@ namespace mimo::capi {
 namespace {
 
 std::uint32_t proprioception_bits(const mimo_agent_config& config) {
-  constexpr std::uint32_t kKnown = MIMO_PROPRIOCEPTION_ACTUATION | MIMO_PROPRIOCEPTION_VELOCITY |
-                                   MIMO_PROPRIOCEPTION_TORQUE | MIMO_PROPRIOCEPTION_LIMIT |
-                                   MIMO_PROPRIOCEPTION_JOINT_TORQUE | MIMO_PROPRIOCEPTION_POSITION |
-                                   MIMO_PROPRIOCEPTION_EFFORT;
+  constexpr std::uint32_t kKnown =
+      MIMO_PROPRIOCEPTION_ACTUATION | MIMO_PROPRIOCEPTION_VELOCITY | MIMO_PROPRIOCEPTION_TORQUE |
+      MIMO_PROPRIOCEPTION_LIMIT | MIMO_PROPRIOCEPTION_JOINT_TORQUE | MIMO_PROPRIOCEPTION_POSITION |
+      MIMO_PROPRIOCEPTION_EFFORT | MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY | MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY |
+      MIMO_PROPRIOCEPTION_TENDON_ORGAN | MIMO_PROPRIOCEPTION_JOINT_RECEPTOR;
   return resolve_bits(config.proprioception, MIMO_PROPRIOCEPTION_ALL, kKnown, "proprioception");
 }
 
@@ -44,11 +45,16 @@ senses::ProprioceptionOptions proprioception(const mimo_agent_config& config) {
   options.limit = has(MIMO_PROPRIOCEPTION_LIMIT);
   options.joint_torque = has(MIMO_PROPRIOCEPTION_JOINT_TORQUE);
   options.limit_threshold = config.limit_threshold;
+  options.receptors = {has(MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY), has(MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY),
+                       has(MIMO_PROPRIOCEPTION_TENDON_ORGAN), has(MIMO_PROPRIOCEPTION_JOINT_RECEPTOR)};
   return options;
 }
 
 senses::TouchOptions touch(const mimo_agent_config& config) {
-  constexpr std::uint32_t kAll = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
+  constexpr std::uint32_t kAll = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP |
+                                 MIMO_TOUCH_FRICTION_USE | MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC |
+                                 MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM |
+                                 MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW | MIMO_TOUCH_UNITS;
   check_bits(config.touch, kAll, "touch");
   check_reserved(config.touch_reserved, "touch_reserved");
   const auto has = [&](std::uint32_t bit) { return (config.touch & bit) != 0; };
@@ -57,6 +63,16 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
   options.normal_force = has(MIMO_TOUCH_NORMAL_FORCE);
   options.slip = has(MIMO_TOUCH_SLIP);
   options.friction_use = has(MIMO_TOUCH_FRICTION_USE);
+  options.receptors = {has(MIMO_TOUCH_SA1),
+                       has(MIMO_TOUCH_RA),
+                       has(MIMO_TOUCH_PC),
+                       has(MIMO_TOUCH_SA2),
+                       has(MIMO_TOUCH_TEMPERATURE),
+                       has(MIMO_TOUCH_COLD),
+                       has(MIMO_TOUCH_WARM),
+                       has(MIMO_TOUCH_NOCICEPTION_FAST),
+                       has(MIMO_TOUCH_NOCICEPTION_SLOW),
+                       has(MIMO_TOUCH_UNITS)};
   senses::check_outputs(options);
   if (!options.any()) return options;
   check_choice(config.touch_response, MIMO_RESPONSE_NEAREST, MIMO_RESPONSE_GAUSSIAN, "touch_response");
@@ -86,10 +102,15 @@ actuation::Options actuation(const mimo_agent_config& config) {
 }
 
 senses::VestibularOptions vestibular(const mimo_agent_config& config) {
-  check_bits(config.vestibular, MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY, "vestibular");
+  constexpr std::uint32_t kAll = MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY |
+                                 MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+  check_bits(config.vestibular, kAll, "vestibular");
   senses::VestibularOptions options;
   options.acceleration = (config.vestibular & MIMO_VESTIBULAR_ACCELERATION) != 0;
   options.angular_velocity = (config.vestibular & MIMO_VESTIBULAR_ANGULAR_VELOCITY) != 0;
+  options.labyrinth.canals = (config.vestibular & MIMO_VESTIBULAR_CANALS) != 0;
+  options.labyrinth.otoliths = (config.vestibular & MIMO_VESTIBULAR_OTOLITHS) != 0;
+  options.labyrinth.gravity = (config.vestibular & MIMO_VESTIBULAR_GRAVITY) != 0;
   options.at = text(config.vestibular_at);
   return options;
 }

@@ -146,6 +146,19 @@ void set_touch(const std::string& touch, mimo_agent_config& agent) {
   if (agent.touch != 0) agent.touch_scale = std::stod(touch);
 }
 
+// All receptors of the senses that there are.
+void add_receptors(mimo_agent_config& agent) {
+  if (agent.touch != 0) {
+    agent.touch |= MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE | MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC |
+                   MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM |
+                   MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW | MIMO_TOUCH_UNITS;
+  }
+  if (agent.vestibular != 0) {
+    agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+  }
+  agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
+}
+
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
   const bool own = senses == Senses::kOwn;
   auto agent = own ? usual : mimo::agent_config();
@@ -159,6 +172,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   agent.vision_foveation = options.foveation;
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
+  if (options.every_sense) add_receptors(agent);
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
 }
@@ -239,6 +253,15 @@ void add_actuation_option(CLI::App& command, WorldOptions& options) {
                       (options.actuation.empty() ? "the scene's own" : options.actuation))
       ->type_name("NAME")
       ->check(CLI::IsMember(kActuations));
+}
+
+void add_senses_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--senses", [&options](const std::string& which) { options.every_sense = which == "all"; },
+          "usual, or all: also what nerves of skin, muscles, joints and\nlabyrinth tell. Default: usual")
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"usual", "all"}).description(""));
 }
 
 void add_face_option(CLI::App& command, WorldOptions& options) {

@@ -59,7 +59,12 @@ Motion motion_of(const mjModel& model, const mjData& data, const Place& place) {
   const Vec3 speed = velocity.tail<3>() + spin.cross(offset);
   // Spatial accelerations are those of a point fixed in space; the place itself also turns.
   const Vec3 linear = acceleration.tail<3>() + acceleration.head<3>().cross(offset) + spin.cross(speed);
-  return {frame.transpose() * linear, frame.transpose() * spin};
+  return {frame.transpose() * linear, frame.transpose() * spin, frame.transpose() * acceleration.head<3>()};
+}
+
+Vec3 acceleration_at(const Motion& motion, const Vec3& point) {
+  const Vec3& spin = motion.angular_velocity;
+  return motion.acceleration + motion.angular_acceleration.cross(point) + spin.cross(spin.cross(point));
 }
 
 }  // namespace mimo::engine

@@ -24,11 +24,11 @@ void check_joint_torque(const mjModel& model, const AgentOptions& options) {
 
 }  // namespace
 
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
-                 std::size_t number, render::Renderer* renderer, SkinPtr skin) {
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const Setting& setting,
+                 const TaskMaker& make_task, std::size_t number, render::Renderer* renderer, SkinPtr skin) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
-  Agent agent{perceive(model, options, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr};
+  Agent agent{perceive(model, options, setting, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr};
   if (options.root.empty()) {
     const growth::Growth grown = options.growth.body ? options.growth : growth::Growth{};
     agent.age = Age{grown.age, grown.physiological_age};

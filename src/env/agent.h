@@ -38,7 +38,7 @@ using TaskMaker =
 
 // Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision. A skin that
 // is there already is shared instead of made anew.
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const TaskMaker& make_task,
-                 std::size_t number, render::Renderer* renderer, SkinPtr skin);
+Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const Setting& setting,
+                 const TaskMaker& make_task, std::size_t number, render::Renderer* renderer, SkinPtr skin);
 
 }  // namespace mimo::env

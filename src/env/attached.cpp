@@ -7,13 +7,15 @@
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
 #include "env/requested_fields.h"
+#include "env/things.h"
 
 namespace mimo::env {
 
 Attached::Attached(const Kit& kit, double step)
     : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep), limits_(observer_) {
   if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
-  for (const AgentOptions& agent : kit.agents) add_agent(agent);
+  const Setting setting{step_seconds_, things_of(*model_, kit.agents, kit.options)};
+  for (const AgentOptions& agent : kit.agents) add_agent(agent, setting);
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
   }
@@ -32,7 +34,7 @@ Attached::Attached(const Kit& kit, double step)
   archive_ = Archive(engine::shape(*model_), sections());
 }
 
-void Attached::add_agent(const AgentOptions& options) {
+void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
   require(options.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
           options.face);
   if (!options.motors.empty()) {
@@ -43,7 +45,7 @@ void Attached::add_agent(const AgentOptions& options) {
   }
   AgentOptions idle = options;
   idle.actuation.none = true;  // the host commands
-  agents_.push_back(perceive(*model_, idle, renderer_.get()));
+  agents_.push_back(perceive(*model_, idle, setting, renderer_.get()));
 }
 
 // Noise is that of the physics step, as a world's is; what the host calls a step is at least one.
@@ -59,12 +61,14 @@ void Attached::reset(const mjData& data, const std::uint64_t* seed) {
   if (seed != nullptr) random.reseed(*seed);
   Episode episode = episode_;
   episode.start(random, seed != nullptr);
-  limits_.begin(*model_, data, nullptr, episode.noise);  // first, as it may fail
+  observer_.begin(*model_, data);
+  limits_.begin(*model_, data, nullptr, episode.noise);  // before the episode starts, as it may fail
   random_ = random;
   episode_ = episode;
 }
 
 void Attached::advance(const mjData& data) {
+  observer_.advance(*model_, data, nullptr);
   limits_.step(*model_, data, nullptr, episode_.noise, ticks(episode_.step + 1), nullptr);
   ++episode_.step;
 }
@@ -76,6 +80,7 @@ void Attached::observe(const mjData& data, std::uint8_t* block) {
 std::vector<Section> Attached::sections() {
   std::vector<Section> sections;
   sections.push_back(episode_.section());
+  observer_.list(sections);
   limits_.list(sections);
   return sections;
 }

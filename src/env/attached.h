@@ -41,7 +41,7 @@ class Attached {
   LoadReport load(Span<const std::uint8_t> state) { return archive_.load(state); }
 
  private:
-  void add_agent(const AgentOptions& options);
+  void add_agent(const AgentOptions& options, const Setting& setting);
   observation::Clock clock() const;
   std::uint64_t ticks(std::uint64_t steps) const;
   std::vector<Section> sections();

@@ -23,14 +23,19 @@ class Ways {
     for (const auto& [name, seconds] : given.parts) given_[body_of(model, body, name)] = seconds;
   }
 
-  // Nerves that end in the brain stem, and from there to the cortex.
-  double to(int part) const {
+  // Nerves that end in the brain stem, and from there to the cortex; thin ones are slower.
+  double to(int part, const Field& field) const {
     const auto id = static_cast<std::size_t>(part);
-    return given_[id].value_or(nerves_.any() ? nerves_.along(lengths_[id]) + nerves_.sensory : 0);
+    return given_[id].value_or(nerves_.any() ? along(lengths_[id], field) + nerves_.sensory : 0);
   }
   const growth::Conduction& nerves() const { return nerves_; }
 
  private:
+  double along(double metres, const Field& field) const {
+    const bool slow = field.nerve_speed > 0 && nerves_.speed > 0;
+    return slow ? metres / field.nerve_speed : nerves_.along(metres) / field.nerve_share;
+  }
+
   static std::size_t body_of(const mjModel& model, const body::Body& body, const std::string& name) {
     std::vector<std::string> there;
     for (const int id : body.bodies) {
@@ -50,7 +55,7 @@ std::vector<double> of_receptors(const Field& field, const Ways& ways) {
   std::vector<double> delays;
   delays.reserve(field.count());
   for (const observation::Receptor& receptor : field.receptors) {
-    delays.insert(delays.end(), width, ways.to(receptor.body));
+    delays.insert(delays.end(), width, ways.to(receptor.body, field));
   }
   return delays;
 }
@@ -58,9 +63,10 @@ std::vector<double> of_receptors(const Field& field, const Ways& ways) {
 std::vector<double> delays_of(const Field& field, Share share, const Ways& ways) {
   if (share == Share::kVision) return {ways.nerves().vision};
   if (share == Share::kVestibular) return {ways.nerves().vestibular};
+  if (share == Share::kHearing) return {ways.nerves().hearing};
   if (!field.receptors.empty()) return of_receptors(field, ways);
   std::vector<double> delays;
-  for (const int body : field.bodies) delays.push_back(ways.to(body));
+  for (const int body : field.bodies) delays.push_back(ways.to(body, field));
   return delays;
 }
 

@@ -63,6 +63,13 @@ struct CameraOptions {
   senses::VisionOptions vision;
 };
 
+// How things of the scene feel: what of a body and all that hangs on it is told, of the rest nothing.
+struct ThingOptions {
+  std::string body;                     // its name in the model
+  std::optional<double> temperature{};  // degrees Celsius; nothing: the room's
+  std::string material{};               // by its name; "": plastic
+};
+
 enum class Quantity : int;
 
 // A quantity of some elements as a field of the observation.
@@ -99,8 +106,10 @@ struct EnvOptions {
   render::Quality quality;
   std::vector<CameraOptions> cameras;
   std::vector<FieldOptions> fields;
-  std::uint32_t max_steps = 0;  // 0: the task's own
-  std::string task;             // "": the scene's own
+  double room_temperature = 24;      // degrees Celsius
+  std::vector<ThingOptions> things;  // later ones count more
+  std::uint32_t max_steps = 0;       // 0: the task's own
+  std::string task;                  // "": the scene's own
   tasks::Settings parameters;
   CustomTask custom_task;  // stands in for the scene's own, where given
   bool timing = false;

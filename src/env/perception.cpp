@@ -6,6 +6,7 @@
 #include "base/format.h"
 #include "observation/signals.h"
 #include "senses/proprioception.h"
+#include "senses/touch/skin_sense.h"
 #include "senses/vestibular.h"
 #include "senses/vision.h"
 
@@ -45,20 +46,28 @@ SkinPtr make_skin(const mjModel& model, const body::Body& body, const senses::To
 
 }  // namespace
 
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer, SkinPtr skin) {
+Perception perceive(const mjModel& model, const AgentOptions& options, const Setting& setting,
+                    render::Renderer* renderer, SkinPtr skin) {
   Perception agent;
   const auto add = [&](std::unique_ptr<observation::Sense> sense) { add_sense(agent, options, std::move(sense)); };
   agent.body = find(model, options);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
   actuation::Feedback feedback = agent.actuation->feedback(model, agent.body, options.actuation);
   if (options.proprioception.any() || options.actuation.felt) {
-    add(senses::make_proprioception(model, chosen_joints(model, agent.body, options.joints), options.proprioception,
-                                    std::move(feedback.commands)));
+    add(senses::make_proprioception(
+        model, chosen_joints(model, agent.body, options.joints), options.proprioception, std::move(feedback.commands),
+        [actuation = agent.actuation.get()](const mjData& data, double* shares) {
+          return actuation->pulls(data, shares);
+        },
+        setting.tick));
   }
-  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular));
+  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular, setting.tick));
   if (options.touch.any()) {
     agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));
+    if (options.touch.receptors.any()) {
+      add(senses::make_skin_sense(model, agent.body, agent.skin, options.touch, setting.things, setting.tick));
+    }
   }
   if (options.vision.any()) {
     if (renderer == nullptr) {
@@ -84,6 +93,7 @@ std::unique_ptr<observation::Sense> make_camera(const mjModel& model, const Came
 void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<observation::Sense> sense) {
   if (sense->fields().empty()) return;
   for (observation::Field& field : sense->fields()) field.name = options.prefix() + field.name;
+  for (const auto& process : sense->processes()) process->belong_to(options.prefix());
   agent.senses.push_back(std::move(sense));
 }
 

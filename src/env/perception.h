@@ -8,6 +8,7 @@
 #include "body/body.h"
 #include "env/kit.h"
 #include "observation/sense.h"
+#include "senses/touch/things.h"
 #include "senses/touch/touch.h"
 
 namespace mimo::env {
@@ -19,10 +20,16 @@ struct Perception {
   SkinPtr skin;  // null without touch
 };
 
+// What its senses need to know of the world around.
+struct Setting {
+  double tick;  // from one advance of the senses' processes to the next, s
+  senses::touch::ThingsPtr things;
+};
+
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.
 // A skin that is there already is shared instead of made anew.
-Perception perceive(const mjModel& model, const AgentOptions& options, render::Renderer* renderer,
-                    SkinPtr skin = nullptr);
+Perception perceive(const mjModel& model, const AgentOptions& options, const Setting& setting,
+                    render::Renderer* renderer, SkinPtr skin = nullptr);
 
 // One more sense, unless it has no fields; the agent's name goes before theirs.
 void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<observation::Sense> sense);

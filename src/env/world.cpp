@@ -10,6 +10,7 @@
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
 #include "env/requested_fields.h"
+#include "env/things.h"
 #include "format/names.h"
 
 namespace mimo::env {
@@ -47,7 +48,8 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker(identity);
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
-  for (const AgentOptions& agent : agents) add_agent(agent, make_task, eyes);
+  const Setting setting{physics_.model().opt.timestep, things_of(physics_.model(), agents, options_)};
+  for (const AgentOptions& agent : agents) add_agent(agent, setting, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
   if (!options_.fields.empty()) {
     observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
@@ -65,10 +67,11 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   report_warnings();
 }
 
-void World::add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes) {
+void World::add_agent(const AgentOptions& options, const Setting& setting, const TaskMaker& make_task,
+                      render::Renderer* eyes) {
   const std::size_t number = agents_.size();
   const SkinPtr shared = services_.skins == nullptr ? nullptr : services_.skins->of(number);
-  Agent agent = make_agent(physics_, options, make_task, number, eyes, shared);
+  Agent agent = make_agent(physics_, options, setting, make_task, number, eyes, shared);
   if (services_.skins != nullptr) services_.skins->keep(number, agent.skin);
   agent.path =
       actuation::MotorPath::make(*agent.actuation, options.prefix(), options.motors,
@@ -192,6 +195,7 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
       const Stopwatch watch(options_.timing, timing_.physics);
       step_once(last || sensed);
     }
+    observer_.advance(model(), data(), options_.timing ? &timing_.senses : nullptr);
     for (const Agent& agent : agents_) agent.task->watch(physics_);
     if (sensed) limits_.pass(model(), data(), tick, options_.timing ? &timing_.senses : nullptr);
   }
@@ -237,7 +241,10 @@ void World::step_physics(int count) {
   physics_.require_usable();
   physics_.require_undisturbed();
   step_contacts_.begin();
-  for (int i = 0; i < count; ++i) step_once(i + 1 == count);
+  for (int i = 0; i < count; ++i) {
+    step_once(i + 1 == count);
+    observer_.advance(model(), data(), nullptr);
+  }
 }
 
 void World::step_once(bool sensors) {
@@ -253,6 +260,7 @@ void World::observe(std::uint8_t* block) {
 
 // Only steps are timed: looking in between would blur what a step costs.
 void World::sense(std::uint8_t* block, Moment moment) {
+  if (moment == Moment::kStart) observer_.begin(model(), data());
   switch (moment) {
     case Moment::kStart: return limits_.begin(model(), data(), block, episode_.noise);
     case Moment::kStep:

@@ -94,7 +94,8 @@ class World {
  private:
   render::Renderer& renderer();
   void adopt_scene_choices();
-  void add_agent(const AgentOptions& options, const TaskMaker& make_task, render::Renderer* eyes);
+  void add_agent(const AgentOptions& options, const Setting& setting, const TaskMaker& make_task,
+                 render::Renderer* eyes);
   TaskMaker task_maker(const Identity& identity) const;
   void start();
   void step_once(bool sensors);

@@ -45,6 +45,7 @@ std::vector<Section> World::sections() {
   sections.push_back(episode_.section());
   sections.push_back(section_of("random", 0, random_));
   for (Agent& agent : agents_) add_sections(agent, sections);
+  observer_.list(sections);
   limits_.list(sections);
   Section overrides;
   overrides.name = "overrides";

@@ -30,7 +30,10 @@ struct Field {
   bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
   double focal = 0;                 // how far a picture is from its eye, in pixels; 0 for all else
   double foveation = 0;             // of a picture in colour: see Foveation; 0: as it was drawn
-  std::size_t offset = 0;           // in the block; set by the layout
+  // How fast its nerves are: a share of what large fibres conduct at, or a speed of their own in m/s where it is not 0.
+  double nerve_share = 1, nerve_speed = 0;
+  double sample_rate = 0;  // of sound, samples a second; 0 for all else
+  std::size_t offset = 0;  // in the block; set by the layout
 
   bool is_picture() const { return focal > 0; }
   std::size_t count() const;

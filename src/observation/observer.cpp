@@ -30,6 +30,28 @@ void Observer::write(std::size_t sense, const mjModel& model, const mjData& data
   senses_[sense]->write(model, data, block);
 }
 
+void Observer::begin(const mjModel& model, const mjData& data) const {
+  for (const Sense* sense : senses_) {
+    for (const auto& process : sense->processes()) process->begin(model, data);
+  }
+}
+
+void Observer::advance(const mjModel& model, const mjData& data, ShareTimes* times) const {
+  ShareTimes nobodys{};
+  ShareTimes& sums = times != nullptr ? *times : nobodys;
+  for (const Sense* sense : senses_) {
+    if (sense->processes().empty()) continue;
+    const Stopwatch watch(times != nullptr, sums[static_cast<std::size_t>(sense->share())]);
+    for (const auto& process : sense->processes()) process->advance(model, data);
+  }
+}
+
+void Observer::list(std::vector<Section>& sections) const {
+  for (const Sense* sense : senses_) {
+    for (const auto& process : sense->processes()) sections.push_back(process->section());
+  }
+}
+
 void Observer::observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const {
   for (Sense* sense : senses_) {
     if (sense->share() == share) sense->write(model, data, block);

@@ -26,6 +26,12 @@ class Observer {
 
   // Fills the fields of one sense, and adds what it took to `times`; null: nobody wants to know.
   void write(std::size_t sense, const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
+  // An episode starts, and a tick is over, for all that goes on by itself in senses.
+  void begin(const mjModel& model, const mjData& data) const;
+  void advance(const mjModel& model, const mjData& data, ShareTimes* times) const;
+  // What that remembers, for a state. This object outlives it.
+  void list(std::vector<Section>& sections) const;
+
   // Fills the fields of one share only.
   void observe_share(Share share, const mjModel& model, const mjData& data, std::uint8_t* block) const;
 

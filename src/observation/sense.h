@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "observation/field.h"
-
-typedef struct mjModel_ mjModel;
-typedef struct mjData_ mjData;
+#include "observation/process.h"
 
 namespace mimo::observation {
 
@@ -22,8 +22,12 @@ class Sense {
   const std::vector<Field>& fields() const { return fields_; }
   bool has(const Field& field) const { return &field >= fields_.data() && &field < fields_.data() + fields_.size(); }
   virtual Share share() const = 0;
-  // Fills its fields of the block from the current data.
+  // Fills its fields of the block from the current data, and from what has become of its processes.
   virtual void write(const mjModel& model, const mjData& data, std::uint8_t* block) = 0;
+
+  // What of it goes on by itself.
+  void keep(std::unique_ptr<Process> process) { processes_.push_back(std::move(process)); }
+  const std::vector<std::unique_ptr<Process>>& processes() const { return processes_; }
 
  protected:
   // Where a field starts in the block.
@@ -33,6 +37,9 @@ class Sense {
   }
 
   std::vector<Field> fields_;
+
+ private:
+  std::vector<std::unique_ptr<Process>> processes_;
 };
 
 }  // namespace mimo::observation

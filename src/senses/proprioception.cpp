@@ -107,7 +107,7 @@ Signal joint_torque(const mjModel& model, const Joints& joints) {
 
 std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, const body::Body& body,
                                                         const ProprioceptionOptions& options,
-                                                        std::vector<Signal> commands) {
+                                                        std::vector<Signal> commands, Pulls pulls, double tick) {
   std::vector<Signal> signals;
   if (options.position) signals.push_back(position(model, body.joints));
   if (options.velocity) signals.push_back(velocity(model, body.joints));
@@ -115,7 +115,12 @@ std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, co
   if (options.limit) signals.push_back(limit(model, body.joints, options.limit_threshold));
   std::move(commands.begin(), commands.end(), std::back_inserter(signals));
   if (options.joint_torque) signals.push_back(joint_torque(model, body.joints));
-  return std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(signals));
+  MuscleReceptors receptors =
+      make_muscle_receptors(model, body, options.receptors, options.limit_threshold, std::move(pulls), tick);
+  std::move(receptors.signals.begin(), receptors.signals.end(), std::back_inserter(signals));
+  auto sense = std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(signals));
+  if (receptors.process != nullptr) sense->keep(std::move(receptors.process));
+  return sense;
 }
 
 }  // namespace mimo::senses

@@ -6,6 +6,7 @@
 
 #include "body/body.h"
 #include "observation/signals.h"
+#include "senses/muscle_receptors.h"
 
 namespace mimo::senses {
 
@@ -16,13 +17,15 @@ struct ProprioceptionOptions {
   bool limit = true;
   bool joint_torque = false;       // about each joint's own axis
   double limit_threshold = 0.035;  // rad
+  MuscleReceptorOptions receptors{};
 
-  bool any() const { return position || velocity || torque || limit || joint_torque; }
+  bool any() const { return position || velocity || torque || limit || joint_torque || receptors.any(); }
 };
 
-// `commands` are what the agent feels of what its motors are told.
+// `commands` are what the agent feels of what its motors are told. The rest is for receptors of muscles: see there.
 std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, const body::Body& body,
                                                         const ProprioceptionOptions& options,
-                                                        std::vector<observation::Signal> commands);
+                                                        std::vector<observation::Signal> commands, Pulls pulls,
+                                                        double tick);
 
 }  // namespace mimo::senses

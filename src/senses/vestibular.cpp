@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "engine/motion.h"
 #include "observation/signals.h"
+#include "senses/labyrinth.h"
 
 namespace mimo::senses {
 namespace {
@@ -66,16 +67,30 @@ engine::Place find_place(const mjModel& model, const std::string& name) {
   return {Kind::kSite, engine::find_or_fail(model, Kind::kSite, name)};
 }
 
+// The head of an infant with both ears in it; of anything else a place where both are.
+Labyrinth::Head head_of(const mjModel& model, const body::Body& body, const VestibularOptions& options) {
+  if (options.at.empty()) return head_with_ears(model, body.head);
+  const engine::Place place = find_place(model, options.at);
+  return {place, place.kind == Kind::kSite ? "site" : "body"};
+}
+
 }  // namespace
 
 std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
-                                                    const VestibularOptions& options) {
+                                                    const VestibularOptions& options, double tick) {
   require(body.infant || !options.at.empty(),
           "vestibular is on, but the agent is no infant: vestibular_at has to name a site or body that carries the "
           "organ, or vestibular = 0");
-  return std::make_unique<observation::Signals>(
-      observation::Share::kVestibular,
-      options.at.empty() ? readings(body, options) : motions(find_place(model, options.at), options));
+  std::vector<observation::Signal> signals =
+      options.at.empty() ? readings(body, options) : motions(find_place(model, options.at), options);
+  std::unique_ptr<Labyrinth> labyrinth;
+  if (options.labyrinth.any()) {
+    labyrinth = std::make_unique<Labyrinth>(head_of(model, body, options), tick);
+    for (observation::Signal& signal : labyrinth->signals(options.labyrinth)) signals.push_back(std::move(signal));
+  }
+  auto sense = std::make_unique<observation::Signals>(observation::Share::kVestibular, std::move(signals));
+  if (labyrinth != nullptr) sense->keep(std::move(labyrinth));
+  return sense;
 }
 
 }  // namespace mimo::senses

@@ -4,6 +4,8 @@
 //   bench_extras contacts [STEPS]   what touches what within a step is recorded (step_contacts); no senses
 //   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels
+//   bench_extras skin [STEPS]       all that nerves of the skin tell
+//   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
 #include <mimo/mimo.h>
 
 #include <algorithm>
@@ -29,7 +31,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-enum class Extra { kContacts, kDelays, kEyes };
+enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors };
+
+bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
 // Eyes or nerves of a newborn; actions arrive at once, so that both worlds go the same way.
 void mature(mimo_scene* scene, Extra extra) {
@@ -60,8 +64,17 @@ mimo_env* make(Extra extra, bool has) {
   mimo_agent_config agent;
   check(mimo_scene_default_agent(scene, &agent, sizeof agent));
   if (extra != Extra::kEyes) agent.vision = 0;
+  if (has && is_receptors(extra)) {
+    agent.touch |= MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE |
+                   MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
+  }
+  if (has && extra == Extra::kReceptors) {
+    agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+    agent.proprioception |= MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY | MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY |
+                            MIMO_PROPRIOCEPTION_TENDON_ORGAN | MIMO_PROPRIOCEPTION_JOINT_RECEPTOR;
+  }
   check(mimo_scene_add_agent(scene, &agent, nullptr));
-  if (has && extra != Extra::kContacts) mature(scene, extra);
+  if (has && (extra == Extra::kDelays || extra == Extra::kEyes)) mature(scene, extra);
   mimo_env_config config;
   check(mimo_env_config_init(&config, sizeof config));
   config.step_contacts = has && extra == Extra::kContacts ? 1 : 0;
@@ -92,14 +105,18 @@ double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std:
 
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "contacts";
-  const Extra extra = what == "eyes" ? Extra::kEyes : what == "delays" ? Extra::kDelays : Extra::kContacts;
+  const Extra extra = what == "eyes"        ? Extra::kEyes
+                      : what == "delays"    ? Extra::kDelays
+                      : what == "skin"      ? Extra::kSkin
+                      : what == "receptors" ? Extra::kReceptors
+                                            : Extra::kContacts;
   const int usual_steps = extra == Extra::kEyes ? 200 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
   mimo_env *const having = make(extra, true), *const usual = make(extra, false);
   const mimo_layout* layout = nullptr;
   mimo_layout_info info{};
   info.struct_size = sizeof info;
-  check(mimo_env_layout(usual, &layout));
+  check(mimo_env_layout(having, &layout));  // the larger block
   check(mimo_layout_describe(layout, &info));
   std::vector<std::uint8_t> block(extra == Extra::kContacts ? 0 : info.block_bytes);
   for (mimo_env* env : {having, usual}) check(mimo_env_reset(env, nullptr, nullptr, 0));

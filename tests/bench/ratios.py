@@ -50,6 +50,8 @@ WORLDS = ["bench_worlds", "reach"]
 CONTACTS = ["bench_extras", "contacts"]
 DELAYS = ["bench_extras", "delays", "1500"]
 EYES = ["bench_extras", "eyes"]
+SKIN = ["bench_extras", "skin", "1500"]
+RECEPTORS = ["bench_extras", "receptors", "1500"]
 
 
 def step_vs_raw(result):
@@ -109,6 +111,8 @@ RATIOS = [
     ("contacts of a step recorded, over the step", CONTACTS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's nerves, over the step without eyes", DELAYS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's eyes, over the step at V256", EYES, in_text(r"(-?[\d.]+) of a step more")),
+    ("receptors of skin, over the step without eyes", SKIN, in_text(r"(-?[\d.]+) of a step more")),
+    ("all receptors, over the step without eyes", RECEPTORS, in_text(r"(-?[\d.]+) of a step more")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),
     ("MuJoCo's muscles, over a physics step", MUSCLE, muscles("mitten", "MuJoCo")),
     ("muscles of five fingers, over a physics step", MUSCLE, muscles("fingers", "MIMo")),

@@ -78,14 +78,14 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     NULL_OK(count), CONFIG(agent_config, mimo_agent_config, "config"), AGENT_UNKNOWN(place, 4),
     UNREAL(agent_config, mimo_agent_config, position[1], "position[1]"),
     UNREAL(agent_config, mimo_agent_config, orientation[2], "orientation[2]"), DO(no_orientation, E_ARG, "orientation"),
-    AGENT_UNKNOWN(proprioception, 0x80), AGENT_UNKNOWN(proprioception, -1), AGENT_UNKNOWN(vestibular, 4),
+    AGENT_UNKNOWN(proprioception, 0x800), AGENT_UNKNOWN(proprioception, -1), AGENT_UNKNOWN(vestibular, 32),
     UNREAL(agent_config, mimo_agent_config, limit_threshold, "limit_threshold"),
     AGENT_REAL(limit_threshold, 0, "limit"), AGENT_UNKNOWN(vision, 8), AGENT(vision_width, 0),
     AGENT(vision_width, 4097), AGENT(vision_width, -1), AGENT(vision_height, 0), AGENT(vision_height, 4097),
     AGENT_UNKNOWN(actuation, 4), UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"),
     AGENT_REAL(vision_fovy, 171, "vision_fovy"), UNREAL(agent_config, mimo_agent_config, vision_foveation, "foveation"),
     AGENT_REAL(vision_foveation, 101, "vision_foveation"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
-    AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 16), AGENT(touch, 3),
+    AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x4000), AGENT(touch, 3),
     AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
     AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(touch_reserved, 1),
     UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"), AGENT_REAL(touch_scale, -1, "touch_scale"),
@@ -101,6 +101,13 @@ ROW(mimo_scene_add_agents, ON_ROOM, mimo_scene_add_agents(a->room, a->agent_conf
 ROW(mimo_scene_set_touch, ON_SCENE, mimo_scene_set_touch(a->scene, a->agent_index, a->part, a->spacing), NULL_OK(part),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "spacing"),
     BAD_F64(spacing, -1, "spacing"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))
+ROW(mimo_material_name, 0, check_list(mimo_material_name), NONE)
+ROW(mimo_scene_set_room_temperature, ON_SCENE, mimo_scene_set_room_temperature(a->scene, a->spacing),
+    NOT_FINITE(spacing, "celsius"), BAD_F64(spacing, -41, "celsius"), BAD_F64(spacing, 81, "celsius"))
+ROW(mimo_scene_set_temperature, ON_SCENE, mimo_scene_set_temperature(a->scene, a->part, a->spacing),
+    NO_NULL(part, "body"), NOT_FINITE(spacing, "celsius"), BAD_F64(spacing, -273.16, "celsius"),
+    BAD_F64(spacing, 1001, "celsius"))
+ROW(mimo_scene_set_material, ON_SCENE, mimo_scene_set_material(a->scene, a->part, "cork"), NO_NULL(part, "body"))
 ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_index, a->name),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(name, "joint"),
     DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))

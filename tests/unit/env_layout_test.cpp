@@ -118,7 +118,7 @@ TEST(EnvLayout, SwitchesRemoveTheirFields) {
       {"joint torque", [](env::AgentOptions& o) { o.proprioception.joint_torque = false; }, {p + "joint_torque"}},
       {"vestibular",
        [](env::AgentOptions& o) {
-         o.vestibular = {false, false, ""};
+         o.vestibular = {false, false, {}, ""};
        },
        {"vestibular/acceleration", "vestibular/angular_velocity"}},
   };
@@ -134,7 +134,7 @@ TEST(EnvLayout, SwitchesRemoveTheirFields) {
 
 TEST(EnvLayout, NoSensesAtAll) {
   env::AgentOptions options = blind();
-  options.vestibular = {false, false, ""};
+  options.vestibular = {false, false, {}, ""};
   options.touch.force = false;
   options.proprioception = {false, false, false, false, false, 0.035};
   options.actuation.felt = false;

@@ -232,7 +232,7 @@ TEST(State, FitsAWorldWithOtherSenses) {
   const auto world = make_world(benchmark_model());
   for (int i = 0; i < 30; ++i) step(*world, i);
   auto deaf = blind();
-  deaf.vestibular = {false, false, ""};
+  deaf.vestibular = {false, false, {}, ""};
   deaf.proprioception = {};
   deaf.proprioception.torque = false;
   env::World other(benchmark_model(), {deaf}, {});

@@ -37,6 +37,14 @@ namespace Mimo
         Position = 0x20,
         /// <summary>Effort, 0 to 1.</summary>
         Effort = 0x40,
+        /// <summary>Muscle spindles, Ia, Hz.</summary>
+        SpindlePrimary = 0x80,
+        /// <summary>Muscle spindles, II, Hz.</summary>
+        SpindleSecondary = 0x100,
+        /// <summary>Tendon organs, Ib, Hz.</summary>
+        TendonOrgan = 0x200,
+        /// <summary>Joint receptors near both ends, Hz.</summary>
+        JointReceptor = 0x400,
         /// <summary>All that the library has.</summary>
         All = 0x80000000
     }
@@ -50,7 +58,13 @@ namespace Mimo
         /// <summary>Acceleration, gravity included, m/s^2.</summary>
         Acceleration = 0x1,
         /// <summary>Angular velocity, rad/s.</summary>
-        AngularVelocity = 0x2
+        AngularVelocity = 0x2,
+        /// <summary>Six canals, Hz.</summary>
+        Canals = 0x4,
+        /// <summary>Four maculae, Hz.</summary>
+        Otoliths = 0x8,
+        /// <summary>Where up is, as it is estimated, m/s^2.</summary>
+        Gravity = 0x10
     }
 
     /// <summary>What a camera or an eye gives.</summary>
@@ -125,7 +139,27 @@ namespace Mimo
         /// <summary>"touch/slip", N x 2: how it slides over the skin, along its tangents, m/s.</summary>
         Slip = 0x4,
         /// <summary>"touch/friction_use", N x 1: share of the possible friction in use; 1: all.</summary>
-        FrictionUse = 0x8
+        FrictionUse = 0x8,
+        /// <summary>How deep the skin is pressed, Hz.</summary>
+        Sa1 = 0x10,
+        /// <summary>How fast that changes, Hz.</summary>
+        Ra = 0x20,
+        /// <summary>Jolts and vibration, Hz.</summary>
+        Pc = 0x40,
+        /// <summary>Stretch along both tangents, Hz.</summary>
+        Sa2 = 0x80,
+        /// <summary>Of the skin, degrees Celsius.</summary>
+        Temperature = 0x100,
+        /// <summary>Cold receptors, Hz.</summary>
+        Cold = 0x200,
+        /// <summary>Warm receptors, Hz.</summary>
+        Warm = 0x400,
+        /// <summary>Fast pain, Hz.</summary>
+        NociceptionFast = 0x800,
+        /// <summary>Slow pain, Hz.</summary>
+        NociceptionSlow = 0x1000,
+        /// <summary>Afferents that a sensor stands for.</summary>
+        Units = 0x2000
     }
 
     /// <summary>Which touch sensors feel how much of a touch.</summary>

@@ -86,6 +86,7 @@ inline mimo_senses_config senses_config(int mujoco_version, std::size_t model_si
 inline std::vector<std::string> scene_names() { return detail::names(mimo_scene_builtin); }
 inline std::vector<std::string> room_names() { return detail::names(mimo_scene_room); }
 inline std::vector<std::string> task_names() { return detail::names(mimo_task_name); }
+inline std::vector<std::string> material_names() { return detail::names(mimo_material_name); }
 inline std::vector<std::string> face_names() { return detail::names(mimo_face_name); }
 
 /// All by which tasks can be changed: Scene::set_parameter.

@@ -58,6 +58,15 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   void limit_motor(const std::string &path, const mimo_limits &limits, std::size_t agent = 0) {
     check(mimo_scene_limit_motor(get(), agent, path.c_str(), &limits));
   }
+  /// How warm the room is, and bodies with all that hangs on them: degrees Celsius.
+  void set_room_temperature(double celsius) { check(mimo_scene_set_room_temperature(get(), celsius)); }
+  void set_temperature(const std::string &body, double celsius) {
+    check(mimo_scene_set_temperature(get(), body.c_str(), celsius));
+  }
+  /// What a body is made of: one of mimo::material_names.
+  void set_material(const std::string &body, const std::string &material) {
+    check(mimo_scene_set_material(get(), body.c_str(), material.c_str()));
+  }
   /// Eyes and nerves of one's own, in place of those that its growth says.
   void set_maturity(const mimo_maturity &maturity, std::size_t agent = 0) {
     check(mimo_scene_set_maturity(get(), agent, &maturity));

@@ -20,7 +20,7 @@ AgentPlan part(const std::string& name, const std::string& root) {
   AgentPlan plan = infant(name);
   plan.options.root = root;
   plan.options.proprioception.torque = false;
-  plan.options.vestibular = {false, false, ""};
+  plan.options.vestibular = {false, false, {}, ""};
   plan.options.touch.force = false;
   plan.body = "scene";
   return plan;

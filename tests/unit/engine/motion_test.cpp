@@ -54,6 +54,13 @@ void expect_same(const mjModel& model, const mjData& data, double tolerance) {
     const double* sensors = data.sensordata + 6 * site;
     EXPECT_TRUE(close({sensors, sensors + 3}, motion.acceleration.data(), {tolerance, tolerance})) << "site " << site;
     EXPECT_TRUE(close({sensors + 3, sensors + 6}, motion.angular_velocity.data(), {1e-12, 1e-12})) << "site " << site;
+    // The same place, seen from the body's own frame.
+    using Rows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+    const int body = model.site_bodyid[site];
+    const engine::Motion of_body = engine::motion_of(model, data, {Kind::kBody, body});
+    const Eigen::Vector3d there = engine::acceleration_at(of_body, Eigen::Vector3d(model.site_pos + 3 * site));
+    const Eigen::Vector3d same = Rows(data.site_xmat + 9 * site).transpose() * (Rows(data.xmat + 9 * body) * there);
+    EXPECT_TRUE(close({sensors, sensors + 3}, same.data(), {1e-9 + tolerance, 1e-9 + tolerance})) << "site " << site;
   }
 }
 

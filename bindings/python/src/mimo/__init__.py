@@ -56,7 +56,7 @@ from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_task import Moment, WorldTask
 from .results import StepResult
-from .scene import Scene, faces, rooms, scenes, tasks
+from .scene import Scene, faces, materials, rooms, scenes, tasks
 from .senses import Senses
 from .states import LoadReport
 from .tasks import GoalTask, Judgement, Task
@@ -140,6 +140,7 @@ __all__ = [
     "abi_version",
     "api_version",
     "faces",
+    "materials",
     "library_path",
     "make",
     "make_vec",

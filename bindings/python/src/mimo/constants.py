@@ -15,6 +15,10 @@ class Proprioception(IntFlag):
     JOINT_TORQUE = 0x10
     POSITION = 0x20
     EFFORT = 0x40
+    SPINDLE_PRIMARY = 0x80
+    SPINDLE_SECONDARY = 0x100
+    TENDON_ORGAN = 0x200
+    JOINT_RECEPTOR = 0x400
     ALL = 0x80000000
 
 
@@ -31,6 +35,9 @@ class Vestibular(IntFlag):
 
     ACCELERATION = 0x1
     ANGULAR_VELOCITY = 0x2
+    CANALS = 0x4
+    OTOLITHS = 0x8
+    GRAVITY = 0x10
 
 
 class Place(IntEnum):
@@ -102,6 +109,16 @@ class Touch(IntFlag):
     NORMAL_FORCE = 0x2
     SLIP = 0x4
     FRICTION_USE = 0x8
+    SA1 = 0x10
+    RA = 0x20
+    PC = 0x40
+    SA2 = 0x80
+    TEMPERATURE = 0x100
+    COLD = 0x200
+    WARM = 0x400
+    NOCICEPTION_FAST = 0x800
+    NOCICEPTION_SLOW = 0x1000
+    UNITS = 0x2000
 
 
 class TouchResponse(IntEnum):

@@ -11,7 +11,7 @@ import inspect
 import os
 from enum import IntEnum, IntFlag
 from functools import lru_cache
-from typing import Any, Dict, Mapping, Optional, Sequence, TypedDict, Union, get_args, get_type_hints
+from typing import Any, Dict, Literal, Mapping, Optional, Sequence, TypedDict, Union, get_args, get_type_hints
 
 import numpy as np
 
@@ -98,6 +98,7 @@ class AgentOptions(GrowthOptions, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
+    senses: Literal["usual", "all"]
     face: str
     root: str
     vestibular_at: str

@@ -14,7 +14,7 @@ from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
-from .constants import NOW, Place, Quantity
+from .constants import NOW, Place, Proprioception, Quantity, Touch, Vestibular
 from .maturity import Maturity, maturity_from
 from .options import (
     AgentOptions,
@@ -47,6 +47,11 @@ def faces() -> List[str]:
     return _names(LIB.mimo_face_name)
 
 
+def materials() -> List[str]:
+    """Names of the materials for Scene.set_material."""
+    return _names(LIB.mimo_material_name)
+
+
 def rooms() -> List[str]:
     """Names of the rooms for Scene.set_room."""
     return _names(LIB.mimo_scene_room)
@@ -62,6 +67,20 @@ def _names(by_index: Any) -> List[str]:
     while (name := by_index(len(names))) is not None:
         names.append(text(name))
     return names
+
+
+def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
+    """All that nerves tell, beside what the senses that are on tell anyway."""
+    which = options.get("senses", "usual")
+    if which not in ("usual", "all"):
+        raise ValueError(f'senses is {which!r}, expected "usual" or "all"')
+    if which == "usual":
+        return
+    config.proprioception |= Proprioception.ALL
+    if config.vestibular:
+        config.vestibular |= sum(Vestibular)
+    if config.touch:
+        config.touch |= sum(Touch) - Touch.FORCE - Touch.NORMAL_FORCE  # these two exclude each other
 
 
 class Scene(Handle):
@@ -127,8 +146,9 @@ class Scene(Handle):
         standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
         growth = _growth_in(options)
-        agent = {name: value for name, value in options.items() if name not in growth}
+        agent = {name: value for name, value in options.items() if name not in growth and name != "senses"}
         fill(config, agent, AgentOptions, standard)
+        _add_senses(config, options)
         if growth:
             config.growth = ctypes.pointer(growth_from(growth))
         given = options.keys() & {"position", "orientation"}
@@ -194,6 +214,21 @@ class Scene(Handle):
         limits = _limits(**given)
         check(LIB.mimo_scene_limit_motor(self._handle, number_of("agent", agent, 64), utf8(path), limits))
         self._remember("limit_motor", path, **given, agent=agent)
+
+    def set_room_temperature(self, celsius: float) -> None:
+        """How warm the room is, and all in it that has no temperature of its own; 24 degrees unless this is called."""
+        check(LIB.mimo_scene_set_room_temperature(self._handle, celsius))
+        self._remember("set_room_temperature", celsius)
+
+    def set_temperature(self, body: str, celsius: float) -> None:
+        """How warm a body of the model is, with all that hangs on it."""
+        check(LIB.mimo_scene_set_temperature(self._handle, utf8(body), celsius))
+        self._remember("set_temperature", body, celsius)
+
+    def set_material(self, body: str, material: str) -> None:
+        """What a body of the model is made of, one of mimo.materials(): "copper", "hardwood", ..."""
+        check(LIB.mimo_scene_set_material(self._handle, utf8(body), utf8(material)))
+        self._remember("set_material", body, material)
 
     def set_maturity(self, maturity: Optional[Maturity], agent: int = 0) -> None:
         """Gives an infant such eyes and nerves; None: as its age and the option `maturity` have them.

@@ -88,11 +88,7 @@ pub const MIMO_MATURITY_BODY: u32 = 1;
 pub const MIMO_MATURITY_EYES: u32 = 2;
 #[doc = "How long its nerves take, to and from the brain; likewise."]
 pub const MIMO_MATURITY_DELAYS: u32 = 4;
-#[doc = "With its eyes: contrasts too faint for them are gone."]
-pub const MIMO_MATURITY_THRESHOLD: u32 = 8;
-#[doc = "With its eyes: changes too fast for them are blurred."]
-pub const MIMO_MATURITY_FLICKER: u32 = 16;
-#[doc = "All that the loaded library has but the options _THRESHOLD and _FLICKER."]
+#[doc = "All that the loaded library has."]
 pub const MIMO_MATURITY_ALL: u32 = 2147483648;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
@@ -108,6 +104,14 @@ pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
 pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
 #[doc = "proprioception/effort, 0 to 1: see docs/guide/muscles.md."]
 pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
+#[doc = "proprioception/spindle_primary, two muscles a motor: Ia."]
+pub const MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY: u32 = 128;
+#[doc = "proprioception/spindle_secondary, likewise: II."]
+pub const MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY: u32 = 256;
+#[doc = "proprioception/tendon_organ, likewise: Ib."]
+pub const MIMO_PROPRIOCEPTION_TENDON_ORGAN: u32 = 512;
+#[doc = "proprioception/joint_receptor, joints x 2: near its ends."]
+pub const MIMO_PROPRIOCEPTION_JOINT_RECEPTOR: u32 = 1024;
 #[doc = "All that the loaded library has."]
 pub const MIMO_PROPRIOCEPTION_ALL: u32 = 2147483648;
 #[doc = "Colour, uint8 H x W x 3, row 0 is the top."]
@@ -120,6 +124,12 @@ pub const MIMO_VISION_SEGMENTATION: u32 = 4;
 pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
 #[doc = "vestibular/angular_velocity, 3, rad/s."]
 pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
+#[doc = "vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md."]
+pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
+#[doc = "vestibular/otoliths, 2 x 2 x 2 x 2, Hz: likewise."]
+pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
+#[doc = "vestibular/gravity, 3, m/s^2: where up is, as it is estimated."]
+pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
 #[doc = "The scene's own place for an infant."]
 pub const MIMO_PLACE_SCENE: u32 = 0;
 #[doc = "The origin of its root body mimo_location; standing soles are 0.33 m below."]
@@ -170,6 +180,26 @@ pub const MIMO_TOUCH_NORMAL_FORCE: u32 = 2;
 pub const MIMO_TOUCH_SLIP: u32 = 4;
 #[doc = "touch/friction_use, N x 1: share of the possible friction in use; 1: all."]
 pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
+#[doc = "touch/sa1: how deep the skin is pressed."]
+pub const MIMO_TOUCH_SA1: u32 = 16;
+#[doc = "touch/ra: how fast that changes, and sliding."]
+pub const MIMO_TOUCH_RA: u32 = 32;
+#[doc = "touch/pc: jolts and vibration, as an envelope."]
+pub const MIMO_TOUCH_PC: u32 = 64;
+#[doc = "touch/sa2, N x 2: stretch along the sensor's two tangents."]
+pub const MIMO_TOUCH_SA2: u32 = 128;
+#[doc = "touch/temperature: of the skin's surface, degrees Celsius."]
+pub const MIMO_TOUCH_TEMPERATURE: u32 = 256;
+#[doc = "touch/cold."]
+pub const MIMO_TOUCH_COLD: u32 = 512;
+#[doc = "touch/warm."]
+pub const MIMO_TOUCH_WARM: u32 = 1024;
+#[doc = "touch/nociception_fast: pricks and heat, at once."]
+pub const MIMO_TOUCH_NOCICEPTION_FAST: u32 = 2048;
+#[doc = "touch/nociception_slow: the same and cold, late and lasting."]
+pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
+#[doc = "touch/units, N x 4: SA1, RA, PC, SA2 that a sensor stands for."]
+pub const MIMO_TOUCH_UNITS: u32 = 8192;
 #[doc = "The nearest sensor feels all of a touch."]
 pub const MIMO_RESPONSE_NEAREST: u32 = 1;
 #[doc = "Weights fall linearly with the distance along the skin, to 0 at 2 spacings."]
@@ -842,9 +872,9 @@ pub struct mimo_agent_config {
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
     #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:"]
-    #[doc = "all but JOINT_TORQUE and EFFORT."]
+    #[doc = "all but JOINT_TORQUE, EFFORT and what nerves tell."]
     pub proprioception: u32,
-    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: both."]
+    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: the first two."]
     pub vestibular: u32,
     #[doc = "Limit sensors work this near to a limit; radians, > 0. Default 0.035."]
     pub limit_threshold: f64,
@@ -858,9 +888,6 @@ pub struct mimo_agent_config {
     pub actuation: u32,
     #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own (60)."]
     pub vision_fovy: f64,
-    #[doc = "Of colour: the middle is shown L / ln(1 + L) times as large and the rim small, 0.01"]
-    #[doc = "to 100; 0 (default): as drawn. See mimo_layout_directions."]
-    pub vision_foveation: f64,
     #[doc = "MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice."]
     pub acts: u32,
     #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
@@ -1044,20 +1071,16 @@ extern "C" {
 pub struct mimo_maturity {
     #[doc = "sizeof(mimo_maturity), set by mimo_maturity_init."]
     pub struct_size: u32,
-    #[doc = "1: contrasts that are too faint to be seen are gone; 0 (default): they stay."]
-    #[doc = "Counts with an acuity."]
-    pub contrast_threshold: u32,
-    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default):"]
-    #[doc = "pictures as they are drawn."]
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default): pictures"]
+    #[doc = "as they are drawn."]
     pub acuity: f64,
-    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast"]
-    #[doc = "of the contrast is left. Default 2. Counts with an acuity."]
+    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of"]
+    #[doc = "the contrast is left. Default 2. Counts with an acuity."]
     pub peak_contrast: f64,
     #[doc = "Share of colour that is seen, 0 (grey) to 1 (default)."]
     pub chroma: f64,
-    #[doc = "Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over"]
-    #[doc = "the pictures that are sensed. 0 (default): none."]
-    pub flicker: f64,
     #[doc = "Of large nerve fibres, m/s, 0.1 to 200; 0 (default): they take no time."]
     pub conduction_speed: f64,
     #[doc = "From the brain stem to the cortex, s, 0 to 2."]
@@ -1075,8 +1098,7 @@ extern "C" {
     pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0; 4, 8 and 15 Hz"]
-    #[doc = "are flicker's at 2, 4 and 12 months."]
+    #[doc = "Fills maturity with the numbers of an age."]
     #[doc = "@param age      months, 0 (a newborn) to 24."]
     #[doc = "@param size     sizeof(mimo_maturity) as the caller knows it."]
     pub fn mimo_maturity_at(age: f64, maturity: *mut mimo_maturity, size: usize) -> mimo_status;
@@ -1094,20 +1116,41 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How late an agent feels a part of its body, for environments made and senses attached from now on: touch on it, and"]
-    #[doc = "the joints that move it. It counts instead of what follows from the maturity; limits of mimo_scene_limit_sense come"]
-    #[doc = "before it. For the way back to motors see mimo_scene_limit_motor."]
-    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
-    #[doc = "               single ones no longer counts."]
-    #[doc = "@param seconds 0 to 2; rounded to the nearest number of time steps of the model."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
-    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
-    pub fn mimo_scene_set_sensory_delay(
+    #[doc = "Sets how warm the room is: its air, and all that has no temperature of its own. Default 24, at which naked skin is"]
+    #[doc = "33.0. Infants are as warm as skin in that room. For environments made and senses attached from now on."]
+    #[doc = "@param celsius -40 to 80."]
+    pub fn mimo_scene_set_room_temperature(scene: *mut mimo_scene, celsius: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets how warm a body of the scene is, with all that hangs on it; it stays so whatever touches it. Where several calls"]
+    #[doc = "concern a body, the last one counts."]
+    #[doc = "@param body    its name in the model, \"cup\", \"anna/left_hand\"."]
+    #[doc = "@param celsius -273.15 (absolute zero) to 1000."]
+    #[doc = "Errors: a body that the model does not have is MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach."]
+    pub fn mimo_scene_set_temperature(
         scene: *mut mimo_scene,
-        agent: usize,
         body: *const std::os::raw::c_char,
-        seconds: f64,
+        celsius: f64,
     ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to slide"]
+    #[doc = "over. Default \"plastic\", of infants \"skin\"."]
+    #[doc = "@param body     as in mimo_scene_set_temperature."]
+    #[doc = "@param material one of mimo_material_name."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in"]
+    #[doc = "        mimo_scene_set_temperature."]
+    pub fn mimo_scene_set_material(
+        scene: *mut mimo_scene,
+        body: *const std::os::raw::c_char,
+        material: *const std::os::raw::c_char,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Name of the index-th material, or NULL past the last: \"copper\", \"aluminium\", \"steel\", \"granite\", \"glass\", \"water\","]
+    #[doc = "\"polyethylene\", \"plastic\", \"rubber\", \"leather\", \"hardwood\", \"softwood\", \"cotton\", \"cork\", \"foam\", \"skin\". Static"]
+    #[doc = "string."]
+    pub fn mimo_material_name(index: usize) -> *const std::os::raw::c_char;
 }
 #[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
 #[repr(C)]
@@ -1204,31 +1247,16 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How late the elements of a field come, in seconds: whole numbers of the model's time steps, 0 for what is sensed at"]
-    #[doc = "once. A field's start and end are those of all its elements. A batch tells those of its first world, which others of"]
-    #[doc = "another age do not share."]
+    #[doc = "How late one element of a field comes, in seconds: a whole number of the model's time steps. A field's start and end"]
+    #[doc = "are those of all its elements. A batch tells those of its first world, which others of another age do not share."]
     #[doc = "@param field   index of the field."]
-    #[doc = "@param seconds receives one number for each element of the flattened field."]
-    #[doc = "@param count   length of seconds: the product of the field's shape."]
-    pub fn mimo_layout_delays(
+    #[doc = "@param element position in the flattened field."]
+    #[doc = "@param seconds receives the delay; 0 for what is sensed at once."]
+    pub fn mimo_layout_delay(
         layout: *const mimo_layout,
         field: usize,
+        element: usize,
         seconds: *mut f64,
-        count: usize,
-    ) -> mimo_status;
-}
-extern "C" {
-    #[doc = "Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of each, in its"]
-    #[doc = "own frame: x to the right, y up, z backwards."]
-    #[doc = "@param field      index of a picture: of colour, depth or segmentation."]
-    #[doc = "@param directions receives height x width x 3 numbers."]
-    #[doc = "@param count      length of directions."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a field that is no picture."]
-    pub fn mimo_layout_directions(
-        layout: *const mimo_layout,
-        field: usize,
-        directions: *mut f32,
-        count: usize,
     ) -> mimo_status;
 }
 extern "C" {
@@ -1717,8 +1745,6 @@ pub struct mimo_picture_config {
     pub elevation: f64,
     #[doc = "Vertical field of view, degrees; 0: the camera's own."]
     pub fovy: f64,
-    #[doc = "Of colour and of places: as vision_foveation of mimo_agent_config. Default 0."]
-    pub foveation: f64,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: a free camera that sees the infant from the front."]

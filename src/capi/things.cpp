@@ -1,0 +1,61 @@
+// How things of a scene feel to skin.
+#include "env/things.h"
+
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+
+namespace mimo::capi {
+namespace {
+
+constexpr double kAbsoluteZero = -273.15;
+
+std::string body_name(const char* body) {
+  const std::string name = text(body);
+  require(!name.empty(), "body is {}, expected a name", body == nullptr ? "NULL" : "\"\"");
+  return name;
+}
+
+void add(mimo_scene* scene, const env::ThingOptions& thing) {
+  open(scene).blueprint.edit([&](blueprint::Draft& draft) { draft.things.push_back(thing); });
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_scene_set_room_temperature(mimo_scene* scene, double celsius) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    require(celsius >= -40 && celsius <= 80, "celsius is {}, expected -40 to 80 degrees of a room", celsius);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.room_temperature = celsius; });
+  });
+}
+
+mimo_status mimo_scene_set_temperature(mimo_scene* scene, const char* body, double celsius) noexcept {
+  return guard(scene, [&] {
+    open(scene);
+    const std::string name = body_name(body);
+    require(celsius >= kAbsoluteZero && celsius <= 1000, "celsius of body \"{}\" is {}, expected -273.15 to 1000", name,
+            celsius);
+    add(scene, {name, celsius, ""});
+  });
+}
+
+mimo_status mimo_scene_set_material(mimo_scene* scene, const char* body, const char* material) noexcept {
+  return guard(scene, [&] {
+    open(scene);
+    const std::string name = body_name(body), of = text(material);
+    require(!of.empty(), "material of body \"{}\" is {}, expected a name", name, material == nullptr ? "NULL" : "\"\"");
+    env::check_material(of);
+    add(scene, {name, std::nullopt, of});
+  });
+}
+
+const char* mimo_material_name(size_t index) noexcept { return env::material_name(index); }
+
+}  // extern "C"

@@ -1,0 +1,16 @@
+// Cold and warm receptors: how warm skin is where they sit, and how that changes.
+//
+// Static rates follow fibres of monkeys (Hensel and Iggo 1971): cold ones fire most at 30 degrees, warm ones at 41. The
+// curves' widths and the answers to change are estimates; infants are not known.
+#pragma once
+
+namespace mimo::receptors {
+
+// How fast they follow the surface: cold receptors lie 0.15 mm deep, warm ones 0.3 mm. s.
+constexpr double kColdLag = 0.36, kWarmLag = 1.44;
+
+// Temperature at the receptor, and its change in degrees a second. Hz.
+double cold_rate(double temperature, double change);
+double warm_rate(double temperature, double change);
+
+}  // namespace mimo::receptors

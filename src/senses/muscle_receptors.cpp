@@ -1,0 +1,187 @@
+#include "senses/muscle_receptors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "receptors/joint_receptor.h"
+#include "receptors/spindle.h"
+#include "receptors/tendon_organ.h"
+
+namespace mimo::senses {
+namespace {
+
+using observation::Field;
+using observation::Signal;
+using observation::Time;
+using receptors::TendonOrgan;
+
+// A motor that turns a joint with a range: two muscles.
+struct Pair {
+  int motor;
+  body::Joint joint;
+  double weakest, strongest;  // forces of the motor, negative and positive
+};
+
+// The motor's range of forces; what has none pulls as hard as its controls may tell it.
+std::pair<double, double> forces_of(const mjModel& model, int motor) {
+  if (model.actuator_forcelimited[motor] != 0) {
+    return {model.actuator_forcerange[2 * motor], model.actuator_forcerange[2 * motor + 1]};
+  }
+  const double gain = model.actuator_gaintype[motor] == mjGAIN_FIXED ? model.actuator_gainprm[mjNGAIN * motor] : 0;
+  const double* controls = model.actuator_ctrlrange + 2 * motor;
+  if (model.actuator_ctrllimited[motor] == 0) return {0, 0};
+  return {std::min(gain * controls[0], gain * controls[1]), std::max(gain * controls[0], gain * controls[1])};
+}
+
+std::vector<Pair> pairs_of(const mjModel& model, const body::Body& body) {
+  std::vector<Pair> pairs;
+  for (const int motor : body.actuators) {
+    if (model.actuator_trntype[motor] != mjTRN_JOINT) continue;
+    const int joint = model.actuator_trnid[2 * motor];
+    const int type = model.jnt_type[joint];
+    if ((type != mjJNT_HINGE && type != mjJNT_SLIDE) || model.jnt_limited[joint] == 0) continue;
+    if (!(model.jnt_range[2 * joint] < model.jnt_range[2 * joint + 1])) continue;
+    const auto [weakest, strongest] = forces_of(model, motor);
+    pairs.push_back({motor, body::joint(model, joint), weakest, strongest});
+  }
+  return pairs;
+}
+
+Field muscle_field(const mjModel& model, const std::vector<Pair>& pairs, const char* name, Time time) {
+  Field field;
+  field.name = std::string("proprioception/") + name;
+  field.shape = {2 * pairs.size()};
+  field.unit = "Hz";
+  field.frame = "actuator";
+  field.time = time;
+  field.low = 0;
+  for (const char* side : {"/negative", "/positive"}) {
+    for (const Pair& pair : pairs) {
+      field.labels.push_back(engine::name(model, engine::Kind::kActuator, pair.motor) + std::string(side));
+      field.bodies.push_back(model.jnt_bodyid[pair.joint.id]);
+    }
+  }
+  return field;
+}
+
+// The muscle that pulls to the negative side is long where the angle is large.
+receptors::SpindleRates spindle_of(const Pair& pair, bool negative, const mjData& data,
+                                   const receptors::Fusimotion& drive) {
+  using receptors::kLongestMuscle;
+  using receptors::kShortestMuscle;
+  const double slope = (kLongestMuscle - kShortestMuscle) / (pair.joint.high - pair.joint.low);
+  const double angle = data.qpos[pair.joint.qpos] - pair.joint.low, speed = slope * data.qvel[pair.joint.dof];
+  if (negative) return receptors::spindle(kShortestMuscle + slope * angle, speed, drive);
+  return receptors::spindle(kLongestMuscle - slope * angle, -speed, drive);
+}
+
+Signal spindles(const mjModel& model, const std::vector<Pair>& pairs, const char* name,
+                double receptors::SpindleRates::*part) {
+  return {muscle_field(model, pairs, name, Time::kEnd),
+          [pairs, part, drive = receptors::Fusimotion({})](const mjModel&, const mjData& data, float* out) {
+            for (const bool negative : {true, false}) {
+              for (const Pair& pair : pairs) *out++ = static_cast<float>(spindle_of(pair, negative, data, drive).*part);
+            }
+          }};
+}
+
+class TendonOrgans : public observation::Process {
+ public:
+  TendonOrgans(std::vector<Pair> pairs, Pulls pulls, double tick)
+      : Process("tendon organs"),
+        pairs_(std::move(pairs)),
+        pulls_(std::move(pulls)),
+        kept_slow_(std::exp(-TendonOrgan::kSlow * tick)),
+        kept_fast_(std::exp(-TendonOrgan::kFast * tick)),
+        organs_(2 * pairs_.size()),
+        shares_(2 * pairs_.size()) {}
+
+  Signal signal(const mjModel& model) const {
+    return {muscle_field(model, pairs_, "tendon_organ", Time::kLastStart),
+            [this](const mjModel&, const mjData&, float* out) {
+              for (const TendonOrgan& organ : organs_) *out++ = static_cast<float>(organ.rate());
+            }};
+  }
+
+ private:
+  void measure(const mjData& data) {
+    if (pulls_ && pulls_(data, shares_.data())) return;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const Pair& pair = pairs_[i];
+      const double force = data.actuator_force[pair.motor];
+      shares_[i] = pair.weakest < 0 ? std::max(0.0, force / pair.weakest) : 0;
+      shares_[pairs_.size() + i] = pair.strongest > 0 ? std::max(0.0, force / pair.strongest) : 0;
+    }
+  }
+  void rest(const mjModel&, const mjData& data) override {
+    measure(data);
+    for (std::size_t i = 0; i < organs_.size(); ++i) organs_[i].rest(shares_[i]);
+  }
+  void go_on(const mjModel&, const mjData& data) override {
+    measure(data);
+    for (std::size_t i = 0; i < organs_.size(); ++i) organs_[i].advance(shares_[i], kept_slow_, kept_fast_);
+  }
+  void save(ByteWriter& to) const override {
+    for (const TendonOrgan& organ : organs_) organ.save(to);
+  }
+  void load(ByteReader& from) override {
+    for (TendonOrgan& organ : organs_) organ.load(from);
+  }
+
+  std::vector<Pair> pairs_;
+  Pulls pulls_;
+  double kept_slow_, kept_fast_;
+  std::vector<TendonOrgan> organs_;
+  std::vector<double> shares_;
+};
+
+// Two numbers a joint: near its lower, and near its upper limit.
+Signal joint_receptors(const mjModel& model, const std::vector<body::Joint>& joints, double threshold) {
+  Field field;
+  field.name = "proprioception/joint_receptor";
+  field.shape = {joints.size(), 2};
+  field.unit = "Hz";
+  field.frame = "joint";
+  field.time = Time::kEnd;
+  field.low = 0;
+  for (const body::Joint& joint : joints) {
+    for (const char* end : {"/low", "/high"}) {
+      field.labels.push_back(engine::name(model, engine::Kind::kJoint, joint.id) + std::string(end));
+      field.bodies.push_back(model.jnt_bodyid[joint.id]);
+    }
+  }
+  return {field, [joints, threshold](const mjModel&, const mjData& data, float* out) {
+            for (const body::Joint& joint : joints) {
+              const double at = data.qpos[joint.qpos], speed = data.qvel[joint.dof] / threshold;
+              const double low = (joint.low + threshold - at) / threshold;
+              const double high = (at - joint.high + threshold) / threshold;
+              *out++ = static_cast<float>(receptors::joint_receptor(low, -speed));
+              *out++ = static_cast<float>(receptors::joint_receptor(high, speed));
+            }
+          }};
+}
+
+}  // namespace
+
+MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body,
+                                      const MuscleReceptorOptions& options, double limit_threshold, Pulls pulls,
+                                      double tick) {
+  const std::vector<Pair> pairs = pairs_of(model, body);
+  MuscleReceptors made;
+  if (options.spindle_primary) {
+    made.signals.push_back(spindles(model, pairs, "spindle_primary", &receptors::SpindleRates::primary));
+  }
+  if (options.spindle_secondary) {
+    made.signals.push_back(spindles(model, pairs, "spindle_secondary", &receptors::SpindleRates::secondary));
+  }
+  if (options.tendon_organ) {
+    auto organs = std::make_unique<TendonOrgans>(pairs, std::move(pulls), tick);
+    made.signals.push_back(organs->signal(model));
+    made.process = std::move(organs);
+  }
+  if (options.joint_receptor) made.signals.push_back(joint_receptors(model, body.joints, limit_threshold));
+  return made;
+}
+
+}  // namespace mimo::senses

@@ -1,0 +1,12 @@
+// How sharp what touches is: the radius of curvature where two geoms press on each other.
+#pragma once
+
+#include "engine/physics.h"
+#include "senses/touch/shape.h"
+
+namespace mimo::senses::touch {
+
+// Of both surfaces together, m; the point is in the world. Flat things on each other count as 100 mm.
+double curvature_radius(const mjModel& model, const mjData& data, int geom, int other, const Vec3& point);
+
+}  // namespace mimo::senses::touch

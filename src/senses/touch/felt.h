@@ -1,0 +1,51 @@
+// What each sensor of a skin feels of the contacts of one physics step, before any receptor makes anything of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "senses/touch/press.h"
+#include "senses/touch/spread.h"
+
+namespace mimo::senses::touch {
+
+struct Feeling {
+  double normal = 0;                                  // N
+  Eigen::Vector2d tangent = Eigen::Vector2d::Zero();  // along the sensor's two tangents, N
+  double sliding = 0;                                 // m/s, weighted by the normal force: divide by it
+  double strongest = 0;                               // normal force of the contact that presses it most, N
+  int other = -1;                                     // and the geom that does
+};
+
+// Where something presses: the nearest sensor, and how hard in Pa.
+struct Prick {
+  int sensor;
+  double pressure;
+};
+
+class Felt {
+ public:
+  // What is not wanted, slip and pricks, costs nothing.
+  struct Wanted {
+    bool sliding, pricks;
+  };
+  Felt(const Skin& skin, Response response, Wanted wanted);
+
+  void take_in(const mjModel& model, const mjData& data);
+  // Those that feel anything now, each once.
+  const std::vector<int>& sensors() const { return sensors_; }
+  const Feeling& of(int sensor) const { return feelings_[static_cast<std::size_t>(sensor)]; }
+  const std::vector<Prick>& pricks() const { return pricks_; }
+
+ private:
+  void add(const mjModel& model, const mjData& data, const Press& press, int other_geom);
+
+  const Skin& skin_;
+  Spread spread_;
+  Wanted wanted_;
+  std::vector<Feeling> feelings_;
+  std::vector<int> sensors_;
+  std::vector<Prick> pricks_;
+};
+
+}  // namespace mimo::senses::touch

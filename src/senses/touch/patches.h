@@ -1,0 +1,23 @@
+// What is fixed of each sensor as a patch of skin: its region, how wide it is, what it stands for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "body/body.h"
+#include "receptors/innervation.h"
+#include "senses/touch/skin.h"
+
+namespace mimo::senses::touch {
+
+struct Patch {
+  receptors::Region region;
+  double spacing;  // m
+};
+
+// By the name of a body of an infant; anything unknown is trunk.
+receptors::Region region_of(const std::string& name);
+
+std::vector<Patch> patches(const mjModel& model, const body::Body& body, const Skin& skin);
+
+}  // namespace mimo::senses::touch

@@ -1,0 +1,173 @@
+// Touch afferents, temperature and pain against the numbers of their sources.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "receptors/innervation.h"
+#include "receptors/materials.h"
+#include "receptors/nociceptors.h"
+#include "receptors/skin_temperature.h"
+#include "receptors/thermoreceptors.h"
+#include "receptors/touch_afferents.h"
+
+namespace mimo::receptors {
+namespace {
+
+// Mean rates of TouchSim's units: 44 Hz at a hold of 1 mm; 45, 68, 115, 225 Hz in the mean of ramps of 5 to 50 mm/s to
+// that depth, which the fit meets within 10 %.
+TEST(TouchAfferents, Sa1TellsDepth) {
+  EXPECT_NEAR(sa1_rate(1e-3, 0), 44.2, 0.05);
+  EXPECT_EQ(sa1_rate(0, 0), 0);
+  EXPECT_EQ(sa1_rate(1e-2, 1), 350);
+  const double known[][2] = {{5, 45}, {10, 68}, {20, 115}, {50, 225}};
+  for (const auto& [speed, rate] : known) {
+    double sum = 0;
+    const int steps = 100;
+    for (int i = 1; i <= steps; ++i) sum += sa1_rate(1e-3 * i / steps, speed * 1e-3);
+    EXPECT_NEAR(sum / steps, rate, 0.1 * rate) << speed;
+  }
+}
+
+// TouchSim's RA on ramps of 2, 5, 10, 20, 50 mm/s: 0, 6, 32, 53, 117 Hz; the fit to it is 250 u/(u + 60), u = v - 3.
+// Alike on and off, and silent in a hold.
+TEST(TouchAfferents, RaTellsSpeed) {
+  const double known[][2] = {{2, 0}, {5, 8.1}, {10, 26.1}, {20, 55.2}, {50, 109.8}};
+  for (const auto& [speed, rate] : known) {
+    EXPECT_NEAR(ra_rate(speed * 1e-3), rate, 0.06) << speed;
+    EXPECT_EQ(ra_rate(speed * 1e-3), ra_rate(-speed * 1e-3));
+  }
+  EXPECT_EQ(ra_rate(0), 0);
+  EXPECT_EQ(pc_rate(0), 0);
+}
+
+// A ramp of 1 mm at 20 mm/s and back through a filter of 10 ms, in ticks of 5 ms: TouchSim's PC give 1.8 spikes.
+TEST(TouchAfferents, PcTellsTransients) {
+  constexpr double kTick = 0.005;
+  const double kept = std::exp(-kTick / 0.01);
+  double depth = 0, speed = 0, spikes = 0;
+  for (int i = 1; i <= 200; ++i) {
+    const double at = i * kTick;
+    const double wanted = at < 0.05 ? 0.02 * at : at < 0.5 ? 1e-3 : std::max(0.0, 1e-3 - 0.02 * (at - 0.5));
+    const double now = wanted + kept * (depth - wanted);
+    const double moving = (now - depth) / kTick;
+    spikes += pc_rate((moving - speed) / kTick) * kTick;
+    depth = now;
+    speed = moving;
+  }
+  EXPECT_NEAR(spikes, 1.8, 0.15);
+}
+
+// 1 N and 0.25 N on a fingertip's 2 mm: 1.9 and 0.9 mm.
+TEST(TouchAfferents, SkinStiffens) {
+  EXPECT_NEAR(indentation(1, 0.002), 1.9e-3, 0.05e-3);
+  EXPECT_NEAR(indentation(0.25, 0.002), 0.9e-3, 0.05e-3);
+  EXPECT_LT(indentation(1e6, 0.002), 3e-3);
+}
+
+// 10 Hz at rest, 30 Hz more a millimetre along; threshold 0.3 mm (estimates).
+TEST(TouchAfferents, Sa2TellsStretchAndItsSide) {
+  EXPECT_EQ(sa2_rate(0.2e-3, 0.2e-3), 10);
+  EXPECT_NEAR(sa2_rate(1e-3, 1e-3), 40, 1e-9);
+  EXPECT_EQ(sa2_rate(-1e-3, 1e-3), 0);
+}
+
+// At 0.1 m/s ridges 1 mm apart come at 100 Hz, where PC's threshold is 14.1 micrometres and RA's 134.
+TEST(TouchAfferents, SlidingOverRidgesIsVibration) {
+  EXPECT_NEAR(pc_of_sliding(0.1, {1e-3, 20e-6}), 100, 1e-9);
+  EXPECT_EQ(pc_of_sliding(0.1, {1e-3, 7e-6}), 0);
+  EXPECT_NEAR(pc_of_sliding(0.1, {1e-3, 0.75 * 14.1e-6}), 50, 1e-6);
+  EXPECT_EQ(ra_of_sliding(0.1, {1e-3, 20e-6}), 0);
+  EXPECT_NEAR(ra_of_sliding(0.03, {1e-3, 70e-6}), 30, 1e-9);
+  EXPECT_EQ(pc_of_sliding(0, {1e-3, 20e-6}), 0);
+}
+
+TEST(Innervation, MeetsWhatWasCounted) {
+  double tip = 0, palm = 0;
+  for (std::size_t kind = 0; kind < kTouchKinds; ++kind) {
+    tip += afferents_per_square_metre(Region::kFinger, kind);
+    palm += afferents_per_square_metre(Region::kHand, kind);
+  }
+  EXPECT_NEAR(palm, 58e4, 1);        // Johansson and Vallbo 1979
+  EXPECT_NEAR(tip, 0.8 * 241e4, 1);  // without SA2
+}
+
+// Of skin of 33 and things of 22 and 60 degrees; interface, and after 1 and 10 s (the table of materials).
+TEST(SkinTemperature, FollowsWhatTouchesIt) {
+  struct Row {
+    const char* name;
+    double meets_cold, meets_hot, after_1, after_10, hot_1, hot_10;
+  };
+  const Row rows[] = {{"copper", 22.45, 58.91, 30.71, 27.85, 38.62, 45.65},
+                      {"steel", 23.86, 55.44, 30.77, 28.17, 38.47, 44.85},
+                      {"plastic", 30.28, 39.68, 31.52, 30.79, 36.64, 38.43},
+                      {"hardwood", 30.85, 38.28, 31.69, 31.17, 36.21, 37.48},
+                      {"foam", 32.74, 33.65, 32.75, 32.74, 33.61, 33.63}};
+  for (const Row& row : rows) {
+    const double e = find_material(row.name)->effusivity;
+    EXPECT_NEAR(interface_temperature(33, 22, e), row.meets_cold, 0.01) << row.name;
+    EXPECT_NEAR(interface_temperature(33, 60, e), row.meets_hot, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature(33, 22, e, 1), row.after_1, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature(33, 22, e, 10), row.after_10, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature(33, 60, e, 1), row.hot_1, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature(33, 60, e, 10), row.hot_10, 0.01) << row.name;
+  }
+  EXPECT_NEAR(interface_temperature(33, 25, kSkinEffusivity), 29, 1e-12);
+  EXPECT_EQ(touched_temperature(33, 22, 0, 1), 33);
+}
+
+// In still air naked: 33.0 degrees at 24, 30.2 at 15, 35.5 at 32; deviations fall to their e-th part in 116.5 s.
+TEST(SkinTemperature, RestsBetweenBloodAndAir) {
+  for (const auto& [air, skin] : {std::pair(24.0, 33.0), {15.0, 30.2}, {32.0, 35.5}}) {
+    EXPECT_NEAR(resting_temperature({37, air}), skin, 0.05);
+  }
+  EXPECT_NEAR(skin_kept({}, 116.5), std::exp(-1), 1e-4);
+}
+
+// Abramowitz and Stegun, table 7.1 and 7.3: erfc(1) = 0.157299, and 0.0563 at x = 10.
+TEST(SkinTemperature, ScaledErfc) {
+  EXPECT_NEAR(scaled_erfc(0), 1, 2e-7);
+  EXPECT_NEAR(scaled_erfc(1), 0.157299 * std::exp(1), 2e-6);
+  EXPECT_NEAR(scaled_erfc(10), 0.056140992743823, 2e-8);
+  EXPECT_NEAR(scaled_erfc(1e6) * 1e6, 1 / std::sqrt(3.14159265358979), 2e-7);
+}
+
+// Hensel and Iggo 1971: cold fibres most at 30 degrees, warm ones 12 Hz at 41; opposite answers to one change.
+TEST(Thermoreceptors, AreMostActiveWhereTheirFibresAre) {
+  EXPECT_NEAR(cold_rate(30, 0), 8, 1e-12);
+  EXPECT_NEAR(warm_rate(41, 0), 12, 1e-12);
+  EXPECT_GT(cold_rate(33, -0.2), cold_rate(33, 0));
+  EXPECT_LT(warm_rate(35, -0.2), warm_rate(35, 0));
+}
+
+// Hertz by hand: 1 N with 10 mm makes a patch of 3.35 mm and 28.4 kPa, with 0.5 mm 209 kPa; 10 N with 30 mm 29 kPa.
+TEST(Nociceptors, SharpThingsHurt) {
+  EXPECT_NEAR(contact_pressure(1, 0.010), 28.4e3, 0.1e3);
+  EXPECT_NEAR(contact_pressure(1, 0.0005), 209e3, 1e3);
+  EXPECT_NEAR(contact_pressure(10, 0.030), 29e3, 0.5e3);
+  EXPECT_EQ(fast_pressure_rate(contact_pressure(1, 0.010) / kPainfulPressure, 0), 0);
+  EXPECT_GT(fast_pressure_rate(contact_pressure(1, 0.0005) / kPainfulPressure, 0), 5);
+  EXPECT_NEAR(fast_pressure_rate(2, 0), 20, 1e-12);
+  EXPECT_NEAR(fast_pressure_rate(2, 1), 8, 1e-12);
+  EXPECT_NEAR(slow_pressure_rate(2), 6, 1e-12);
+}
+
+TEST(Nociceptors, HeatAndColdHurt) {
+  EXPECT_EQ(slow_heat_rate(33), 0);
+  EXPECT_NEAR(slow_heat_rate(45), 4, 1e-12);
+  EXPECT_NEAR(fast_heat_rate(48), 10, 1e-12);
+  EXPECT_NEAR(slow_heat_rate(10), 8, 1e-12);
+  // Wood of 60 degrees never brings skin to 43, copper does within 5 s.
+  EXPECT_LT(touched_temperature(33, 60, find_material("hardwood")->effusivity, 1e4), 43);
+  EXPECT_GT(touched_temperature(33, 60, find_material("copper")->effusivity, 5), 43);
+}
+
+// Kuhne et al. 2012: 11.8 mN at birth, 45.1 at a year.
+TEST(Nociceptors, WithdrawalByAge) {
+  const double known[][2] = {{0, 11.8}, {3, 16.5}, {6, 23.1}, {12, 45.1}, {24, 45.1}};
+  for (const auto& [months, millinewton] : known) {
+    EXPECT_NEAR(withdrawal_force(months) * 1e3, millinewton, 0.05) << months;
+  }
+}
+
+}  // namespace
+}  // namespace mimo::receptors
