@@ -35,6 +35,9 @@ class Attached {
   // What is sensed, with what is remembered, which stays as it is.
   void observe(const mjData& data, std::uint8_t* block);
 
+  // A body plays samples from the next advance on: see env/sounds.h.
+  void play(const std::string& body, Span<const float> samples, double rate);
+
   // What is remembered.
   std::size_t state_bytes() const { return archive_.bytes(); }
   void save(Span<std::uint8_t> state) const { archive_.save(state); }
@@ -51,6 +54,7 @@ class Attached {
   std::unique_ptr<render::Renderer> renderer_;
   std::vector<Perception> agents_;
   observation::Observer observer_;
+  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null where nobody hears
   observation::LimitedSenses limits_;
   Random random_;
   Episode episode_;

@@ -8,6 +8,7 @@
 #include "body/body.h"
 #include "env/kit.h"
 #include "observation/sense.h"
+#include "senses/hearing/soundscape.h"
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"
 
@@ -24,6 +25,8 @@ struct Perception {
 struct Setting {
   double tick;  // from one advance of the senses' processes to the next, s
   senses::touch::ThingsPtr things;
+  std::size_t ticks;                               // of a step
+  const senses::Soundscape* soundscape = nullptr;  // null where nobody hears
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.

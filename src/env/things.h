@@ -1,9 +1,10 @@
-// How all that is in a model feels to skin: how warm it is, how well it takes heat, how rough it is.
+// What all that is in a model is like: how warm it is, how well it takes heat, how rough it is, how it sounds.
 #pragma once
 
 #include <vector>
 
 #include "env/options.h"
+#include "senses/hearing/soundscape.h"
 #include "senses/touch/things.h"
 
 namespace mimo::env {
@@ -12,6 +13,9 @@ namespace mimo::env {
 // Throws Status::kNotFound for a body that the model does not have.
 senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<AgentOptions>& agents,
                                    const EnvOptions& options);
+
+// What it sounds like when it is struck: likewise.
+senses::SolidsPtr solids_of(const mjModel& model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
 
 // Throws Status::kNotFound for a material that is not known, naming those that are.
 void check_material(const std::string& name);
