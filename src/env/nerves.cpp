@@ -23,17 +23,17 @@ class Ways {
     for (const auto& [name, seconds] : given.parts) given_[body_of(model, body, name)] = seconds;
   }
 
-  // Nerves that end in the brain stem, and from there to the cortex; thin ones are slower.
   double to(int part, const Field& field) const {
     const auto id = static_cast<std::size_t>(part);
-    return given_[id].value_or(nerves_.any() ? along(lengths_[id], field) + nerves_.sensory : 0);
+    return given_[id].value_or(nerves_.any() ? late(lengths_[id], field) : 0);
   }
   const growth::Conduction& nerves() const { return nerves_; }
 
  private:
-  double along(double metres, const Field& field) const {
+  // Of nerves that end in the brain stem, and from there to the cortex; thin ones are slower.
+  double late(double metres, const Field& field) const {
     const bool slow = field.nerve_speed > 0 && nerves_.speed > 0;
-    return slow ? metres / field.nerve_speed : nerves_.along(metres) / field.nerve_share;
+    return (slow ? metres / field.nerve_speed : nerves_.along(metres) / field.nerve_share) + nerves_.sensory;
   }
 
   static std::size_t body_of(const mjModel& model, const body::Body& body, const std::string& name) {

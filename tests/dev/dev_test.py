@@ -55,7 +55,7 @@ class Dev(unittest.TestCase):
     def test_parts_by_themselves(self):
         self.stub("cmake", "exit 0")
         self.stub("ctest", "exit 0")
-        for part, preset in (("--quick", "release"), ("--tsan", "tsan")):
+        for part, preset in (("--quick", "release"), ("--tsan", "tsan"), ("--asan-rooms", "asan-rooms")):
             self.assertEqual(self.dev("test", part).returncode, 0)
             self.assertIn(f"--preset {preset} ", self.calls("ctest")[-1])
         self.dev("test", "--asan")

@@ -8,11 +8,15 @@ import sys
 import pytest
 
 EXAMPLES = {
+    "async_worlds.py": ["--steps", "5"],
+    "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
+    "her.py": ["--steps", "0"],
     "muscles.py": [],
     "own_experiment.py": ["--worlds", "2", "--steps", "20"],
     "own_scene.py": [],
     "overhead.py": ["--steps", "20", "--worlds", "4"],
     "tutorial.py": [],
+    "zero_copy.py": [],
 }
 
 
@@ -29,11 +33,14 @@ def test_example(name, root, tmp_path):
 
 
 def test_no_example_is_forgotten(root):
-    in_test_sb3 = {"train.py", "learning_curves.py", "profile_ppo.py"}
+    in_test_sb3 = {"train.py", "learning_curves.py", "profile_ppo.py", "single_file_ppo.py"}
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | in_test_sb3
 
 
-@pytest.mark.parametrize(("page", "least"), [("python.md", 6), ("coming-from-mimo.md", 2)])
+@pytest.mark.parametrize(
+    ("page", "least"),
+    [("python.md", 6), ("coming-from-mimo.md", 2), ("guide/classic.md", 1), ("guide/babybench.md", 2)],
+)
 def test_programs_of_the_documentation(page, least, root, tmp_path):
     text = (root / "docs" / page).read_text()
     programs = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)

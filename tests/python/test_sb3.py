@@ -106,6 +106,19 @@ def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path):
     assert (tmp_path / "curves.png").stat().st_size > 1000
 
 
+def test_examples_of_learning(root, tmp_path):
+    scripts = root / "examples/python"
+
+    def said(*arguments):
+        command = [sys.executable, *map(str, arguments)]
+        return subprocess.run(command, check=True, capture_output=True, text=True, cwd=tmp_path).stdout
+
+    told = said(scripts / "her.py", "--steps", "320")
+    assert float(told.split()[-1]) > 0  # "future" may choose the step itself
+    told = said(scripts / "single_file_ppo.py", "--worlds", "2", "--rollout", "32", "--updates", "2")
+    assert re.fullmatch(r"(update \d: mean reward -\d\.\d{4}\n){2}", told)
+
+
 def test_hindsight_experience_replay_learns():
     envs = SB3VecEnv("reach", 2, task=ReachUp(), flatten=True, max_steps=8)
     assert set(envs.observation_space.spaces) == {"observation", "achieved_goal", "desired_goal"}

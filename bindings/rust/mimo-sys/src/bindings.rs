@@ -88,7 +88,11 @@ pub const MIMO_MATURITY_BODY: u32 = 1;
 pub const MIMO_MATURITY_EYES: u32 = 2;
 #[doc = "How long its nerves take, to and from the brain; likewise."]
 pub const MIMO_MATURITY_DELAYS: u32 = 4;
-#[doc = "All that the loaded library has."]
+#[doc = "With its eyes: contrasts too faint for them are gone."]
+pub const MIMO_MATURITY_THRESHOLD: u32 = 8;
+#[doc = "With its eyes: changes too fast for them are blurred."]
+pub const MIMO_MATURITY_FLICKER: u32 = 16;
+#[doc = "All that the loaded library has but the options _THRESHOLD and _FLICKER."]
 pub const MIMO_MATURITY_ALL: u32 = 2147483648;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
@@ -888,6 +892,9 @@ pub struct mimo_agent_config {
     pub actuation: u32,
     #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own (60)."]
     pub vision_fovy: f64,
+    #[doc = "Of colour: the middle is shown L / ln(1 + L) times as large and the rim small, 0.01"]
+    #[doc = "to 100; 0 (default): as drawn. See mimo_layout_directions."]
+    pub vision_foveation: f64,
     #[doc = "MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice."]
     pub acts: u32,
     #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
@@ -1071,16 +1078,20 @@ extern "C" {
 pub struct mimo_maturity {
     #[doc = "sizeof(mimo_maturity), set by mimo_maturity_init."]
     pub struct_size: u32,
-    #[doc = "0."]
-    pub reserved: u32,
-    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default): pictures"]
-    #[doc = "as they are drawn."]
+    #[doc = "1: contrasts that are too faint to be seen are gone; 0 (default): they stay."]
+    #[doc = "Counts with an acuity."]
+    pub contrast_threshold: u32,
+    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default):"]
+    #[doc = "pictures as they are drawn."]
     pub acuity: f64,
-    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of"]
-    #[doc = "the contrast is left. Default 2. Counts with an acuity."]
+    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast"]
+    #[doc = "of the contrast is left. Default 2. Counts with an acuity."]
     pub peak_contrast: f64,
     #[doc = "Share of colour that is seen, 0 (grey) to 1 (default)."]
     pub chroma: f64,
+    #[doc = "Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over"]
+    #[doc = "the pictures that are sensed. 0 (default): none."]
+    pub flicker: f64,
     #[doc = "Of large nerve fibres, m/s, 0.1 to 200; 0 (default): they take no time."]
     pub conduction_speed: f64,
     #[doc = "From the brain stem to the cortex, s, 0 to 2."]
@@ -1098,7 +1109,8 @@ extern "C" {
     pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills maturity with the numbers of an age."]
+    #[doc = "Fills maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0; 4, 8 and 15 Hz"]
+    #[doc = "are flicker's at 2, 4 and 12 months."]
     #[doc = "@param age      months, 0 (a newborn) to 24."]
     #[doc = "@param size     sizeof(mimo_maturity) as the caller knows it."]
     pub fn mimo_maturity_at(age: f64, maturity: *mut mimo_maturity, size: usize) -> mimo_status;
@@ -1113,6 +1125,22 @@ extern "C" {
         scene: *mut mimo_scene,
         agent: usize,
         maturity: *const mimo_maturity,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "How late an agent feels a part of its body, for environments made and senses attached from now on: touch on it, and"]
+    #[doc = "the joints that move it. It counts instead of what follows from the maturity; limits of mimo_scene_limit_sense come"]
+    #[doc = "before it. For the way back to motors see mimo_scene_limit_motor."]
+    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
+    #[doc = "               single ones no longer counts."]
+    #[doc = "@param seconds 0 to 2; rounded to the nearest number of time steps of the model."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
+    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
+    pub fn mimo_scene_set_sensory_delay(
+        scene: *mut mimo_scene,
+        agent: usize,
+        body: *const std::os::raw::c_char,
+        seconds: f64,
     ) -> mimo_status;
 }
 extern "C" {
@@ -1134,8 +1162,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to slide"]
-    #[doc = "over. Default \"plastic\", of infants \"skin\"."]
+    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to"]
+    #[doc = "slide over. Default \"plastic\", of infants \"skin\"."]
     #[doc = "@param body     as in mimo_scene_set_temperature."]
     #[doc = "@param material one of mimo_material_name."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in"]
@@ -1247,16 +1275,31 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How late one element of a field comes, in seconds: a whole number of the model's time steps. A field's start and end"]
-    #[doc = "are those of all its elements. A batch tells those of its first world, which others of another age do not share."]
+    #[doc = "How late the elements of a field come, in seconds: whole numbers of the model's time steps, 0 for what is sensed at"]
+    #[doc = "once. A field's start and end are those of all its elements. A batch tells those of its first world, which others of"]
+    #[doc = "another age do not share."]
     #[doc = "@param field   index of the field."]
-    #[doc = "@param element position in the flattened field."]
-    #[doc = "@param seconds receives the delay; 0 for what is sensed at once."]
-    pub fn mimo_layout_delay(
+    #[doc = "@param seconds receives one number for each element of the flattened field."]
+    #[doc = "@param count   length of seconds: the product of the field's shape."]
+    pub fn mimo_layout_delays(
         layout: *const mimo_layout,
         field: usize,
-        element: usize,
         seconds: *mut f64,
+        count: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of each, in its"]
+    #[doc = "own frame: x to the right, y up, z backwards."]
+    #[doc = "@param field      index of a picture: of colour, depth or segmentation."]
+    #[doc = "@param directions receives height x width x 3 numbers."]
+    #[doc = "@param count      length of directions."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a field that is no picture."]
+    pub fn mimo_layout_directions(
+        layout: *const mimo_layout,
+        field: usize,
+        directions: *mut f32,
+        count: usize,
     ) -> mimo_status;
 }
 extern "C" {
@@ -1745,6 +1788,8 @@ pub struct mimo_picture_config {
     pub elevation: f64,
     #[doc = "Vertical field of view, degrees; 0: the camera's own."]
     pub fovy: f64,
+    #[doc = "Of colour and of places: as vision_foveation of mimo_agent_config. Default 0."]
+    pub foveation: f64,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: a free camera that sees the infant from the front."]

@@ -97,6 +97,12 @@ impl EnvConfig {
         self
     }
 
+    /// `MIMO_DISABLE_` bits: what physics leaves out; 0: nothing.
+    pub fn disable(&mut self, bits: u32) -> &mut Self {
+        self.raw.disable = bits;
+        self
+    }
+
     /// Receives the library's messages during create, reset and step, on the calling thread. A panic in it is
     /// caught and dropped. It is shared by clones of the world.
     pub fn log(&mut self, log: impl Fn(&LogRecord) + Send + Sync + 'static) -> &mut Self {

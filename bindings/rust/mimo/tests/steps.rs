@@ -1,5 +1,5 @@
 //! How worlds go on, what rewards consist of, where time goes, and what there is by name.
-use mimo::sys::{MIMO_BODY, MIMO_BODY_POSITION, MIMO_JOINT, MIMO_JOINT_POSITION};
+use mimo::sys::{MIMO_BODY, MIMO_BODY_POSITION, MIMO_DISABLE_GRAVITY, MIMO_JOINT, MIMO_JOINT_POSITION};
 use mimo::{Batch, BatchConfig, Env, EnvConfig, Kind, Object, PictureConfig, Reset, Scene, Timing};
 use std::time::Duration;
 
@@ -36,6 +36,20 @@ fn bare_physics_steps_are_counted() {
     let height = env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[2];
     assert!((height - (2.0 - 9.81 * 0.005 * 0.005 * 28.0)).abs() < 1e-12, "{}", height);
     assert_eq!(env.physics_step(1_000_001).unwrap_err().kind(), Kind::InvalidArgument);
+}
+
+/// A ball without gravity stays where it is; unknown bits are refused.
+#[test]
+fn parts_of_physics_are_left_out() {
+    let mut config = EnvConfig::new().unwrap();
+    config.disable(MIMO_DISABLE_GRAVITY);
+    let mut env = ball(&config);
+    env.physics_step(20).unwrap();
+    let joint = env.find(MIMO_JOINT, "ball").unwrap();
+    assert_eq!(env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[2], 2.0);
+    config.disable(0x80);
+    let refused = Env::new(&Scene::empty().unwrap(), &config).err().unwrap();
+    assert!(refused.kind() == Kind::Unsupported && refused.to_string().contains("disable"), "{}", refused);
 }
 
 /// Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms (docs/tasks.md).

@@ -1,0 +1,96 @@
+"""Configurations of BabyBench: a YAML file or a dict, checked key by key."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from pathlib import Path
+from typing import Any, Dict, List, Mapping, Union
+
+from .groups import flags
+
+Config = Dict[str, Any]
+Given = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+
+SHIPPED = Path(__file__).parent / "configs"
+BEHAVIORS = ("none", "self_touch", "hand_regard")
+CHOICES: Mapping[str, Any] = {
+    "behavior": BEHAVIORS,
+    "scene": ("base", "crib", "cubes"),
+    "actuation_model": ("spring_damper", "muscle", "positional"),
+    "touch_function": ("force_vector", "force_vector_global", "normal_force"),
+    "touch_response": ("spread_linear", "nearest"),
+}
+COUNTS = {"max_episode_steps": 1000, "frame_skip": 1, "render_size": 480, "save_logs_every": 1000}
+FLAGS: Mapping[str, bool] = {
+    **{f"proprio_{part}": True for part in ("velocity", "torque", "limits", "actuation")},
+    **{"vestibular_active": True, "vision_active": True, "touch_active": True},
+    **{name: group != "eyes" for name, group in flags("touch").items()},
+    **dict.fromkeys(flags("act"), True),
+    **{name: group == "feet" for name, group in flags("lock").items()},
+}
+DEFAULTS: Config = {
+    "save_dir": None,
+    **{name: choices[0] for name, choices in CHOICES.items()},
+    **COUNTS,
+    **{"vision_resolution": 64, "touch_scale": 1},
+    **FLAGS,
+}
+
+
+def load(config: Given) -> Config:
+    """A whole configuration: of a file, one that comes along ("selftouch"), or a dict. What is left out is usual."""
+    given = config if isinstance(config, Mapping) else _read(config)
+    for name, value in given.items():
+        _check(name, value)
+    return {**DEFAULTS, **given}
+
+
+def on(config: Mapping[str, Any], prefix: str) -> List[str]:
+    """The groups that are switched on by switches of a kind, such as "act"."""
+    return [group for name, group in flags(prefix).items() if config[name]]
+
+
+def shipped() -> List[str]:
+    """Names of the configurations that come along."""
+    return sorted(file.stem for file in SHIPPED.glob("*.yml"))
+
+
+def _read(path: Any) -> Mapping[str, Any]:
+    file = SHIPPED / f"{path}.yml" if path in shipped() else Path(path)
+    if not file.is_file():
+        raise FileNotFoundError(
+            f"config is {str(path)!r}, expected a YAML file, a dict, or one of {', '.join(shipped())}"
+        )
+    try:
+        import yaml
+    except ImportError as error:
+        raise ImportError("configurations in files need PyYAML: pip install 'mimo[babybench]'") from error
+    try:
+        given = yaml.safe_load(file.read_text(encoding="utf-8"))
+    except yaml.YAMLError as error:
+        raise ValueError(f"{file} is no YAML: {' '.join(str(error).split())}") from None
+    if not isinstance(given, Mapping):
+        raise ValueError(f"{file} holds {type(given).__name__}, expected keys with values")
+    return given
+
+
+def _check(name: Any, value: Any) -> None:
+    if name not in DEFAULTS:
+        near = difflib.get_close_matches(str(name), DEFAULTS, 1)
+        meant = f"; did you mean {near[0]!r}?" if near else ""
+        raise ValueError(f"config has {name!r}, which is no switch{meant} There are: {', '.join(DEFAULTS)}")
+    if name in CHOICES and value not in CHOICES[name]:
+        raise ValueError(f"{name} is {value!r}, expected {', '.join(map(repr, CHOICES[name]))}")
+    if name in FLAGS and not isinstance(value, bool):
+        raise ValueError(f"{name} is {value!r}, expected true or false")
+    if (name in COUNTS or name == "vision_resolution") and not (_is_number(value, int) and value >= 1):
+        raise ValueError(f"{name} is {value!r}, expected a whole number from 1 on")
+    if name == "touch_scale" and not (_is_number(value, (int, float)) and value >= 0):
+        raise ValueError(f"touch_scale is {value!r}, expected a number from 0 on; 0 is without touch")
+    if name == "save_dir" and not (value is None or isinstance(value, (str, os.PathLike))):
+        raise ValueError(f"save_dir is {value!r}, expected a folder")
+
+
+def _is_number(value: Any, kind: Any) -> bool:
+    return isinstance(value, kind) and not isinstance(value, bool)

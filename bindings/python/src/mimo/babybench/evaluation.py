@@ -1,0 +1,53 @@
+"""Evaluated episodes: what the infant does is written down, step by step, as the competition wants it.
+
+evaluation = mimo.babybench.EVALS["self_touch"](env, duration=1000)
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Dict, List, Mapping, Optional
+
+from .logs import TRAINING, write
+from .reports import entries_of, report
+from .scores import scores_of
+
+
+class Evaluation:
+    """Tracks episodes of an environment: reset(), eval_step(info) after each step, end(episode).
+
+    Writes logs/evaluation_<i>.pkl, a dict with `qpos` and `info` of all steps. `render` is not used: no video is made.
+    """
+
+    def __init__(self, env: Any, duration: int = 1000, render: Any = False, save_dir: Any = None) -> None:
+        self.env, self.duration = env.unwrapped, duration
+        folder = save_dir or self.env.save_dir
+        if folder is None:
+            raise ValueError("save_dir is None, expected a folder, here or in the configuration")
+        self.logs = Path(folder) / "logs"
+        self.reset()
+
+    def reset(self) -> None:
+        """An episode begins."""
+        self._steps: Dict[str, List[Any]] = {"qpos": [], "info": []}
+
+    def eval_logs(self) -> str:
+        """The scores of the training, in one line; also printed."""
+        path = self.logs / TRAINING
+        told = report(path.name, scores_of(entries_of(path))) if path.is_file() else f"there is no {path}"
+        print(told)
+        return told
+
+    def eval_step(self, info: Mapping[str, Any]) -> None:
+        """A step was made."""
+        self._steps["qpos"].append(self.env.data.qpos.copy())
+        self._steps["info"].append(dict(info))
+
+    def end(self, episode: int) -> Optional[Path]:
+        """The episode is over: its log is written."""
+        path = self.logs / f"evaluation_{episode}.pkl"
+        write(path, self._steps)
+        return path
+
+
+EVALS = dict.fromkeys(("none", "self_touch", "hand_regard"), Evaluation)

@@ -1,0 +1,81 @@
+"""Logs of training and evaluation, in the competition's format: pickled lists and dicts.
+
+A pickle can hold programs. Only numbers, texts, lists, dicts and arrays are read here; anything else is refused.
+"""
+
+from __future__ import annotations
+
+import io
+import pickle
+from pathlib import Path
+from typing import Any, Dict, List, Optional
+
+Entry = Dict[str, Any]
+TRAINING = "training.pkl"
+
+# What arrays of numbers are pickled by, in the words of all versions of numpy.
+_HARMLESS = {
+    *(("numpy", name) for name in ("ndarray", "dtype")),
+    *((f"numpy.{core}.multiarray", name) for core in ("core", "_core") for name in ("_reconstruct", "scalar")),
+    *((f"numpy.{core}.numeric", "_frombuffer") for core in ("core", "_core")),
+    ("_codecs", "encode"),
+}
+
+
+class _Reader(pickle.Unpickler):
+    def find_class(self, module: str, name: str) -> Any:
+        if (module, name) not in _HARMLESS:
+            raise pickle.UnpicklingError(f"it holds {module}.{name}, expected numbers, texts, lists, dicts and arrays")
+        return super().find_class(module, name)
+
+
+def read(path: Path) -> Any:
+    """What a log holds."""
+    try:
+        return _Reader(io.BytesIO(path.read_bytes())).load()
+    except (pickle.UnpicklingError, EOFError, AttributeError, ImportError, IndexError, ValueError, TypeError) as error:
+        raise ValueError(f"{path} is no log: {error}") from None
+
+
+def write(path: Path, value: Any) -> None:
+    """Writes a log whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_suffix(".part")
+    beside.write_bytes(pickle.dumps(value, protocol=4))
+    beside.replace(path)
+
+
+class TrainingLog:
+    """One entry an episode. It is written every so many steps, and when it is closed.
+
+    A log of an earlier run is kept beside it (training_1.pkl, ...).
+    """
+
+    def __init__(self, folder: Optional[Path], every: int) -> None:
+        self.entries: List[Entry] = []
+        self._path = None if folder is None else folder / TRAINING
+        self._every, self._unwritten, self._fresh = every, 0, True
+
+    def add(self, entry: Entry) -> None:
+        """Appends an episode that has ended."""
+        self.entries.append(entry)
+        self._unwritten += int(entry["steps"])
+        if self._unwritten >= self._every:
+            self.flush()
+
+    def flush(self) -> None:
+        """Writes what there is."""
+        if self._path is None or not any(entry["steps"] for entry in self.entries):
+            return
+        if self._fresh:
+            _put_aside(self._path)
+        self._fresh, self._unwritten = False, 0
+        write(self._path, self.entries)
+
+
+def _put_aside(path: Path) -> None:
+    if path.exists():
+        number = 1
+        while (other := path.with_name(f"{path.stem}_{number}.pkl")).exists():
+            number += 1
+        path.rename(other)

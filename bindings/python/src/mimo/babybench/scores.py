@@ -1,0 +1,105 @@
+"""Scores of logs: as the competition computes them, and right.
+
+Self-touch there: palms touch, a touch of both palms counts for the right hand, of 68 of which 60 can be reached. Right:
+fingers touch as well, both hands count, of what the body has outside of each hand.
+
+Hand regard there: within 15 degrees of the eye's -z axis, which points down the face. Right: of the camera's axis.
+
+There the last 10000 episodes count, without the first one where there are no more. Right: all that have steps.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Optional, Sequence
+
+from .measures import EYES, HANDS, regard_key, touch_key
+
+Entries = Sequence[Mapping[str, Any]]
+WINDOW = 10000
+COMPETITION_GEOMS = 68
+OUTSIDE = 32  # geoms of the mitten body that are not of one hand and its fingers: 36 - 4
+
+
+class Scores(NamedTuple):
+    """Scores of one behaviour, 0 to 1; None where they cannot be told."""
+
+    behavior: str
+    episodes: int  # with steps
+    competition: Optional[float]
+    right: Optional[float]  # None for logs that do not tell what it needs, such as the competition's own
+    right_mean: Optional[float]  # the mean of single episodes, which does not grow with their number
+
+
+def scores_of(entries: Entries) -> Scores:
+    """The scores of a log."""
+    behavior = behavior_of(entries)
+    played = [entry for entry in entries if entry["steps"] > 0]
+    if behavior == "none" or not played:
+        return Scores(behavior, len(played), None, None, None)
+    competition, right = SCORES[behavior]
+    if not _complete(played, behavior):
+        return Scores(behavior, len(played), competition(window(entries)), None, None)
+    single = [right([entry]) for entry in played]
+    return Scores(behavior, len(played), competition(window(entries)), right(played), sum(single) / len(single))
+
+
+def behavior_of(entries: Entries) -> str:
+    """The behaviour that a log is about, by what its entries tell."""
+    for behavior, key in (("self_touch", touch_key(HANDS[0])), ("hand_regard", regard_key(EYES[0], HANDS[0]))):
+        if any(key in entry for entry in entries):
+            return behavior
+    return "none"
+
+
+def window(entries: Entries) -> Entries:
+    """The entries that the competition looks at: the last 10000, and never the first."""
+    return entries[len(entries) - min(WINDOW, len(entries) - 1) :] if entries else entries
+
+
+def self_touch(entries: Entries) -> float:
+    """As the competition computes it: what palms have touched in any of the episodes, of 68."""
+    return _touched(entries, False) / COMPETITION_GEOMS
+
+
+def self_touch_right(entries: Entries) -> float:
+    """What hands with their fingers have touched in any of the episodes, of all that is outside of each."""
+    return _touched(entries, True) / (2 * OUTSIDE)
+
+
+def hand_regard(entries: Entries) -> Optional[float]:
+    """As the competition computes it: the share of steps, over both eyes and both hands."""
+    return _regarded(entries, False)
+
+
+def hand_regard_right(entries: Entries) -> Optional[float]:
+    """The same along the axes of the eyes' cameras."""
+    return _regarded(entries, True)
+
+
+Score = Callable[[Entries], Any]
+SCORES: Mapping[str, "tuple[Score, Score]"] = {
+    "self_touch": (self_touch, self_touch_right),
+    "hand_regard": (hand_regard, hand_regard_right),
+}
+
+
+def _touched(entries: Entries, fingers: bool) -> int:
+    found = [_union(entry.get(touch_key(hand, fingers), ()) for entry in entries) for hand in HANDS]
+    return sum(len(geoms) for geoms in found)
+
+
+def _union(lists: Iterable[Iterable[int]]) -> "set[int]":
+    return {int(geom) for geoms in lists for geom in geoms}
+
+
+def _regarded(entries: Entries, in_view: bool) -> Optional[float]:
+    steps = sum(entry["steps"] for entry in entries)
+    keys = [regard_key(eye, hand, in_view) for eye in EYES for hand in HANDS]
+    looked = sum(entry.get(key, 0) for entry in entries for key in keys)
+    return looked / (len(keys) * steps) if steps else None
+
+
+def _complete(entries: List[Mapping[str, Any]], behavior: str) -> bool:
+    """Whether the entries tell what the right score needs."""
+    key = touch_key(HANDS[0], True) if behavior == "self_touch" else regard_key(EYES[0], HANDS[0], True)
+    return all(key in entry for entry in entries)

@@ -1,0 +1,71 @@
+"""The original's environments under their names, for scripts that exist.
+
+    import mimo.classic                             # was: import mimoEnv
+    env = gymnasium.make("MIMoReach-v0")            # or mimo.classic.make("MIMoReach-v0")
+
+docs/guide/classic.md says for each thing that a script does what to write.
+"""
+
+from . import utils
+from .actuation import ActuationModel, MuscleModel, PositionalModel, SpringDamperModel
+from .differences import DifferenceWarning
+from .env import MIMoEnv
+from .envs import (
+    BENCHMARK_XML,
+    CATCH_XML,
+    REACH_XML,
+    SELFBODY_XML,
+    SHOWROOM_XML,
+    STANDUP_XML,
+    MIMoCatchEnv,
+    MIMoDummyEnv,
+    MIMoMuscleDummyEnv,
+    MIMoReachEnv,
+    MIMoSelfBodyEnv,
+    MIMoShowroomEnv,
+    MIMoStandupEnv,
+    MIMoV2DummyEnv,
+)
+from .params import (
+    DEFAULT_PROPRIOCEPTION_PARAMS,
+    DEFAULT_TOUCH_PARAMS,
+    DEFAULT_TOUCH_PARAMS_V2,
+    DEFAULT_VESTIBULAR_PARAMS,
+    DEFAULT_VISION_PARAMS,
+)
+from .registry import ENVIRONMENTS, differences, make, register
+
+register()
+
+__all__ = [
+    "ActuationModel",
+    "BENCHMARK_XML",
+    "CATCH_XML",
+    "DEFAULT_PROPRIOCEPTION_PARAMS",
+    "DEFAULT_TOUCH_PARAMS",
+    "DEFAULT_TOUCH_PARAMS_V2",
+    "DEFAULT_VESTIBULAR_PARAMS",
+    "DEFAULT_VISION_PARAMS",
+    "DifferenceWarning",
+    "ENVIRONMENTS",
+    "MIMoCatchEnv",
+    "MIMoDummyEnv",
+    "MIMoEnv",
+    "MIMoMuscleDummyEnv",
+    "MIMoReachEnv",
+    "MIMoSelfBodyEnv",
+    "MIMoShowroomEnv",
+    "MIMoStandupEnv",
+    "MIMoV2DummyEnv",
+    "MuscleModel",
+    "PositionalModel",
+    "REACH_XML",
+    "SELFBODY_XML",
+    "SHOWROOM_XML",
+    "STANDUP_XML",
+    "SpringDamperModel",
+    "differences",
+    "make",
+    "register",
+    "utils",
+]

@@ -1,0 +1,65 @@
+"""The pictures that the original's environments draw: `render()`, and its member `mujoco_renderer`."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional
+
+from ..arguments import number_of
+from ..constants import Kind
+from ..pictures import ARRAYS
+from ..world import World
+
+MODES = (*ARRAYS, "human")
+CONFIG = {"lookat": "look_at", "distance": "distance", "azimuth": "azimuth", "elevation": "elevation"}
+
+
+class Renderer:
+    """Draws the world, from a camera or as `default_camera_config` says (m and degrees)."""
+
+    def __init__(
+        self, world: World, width: int, height: int, camera: Optional[str], config: Optional[Mapping[str, Any]]
+    ) -> None:
+        self._world, self._camera = world, camera
+        self._window: Any = None
+        self._size = {"width": number_of("width", width), "height": number_of("height", height)}
+        unknown = set(config or {}) - set(CONFIG)
+        if unknown:
+            raise ValueError(f"default_camera_config has {min(unknown)!r}, expected {', '.join(CONFIG)}")
+        self._view = {CONFIG[name]: value for name, value in (config or {}).items()}
+
+    def render(
+        self, render_mode: str = "rgb_array", camera_id: Optional[int] = None, camera_name: Optional[str] = None
+    ) -> Any:
+        """A picture of colours or depths; None with "human", which shows it in a window."""
+        if render_mode not in MODES:
+            raise ValueError(f"render_mode is {render_mode!r}, expected {', '.join(map(repr, MODES))}")
+        picture: Any = {**self._size, **self._seen_from(camera_id, camera_name)}
+        if render_mode == "depth_array":
+            return self._world.depth(**picture)
+        drawn = self._world.render(**picture)
+        if render_mode == "rgb_array":
+            return drawn
+        self._shown(drawn)
+        return None
+
+    def close(self) -> None:
+        """Closes the window."""
+        if self._window is not None:
+            self._window.close()
+            self._window = None
+
+    def _seen_from(self, camera_id: Optional[int], camera_name: Optional[str]) -> Mapping[str, Any]:
+        name = camera_name or self._camera
+        if camera_id is not None and camera_id >= 0:
+            name = self._world.name(Kind.CAMERA, camera_id)
+        return self._view if name is None else {"camera": name}
+
+    def _shown(self, picture: Any) -> None:
+        if self._window is None:
+            from ..plot import Window  # matplotlib is only needed for windows and plots
+
+            self._window = Window("MIMo")
+        self._window.show(picture)
+
+    def __getstate__(self) -> Mapping[str, Any]:
+        return {**self.__dict__, "_window": None}

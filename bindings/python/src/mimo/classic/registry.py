@@ -1,0 +1,60 @@
+"""The original's environments by their names."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any, Dict, List, Mapping, Tuple
+
+import gymnasium
+from gymnasium.envs.registration import EnvSpec
+
+from . import envs
+from .differences import differences_of
+from .members import SPEC
+
+# Class and step limit of each.
+ENVIRONMENTS: Mapping[str, Tuple[Any, int]] = {
+    "MIMoBench-v0": (envs.MIMoDummyEnv, 6000),
+    "MIMoBenchV2-v0": (envs.MIMoV2DummyEnv, 6000),
+    "MIMoShowroom-v0": (envs.MIMoShowroomEnv, 500),
+    "MIMoReach-v0": (envs.MIMoReachEnv, 1000),
+    "MIMoStandup-v0": (envs.MIMoStandupEnv, 500),
+    "MIMoSelfBody-v0": (envs.MIMoSelfBodyEnv, 500),
+    "MIMoCatch-v0": (envs.MIMoCatchEnv, 800),
+    "MIMoMuscle-v0": (envs.MIMoMuscleDummyEnv, 6000),
+}
+
+
+def _spec(name: str) -> EnvSpec:
+    kind, steps = ENVIRONMENTS[_known(name)]
+    entry = f"mimo.classic:{kind.__name__}"
+    return EnvSpec(name, entry_point=entry, max_episode_steps=steps, additional_wrappers=(SPEC,))
+
+
+def make(name: str, **arguments: Any) -> "gymnasium.Env[Any, Any]":
+    """An environment of the original's by its name, with its step limit, as gymnasium.make makes it.
+
+    Arguments are those of the environment's class; `max_episode_steps` sets another limit.
+    """
+    return gymnasium.make(_spec(name), **arguments)
+
+
+def differences(name: str) -> List[str]:
+    """Where numbers of an environment are not the original's: one line a place."""
+    return differences_of(ENVIRONMENTS[_known(name)][0])
+
+
+def register() -> None:
+    """Makes gymnasium.make("MIMoReach-v0") work; `import mimo.classic` calls it. Names in use stay as they are."""
+    registry: Dict[str, Any] = gymnasium.registry
+    for name in ENVIRONMENTS:
+        if name not in registry:
+            registry[name] = _spec(name)
+
+
+def _known(name: Any) -> str:
+    if isinstance(name, str) and name in ENVIRONMENTS:
+        return name
+    near = difflib.get_close_matches(str(name), ENVIRONMENTS, 1)
+    meant = f"; did you mean {near[0]!r}?" if near else ""
+    raise ValueError(f"name is {name!r}, expected one of {', '.join(ENVIRONMENTS)}{meant}")

@@ -1,0 +1,57 @@
+"""Touch as the original tells it: a row of three numbers a sensor, and by body where sensors are and what they feel."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..constants import Kind
+from ..layout import Observation
+from ..world import World
+
+ByBody = Dict[int, NDArray[Any]]
+
+
+def force_field(fields: Mapping[str, Any]) -> str:
+    """The name of the field of forces, or nothing where the infant has no skin."""
+    return "touch/force" if "touch/force" in fields else ""
+
+
+class Touch:
+    """The member `touch` of the original's environments: `sensor_positions` and `sensor_outputs` by number of body."""
+
+    def __init__(self, world: World, field: str) -> None:
+        receptors = world.layout.receptors(field)
+        self._bodies = receptors.bodies
+        self._normals = receptors.frame[:, 0, :].astype(np.float32)
+        self._alone = world.layout.fields[field].shape[-1] == 1  # the normal force alone
+        self._field = field
+        self._felt = np.zeros((len(receptors.bodies), 3), np.float32)
+        numbers = np.unique(receptors.bodies)
+        self._rows = {int(body): np.flatnonzero(receptors.bodies == body) for body in numbers}
+        self._names = {int(body): world.name(Kind.BODY, int(body)) for body in numbers}
+        self.sensor_positions: ByBody = {body: receptors.position[rows] for body, rows in self._rows.items()}
+
+    def row(self, views: Observation) -> NDArray[np.float32]:
+        """All sensors' forces, flattened; also kept for sensor_outputs."""
+        force = views[self._field]
+        # The normal force alone presses against the skin. The original gives three numbers here as well.
+        felt: NDArray[np.float32] = -force * self._normals if self._alone else np.array(force, np.float32)
+        self._felt = felt
+        return felt.ravel().copy()
+
+    @property
+    def sensor_outputs(self) -> ByBody:
+        """Forces of the last observation by number of body: N x 3, N."""
+        return {body: self._felt[rows] for body, rows in self._rows.items()}
+
+    @property
+    def body_names(self) -> Dict[int, str]:
+        """Names of the bodies that feel."""
+        return dict(self._names)
+
+    def get_total_sensor_count(self) -> int:
+        """How many sensors there are."""
+        return len(self._bodies)

@@ -1,0 +1,567 @@
+"""mimo.babybench: scenes, switches, scores and logs of the competition.
+
+Numbers are those of its own platform, measured there with MuJoCo 3.3.0 (tests/golden/babybench).
+"""
+
+import csv
+import pickle
+import subprocess
+import sys
+import warnings
+
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+from mimo import Kind, babybench
+from mimo.babybench import config, groups, measures, scores
+
+OFF = {f"{kind}_{group}": False for kind in ("act", "lock", "touch") for group in groups.GROUPS}
+BLIND = {"vision_active": False, "touch_active": False}
+
+
+def table(root, name):
+    with open(root / "tests/golden/babybench" / name) as file:
+        return list(csv.DictReader(file))
+
+
+def made(shipped=None, **switches):
+    given = babybench.load(shipped) if shipped else {}
+    return babybench.make({**given, "save_dir": None, **switches})
+
+
+# ---- Scenes and spaces ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "numbers", "actions", "keys"),
+    [
+        ("test_installation", 292, 44, ["eye_left", "eye_right", "observation", "touch", "vestibular"]),
+        ("selftouch", 264, 30, ["observation", "touch", "vestibular"]),
+        ("handregard", 466, 17, ["eye_left", "eye_right", "observation"]),
+    ],
+)
+def test_spaces_of_the_shipped_configurations(name, numbers, actions, keys):
+    env = made(name)
+    seen, info = env.reset(seed=1)
+    assert sorted(seen) == keys
+    assert info == {}
+    assert seen["observation"].shape == (numbers,)
+    assert env.action_space.shape == (actions,)
+    assert all(seen[key].shape == (64, 64, 3) for key in keys if key.startswith("eye"))
+    assert seen in env.observation_space
+    assert env.spec.max_episode_steps == 1000
+    assert env.dt == 0.005
+
+
+@pytest.mark.parametrize(
+    ("scene", "behavior", "geoms", "positions", "velocities"),
+    [
+        ("base", "self_touch", 39, 54, 53),
+        ("crib", "self_touch", 73, 54, 53),
+        ("cubes", "self_touch", 55, 166, 149),
+        ("base", "hand_regard", 77, 98, 97),
+        ("crib", "hand_regard", 111, 98, 97),
+        ("cubes", "hand_regard", 93, 210, 193),
+    ],
+)
+def test_sizes_of_the_scenes(scene, behavior, geoms, positions, velocities):
+    env = made(scene=scene, behavior=behavior, **BLIND)
+    assert (env.model.ngeom, env.model.nq, env.model.nv) == (geoms, positions, velocities)
+    assert env.model.nu == (88 if behavior == "hand_regard" else 44)
+
+
+def test_motors_come_by_groups(root):
+    rows = [row for row in table(root, "groups.csv") if row["kind"] == "actuator"]
+    for version, behavior in (("v1", "self_touch"), ("v2", "hand_regard")):
+        env = made(behavior=behavior, **BLIND)
+        names = [env.model.actuator(number).name for number in range(env.model.nu)]
+        assert names == [row["name"] for row in rows if row["body_version"] == version]
+
+
+def test_groups_of_joints_motors_and_skin(root):
+    rows = table(root, "groups.csv")
+    assert {row["group"] for row in rows} == set(groups.GROUPS)
+    assert [row["name"] for row in rows if groups.group_of(row["name"]) != row["group"]] == []
+
+
+def test_numbers_of_geoms_are_the_competition_s(root):
+    rows = table(root, "self_touch_geoms.csv")
+    for scene in ("base", "crib", "cubes"):
+        env = made(scene=scene, behavior="self_touch", **BLIND)
+        assert env.mimo_geoms == [int(row["geom_id"]) for row in rows] == list(range(3, 39))
+        bodies = [env.model.body(int(env.model.geom_bodyid[number])).name for number in env.mimo_geoms]
+        assert bodies == [row["body"] for row in rows]
+        assert (env.right_hand_geoms, env.left_hand_geoms) == ([13, 14], [19, 20])
+
+
+def test_objects_of_cubes():
+    world = made(scene="cubes", behavior="hand_regard", **BLIND).unwrapped.world
+    masses = {
+        "red_cube": 0.0432,
+        "blue_cube": 0.0128,
+        "red_sphere": 0.838,
+        "castle_bridge": 0.225,
+        "castle_tower1": 0.072,
+    }
+    for name, mass in masses.items():
+        assert world.bodies(name).mass[0] == pytest.approx(mass, rel=1e-3)
+    # Not kicked by legs that start in the floor, as it is in the competition's scene.
+    np.testing.assert_allclose(world.bodies("castle_top2").position[0], [0.35, -0.03, 0.03], atol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("scene", "column", "tolerance"),
+    [
+        # Lying on the floor is chaotic to some mrad; the two versions of MuJoCo differ by up to 0.16 here ...
+        ("base", "after_settling_3.3.0", 0.01),
+        # ... and in the crib by 0.05. Ours is nearer in age to 2.3.7.
+        ("crib", "after_settling_2.3.7", 0.01),
+    ],
+)
+def test_poses_after_settling(scene, column, tolerance, root):
+    for version, behavior in (("v1", "self_touch"), ("v2", "hand_regard")):
+        env = made(**{**OFF, "scene": scene, "behavior": behavior, **BLIND})
+        rows = [row for row in table(root, "start_poses.csv") if (row["scene"], row["body"]) == (scene, version)]
+        assert len(rows) == env.model.njnt
+        for row in rows:
+            expected = [float(number) for number in row[column].split()]
+            start = env.model.joint(row["joint"]).qposadr[0]
+            np.testing.assert_allclose(
+                env.init_qpos[start : start + len(expected)], expected, atol=tolerance, err_msg=row["joint"]
+            )
+
+
+def test_locked_joints_start_and_stay_at_zero():
+    env = made(
+        scene="crib", behavior="self_touch", **{**OFF, "lock_feet": True, "lock_arms": True, "act_legs": True}, **BLIND
+    )
+    env.reset(seed=1)
+    names = [env.model.joint(int(joint)).name for joint in env.mimo_joints]
+    locked = groups.of_groups(names, ["feet", "arms"])
+    assert len(locked) == 16
+    for _ in range(20):
+        env.step(env.action_space.high)
+        angles = [env.data.joint(name).qpos[0] for name in locked]
+        assert np.abs(angles).max() < 0.03
+    assert np.abs(env.data.joint("robot:right_knee").qpos) > 0.05
+
+
+def test_the_posture_of_cubes():
+    # The scene's locks have the last word over those of the configuration.
+    env = made(scene="cubes", behavior="hand_regard", **{**OFF, "lock_legs": True, "lock_head": True}, **BLIND)
+    angles = {"robot:left_knee": -2.14, "robot:right_hip1": -1.22, "robot:hip_bend1": 0.532, "robot:head_tilt": 0.4}
+    for name, angle in angles.items():
+        assert env.data.joint(name).qpos[0] == pytest.approx(angle, abs=0.02)
+    assert env.data.joint("robot:head_swivel").qpos[0] == pytest.approx(0, abs=0.02)
+
+
+# ---- Switches ------------------------------------------------------------------------------------------------------
+
+
+def test_touch_by_groups_and_scale(root):
+    spacings = {row["name"]: row for row in table(root, "groups.csv") if row["kind"] == "touch_body"}
+    env = made("selftouch", touch_scale=5, touch_hands=False)
+    names = env.touch.body_names.values()
+    assert sorted(names) == sorted(it for it in spacings if groups.group_of(it) not in ("eyes", "hands"))
+    counts = {env.touch.body_names[body]: len(places) for body, places in env.touch.sensor_positions.items()}
+    for name in ("head", "hip", "lower_body"):  # which any pruning leaves the same
+        assert counts[name] == int(spacings[name]["sensors_at_touch_scale_1_2_5_10"].split()[2])
+    again = made("selftouch", touch_scale=5, touch_hands=False)
+    assert again.observation_space["touch"].shape == env.observation_space["touch"].shape
+    assert made("selftouch", touch_scale=0).touch is None
+    assert made("handregard", touch_active=True, vision_active=False).touch is not None  # skin of five fingers
+
+
+def test_switches_of_proprioception():
+    env = made("selftouch", proprio_torque=False, proprio_limits=False, **BLIND)
+    assert env.observation_space["observation"].shape == (264 - 63 - 47,)
+
+
+def test_no_group_acts():
+    env = made(scene="base", **{**OFF, **BLIND})
+    env.reset(seed=1)
+    assert env.action_space.shape == (0,)
+    env.step(np.zeros(0, np.float32))
+
+
+@pytest.mark.parametrize(("skip", "active"), [(1, 0.5), (2, 0.75), (4, 0.9375)])
+def test_muscles(skip, active):
+    env = made("selftouch", actuation_model="muscle", frame_skip=skip, behavior="none", **BLIND)
+    env.reset(seed=1)
+    assert env.observation_space["observation"].shape == (324,)
+    assert (env.action_space.low.min(), env.action_space.high.max()) == (0, 1)
+    seen = env.step(np.ones(60, np.float32))[0]["observation"]
+    np.testing.assert_allclose(seen[:60], active, atol=1e-6)
+    assert env.dt == 0.005 * skip
+
+
+def test_positions():
+    env = made("selftouch", actuation_model="positional", frame_skip=2, **BLIND)
+    env.reset(seed=1)
+    target = np.clip(np.full(30, 0.3, np.float32), env.action_space.low, env.action_space.high)
+    seen = env.step(target)[0]["observation"]
+    np.testing.assert_allclose(seen[:30], target, atol=1e-6)  # and not 0 from the second physics step on
+    assert seen.shape == (30 + 204,)
+
+
+# ---- Episodes ------------------------------------------------------------------------------------------------------
+
+
+def test_a_seed_repeats_a_reset():
+    env = made("selftouch", **BLIND)
+    first, second, other = (env.reset(seed=seed)[0]["observation"] for seed in (4, 4, 5))
+    np.testing.assert_array_equal(first, second)
+    assert not np.array_equal(first, other)
+    assert not np.array_equal(env.data.qpos, env.init_qpos)  # ten random physics steps
+    still = made(**BLIND)
+    still.reset(seed=1)
+    np.testing.assert_allclose(still.data.qpos, still.init_qpos, atol=1e-12)
+
+
+def test_info_and_ends():
+    env = made("selftouch", max_episode_steps=3, **BLIND)
+    env.reset(seed=1)
+    steps = [env.step(env.action_space.sample()) for _ in range(3)]
+    assert [(reward, terminated, truncated) for _, reward, terminated, truncated, _ in steps] == [
+        (0, False, False),
+        (0, False, False),
+        (0, False, True),
+    ]
+    assert [info["steps"] for *_, info in steps] == [0, 1, 2]
+    assert set(steps[0][4]) == {
+        "steps",
+        "right_hand_touches",
+        "left_hand_touches",
+        "right_hand_or_finger_touches",
+        "left_hand_or_finger_touches",
+    }
+
+
+def test_infos_stay_as_they_were():
+    env = made("selftouch", **BLIND)
+    env.reset(seed=2)
+    infos = [env.step(env.action_space.sample())[4] for _ in range(250)]
+    told = [len(info["right_hand_or_finger_touches"]) for info in infos]
+    assert told == sorted(told)
+    assert told[0] < told[-1]
+    env.reset(seed=2)
+    assert env.step(env.action_space.sample())[4]["steps"] == 0
+
+
+def test_random_actions_touch_what_they_touch_there():
+    # There in all of 20 episodes both hands reach the head (geom 8) from beside the hips.
+    env = made("selftouch", **BLIND)
+    env.reset(seed=0)
+    env.action_space.seed(0)
+    for _ in range(1000):
+        info = env.step(env.action_space.sample())[4]
+    assert 8 in info["right_hand_touches"]
+    assert 8 in info["left_hand_touches"]
+    assert set(info["right_hand_touches"]) <= set(info["right_hand_or_finger_touches"])
+
+
+def test_gymnasium_s_checker():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what it warns of is explained in test_env.py
+        check_env(made("selftouch", touch_scale=5).unwrapped, skip_render_check=True)
+
+
+# ---- Measures ------------------------------------------------------------------------------------------------------
+
+
+class Pairs:
+    """Contacts of pairs of geoms, in place of a world's."""
+
+    def __init__(self, *pairs):
+        self.geoms = np.array(pairs).reshape(-1, 2)
+
+    def contacts(self):
+        return self
+
+
+def touched(*pairs):
+    measure = measures.Touches(made(behavior="self_touch", scene="base", **BLIND).unwrapped)
+    measure._world = Pairs(*pairs)
+    measure.take()
+    return list(measure.told().values())  # palms right and left; with fingers right and left
+
+
+def test_whom_a_touch_is_credited_to():
+    # Geoms: 8 head, 12 right lower arm, 13, 14 right palm, 15, 16 right fingers, 19, 20 left palm, 22 left fingers.
+    assert touched((8, 13), (14, 0), (8, 13)) == [[8], [], [8], []]
+    assert touched((19, 8)) == [[], [8], [], [8]]
+    assert touched((13, 19)) == [[19], [], [19], [13]]  # both palms: there for the right one only
+    assert touched((15, 12), (8, 22)) == [[], [], [12], [8]]  # fingers alone: there for nobody
+    assert touched((15, 0), (15, 16)) == [[], [], [], []]
+
+
+def test_what_each_hand_can_touch(root):
+    rows = table(root, "self_touch_geoms.csv")
+    reachable = {hand: sum(row[f"{hand}_hand_can_count"] == "1" for row in rows) for hand in ("right", "left")}
+    assert reachable == {"right": 31, "left": 29}  # of 34 each by which the competition divides
+    measure = measures.Touches(made(behavior="self_touch", scene="base", **BLIND).unwrapped)
+    assert [len(measure.body - measure.hands[hand]) for hand in measures.HANDS] == [scores.OUTSIDE] * 2
+
+
+def test_axes_of_the_eyes():
+    env = made("handregard", vision_active=False)
+    env.reset(seed=1)
+    world = env.unwrapped.world
+    world.joints("robot:left_eye_horizontal").position = 0.3
+    world.update()
+    axes = measures.matrix(world.bodies("left_eye").orientation[0])
+    seen = world.gaze().left.direction
+    np.testing.assert_allclose(axes[:, 0], seen, atol=1e-9)  # the camera's
+    assert -axes[:, 2] @ seen == pytest.approx(0, abs=1e-9)  # the competition's stands at right angles to it
+
+
+def test_hands_before_the_eyes():
+    env = made("handregard", vision_active=False)
+    env.reset(seed=1)
+    measure = env.unwrapped._measure
+
+    def look(axis):
+        eyes = env.unwrapped.world.bodies(*measures.EYES)
+        place, turn = eyes.position[0], measures.matrix(eyes.orientation[0])
+
+        class Hands:
+            position = np.array([place + 0.2 * turn @ np.array(axis), place])
+
+        measure._hands = Hands
+        measure.begin()
+        measure.take()
+        return [measure.told()[f"right_eye_{hand}{view}"] for view in ("", "_in_view") for hand in measures.HANDS]
+
+    assert look([1, 0, 0]) == [0, 0, 1, 0]  # a hand in the eye itself never counts
+    assert look([0, 0, -1]) == [1, 0, 0, 0]
+    degrees = np.radians([14.9, 15.1])
+    assert [look([np.cos(it), np.sin(it), 0])[2] for it in degrees] == [1, 0]
+
+
+# ---- Scores --------------------------------------------------------------------------------------------------------
+
+
+def episodes(root, fingers=True):
+    names = {"right_hand_touches": "right_hand_geoms_in_order", "left_hand_touches": "left_hand_geoms_in_order"}
+    if fingers:
+        names["right_hand_or_finger_touches"] = "right_hand_or_fingers_geoms"
+        names["left_hand_or_finger_touches"] = "left_hand_or_fingers_geoms"
+    rows = [row for row in table(root, "random_policy.csv") if row["config"] == "crib self_touch"]
+    return [
+        {"steps": 1000, **{key: [int(geom) for geom in row[column].split()] for key, column in names.items()}}
+        for row in rows
+    ]
+
+
+EMPTY = {"steps": 0, "right_hand_touches": [], "left_hand_touches": []}
+
+
+def test_scores_of_the_competition_s_random_policy(root):
+    played = episodes(root)
+    told = {count: scores.scores_of([EMPTY, *played[:count]]).competition for count in (1, 2, 5, 10, 20)}
+    assert told == pytest.approx({1: 0.029, 2: 0.074, 5: 0.088, 10: 0.088, 20: 0.103}, abs=6e-4)
+    assert told[20] == pytest.approx(7 / 68)
+    single = [scores.self_touch([entry]) for entry in played]
+    assert np.mean(single) == pytest.approx(0.0478, abs=5e-5)
+    right = scores.scores_of([EMPTY, *played])
+    assert right.right == pytest.approx((6 + 4) / 64)  # 3 7 8 10 11 12 and 7 8 17 18
+    assert right.right_mean < right.right
+    assert right.episodes == 20
+
+
+def test_scores_of_logs_that_do_not_tell_all(root):
+    told = scores.scores_of([EMPTY, *episodes(root, fingers=False)])
+    assert (told.competition, told.right) == (pytest.approx(7 / 68), None)
+
+
+def test_the_window(root):
+    played = episodes(root)
+    assert scores.scores_of(played[:1]).competition == 0  # the first entry does not count there
+    assert scores.scores_of(played[:1]).right == pytest.approx(4 / 64)
+    many = [played[0]] * 5 + [{**EMPTY, "steps": 1}] * 10000
+    assert len(scores.window(many)) == 10000
+    assert scores.self_touch(scores.window(many)) == 0
+    assert len(scores.window(many[:100])) == 99
+
+
+def test_hand_regard_s_scores():
+    keys = [f"{eye}_eye_{hand}_hand" for eye in ("right", "left") for hand in ("right", "left")]
+    empty = {"steps": 0, **dict.fromkeys(keys, 0)}
+    entry = {"steps": 100, **dict(zip(keys, (10, 20, 30, 40))), **dict.fromkeys((f"{key}_in_view" for key in keys), 5)}
+    told = scores.scores_of([empty, entry])
+    assert (told.behavior, told.competition, told.right) == ("hand_regard", 100 / 400, 20 / 400)
+    assert scores.scores_of([empty, empty]) == ("hand_regard", 0, None, None, None)  # there a division by zero
+    assert scores.scores_of([{"steps": 7}]).behavior == "none"
+
+
+def test_rewards_of_the_baselines():
+    assert babybench.saliency(np.full((8, 8, 3), 70, np.uint8)) == pytest.approx(0, abs=1e-12)
+    point = np.zeros((8, 8, 3), np.uint8)
+    point[4, 3] = 255
+    # The Laplacian is 4 at the point and -1 at its four neighbours.
+    assert babybench.saliency(point) == pytest.approx(0.9999 * 255 * np.sqrt(16 + 4) / 64)
+    corner = np.zeros((8, 8, 3), np.uint8)
+    corner[0, 0] = 255  # at a border that reflects: 2 there, -1 at two neighbours
+    assert babybench.saliency(corner) == pytest.approx(0.9999 * 255 * np.sqrt(4 + 2) / 64)
+    touch = {"touch": np.array([0, -1, 0, 1, 0, 2, 0, 0, 0], np.float32)}
+    env = made(**BLIND)
+    assert babybench.TouchCount(env).intrinsic(touch) == pytest.approx(2 / 9)
+    assert babybench.TouchedSensors(env).intrinsic(touch) == pytest.approx(2 / 3)
+
+
+def test_the_reward_of_touching_is_of_the_competition_s_size():
+    env = babybench.TouchCount(made("selftouch"))
+    env.reset(seed=0)
+    rewards = [env.step(env.action_space.sample())[1] for _ in range(100)]
+    assert 0.004 < np.mean(rewards) < 0.012  # there 0.0080 to 0.0083, with a defect in how forces are spread
+
+
+# ---- Logs ----------------------------------------------------------------------------------------------------------
+
+
+def run(folder, steps=(3, 4), **switches):
+    env = babybench.make({**babybench.load("selftouch"), "save_dir": str(folder), **BLIND, **switches})
+    for count in steps:
+        env.reset(seed=1)
+        for _ in range(count):
+            env.step(env.action_space.sample())
+    return env
+
+
+def logged(folder, name="training.pkl"):
+    return pickle.loads((folder / "logs" / name).read_bytes())
+
+
+def test_training_is_logged(tmp_path):
+    run(tmp_path).close()
+    entries = logged(tmp_path)
+    assert [entry["steps"] for entry in entries] == [0, 3, 4]
+    assert all({"right_hand_touches", "left_hand_touches"} <= set(entry) for entry in entries)
+    assert entries[0]["right_hand_touches"] == []
+
+
+def test_logs_are_written_every_so_many_steps(tmp_path):
+    env = run(tmp_path, (3, 4), save_logs_every=6)
+    assert not (tmp_path / "logs" / "training.pkl").exists()  # 3, then 7 of which 4 are still running
+    env.reset()
+    assert [entry["steps"] for entry in logged(tmp_path)] == [0, 3, 4]
+
+
+def test_an_earlier_log_is_kept(tmp_path):
+    run(tmp_path).close()
+    run(tmp_path, (5,)).close()
+    assert [entry["steps"] for entry in logged(tmp_path, "training_1.pkl")] == [0, 3, 4]
+    assert [entry["steps"] for entry in logged(tmp_path)] == [0, 5]
+
+
+def test_evaluation(tmp_path, capsys):
+    run(tmp_path).close()
+    env = babybench.make({**babybench.load("selftouch"), "save_dir": str(tmp_path), **BLIND}, training=False)
+    evaluation = babybench.EVALS["self_touch"](env, duration=5, save_dir=tmp_path)
+    assert "training.pkl: self_touch, 2 episodes" in evaluation.eval_logs()
+    for episode in range(2):
+        env.reset(seed=episode)
+        evaluation.reset()
+        for _ in range(5):
+            evaluation.eval_step(env.step(env.action_space.sample())[4])
+        evaluation.end(episode)
+    env.close()
+    episode = logged(tmp_path, "evaluation_1.pkl")
+    assert [len(episode[key]) for key in ("qpos", "info")] == [5, 5]
+    assert episode["qpos"][0].shape == (54,)
+    assert [entry["steps"] for entry in logged(tmp_path)] == [0, 3, 4]  # nothing of evaluations
+    capsys.readouterr()
+
+
+def evaluated(*arguments):
+    command = [sys.executable, "-m", "mimo.babybench.evaluate", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def test_scores_on_the_command_line(tmp_path, root):
+    (tmp_path / "logs").mkdir()
+    (tmp_path / "logs/training.pkl").write_bytes(pickle.dumps([EMPTY, *episodes(root)]))
+    infos = [{"steps": step, **EMPTY, "right_hand_touches": [8, 17]} for step in range(10)]
+    (tmp_path / "logs/evaluation_0.pkl").write_bytes(pickle.dumps({"qpos": [np.zeros(54)] * 10, "info": infos}))
+    done = evaluated(tmp_path)
+    assert done.returncode == 0, done.stderr
+    first, second = done.stdout.splitlines()
+    assert first.startswith(
+        "training.pkl: self_touch, 20 episodes; as the competition computes it 0.1029; right 0.1562"
+    )
+    assert second.startswith(
+        "evaluation: self_touch, 1 episodes; as the competition computes it 0.0294; the log does not"
+    )
+
+
+def test_logs_that_are_none(tmp_path):
+    done = evaluated(tmp_path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "expected a log, or a folder with training.pkl" in done.stderr
+    (tmp_path / "training.pkl").write_bytes(b"nothing")
+    assert "training.pkl is no log" in evaluated(tmp_path).stderr
+    (tmp_path / "training.pkl").write_bytes(pickle.dumps([1, 2]))
+    assert "expected a list of episodes with their steps" in evaluated(tmp_path).stderr
+    (tmp_path / "training.pkl").write_bytes(pickle.dumps(subprocess.Popen))  # a program in disguise
+    refused = evaluated(tmp_path / "training.pkl").stderr
+    assert "it holds subprocess.Popen, expected numbers" in refused
+    assert len(refused.splitlines()) == 1
+
+
+# ---- Configurations ------------------------------------------------------------------------------------------------
+
+
+def test_configurations_in_files(tmp_path):
+    file = tmp_path / "mine.yml"
+    file.write_text("behavior: self_touch\nscene: crib\nvision_active: false\ntouch_active: false\nframe_skip: 2\n")
+    env = babybench.make(str(file))
+    assert env.spec.id == "BabyBench-SelfTouch"
+    assert (env.dt, env.action_space.shape) == (0.01, (44,))
+    assert babybench.shipped() == ["handregard", "selftouch", "test_installation"]
+    for name in babybench.shipped():
+        assert set(babybench.load(name)) == set(config.DEFAULTS)
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "line"),
+    [
+        ({"touch_toes": True}, ValueError, "config has 'touch_toes', which is no switch; did you mean 'touch_legs'"),
+        ({"scene": "kitchen"}, ValueError, "scene is 'kitchen', expected 'base', 'crib', 'cubes'"),
+        ({"behavior": "walk"}, ValueError, "behavior is 'walk', expected 'none', 'self_touch', 'hand_regard'"),
+        ({"act_arms": 1}, ValueError, "act_arms is 1, expected true or false"),
+        ({"frame_skip": 0}, ValueError, "frame_skip is 0, expected a whole number from 1 on"),
+        ({"vision_resolution": True}, ValueError, "vision_resolution is True, expected a whole number"),
+        ({"touch_scale": -1}, ValueError, "touch_scale is -1, expected a number from 0 on"),
+        ({"save_dir": 3}, ValueError, "save_dir is 3, expected a folder"),
+        (
+            "nowhere.yml",
+            FileNotFoundError,
+            r"config is 'nowhere\.yml', expected a YAML file, a dict, or one of handregard",
+        ),
+    ],
+)
+def test_configurations_that_cannot_be_meant(given, error, line):
+    with pytest.raises(error, match=line) as raised:
+        babybench.make(given)
+    assert "\n" not in str(raised.value)
+
+
+def test_files_that_are_no_configurations(tmp_path):
+    (tmp_path / "list.yml").write_text("- 1\n- 2\n")
+    with pytest.raises(ValueError, match=r"list\.yml holds list, expected keys with values"):
+        babybench.load(tmp_path / "list.yml")
+    (tmp_path / "broken.yml").write_text("a: [1\n")
+    with pytest.raises(ValueError, match=r"broken\.yml is no YAML") as raised:
+        babybench.load(tmp_path / "broken.yml")
+    assert "\n" not in str(raised.value)
+
+
+def test_pictures():
+    env = made("handregard", vision_active=False, render_size=64)
+    env.reset(seed=1)
+    for camera in ("corner", "top", "side1", "side2", "closeup"):
+        assert babybench.utils.render(env, camera).shape == (64, 64, 3)
+    both = babybench.utils.view_binocular(env)
+    np.testing.assert_array_equal(both[..., 1], both[..., 2])
+    assert env.unwrapped.world.count(Kind.CAMERA) == 7
