@@ -173,6 +173,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
+  if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
 }
@@ -258,10 +259,15 @@ void add_actuation_option(CLI::App& command, WorldOptions& options) {
 void add_senses_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option_function<std::string>(
-          "--senses", [&options](const std::string& which) { options.every_sense = which == "all"; },
-          "usual, or all: also what nerves of skin, muscles, joints and\nlabyrinth tell. Default: usual")
+          "--senses",
+          [&options](const std::string& which) {
+            options.every_sense = which == "all";
+            options.hearing = which != "usual";
+          },
+          "usual; hearing: also ears; or all: also ears, and what nerves of\nskin, muscles, joints and labyrinth tell. "
+          "Default: usual")
       ->type_name("WHICH")
-      ->check(CLI::IsMember({"usual", "all"}).description(""));
+      ->check(CLI::IsMember({"usual", "hearing", "all"}).description(""));
 }
 
 void add_face_option(CLI::App& command, WorldOptions& options) {

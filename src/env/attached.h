@@ -10,6 +10,10 @@
 #include "observation/observer.h"
 #include "render/renderer.h"
 
+namespace mimo::senses {
+class Soundscape;
+}
+
 namespace mimo::env {
 
 class Attached {

@@ -15,7 +15,7 @@
 #include "observation/eyesight.h"
 #include "observation/limited_senses.h"
 #include "render/renderer.h"
-#include "senses/hearing/hearing.h"
+#include "senses/hearing/options.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
 #include "senses/vestibular.h"

@@ -8,9 +8,12 @@
 #include "body/body.h"
 #include "env/kit.h"
 #include "observation/sense.h"
-#include "senses/hearing/soundscape.h"
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"
+
+namespace mimo::senses {
+class Soundscape;
+}
 
 namespace mimo::env {
 

@@ -75,9 +75,11 @@ senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<Agent
   return things;
 }
 
-senses::SolidsPtr solids_of(const mjModel& model, const std::vector<AgentOptions>& agents, const EnvOptions& options) {
-  auto solids =
-      std::make_shared<senses::Solids>(static_cast<std::size_t>(model.ngeom), matter::find_material(kUsual)->solid);
+std::shared_ptr<const std::vector<sound::Solid>> solids_of(const mjModel& model,
+                                                           const std::vector<AgentOptions>& agents,
+                                                           const EnvOptions& options) {
+  auto solids = std::make_shared<std::vector<sound::Solid>>(static_cast<std::size_t>(model.ngeom),
+                                                            matter::find_material(kUsual)->solid);
   const auto solid_of = [&](int geom) -> sound::Solid& { return (*solids)[static_cast<std::size_t>(geom)]; };
   for_things(
       model, agents, options, [&](int geom) { solid_of(geom) = matter::find_material(kSkin)->solid; },

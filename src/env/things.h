@@ -4,8 +4,11 @@
 #include <vector>
 
 #include "env/options.h"
-#include "senses/hearing/soundscape.h"
 #include "senses/touch/things.h"
+
+namespace mimo::sound {
+struct Solid;
+}
 
 namespace mimo::env {
 
@@ -15,7 +18,9 @@ senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<Agent
                                    const EnvOptions& options);
 
 // What it sounds like when it is struck: likewise.
-senses::SolidsPtr solids_of(const mjModel& model, const std::vector<AgentOptions>& agents, const EnvOptions& options);
+std::shared_ptr<const std::vector<sound::Solid>> solids_of(const mjModel& model,
+                                                           const std::vector<AgentOptions>& agents,
+                                                           const EnvOptions& options);
 
 // Throws Status::kNotFound for a material that is not known, naming those that are.
 void check_material(const std::string& name);

@@ -16,6 +16,10 @@
 #include "observation/observer.h"
 #include "render/viewpoint.h"
 
+namespace mimo::senses {
+class Soundscape;
+}
+
 namespace mimo::env {
 
 // Results of a step, for each agent and each term; empty where they are not wanted.

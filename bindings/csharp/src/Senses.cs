@@ -75,6 +75,12 @@ namespace Mimo
         /// <summary>One step later, once after each step of the host: senses with a delay take in what the mjData hold.</summary>
         public void Advance(IntPtr data) { MimoException.Check(Native.mimo_senses_advance(handle, data)); }
 
+        /// <summary>Lets a body play samples, Pa at 1 m, from the next Advance on: see Env.Play.</summary>
+        public void Play(string body, float[] samples, double rate)
+        {
+            MimoException.Check(Native.mimo_senses_play(handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+        }
+
         /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
         public void Observe(IntPtr data)
         {

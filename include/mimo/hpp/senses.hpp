@@ -42,6 +42,10 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
   }
   /// One step later: what is late takes in what the data hold.
   void advance(const void *data) { check(mimo_senses_advance(get(), data)); }
+  /// Lets a body play samples, Pa at 1 m, from the next advance on; none: what it plays ends.
+  void play(const std::string &body, const std::vector<float> &samples, double rate) {
+    check(mimo_senses_play(get(), body.c_str(), samples.data(), samples.size(), rate));
+  }
   void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }
 
   /// What the senses remember.

@@ -20,6 +20,7 @@ using hearing::kWindow;
 using observation::Field;
 using observation::Signal;
 
+constexpr double kUsualRadius = 0.0875;  // m: an adult's head, for what has no ball
 constexpr const char* kEarNames[kEars] = {"ear_left", "ear_right"};
 
 // What reaches the ears of one head.
@@ -55,8 +56,8 @@ class Reception : public observation::Process {
 
   hearing::Head head_now(const mjModel& model, const mjData& data) const {
     hearing::Head head;
-    head.radius = model.geom_size[3 * ball_];
-    head.middle = Eigen::Vector3d(data.geom_xpos + 3 * ball_);
+    head.radius = ball_ < 0 ? kUsualRadius : model.geom_size[3 * ball_];
+    head.middle = Eigen::Vector3d(ball_ < 0 ? data.xipos + 3 * head_body_ : data.geom_xpos + 3 * ball_);
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.xmat + 9 * head_body_);
     const auto ears = hearing::ears_of_frame();
     for (std::size_t ear = 0; ear < kEars; ++ear) head.ears[ear] = frame * ears[ear];
@@ -144,7 +145,6 @@ class Hearing : public observation::Sense {
 
 int ball_of_head(const mjModel& model, int head) {
   int largest = -1;
-  if (head < 0) return largest;
   for (int geom = model.body_geomadr[head]; geom < model.body_geomadr[head] + model.body_geomnum[head]; ++geom) {
     const bool sphere = model.geom_type[geom] == mjGEOM_SPHERE;
     if (sphere && (largest < 0 || model.geom_size[3 * geom] > model.geom_size[3 * largest])) largest = geom;
@@ -156,11 +156,10 @@ int ball_of_head(const mjModel& model, int head) {
 
 std::unique_ptr<observation::Sense> make_hearing(const mjModel& model, const body::Body& body,
                                                  const HearingOptions& options, const HearingSetting& setting) {
-  const int ball = ball_of_head(model, body.head);
-  if (ball < 0) {
-    fail(Status::kUnsupported, "hearing: the agent has no head with a ball for ears to be on; switch hearing off");
-  }
-  return std::make_unique<Hearing>(std::make_unique<Reception>(body.head, ball, setting), options, setting);
+  const int head = body.infant ? body.head : body.root;
+  if (head <= 0) fail(Status::kUnsupported, "hearing: the agent has no head for ears to be on; switch hearing off");
+  const int ball = ball_of_head(model, head);
+  return std::make_unique<Hearing>(std::make_unique<Reception>(head, ball, setting), options, setting);
 }
 
 }  // namespace mimo::senses

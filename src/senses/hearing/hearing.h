@@ -6,16 +6,10 @@
 #include "body/body.h"
 #include "hearing/bands.h"
 #include "observation/sense.h"
+#include "senses/hearing/options.h"
 #include "senses/hearing/soundscape.h"
 
 namespace mimo::senses {
-
-struct HearingOptions {
-  bool ears = false;   // hearing/ear_left, hearing/ear_right
-  bool bands = false;  // hearing/bands, hearing/time_difference
-
-  bool any() const { return ears || bands; }
-};
 
 struct HearingSetting {
   const Soundscape* around = nullptr;  // outlives the sense, and goes on before it
@@ -23,7 +17,8 @@ struct HearingSetting {
   hearing::Levels thresholds{};        // dB of 20 uPa
 };
 
-// Throws Status::kUnsupported for an agent without a head that is a ball.
+// Ears are on an infant's head, and on the first body of what is no infant: on its largest ball, or, where it has none,
+// as on an adult's head around its centre of mass. Throws Status::kUnsupported for the world.
 std::unique_ptr<observation::Sense> make_hearing(const mjModel& model, const body::Body& body,
                                                  const HearingOptions& options, const HearingSetting& setting);
 

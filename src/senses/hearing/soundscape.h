@@ -7,6 +7,7 @@
 #include "hearing/ears.h"
 #include "observation/process.h"
 #include "observation/sense.h"
+#include "senses/hearing/options.h"
 #include "sound/queue.h"
 
 typedef struct mjContact_ mjContact;
@@ -16,12 +17,6 @@ namespace mimo::senses {
 // What geoms are made of, by their number.
 using Solids = std::vector<sound::Solid>;
 using SolidsPtr = std::shared_ptr<const Solids>;
-
-// How much of what hosts play is remembered.
-struct PlayOptions {
-  std::size_t sources = 4;  // bodies that play at once
-  double seconds = 4;       // of what waits at one of them
-};
 
 class Soundscape : public observation::Process {
  public:

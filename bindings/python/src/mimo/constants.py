@@ -40,6 +40,13 @@ class Vestibular(IntFlag):
     GRAVITY = 0x10
 
 
+class Hearing(IntFlag):
+    """What ears tell."""
+
+    EARS = 0x1
+    BANDS = 0x2
+
+
 class Place(IntEnum):
     """Which point of an infant lies at its position."""
 

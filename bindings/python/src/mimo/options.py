@@ -23,6 +23,7 @@ from .constants import (
     Disable,
     Frame,
     GrowthModel,
+    Hearing,
     Jacobian,
     Mature,
     Place,
@@ -84,6 +85,7 @@ class AgentOptions(GrowthOptions, total=False):
     orientation: Numbers
     proprioception: Union[Proprioception, bool]
     vestibular: Union[Vestibular, bool]
+    hearing: Union[Hearing, bool]
     limit_threshold: float
     vision: Union[Vision, bool]
     vision_width: int
@@ -98,7 +100,7 @@ class AgentOptions(GrowthOptions, total=False):
     touch_frame: Frame
     touch_scale: float
     touch_slip_threshold: float
-    senses: Literal["usual", "all"]
+    senses: Union[Literal["usual", "all", "hearing"], Sequence[str]]
     face: str
     root: str
     vestibular_at: str

@@ -6,6 +6,7 @@ import ctypes
 import importlib
 from typing import Any, Optional
 
+from numpy.typing import ArrayLike
 from typing_extensions import Unpack
 
 from . import _abi
@@ -15,6 +16,7 @@ from .arguments import number_of
 from .layout import Layout, Observation, Supply
 from .options import SensesOptions, fill
 from .scene import Scene
+from .sounds import play
 from .states import LoadReport, reported, saved
 from .world import reset_config
 
@@ -63,6 +65,10 @@ class Senses(Handle):
     def advance(self, data: Any) -> None:
         """One step later, to be called once a step and before observe: senses with a delay take in what data hold."""
         check(LIB.mimo_senses_advance(self._handle, _address_of(data)))
+
+    def play(self, body: str, samples: ArrayLike, rate: Optional[float] = None) -> None:
+        """Lets a body play samples (Pa at 1 m) from the next advance on, as World.play does."""
+        play(LIB.mimo_senses_play, self._handle, self.layout, body, samples, rate)
 
     def observe(self, data: Any) -> Observation:
         """What is sensed of data (a mujoco.MjData, or the address of an mjData) as they are.
