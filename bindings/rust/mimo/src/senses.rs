@@ -145,7 +145,9 @@ impl Senses {
     /// [`World::play`](crate::World::play).
     pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {
         let body = c_string(body)?;
-        check(unsafe { sys::mimo_senses_play(self.handle(), body.as_ptr(), samples.as_ptr(), samples.len(), rate) })
+        check(unsafe {
+            sys::mimo_senses_play(self.handle(), body.as_ptr(), samples.as_ptr(), samples.len(), rate)
+        })
     }
 
     /// What the senses remember, as bytes.

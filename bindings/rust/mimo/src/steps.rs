@@ -89,6 +89,8 @@ impl World {
     /// ends. The rate is [`Field::sample_rate`](crate::Field::sample_rate) of the ears.
     pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {
         let body = c_string(body)?;
-        check(unsafe { sys::mimo_env_play(self.handle(), body.as_ptr(), samples.as_ptr(), samples.len(), rate) })
+        check(unsafe {
+            sys::mimo_env_play(self.handle(), body.as_ptr(), samples.as_ptr(), samples.len(), rate)
+        })
     }
 }
