@@ -23,7 +23,9 @@ def listen() -> "tuple[np.ndarray, float]":
     """What the ears of an infant that lies still hear, 2 x samples, and how many a second."""
     scene = mimo.Scene("benchmark")
     scene.add_agent(vision=False, touch=False, hearing=True)
-    scene.add_object(name="block", shape=mimo.Shape.BOX, size=(0.02, 0.02, 0.02), mass=0.05, position=(0.0, 0.6, HEIGHT))
+    scene.add_object(
+        name="block", shape=mimo.Shape.BOX, size=(0.02, 0.02, 0.02), mass=0.05, position=(0.0, 0.6, HEIGHT)
+    )
     scene.set_material("block", "hardwood")
     with mimo.World(scene) as world:
         world.reset(seed=0)

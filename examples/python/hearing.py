@@ -29,7 +29,8 @@ def main() -> None:
             left, right = heard["hearing/bands"].sum(axis=1)
             side = "left" if late > 0 else "right"
             print(f"{toy}: {1e6 * late:+.0f} us, {left:.0f} dB left and {right:.0f} dB right: it is on the {side}")
-            assert toy.startswith(side) and (left > right) == (side == "left")
+            assert toy.startswith(side)
+            assert (left > right) == (side == "left")
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ Bands::Bands(double rate, const Levels& thresholds) : rate_(rate) {
     const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil((centre - reach) / bin)));
     const auto last = static_cast<std::size_t>(std::min(kWindow / 2 - 1.0, std::floor((centre + reach) / bin)));
     double sum = 0;  // of what a sine in the middle of the band gives
-    Band made{first, {}, thresholds[band]};
+    Band made{first, {}, thresholds[band], centre < kPhaseLimit};
     for (std::size_t i = first; i <= last; ++i) {
       const double off = static_cast<double>(i) * bin - centre, weight = passed(off, width);
       made.weights.push_back(static_cast<float>(weight));
@@ -89,7 +89,6 @@ Heard Bands::hear(const std::array<std::array<float, kWindow>, kEars>& samples) 
   }
   Heard heard;
   bool low = false;
-  const Levels centres = band_centres();
   for (std::size_t ear = 0; ear < kEars; ++ear) {
     const Spectrum& spectrum = ear == 0 ? left : right;
     std::array<float, kWindow / 2> power;
@@ -102,7 +101,7 @@ Heard Bands::hear(const std::array<std::array<float, kWindow>, kEars>& samples) 
       if (sum <= 0) continue;
       const double level = 10 * std::log10(sum / (sound::kReference * sound::kReference));
       heard.levels[ear][band] = static_cast<float>(std::max(0.0, level - bands_[band].threshold));
-      low = low || (heard.levels[ear][band] > 0 && centres[band] < kPhaseLimit);
+      low = low || (heard.levels[ear][band] > 0 && bands_[band].low);
     }
   }
   if (low) heard.time_difference = time_difference(left, right);

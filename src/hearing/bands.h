@@ -40,6 +40,7 @@ class Bands {
     std::size_t first;
     std::vector<float> weights;
     double threshold;
+    bool low;  // of those whose phases are compared
   };
 
   double rate_;

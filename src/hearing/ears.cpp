@@ -35,7 +35,12 @@ void Ears::rest() {
 void Ears::add(const Blow& blow, const Head& head, std::int64_t now) {
   const Voice voice(blow, ways_to(head, blow.place), rate_);
   if (!voice.alive(now)) return;
-  const auto value = [now](const Voice& of) { return of.alive(now) ? of.remains(now) : -1; };
+  const auto free = std::find_if(voices_.begin(), voices_.end(), [now](const Voice& of) { return !of.alive(now); });
+  if (free != voices_.end()) {
+    *free = voice;
+    return;
+  }
+  const auto value = [now](const Voice& of) { return of.remains(now); };
   const auto weaker = [&](const Voice& a, const Voice& b) { return value(a) < value(b); };
   const auto least = std::min_element(voices_.begin(), voices_.end(), weaker);
   if (value(*least) < value(voice)) *least = voice;

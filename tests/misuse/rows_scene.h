@@ -139,7 +139,8 @@ ROW(mimo_scene_set_maturity, ON_SCENE, mimo_scene_set_maturity(a->scene, a->agen
     MATURITY_RANGE(acuity, 0.04, 1001), MATURITY_RANGE(peak_contrast, 1, 1001), MATURITY_RANGE(chroma, -0.01, 1.01),
     MATURITY_RANGE(flicker, 0.009, 1001), MATURITY_RANGE(conduction_speed, 0.09, 201),
     MATURITY_RANGE(sensory_delay, -0.01, 2.01), MATURITY_RANGE(motor_delay, -0.01, 2.01),
-    MATURITY_RANGE(vision_delay, -0.01, 2.01), MATURITY_RANGE(vestibular_delay, -0.01, 2.01))
+    MATURITY_RANGE(vision_delay, -0.01, 2.01), MATURITY_RANGE(vestibular_delay, -0.01, 2.01),
+    MATURITY_RANGE(hearing_delay, -0.01, 2.01))
 ROW(mimo_scene_set_sensory_delay, ON_SCENE, mimo_scene_set_sensory_delay(a->scene, a->agent_index, a->part, a->spacing),
     NULL_OK(part), BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "seconds"),
     BAD_F64(spacing, -1, "seconds"), BAD_F64(spacing, 2.01, "seconds"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))

@@ -188,6 +188,7 @@ class Layout:
             period=field.period,
             offset=field.offset,
             receptors=field.receptors,
+            sample_rate=field.sample_rate,
             labels=self._labels(index, int(np.prod(shape))),
         )
 

@@ -13,7 +13,9 @@ from .arguments import real_number
 from .layout import Layout
 
 
-def play(call: Callable[..., int], handle: Any, layout: Layout, body: str, samples: ArrayLike, rate: Optional[float]) -> None:
+def play(
+    call: Callable[..., int], handle: Any, layout: Layout, body: str, samples: ArrayLike, rate: Optional[float]
+) -> None:
     """Hands samples over; without a rate they are taken to have that of the ears."""
     wave = np.ascontiguousarray(samples, dtype=np.float32)
     if wave.ndim != 1:
