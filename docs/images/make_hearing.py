@@ -29,12 +29,13 @@ def listen() -> "tuple[np.ndarray, float]":
     scene.set_material("block", "hardwood")
     with mimo.World(scene) as world:
         world.reset(seed=0)
+        field = world.layout.fields["hearing/ear_left"]
         heard = [[], []]
-        for _ in range(round(SECONDS / world.dt)):
-            seen = world.step(np.zeros(world.action_size, np.float32)).observation
+        for _ in range(round(SECONDS / field.period)):
+            seen = world.step().observation
             for ear, name in enumerate(("hearing/ear_left", "hearing/ear_right")):
                 heard[ear].append(seen[name].copy())
-        return np.array([np.concatenate(ear) for ear in heard]), world.layout.fields["hearing/ear_left"].sample_rate
+        return np.array([np.concatenate(ear) for ear in heard]), field.sample_rate
 
 
 def spectrogram(samples: np.ndarray) -> np.ndarray:

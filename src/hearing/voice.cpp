@@ -12,10 +12,10 @@ namespace {
 
 using sound::kModes;
 
-constexpr double kFallBy60 = 6.907755278982137;        // nepers
-constexpr double kInaudible = sound::kReference / 10;  // Pa: 20 dB below the best threshold
-constexpr double kTail = 64;                           // samples after which a filter is done with a click
-constexpr double kLargest = 1e6;                       // Pa, that a state may hold
+constexpr double kFallBy60 = 6.907755278982137;       // nepers
+constexpr double kInaudible = sound::kReference / 2;  // Pa, of a mode: -6 dB, below the thresholds of all ages
+constexpr double kTail = 64;                          // samples after which a filter is done with a click
+constexpr double kLargest = 1e6;                      // Pa, that a state may hold
 
 }  // namespace
 
@@ -48,6 +48,15 @@ Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), cli
     end = std::max(end, std::max(start_[0], start_[1]) + std::log(loudest / kInaudible) / decay);
   }
   end_ = static_cast<std::int64_t>(std::ceil(end));
+  prepare();
+}
+
+void Voice::prepare() {
+  for (std::size_t i = 0; i < modes_; ++i) {
+    kept_[i] = std::exp(-decay_[i]);
+    cosine_[i] = std::cos(turn_[i]);
+    sine_[i] = std::sin(turn_[i]);
+  }
 }
 
 double Voice::remains(std::int64_t now) const {
@@ -75,10 +84,11 @@ void Voice::add_click(std::size_t ear, std::int64_t first, std::int64_t now, Spa
   const auto over = static_cast<std::int64_t>(start_[ear] + click_.end() * rate_ + kTail);
   const std::int64_t last = std::min(over, now + static_cast<std::int64_t>(out.size()));
   if (first >= last) return;
+  const sound::ClickWave wave(click_);
   const sound::Coefficients c = sound::coefficients({0, 1, alpha_[ear], corner_[ear]}, rate_);
   float x = x_[ear], y = y_[ear];
   for (std::int64_t n = first; n < last; ++n) {
-    const auto in = static_cast<float>(gain_[ear] * click_.at((static_cast<double>(n) - start_[ear]) / rate_));
+    const auto in = static_cast<float>(gain_[ear] * wave.at((static_cast<double>(n) - start_[ear]) / rate_));
     y = c.b0 * in + c.b1 * x - c.a1 * y;
     if (std::abs(y) < sound::kNothing) y = 0;
     x = in;
@@ -97,11 +107,15 @@ void Voice::add_ringing(std::size_t ear, std::int64_t first, std::int64_t now, S
   for (std::size_t i = 0; i < modes_; ++i) {
     const double left = amplitude_[ear][i] * std::exp(-decay_[i] * gone);
     if (left < kInaudible) continue;
-    const double kept = std::exp(-decay_[i]), angle = turn_[i] * gone + phase_[ear][i];
-    y2[audible] = static_cast<float>(left / (kept * kept) * std::sin(angle - 2 * turn_[i]));
-    y1[audible] = static_cast<float>(left / kept * std::sin(angle - turn_[i]));
-    c1[audible] = static_cast<float>(2 * kept * std::cos(turn_[i]));
-    c2[audible] = static_cast<float>(kept * kept);
+    const double angle = turn_[i] * gone + phase_[ear][i], s = std::sin(angle), c = std::cos(angle);
+    // The two samples before, by the sines of angles that are one and two turns less.
+    const double once = s * cosine_[i] - c * sine_[i];
+    const double twice = once * cosine_[i] - (c * cosine_[i] + s * sine_[i]) * sine_[i];
+    const double before = left / kept_[i];
+    y1[audible] = static_cast<float>(before * once);
+    y2[audible] = static_cast<float>(before / kept_[i] * twice);
+    c1[audible] = static_cast<float>(2 * kept_[i] * cosine_[i]);
+    c2[audible] = static_cast<float>(kept_[i] * kept_[i]);
     ++audible;
   }
   if (audible == 0) return;
@@ -152,6 +166,7 @@ void Voice::load(ByteReader& from) {
     sane = sane && std::abs(x_[ear]) < kLargest && std::abs(y_[ear]) < kLargest;
   }
   require(sane, "the state holds a sound that cannot be");
+  prepare();
 }
 
 }  // namespace mimo::hearing

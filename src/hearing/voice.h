@@ -37,6 +37,7 @@ class Voice {
  private:
   void add_click(std::size_t ear, std::int64_t first, std::int64_t now, Span<float> out);
   void add_ringing(std::size_t ear, std::int64_t first, std::int64_t now, Span<float> out) const;
+  void prepare();
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit);
 
@@ -51,6 +52,8 @@ class Voice {
   std::uint64_t modes_ = 0;
   std::array<double, sound::kModes> turn_{}, decay_{};
   std::array<std::array<double, sound::kModes>, kEars> amplitude_{}, phase_{};
+  // What follows from them: a sample's decay, cosine and sine.
+  std::array<double, sound::kModes> kept_{}, cosine_{}, sine_{};
 };
 
 }  // namespace mimo::hearing

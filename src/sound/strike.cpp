@@ -13,22 +13,6 @@ namespace {
 // By how much a material gives way.
 double compliance(const Solid& solid) { return (1 - solid.poisson * solid.poisson) / solid.young; }
 
-// What sin(w t), which starts at 0, becomes by (1 + s/c) / (2 + 2 s T + s^2 T^2), at 1 m. The poles are (-1 +- i)/T.
-double answer(double t, double w, double settling) {
-  if (t <= 0) return 0;
-  using Complex = std::complex<double>;
-  const Complex s(0, w);
-  const Complex lasting = (1.0 + s / kSpeed) / (2.0 + 2.0 * s * settling + s * s * settling * settling);
-  const double steady = std::imag(lasting * Complex(std::cos(w * t), std::sin(w * t)));
-  const double decay = t / settling;
-  if (decay > 40) return steady;
-  // Residue at the upper pole of (1 + s/c) w / ((s^2 + w^2) T^2 (s - p)(s - p*)), twice its real part.
-  const Complex pole(-1 / settling, 1 / settling);
-  const Complex residue =
-      (1.0 + pole / kSpeed) * w / ((pole * pole + w * w) * settling * settling * Complex(0, 2 / settling));
-  return steady + 2 * std::exp(-decay) * std::real(residue * Complex(std::cos(decay), std::sin(decay)));
-}
-
 }  // namespace
 
 Strike strike(const Struck& a, const Struck& b, double speed) {
@@ -48,10 +32,30 @@ Click click(const Strike& strike, double inverse_mass, double radius, double cos
   return {strike.duration, kAirDensity * radius * radius * radius * cosine * peak, radius / kSpeed};
 }
 
-double Click::at(double time) const {
-  if (scale <= 0 || time <= 0 || time >= end()) return 0;
-  const double w = kPi / duration;
-  return scale * (answer(time, w, settling) + answer(time - duration, w, settling));
+// (1 + s/c) / (2 + 2 s T + s^2 T^2), at 1 m, answers sin(w t), which starts at 0, with what lasts and what the poles at
+// (-1 +- i)/T add, which dies away.
+ClickWave::ClickWave(const Click& click) : click_(click), turn_(kPi / click.duration) {
+  using Complex = std::complex<double>;
+  const double settling = click.settling;
+  const Complex s(0, turn_), pole(-1 / settling, 1 / settling);
+  const Complex lasting = (1.0 + s / kSpeed) / (2.0 + 2.0 * s * settling + s * s * settling * settling);
+  const Complex dying =
+      (1.0 + pole / kSpeed) * turn_ / ((pole * pole + turn_ * turn_) * settling * settling * Complex(0, 2 / settling));
+  lasting_ = {click.scale * lasting.real(), click.scale * lasting.imag()};
+  dying_ = {2 * click.scale * dying.real(), 2 * click.scale * dying.imag()};
+}
+
+double ClickWave::answer(double time) const {
+  if (time <= 0) return 0;
+  const double angle = turn_ * time, decay = time / click_.settling;
+  const double steady = lasting_[0] * std::sin(angle) + lasting_[1] * std::cos(angle);
+  if (decay > 40) return steady;
+  return steady + std::exp(-decay) * (dying_[0] * std::cos(decay) - dying_[1] * std::sin(decay));
+}
+
+double ClickWave::at(double time) const {
+  if (click_.scale <= 0 || time <= 0 || time >= click_.end()) return 0;
+  return answer(time) + answer(time - click_.duration);
 }
 
 double Click::peak() const { return scale <= 0 ? 0 : scale * kPi / (2 * kSpeed * duration); }

@@ -1,6 +1,8 @@
 // Two bodies meet: how long they touch, and what that gives to the air.
 #pragma once
 
+#include <array>
+
 #include "sound/solid.h"
 
 namespace mimo::sound {
@@ -22,13 +24,26 @@ struct Click {
   double scale = 0;     // density x radius^3 x cosine x peak acceleration
   double settling = 1;  // radius over the speed of sound, s
 
-  // From the first touch; 0 before, and once it is over.
-  double at(double time) const;
   // It is over then, s.
   double end() const { return duration + 14 * settling; }
   // About the largest it gets, Pa; within 3 dB where the touch is long, too large where it is short.
   double peak() const;
 };
+// Its course.
+class ClickWave {
+ public:
+  explicit ClickWave(const Click& click);
+  // From the first touch on; 0 before, and once it is over.
+  double at(double time) const;
+
+ private:
+  double answer(double time) const;
+
+  Click click_;
+  double turn_;  // rad/s
+  std::array<double, 2> lasting_, dying_;
+};
+
 // Of a body of this radius; `cosine` of the angle between blow and listener.
 Click click(const Strike& strike, double inverse_mass, double radius, double cosine);
 

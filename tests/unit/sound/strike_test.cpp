@@ -24,14 +24,16 @@ Struck block(const Solid& solid, double mass = 0.05, double size = 0.02) {
 Struck table(const Solid& solid) { return {solid, 0, 0, 1, 3}; }
 
 double peak_level(const Click& click, double rate = 1e6) {
+  const ClickWave wave(click);
   double peak = 0;
-  for (int i = 0; i < 0.02 * rate; ++i) peak = std::max(peak, std::abs(click.at(i / rate)));
+  for (int i = 0; i < 0.02 * rate; ++i) peak = std::max(peak, std::abs(wave.at(i / rate)));
   return 20 * std::log10(peak / kReference);
 }
 
 double event_level(const Click& click, double rate, double onset = 0) {
+  const ClickWave wave(click);
   double sum = 0;
-  for (int i = 0; i < 0.03 * rate; ++i) sum += std::pow(click.at((i - onset) / rate), 2) / rate;
+  for (int i = 0; i < 0.03 * rate; ++i) sum += std::pow(wave.at((i - onset) / rate), 2) / rate;
   return 10 * std::log10(sum / (kReference * kReference));
 }
 
