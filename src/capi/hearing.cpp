@@ -1,6 +1,4 @@
 // Sounds that a host plays.
-#include <cmath>
-
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
