@@ -63,9 +63,9 @@ static void set_text(mxArray* to, size_t i, const char* name, const char* text) 
 }
 
 static mxArray* fields_of(const worlds* all) {
-  static const char* members[] = {"name",  "member", "type", "size", "unit",   "frame",    "offset",
-                                  "bytes", "low",    "high", "time", "period", "receptors"};
-  mxArray* fields = mxCreateStructMatrix(all->sizes.fields, 1, 13, members);
+  static const char* members[] = {"name",  "member", "type", "size", "unit",   "frame",     "offset",
+                                  "bytes", "low",    "high", "time", "period", "receptors", "sample_rate"};
+  mxArray* fields = mxCreateStructMatrix(all->sizes.fields, 1, 14, members);
   size_t i;
   for (i = 0; i < all->sizes.fields; ++i) {
     const mimo_field field = field_at(all, i);
@@ -87,6 +87,7 @@ static mxArray* fields_of(const worlds* all) {
     mxSetField(fields, i, "time", time);
     set_number(fields, i, "period", field.period);
     set_number(fields, i, "receptors", (double)field.receptors);
+    set_number(fields, i, "sample_rate", field.sample_rate);
   }
   return fields;
 }

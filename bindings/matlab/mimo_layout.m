@@ -5,7 +5,8 @@ function layout = mimo_layout(world)
 %                  size, unit, frame, offset and bytes in the block, low, high, time, period and receptors (on how many it
 %                  reports, row by row; 0 where it is not of skin). time is [start end]: when what a step gives is true, s
 %                  after the step's end; [0 0] then, negative for what is late or belongs to the start of the last physics
-%                  step. period: s from one new value to the next
+%                  step. period: s from one new value to the next. sample_rate: of sound, samples a second, the oldest
+%                  first; 0 where it is no sound
 %     actions      struct array: name ("act:left_elbow"), unit, agent, low, high
 %     terms        struct array: name, agent; of the terms that mimo_step gives
 %     agents       how many

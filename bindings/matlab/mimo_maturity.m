@@ -11,6 +11,7 @@ function maturity = mimo_maturity(age)
 %     motor_delay       from the cortex to the brain stem, s
 %     vision_delay      from the eye to the cortex, s
 %     vestibular_delay  from the inner ear to the brain stem, s
+%     hearing_delay     from the ear to the cortex, s
 %   Infants have it by the option maturity of mimo_create; mimo_scene_add(scene, 'maturity', ...) gives one other numbers.
 maturity = mimo_mex('maturity', age);
 end

@@ -27,6 +27,7 @@ const option mimo_agent_options[] = {
     OPTION(mimo_agent_config, orientation, kFour),
     OPTION(mimo_agent_config, proprioception, kUnsigned),
     OPTION(mimo_agent_config, vestibular, kUnsigned),
+    OPTION(mimo_agent_config, hearing, kUnsigned),
     OPTION(mimo_agent_config, limit_threshold, kNumber),
     OPTION(mimo_agent_config, vision, kUnsigned),
     OPTION(mimo_agent_config, vision_height, kUnsigned),
@@ -135,6 +136,7 @@ const option mimo_maturity_options[] = {
     OPTION(mimo_maturity, motor_delay, kNumber),
     OPTION(mimo_maturity, vision_delay, kNumber),
     OPTION(mimo_maturity, vestibular_delay, kNumber),
+    OPTION(mimo_maturity, hearing_delay, kNumber),
     {NULL, kText, 0},
 };
 

@@ -53,15 +53,16 @@ static double* new_row(mxArray* to, const char* name, size_t worlds) {
 
 /* struct = timing(number), or timing(number, 'reset') to count anew */
 static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  static const char* names[] = {"steps", "total", "physics", "touch", "vision", "proprioception", "vestibular"};
-  double* rows[7];
+  static const char* names[] = {"steps",  "total",          "physics",    "touch",
+                                "vision", "proprioception", "vestibular", "hearing"};
+  double* rows[8];
   worlds* all;
   size_t world, i;
   (void)nout;
   mimo_need(nin == 1 || (nin == 2 && strcmp(mimo_text(in[1], "what"), "reset") == 0), "expected a world, and 'reset'");
   all = mimo_worlds_of(in[0]);
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  for (i = 0; i < 7; ++i) rows[i] = new_row(out[0], names[i], all->count);
+  for (i = 0; i < 8; ++i) rows[i] = new_row(out[0], names[i], all->count);
   for (world = 0; world < all->count; ++world) {
     mimo_timing spent = {0};
     mimo_env* env = NULL;
@@ -75,6 +76,7 @@ static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
     rows[4][world] = spent.vision;
     rows[5][world] = spent.proprioception;
     rows[6][world] = spent.vestibular;
+    rows[7][world] = spent.hearing;
     if (nin == 2) mimo_check(mimo_env_timing_reset(env));
   }
 }
@@ -187,6 +189,7 @@ static void maturity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add_number(out[0], "motor_delay", at.motor_delay);
   mimo_add_number(out[0], "vision_delay", at.vision_delay);
   mimo_add_number(out[0], "vestibular_delay", at.vestibular_delay);
+  mimo_add_number(out[0], "hearing_delay", at.hearing_delay);
 }
 
 const mimo_command mimo_report_commands[] = {{"info", info},         {"timing", timing},

@@ -151,6 +151,14 @@ static double add_sensory_delay(mimo_scene* scene, properties* given) {
   return set_part(scene, given, "seconds", "a sensory delay", mimo_scene_set_sensory_delay);
 }
 
+static double set_sources(mimo_scene* scene, properties* given) {
+  const double count = mimo_take_number(given, "count"), seconds = mimo_take_number(given, "seconds");
+  mimo_set_all(NULL, mimo_no_options, given, "how much can be played");
+  mimo_need(count >= 1 && count <= 64, "count: expected 1 to 64 bodies that play at once");
+  mimo_check(mimo_scene_set_sources(scene, (size_t)count, seconds));
+  return 0;
+}
+
 static double add_joint(mimo_scene* scene, properties* given) {
   const size_t agent = take_agent(given);
   const char* joint = mimo_take_text(given, "joint");
@@ -225,6 +233,7 @@ static const struct thing {
     {"field", add_field},
     {"maturity", add_maturity},
     {"sensory_delay", add_sensory_delay},
+    {"sources", set_sources},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */

@@ -202,6 +202,35 @@ static void physics(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
+/* play(number, body, samples, rate): samples x 1, the same in all worlds, or a column for each */
+static void play(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  const char* body;
+  worlds* all;
+  size_t count, columns, i, world;
+  (void)nout;
+  (void)out;
+  mimo_need(nin == 4, "expected a world, a body, samples and a rate");
+  all = mimo_worlds_of(in[0]);
+  body = mimo_text(in[1], "body");
+  if (!mxIsDouble(in[2]) || mxIsComplex(in[2])) mimo_refuse("samples is not an array of real doubles");
+  count = mxGetM(in[2]);
+  columns = mxGetN(in[2]);
+  if (count == 1 && all->count == 1) count = columns, columns = 1; /* a row */
+  if (mxIsEmpty(in[2])) count = 0, columns = 1;
+  if (columns != 1 && columns != all->count)
+    mimo_refuse("samples has %.0f columns, expected one, or one for each of %.0f worlds", (double)columns,
+                (double)all->count);
+  for (world = 0; world < all->count; ++world) {
+    const double* from = mxGetPr(in[2]) + (columns == 1 ? 0 : world * count);
+    float* samples = (float*)mxMalloc((count + 1) * sizeof(float));
+    mimo_env* env = NULL;
+    for (i = 0; i < count; ++i) samples[i] = (float)from[i];
+    mimo_check(mimo_batch_world(all->batch, world, &env));
+    mimo_check(mimo_env_play(env, body, samples, count, mimo_number(in[3], "rate")));
+    mxFree(samples);
+  }
+}
+
 /* values = random(number, count): out of each world's own stream, count x worlds */
 static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
@@ -221,7 +250,14 @@ static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[
   }
 }
 
-const mimo_command mimo_world_commands[] = {{"create", create},   {"close", close_number}, {"reset", reset},
-                                            {"step", step},       {"send", send},          {"receive", receive},
-                                            {"observe", observe}, {"physics", physics},    {"random", random_numbers},
+const mimo_command mimo_world_commands[] = {{"create", create},
+                                            {"close", close_number},
+                                            {"reset", reset},
+                                            {"step", step},
+                                            {"send", send},
+                                            {"receive", receive},
+                                            {"observe", observe},
+                                            {"physics", physics},
+                                            {"random", random_numbers},
+                                            {"play", play},
                                             {NULL, NULL}};

@@ -35,6 +35,9 @@ extern "C" {
 #define MIMO_VESTIBULAR_OTOLITHS 0x8u         /**< vestibular/otoliths, 2 x 2 x 2 x 2, Hz: likewise. */
 #define MIMO_VESTIBULAR_GRAVITY 0x10u         /**< vestibular/gravity, 3, m/s^2: where up is, as it is estimated. */
 
+#define MIMO_HEARING_EARS 0x1u  /**< hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa. */
+#define MIMO_HEARING_BANDS 0x2u /**< hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s. */
+
 #define MIMO_PLACE_SCENE 0  /**< The scene's own place for an infant. */
 #define MIMO_PLACE_ROOT 1   /**< The origin of its root body mimo_location; standing soles are 0.33 m below. */
 #define MIMO_PLACE_SOLES 2  /**< The middle between its feet from above, at the height of the lowest point of them. */
@@ -155,6 +158,8 @@ typedef struct mimo_agent_config {
                                     it; "world": everything. NULL: an infant. */
   const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels; NULL: the infant's head. */
   const mimo_growth *growth;   /**< How old it is; NULL: 18 months. */
+  uint32_t hearing;            /**< MIMO_HEARING_ bits; 0 (default): it is deaf. */
+  uint32_t hearing_reserved;   /**< 0. */
 } mimo_agent_config;
 
 /**

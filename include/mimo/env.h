@@ -193,6 +193,7 @@ typedef struct mimo_timing {
   double vision;         /**< Drawing the eyes' pictures. */
   double proprioception; /**< Joint senses. */
   double vestibular;     /**< Accelerometer and gyroscope. */
+  double hearing;        /**< What sounds, and what reaches ears. */
 } mimo_timing;
 
 /** Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first. */

@@ -16,7 +16,7 @@ extern "C" {
  * A nerve of length L is late by L / conduction_speed, and by what its way through the brain adds:
  *   - touch by the part of the body that a sensor sits on, proprioception by the part that a joint moves:
  *     sensory_delay;
- *   - the vestibular sense and vision by their own delay alone;
+ *   - the vestibular sense, vision and hearing by their own delay alone;
  *   - an action by the part that its motor moves: motor_delay.
  * Lengths are those of the agent's own body, MIMO_BODY_NERVE_LENGTH; delays are rounded to the nearest number of time
  * steps of the model (with attached senses to that of the host's steps).
@@ -37,6 +37,7 @@ typedef struct mimo_maturity {
   double motor_delay;          /**< From the cortex to the brain stem, s, 0 to 2. */
   double vision_delay;         /**< From the eye to the cortex, s, 0 to 2. */
   double vestibular_delay;     /**< From the inner ear to the brain stem, s, 0 to 2. */
+  double hearing_delay;        /**< From the ear to the cortex, s, 0 to 2. */
 } mimo_maturity;
 
 /**

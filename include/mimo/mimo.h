@@ -65,6 +65,7 @@
 #include "batch.h"
 #include "task.h"
 #include "senses.h"
+#include "hearing.h"
 /* clang-format on */
 
 #endif

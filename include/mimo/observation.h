@@ -64,6 +64,7 @@ typedef struct mimo_field {
   double end;           /**< Seconds after the step's end, start <= end <= 0. */
   double period;        /**< Seconds from one new value to the next: those of a step. */
   size_t receptors;     /**< On how many receptors it reports, in the order of its first axis; 0: it is not of skin. */
+  double sample_rate;   /**< Of sound, samples a second, the oldest first, up to `end`; 0: it is no sound. */
 } mimo_field;
 
 /** Describes the index-th field. Set field->struct_size first. */

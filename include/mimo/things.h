@@ -1,6 +1,6 @@
 /**
  * @file mimo/things.h
- * How the things of a scene feel to skin: how warm they are, and what they are made of.
+ * What the things of a scene are like: how warm they are, and what they are made of.
  */
 #ifndef MIMO_THINGS_H
 #define MIMO_THINGS_H
@@ -28,8 +28,8 @@ MIMO_API mimo_status mimo_scene_set_room_temperature(mimo_scene *scene, double c
 MIMO_API mimo_status mimo_scene_set_temperature(mimo_scene *scene, const char *body, double celsius) MIMO_NOEXCEPT;
 
 /**
- * Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to
- * slide over. Default "plastic", of infants "skin".
+ * Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, how it feels to slide
+ * over, and how it sounds when it is struck. Default "plastic", of infants "skin".
  * @param body     as in mimo_scene_set_temperature.
  * @param material one of mimo_material_name.
  * Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in
@@ -39,8 +39,8 @@ MIMO_API mimo_status mimo_scene_set_material(mimo_scene *scene, const char *body
 
 /**
  * Name of the index-th material, or NULL past the last: "copper", "aluminium", "steel", "granite", "glass", "water",
- * "polyethylene", "plastic", "rubber", "leather", "hardwood", "softwood", "cotton", "cork", "foam", "skin". Static
- * string.
+ * "polyethylene", "plastic", "rubber", "leather", "hardwood", "softwood", "cotton", "cork", "foam", "skin", "iron",
+ * "ceramic", "cardboard", "concrete", "carpet". Static string.
  */
 MIMO_API const char *mimo_material_name(size_t index) MIMO_NOEXCEPT;
 

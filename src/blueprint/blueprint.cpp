@@ -21,6 +21,7 @@ env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOption
   kit.options.fields = draft.fields.all();
   kit.options.room_temperature = draft.room_temperature;
   kit.options.things = draft.things;
+  kit.options.play = draft.play;
   kit.options.custom_task = draft.task;
   kit.services.shelf = render::make_shelf();
   kit.services.skins = std::make_shared<env::Skins>();

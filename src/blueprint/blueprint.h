@@ -24,7 +24,8 @@ struct Draft {
   tasks::Settings parameters;
   env::CustomTask task;                   // the user's own; empty: the scene's
   double room_temperature = 24;           // degrees Celsius
-  std::vector<env::ThingOptions> things;  // how they feel
+  std::vector<env::ThingOptions> things;  // how they feel and sound
+  senses::PlayOptions play;               // how much can be played
 
   std::size_t add_agent(const AgentPlan& plan) { return agents.add(plan, scene); }
   std::size_t add_agents(const AgentPlan& plan) { return agents.add_all(plan, scene); }
@@ -43,7 +44,7 @@ env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOption
 class Blueprint {
  public:
   explicit Blueprint(const scene::Source& source)
-      : draft_{scene::Scene(source), {}, {}, {}, {}, {}, 24, {}}, log_(source.log) {}
+      : draft_{scene::Scene(source), {}, {}, {}, {}, {}, 24, {}, {}}, log_(source.log) {}
 
   // Of its last edit.
   const Draft& draft() const { return draft_; }

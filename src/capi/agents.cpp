@@ -126,6 +126,12 @@ env::ReflexOptions reflexes(const mimo_agent_config& config) {
   return options;
 }
 
+senses::HearingOptions hearing(const mimo_agent_config& config) {
+  check_bits(config.hearing, MIMO_HEARING_EARS | MIMO_HEARING_BANDS, "hearing");
+  check_reserved(config.hearing_reserved, "hearing_reserved");
+  return {(config.hearing & MIMO_HEARING_EARS) != 0, (config.hearing & MIMO_HEARING_BANDS) != 0};
+}
+
 env::AgentOptions agent_options(const mimo_agent_config& config) {
   env::AgentOptions options;
   options.name = text(config.name);
@@ -135,6 +141,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
                           {"vision_height", config.vision_height}, {"vision_fovy", config.vision_fovy});
   options.vision.foveation = foveation(config.vision_foveation, "vision_foveation");
   options.touch = touch(config);
+  options.hearing = hearing(config);
   options.face = text(config.face);
   options.actuation = actuation(config);
   options.reflexes = reflexes(config);

@@ -49,6 +49,7 @@ mimo_field described(const observation::Field& inside, const env::Interval& time
   ours.end = time.end;
   ours.period = period;
   ours.receptors = inside.receptors.size();
+  ours.sample_rate = inside.sample_rate;
   return ours;
 }
 

@@ -32,6 +32,7 @@ mimo_maturity maturity_of(double age) {
   maturity.motor_delay = nerves.motor;
   maturity.vision_delay = nerves.vision;
   maturity.vestibular_delay = nerves.vestibular;
+  maturity.hearing_delay = nerves.hearing;
   return maturity;
 }
 
@@ -66,6 +67,7 @@ growth::Conduction nerves_from(const mimo_maturity& config) {
   nerves.motor = delay(config.motor_delay, "motor_delay");
   nerves.vision = delay(config.vision_delay, "vision_delay");
   nerves.vestibular = delay(config.vestibular_delay, "vestibular_delay");
+  nerves.hearing = delay(config.hearing_delay, "hearing_delay");
   return nerves;
 }
 

@@ -19,6 +19,7 @@ mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
     ours.vision = of(observation::Share::kVision);
     ours.proprioception = of(observation::Share::kProprioception);
     ours.vestibular = of(observation::Share::kVestibular);
+    ours.hearing = of(observation::Share::kHearing);
     write_described(timing, ours, "timing");
   });
 }

@@ -26,6 +26,10 @@ std::string check_png(const std::string& path) {
   return has_ending(path, ".png") ? "" : "expected a name that ends in .png, not '" + path + "'";
 }
 
+std::string check_wav(const std::string& path) {
+  return has_ending(path, ".wav") ? "" : "expected a name that ends in .wav, not '" + path + "'";
+}
+
 std::string check_png_or_npy(const std::string& path) {
   const bool good = has_ending(path, ".png") || has_ending(path, ".npy");
   return good ? "" : "expected a name that ends in .png or .npy, not '" + path + "'";

@@ -12,6 +12,7 @@ void require_writable(const std::string& path);
 
 // For CLI::Validator: a complaint, or "".
 std::string check_png(const std::string& path);
+std::string check_wav(const std::string& path);
 std::string check_png_or_npy(const std::string& path);
 
 }  // namespace cli

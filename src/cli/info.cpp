@@ -22,10 +22,19 @@ std::string time_text(const mimo_field& field) {
 
 // Infinite bounds become null: JSON has no infinity.
 Json describe(const mimo_field& field) {
-  return {{"name", field.name}, {"dtype", dtype_name(field)}, {"shape", shape(field)},
-          {"unit", field.unit}, {"frame", field.frame},       {"start", field.start},
-          {"end", field.end},   {"period", field.period},     {"low", field.low},
-          {"high", field.high}, {"offset", field.offset},     {"receptors", field.receptors}};
+  return {{"name", field.name},
+          {"dtype", dtype_name(field)},
+          {"shape", shape(field)},
+          {"unit", field.unit},
+          {"frame", field.frame},
+          {"start", field.start},
+          {"end", field.end},
+          {"period", field.period},
+          {"low", field.low},
+          {"high", field.high},
+          {"offset", field.offset},
+          {"receptors", field.receptors},
+          {"sample_rate", field.sample_rate}};
 }
 
 // What each action is and may be.
@@ -72,7 +81,8 @@ void describe_maturity(const mimo::Env& env, Json& info) {
   const mimo_maturity at = mimo::maturity(env.get_values(MIMO_AGENT_PHYSIOLOGICAL_AGE, {0})[0]);
   info["vision"] = {{"acuity_cpd", at.acuity}, {"peak_contrast", at.peak_contrast}, {"chroma", at.chroma}};
   const std::string name = env.agents()[0].name, prefix = name.empty() ? "" : name + "/";
-  Json& delays = info["delays_s"] = {{"vision", at.vision_delay}, {"vestibular", at.vestibular_delay}};
+  Json& delays = info["delays_s"] = {
+      {"vision", at.vision_delay}, {"vestibular", at.vestibular_delay}, {"hearing", at.hearing_delay}};
   const Json lengths = by_name(env, MIMO_BODY, MIMO_BODY_NERVE_LENGTH);
   for (const auto& [part, body] : kParts) {
     const auto length = lengths.find(prefix + body);

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "commands.h"
 #include "facts.h"
+#include "files.h"
 #include "interrupt.h"
 #include "picture.h"
 #include "progress.h"
@@ -16,6 +18,7 @@
 #include "text.h"
 #include "timing.h"
 #include "touch_picture.h"
+#include "wave.h"
 #include "world.h"
 
 namespace cli {
@@ -25,6 +28,7 @@ struct RunOptions {
   WorldOptions world;
   double seconds = 10;
   std::string out = "mimo_run";
+  std::string sound;  // a file, or "" for none
 };
 
 class Run {
@@ -52,6 +56,7 @@ class Run {
   mimo::Block block_;
   mimo::Results results_;
   std::vector<FieldStatistics> statistics_;
+  std::optional<Wave> wave_;
   Table pictures_{2};
   std::size_t steps_ = 0;
   double simulated_ = 0, wall_ = 0;
@@ -63,6 +68,10 @@ Run::Run(const RunOptions& options)
       block_(env_.make_block()),
       results_(env_.make_results()) {
   for (const mimo_field& field : env_.layout().fields()) statistics_.emplace_back(field);
+  if (!options.sound.empty()) {
+    const std::string name = env_.agents()[0].name;
+    wave_.emplace(env_.layout(), name.empty() ? "" : name + "/");
+  }
   std::filesystem::create_directories(options.out);
 }
 
@@ -82,10 +91,12 @@ void Run::simulate() {
       wall_ += seconds_since(start);
       simulated_ = static_cast<double>(++steps_) * dt;
       for (FieldStatistics& field : statistics_) field.add(block_);
+      if (wave_) wave_->add(block_);
       progress.show(steps_);
     } while (steps_ < steps && !Interrupt::requested());
   }
   save_pictures("", "at the end");
+  if (wave_) wave_->write(options_.sound);
 }
 
 void Run::save(const std::string& name, const ColorPicture& picture, const std::string& what) {
@@ -166,6 +177,10 @@ void Run::report() const {
   }
   senses.print(std::cout);
 
+  if (wave_) {
+    std::cout << text("\nsound of both ears of the first infant: %s, peak %.3g Pa; 1 Pa is full scale\n",
+                      options_.sound.c_str(), static_cast<double>(wave_->peak()));
+  }
   std::cout << "\npictures\n";
   pictures_.print(std::cout);
 }
@@ -191,6 +206,10 @@ void add_run(CLI::App& program) {
   command->add_option("--out", options->out, "Folder for the pictures; made if it is not there")
       ->type_name("DIR")
       ->capture_default_str();
+  add_senses_option(*command, options->world);
+  command->add_option("--sound", options->sound, "Also write what both ears of the first infant hear, as a WAV file")
+      ->type_name("FILE")
+      ->check(CLI::Validator(check_wav, ""));
   command->footer(
       "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png and touch.png (where\n"
       "most is felt: sensors as points, forces as arrows) as things are at the end, and the same with start_ before\n"
@@ -201,6 +220,10 @@ void add_run(CLI::App& program) {
       "  mimo run --seconds 2 --vision 512 --seed 7 --out pictures\n"
       "  mimo run --scene my_room.xml --body mitten");
   command->callback([options] {
+    if (!options->sound.empty()) {
+      require_writable(options->sound);
+      options->world.hearing = true;
+    }
     Run run(*options);
     run.simulate();
     run.report();

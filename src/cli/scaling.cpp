@@ -59,6 +59,7 @@ mimo_timing BatchWorld::timing() {
     sum.vision += one.vision;
     sum.proprioception += one.proprioception;
     sum.vestibular += one.vestibular;
+    sum.hearing += one.hearing;
   }
   return sum;
 }

@@ -9,6 +9,7 @@ std::vector<std::pair<std::string, double>> split_ms(const mimo_timing& timing, 
                                                        {"vision", timing.vision * scale},
                                                        {"proprioception", timing.proprioception * scale},
                                                        {"vestibular", timing.vestibular * scale}};
+  if (timing.hearing > 0) split.emplace_back("hearing", timing.hearing * scale);
   double other = total_ms;
   for (const auto& part : split) other -= part.second;
   split.emplace_back("other", other);

@@ -194,6 +194,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
   agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
+  if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
 }
@@ -279,10 +280,15 @@ void add_actuation_option(CLI::App& command, WorldOptions& options) {
 void add_senses_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option_function<std::string>(
-          "--senses", [&options](const std::string& which) { options.every_sense = which == "all"; },
-          "usual, or all: also what nerves of skin, muscles, joints and\nlabyrinth tell. Default: usual")
+          "--senses",
+          [&options](const std::string& which) {
+            options.every_sense = which == "all";
+            options.hearing = which != "usual";
+          },
+          "usual; hearing: also ears; or all: also ears, and what nerves of\nskin, muscles, joints and labyrinth tell. "
+          "Default: usual")
       ->type_name("WHICH")
-      ->check(CLI::IsMember({"usual", "all"}).description(""));
+      ->check(CLI::IsMember({"usual", "hearing", "all"}).description(""));
 }
 
 void add_reflexes_option(CLI::App& command, WorldOptions& options) {

@@ -7,6 +7,7 @@
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
 #include "env/requested_fields.h"
+#include "env/sounds.h"
 #include "env/things.h"
 #include "senses/fusimotor_drives.h"
 
@@ -15,7 +16,8 @@ namespace mimo::env {
 Attached::Attached(const Kit& kit, double step)
     : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep), limits_(observer_) {
   if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
-  const Setting setting{step_seconds_, things_of(*model_, kit.agents, kit.options)};
+  soundscape_ = add_soundscape(observer_, *model_, step_seconds_, kit.agents, kit.options);
+  const Setting setting{step_seconds_, things_of(*model_, kit.agents, kit.options), 1, soundscape_};
   for (const AgentOptions& agent : kit.agents) add_agent(agent, setting);
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
@@ -81,6 +83,10 @@ void Attached::advance(const mjData& data) {
   observer_.advance(*model_, data, nullptr);
   limits_.step(*model_, data, nullptr, episode_.noise, ticks(episode_.step + 1), nullptr);
   ++episode_.step;
+}
+
+void Attached::play(const std::string& body, Span<const float> samples, double rate) {
+  env::play(soundscape_, *model_, body, samples, rate);
 }
 
 void Attached::observe(const mjData& data, std::uint8_t* block) {

@@ -10,6 +10,10 @@
 #include "observation/observer.h"
 #include "render/renderer.h"
 
+namespace mimo::senses {
+class Soundscape;
+}
+
 namespace mimo::env {
 
 class Attached {
@@ -40,6 +44,8 @@ class Attached {
   void drive_spindles(Span<const std::int32_t> motors, Span<const double> rates);
   // All motors that have spindles.
   Span<const std::int32_t> driven() const { return driven_; }
+  // A body plays samples from the next advance on: see env/sounds.h.
+  void play(const std::string& body, Span<const float> samples, double rate);
 
   // What is remembered.
   std::size_t state_bytes() const { return archive_.bytes(); }
@@ -59,6 +65,7 @@ class Attached {
   std::vector<Perception> agents_;
   std::vector<std::int32_t> driven_;
   observation::Observer observer_;
+  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null where nobody hears
   observation::LimitedSenses limits_;
   Random random_;
   Episode episode_;

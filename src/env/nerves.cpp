@@ -63,6 +63,7 @@ std::vector<double> of_receptors(const Field& field, const Ways& ways) {
 std::vector<double> delays_of(const Field& field, Share share, const Ways& ways) {
   if (share == Share::kVision) return {ways.nerves().vision};
   if (share == Share::kVestibular) return {ways.nerves().vestibular};
+  if (share == Share::kHearing) return {ways.nerves().hearing};
   if (!field.receptors.empty()) return of_receptors(field, ways);
   std::vector<double> delays;
   for (const int body : field.bodies) delays.push_back(ways.to(body, field));

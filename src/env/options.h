@@ -15,6 +15,7 @@
 #include "observation/eyesight.h"
 #include "observation/limited_senses.h"
 #include "render/renderer.h"
+#include "senses/hearing/options.h"
 #include "senses/proprioception.h"
 #include "senses/touch/options.h"
 #include "senses/vestibular.h"
@@ -50,6 +51,7 @@ struct AgentOptions {
   std::vector<std::string> joints;  // that proprioception reads, by their names in the model; empty: all
   senses::VestibularOptions vestibular;
   senses::VisionOptions vision;
+  senses::HearingOptions hearing;
   actuation::Options actuation;
   ReflexOptions reflexes;  // of an infant
   senses::TouchOptions touch;
@@ -115,8 +117,9 @@ struct EnvOptions {
   std::vector<FieldOptions> fields;
   double room_temperature = 24;      // degrees Celsius
   std::vector<ThingOptions> things;  // later ones count more
-  std::uint32_t max_steps = 0;       // 0: the task's own
-  std::string task;                  // "": the scene's own
+  senses::PlayOptions play;
+  std::uint32_t max_steps = 0;  // 0: the task's own
+  std::string task;             // "": the scene's own
   tasks::Settings parameters;
   CustomTask custom_task;  // stands in for the scene's own, where given
   bool timing = false;
@@ -125,5 +128,7 @@ struct EnvOptions {
 
 // Whether anything in such a world observes pictures, and may.
 bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options);
+// Whether anybody hears.
+bool listens(const std::vector<AgentOptions>& agents);
 
 }  // namespace mimo::env

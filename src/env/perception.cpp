@@ -4,7 +4,9 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "growth/hearing.h"
 #include "observation/signals.h"
+#include "senses/hearing/hearing.h"
 #include "senses/proprioception.h"
 #include "senses/touch/skin_sense.h"
 #include "senses/vestibular.h"
@@ -44,6 +46,17 @@ SkinPtr make_skin(const mjModel& model, const body::Body& body, const senses::To
                                                senses::touch::BornGeoms(model, body));
 }
 
+// What the infant's ears are like at its age; of what is no infant, at 18 months.
+senses::HearingSetting ears_of(const AgentOptions& options, const Setting& setting) {
+  senses::HearingSetting ears{setting.soundscape, setting.ticks, {}};
+  const double age = (options.growth.body ? options.growth : growth::Growth{}).physiological_age;
+  const hearing::Levels centres = hearing::band_centres();
+  for (std::size_t band = 0; band < hearing::kBands; ++band) {
+    ears.thresholds[band] = growth::hearing_threshold(age, centres[band]);
+  }
+  return ears;
+}
+
 }  // namespace
 
 Perception perceive(const mjModel& model, const AgentOptions& options, const Setting& setting,
@@ -75,6 +88,9 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
       fail(Status::kInvalidArgument, "renderer \"none\": the eyes are on; switch vision off or choose a renderer");
     }
     add(std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
+  }
+  if (options.hearing.any()) {
+    add(senses::make_hearing(model, agent.body, options.hearing, ears_of(options, setting)));
   }
   add(std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(feedback.exertion)));
   return agent;

@@ -13,6 +13,7 @@
 
 namespace mimo::senses {
 class FusimotorDrives;
+class Soundscape;
 }
 
 namespace mimo::env {
@@ -29,6 +30,8 @@ struct Perception {
 struct Setting {
   double tick;  // from one advance of the senses' processes to the next, s
   senses::touch::ThingsPtr things;
+  std::size_t ticks;                               // of a step
+  const senses::Soundscape* soundscape = nullptr;  // null where nobody hears
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.

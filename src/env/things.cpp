@@ -2,7 +2,7 @@
 
 #include "base/fail.h"
 #include "body/body.h"
-#include "receptors/materials.h"
+#include "matter/materials.h"
 #include "receptors/skin_temperature.h"
 
 namespace mimo::env {
@@ -11,30 +11,44 @@ namespace {
 using senses::touch::Thing;
 using senses::touch::Things;
 
-void feel_like(Thing& thing, const receptors::Material& material) {
+void feel_like(Thing& thing, const matter::Material& material) {
   thing.effusivity = material.effusivity;
-  thing.wavelength = material.texture.wavelength;
-  thing.amplitude = material.texture.amplitude;
+  thing.wavelength = material.wavelength;
+  thing.amplitude = material.amplitude;
 }
 
+// Calls change(geom) for a body and all that hangs on it.
 template <typename Change>
-void change_all(const mjModel& model, int root, Things& things, Change&& change) {
+void for_geoms(const mjModel& model, int root, Change&& change) {
   for (const int body : body::subtree(model, root)) {
-    for (int i = 0; i < model.body_geomnum[body]; ++i) {
-      change(things.by_geom[static_cast<std::size_t>(model.body_geomadr[body] + i)]);
-    }
+    for (int i = 0; i < model.body_geomnum[body]; ++i) change(model.body_geomadr[body] + i);
   }
 }
+
+// Calls infant(geom) for the skin of infants, then told(geom, thing) for what is told of bodies.
+template <typename Infant, typename Told>
+void for_things(const mjModel& model, const std::vector<AgentOptions>& agents, const EnvOptions& options,
+                Infant&& infant, Told&& told) {
+  for (const AgentOptions& agent : agents) {
+    if (agent.root.empty()) for_geoms(model, body::find_body(model, agent.prefix()).root, infant);
+  }
+  for (const ThingOptions& thing : options.things) {
+    const int body = engine::find_or_fail(model, engine::Kind::kBody, thing.body);
+    for_geoms(model, body, [&](int geom) { told(geom, thing); });
+  }
+}
+
+constexpr const char *kUsual = "plastic", *kSkin = "skin";
 
 }  // namespace
 
 void check_material(const std::string& name) {
-  if (receptors::find_material(name) != nullptr) return;
-  fail(Status::kNotFound, "no material \"{}\"; there are: {}", name, receptors::material_names());
+  if (matter::find_material(name) != nullptr) return;
+  fail(Status::kNotFound, "no material \"{}\"; there are: {}", name, matter::material_names());
 }
 
 const char* material_name(std::size_t index) {
-  const receptors::Material* material = index < 1000 ? receptors::material(static_cast<int>(index)) : nullptr;
+  const matter::Material* material = index < 1000 ? matter::material(static_cast<int>(index)) : nullptr;
   return material == nullptr ? nullptr : material->name;
 }
 
@@ -44,24 +58,35 @@ senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<Agent
   things->air = options.room_temperature;
   Thing usual;
   usual.temperature = options.room_temperature;
-  feel_like(usual, *receptors::find_material("plastic"));
+  feel_like(usual, *matter::find_material(kUsual));
   things->by_geom.assign(static_cast<std::size_t>(model.ngeom), usual);
   const double skin = receptors::resting_temperature({37, options.room_temperature});
-  for (const AgentOptions& agent : agents) {
-    if (!agent.root.empty()) continue;
-    change_all(model, body::find_body(model, agent.prefix()).root, *things, [&](Thing& thing) {
-      thing.temperature = skin;
-      feel_like(thing, *receptors::find_material("skin"));
-    });
-  }
-  for (const ThingOptions& told : options.things) {
-    const int body = engine::find_or_fail(model, engine::Kind::kBody, told.body);
-    change_all(model, body, *things, [&](Thing& thing) {
-      if (told.temperature) thing.temperature = *told.temperature;
-      if (!told.material.empty()) feel_like(thing, *receptors::find_material(told.material));
-    });
-  }
+  const auto thing_of = [&](int geom) -> Thing& { return things->by_geom[static_cast<std::size_t>(geom)]; };
+  for_things(
+      model, agents, options,
+      [&](int geom) {
+        thing_of(geom).temperature = skin;
+        feel_like(thing_of(geom), *matter::find_material(kSkin));
+      },
+      [&](int geom, const ThingOptions& told) {
+        if (told.temperature) thing_of(geom).temperature = *told.temperature;
+        if (!told.material.empty()) feel_like(thing_of(geom), *matter::find_material(told.material));
+      });
   return things;
+}
+
+std::shared_ptr<const std::vector<sound::Solid>> solids_of(const mjModel& model,
+                                                           const std::vector<AgentOptions>& agents,
+                                                           const EnvOptions& options) {
+  auto solids = std::make_shared<std::vector<sound::Solid>>(static_cast<std::size_t>(model.ngeom),
+                                                            matter::find_material(kUsual)->solid);
+  const auto solid_of = [&](int geom) -> sound::Solid& { return (*solids)[static_cast<std::size_t>(geom)]; };
+  for_things(
+      model, agents, options, [&](int geom) { solid_of(geom) = matter::find_material(kSkin)->solid; },
+      [&](int geom, const ThingOptions& told) {
+        if (!told.material.empty()) solid_of(geom) = matter::find_material(told.material)->solid;
+      });
+  return solids;
 }
 
 }  // namespace mimo::env

@@ -11,6 +11,7 @@
 #include "env/nerves.h"
 #include "env/reflexes.h"
 #include "env/requested_fields.h"
+#include "env/sounds.h"
 #include "env/things.h"
 #include "format/names.h"
 #include "senses/fusimotor_drives.h"
@@ -50,7 +51,10 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker(identity);
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
-  const Setting setting{physics_.model().opt.timestep, things_of(physics_.model(), agents, options_)};
+  const double tick = physics_.model().opt.timestep;
+  soundscape_ = add_soundscape(observer_, physics_.model(), tick, agents, options_);
+  const Setting setting{tick, things_of(physics_.model(), agents, options_),
+                        static_cast<std::size_t>(options_.frame_skip), soundscape_};
   for (const AgentOptions& agent : agents) add_agent(agent, setting, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
   if (!options_.fields.empty()) {
@@ -365,6 +369,10 @@ void World::draw(const render::Viewpoint& from, const render::Picture& picture) 
   render::Renderer& drawing = renderer();
   const mjData& now = present_.of(physics_);
   drawing.draw(model(), now, render::view_from(model(), now, from), picture);
+}
+
+void World::play(const std::string& body, Span<const float> samples, double rate) {
+  env::play(soundscape_, model(), body, samples, rate);
 }
 
 void World::save(Span<std::uint8_t> state) const {

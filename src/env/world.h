@@ -16,6 +16,10 @@
 #include "observation/observer.h"
 #include "render/viewpoint.h"
 
+namespace mimo::senses {
+class Soundscape;
+}
+
 namespace mimo::env {
 
 // Results of a step, for each agent and each term; empty where they are not wanted.
@@ -72,6 +76,8 @@ class World {
   // Physics alone, with the controls as they are.
   void step_physics(int count);
   void observe(std::uint8_t* block);
+  // A body plays samples from the next physics step on: see env/sounds.h.
+  void play(const std::string& body, Span<const float> samples, double rate);
 
   // The world's state: see env/state.h. A failed world has none to save.
   std::size_t state_bytes() const { return archive_.bytes(); }
@@ -129,6 +135,7 @@ class World {
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   observation::Observer observer_;
+  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null where nobody hears
   observation::LimitedSenses limits_;
   Random random_;
   std::size_t number_;  // in its batch

@@ -28,6 +28,9 @@ constexpr Point kMotor[] = {{0, 22}, {3, 16}, {6, 13}, {12, 11}, {24, 10}};
 // ms. Estimated: nerve and brain stem.
 constexpr Point kVestibular[] = {{0, 5}, {24, 3}};
 
+// ms. Estimated.
+constexpr Point kHearing[] = {{0, 30}, {6, 20}, {18, 15}, {24, 15}};
+
 constexpr double kMillisecond = 1e-3;
 
 // The first signal arrives well before the wave that is measured, P1 of pattern-reversal potentials: 260 ms in
@@ -47,6 +50,7 @@ Conduction conduction_at(double age) {
   at.motor = between(kMotor, age) * kMillisecond;
   at.vision = vision(age);
   at.vestibular = between(kVestibular, age) * kMillisecond;
+  at.hearing = between(kHearing, age) * kMillisecond;
   return at;
 }
 

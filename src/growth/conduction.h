@@ -9,8 +9,11 @@ struct Conduction {
   double motor = 0;       // from the cortex to the brain stem, s
   double vision = 0;      // from the eye to the first signal of the cortex, s
   double vestibular = 0;  // from the inner ear to the brain stem, s
+  double hearing = 0;     // from the ear to the cortex, s
 
-  bool any() const { return speed != 0 || sensory != 0 || motor != 0 || vision != 0 || vestibular != 0; }
+  bool any() const {
+    return speed != 0 || sensory != 0 || motor != 0 || vision != 0 || vestibular != 0 || hearing != 0;
+  }
   // What the way of a nerve of this length takes, s.
   double along(double metres) const { return speed > 0 ? metres / speed : 0; }
 };

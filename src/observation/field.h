@@ -32,6 +32,7 @@ struct Field {
   double foveation = 0;             // of a picture in colour: see Foveation; 0: as it was drawn
   // How fast its nerves are: a share of what large fibres conduct at, or a speed of their own in m/s where it is not 0.
   double nerve_share = 1, nerve_speed = 0;
+  double sample_rate = 0;  // of sound, samples a second; 0 for all else
   std::size_t offset = 0;  // in the block; set by the layout
 
   bool is_picture() const { return focal > 0; }

@@ -12,8 +12,8 @@
 namespace mimo::observation {
 
 // The share of a step's time that a sense counts for.
-enum class Share { kTouch, kVision, kProprioception, kVestibular, kTask, kRequest };
-constexpr std::size_t kShares = 6;
+enum class Share { kTouch, kVision, kProprioception, kVestibular, kHearing, kTask, kRequest };
+constexpr std::size_t kShares = 7;
 
 class Sense {
  public:

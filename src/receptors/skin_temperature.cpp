@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "receptors/materials.h"
-
 namespace mimo::receptors {
 namespace {
 

@@ -3,6 +3,9 @@
 
 namespace mimo::receptors {
 
+// sqrt(conductivity x density x heat capacity) of living skin, W s^0.5 / (m^2 K): J Appl Physiol 1957;11:211.
+constexpr double kSkinEffusivity = 1565;
+
 // In W/(m^2 K). Blood and tissue are chosen so that naked skin is 33.0 degrees in a room of 24; both are estimates.
 struct Surroundings {
   double core = 37, air = 24;  // degrees Celsius

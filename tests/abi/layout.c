@@ -98,6 +98,8 @@ int main(void) {
   FIELD(mimo_agent_config, root);
   FIELD(mimo_agent_config, vestibular_at);
   FIELD(mimo_agent_config, growth);
+  FIELD(mimo_agent_config, hearing);
+  FIELD(mimo_agent_config, hearing_reserved);
 
   BEGIN(mimo_limits);
   FIELD(mimo_limits, struct_size);
@@ -120,6 +122,7 @@ int main(void) {
   FIELD(mimo_maturity, motor_delay);
   FIELD(mimo_maturity, vision_delay);
   FIELD(mimo_maturity, vestibular_delay);
+  FIELD(mimo_maturity, hearing_delay);
 
   BEGIN(mimo_object_config);
   FIELD(mimo_object_config, struct_size);
@@ -232,6 +235,7 @@ int main(void) {
   FIELD(mimo_field, end);
   FIELD(mimo_field, period);
   FIELD(mimo_field, receptors);
+  FIELD(mimo_field, sample_rate);
 
   BEGIN(mimo_action);
   FIELD(mimo_action, struct_size);
@@ -300,6 +304,7 @@ int main(void) {
   FIELD(mimo_timing, vision);
   FIELD(mimo_timing, proprioception);
   FIELD(mimo_timing, vestibular);
+  FIELD(mimo_timing, hearing);
 
   BEGIN(mimo_batch_config);
   FIELD(mimo_batch_config, struct_size);

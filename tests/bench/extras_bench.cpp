@@ -5,6 +5,7 @@
 //   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
+//   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
 //   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
 #include <mimo/mimo.h>
@@ -32,7 +33,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes };
+enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes, kHearing };
 
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
@@ -69,6 +70,7 @@ mimo_env* make(Extra extra, bool has) {
     agent.touch |= MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE |
                    MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
   }
+  if (has && extra == Extra::kHearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   if (has && extra == Extra::kReceptors) {
     agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
     agent.proprioception |= MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY | MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY |
@@ -111,6 +113,7 @@ int main(int argc, char** argv) {
   const Extra extra = what == "eyes"        ? Extra::kEyes
                       : what == "delays"    ? Extra::kDelays
                       : what == "skin"      ? Extra::kSkin
+                      : what == "hearing"   ? Extra::kHearing
                       : what == "receptors" ? Extra::kReceptors
                       : what == "reflexes"  ? Extra::kReflexes
                                             : Extra::kContacts;

@@ -87,7 +87,7 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(vision_foveation, 101, "vision_foveation"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
     AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x4000), AGENT(touch, 3),
     AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
-    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(reflexes, 0x80), AGENT_UNKNOWN(reflexes, 0x80000080),
+    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(hearing, 4), AGENT_UNKNOWN(hearing_reserved, 1), AGENT_UNKNOWN(reflexes, 0x80), AGENT_UNKNOWN(reflexes, 0x80000080),
     DO(root_with_reflexes, E_ARG, "reflexes"), UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"),
     AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
@@ -109,6 +109,9 @@ ROW(mimo_scene_set_temperature, ON_SCENE, mimo_scene_set_temperature(a->scene, a
     NO_NULL(part, "body"), NOT_FINITE(spacing, "celsius"), BAD_F64(spacing, -273.16, "celsius"),
     BAD_F64(spacing, 1001, "celsius"))
 ROW(mimo_scene_set_material, ON_SCENE, mimo_scene_set_material(a->scene, a->part, "cork"), NO_NULL(part, "body"))
+ROW(mimo_scene_set_sources, ON_SCENE, mimo_scene_set_sources(a->scene, a->steps, a->spacing),
+    BAD_SIZE(steps, 65, "count"), BAD_SIZE(steps, -1, "count"), NOT_FINITE(spacing, "seconds"),
+    BAD_F64(spacing, -1, "seconds"), BAD_F64(spacing, 601, "seconds"))
 ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_index, a->name),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(name, "joint"),
     DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))
@@ -136,7 +139,8 @@ ROW(mimo_scene_set_maturity, ON_SCENE, mimo_scene_set_maturity(a->scene, a->agen
     MATURITY_RANGE(acuity, 0.04, 1001), MATURITY_RANGE(peak_contrast, 1, 1001), MATURITY_RANGE(chroma, -0.01, 1.01),
     MATURITY_RANGE(flicker, 0.009, 1001), MATURITY_RANGE(conduction_speed, 0.09, 201),
     MATURITY_RANGE(sensory_delay, -0.01, 2.01), MATURITY_RANGE(motor_delay, -0.01, 2.01),
-    MATURITY_RANGE(vision_delay, -0.01, 2.01), MATURITY_RANGE(vestibular_delay, -0.01, 2.01))
+    MATURITY_RANGE(vision_delay, -0.01, 2.01), MATURITY_RANGE(vestibular_delay, -0.01, 2.01),
+    MATURITY_RANGE(hearing_delay, -0.01, 2.01))
 ROW(mimo_scene_set_sensory_delay, ON_SCENE, mimo_scene_set_sensory_delay(a->scene, a->agent_index, a->part, a->spacing),
     NULL_OK(part), BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NOT_FINITE(spacing, "seconds"),
     BAD_F64(spacing, -1, "seconds"), BAD_F64(spacing, 2.01, "seconds"), DO(unknown_part, MIMO_E_NOT_FOUND, "tail"))

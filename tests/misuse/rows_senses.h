@@ -28,6 +28,9 @@ ROW(mimo_senses_reset, ON_SENSES, mimo_senses_reset(a->senses, a->data, a->reset
 ROW(mimo_senses_advance, ON_SENSES, mimo_senses_advance(a->senses, a->data), NO_NULL(data, "data"),
     DO(no_data, E_ARG, "data"))
 ROW(mimo_senses_drive_spindles, ON_SENSES, mimo_senses_drive_spindles(a->senses, a->ids, 0, a->to_write, 0), NONE)
+ROW(mimo_senses_play, ON_SENSES, mimo_senses_play(a->senses, a->cart, a->action, a->action_count, a->rate),
+    NO_NULL(cart, "body"), NO_NULL(action, "samples"), DO(nan_action, E_ARG, "samples[1]"), NOT_FINITE(rate, "rate"),
+    BAD_F64(rate, 8000, "rate is 8000"), BAD_SIZE(action_count, -1, "samples"))
 ROW(mimo_senses_state_size, ON_SENSES, mimo_senses_state_size(a->senses, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_senses_state_save, ON_SENSES, mimo_senses_state_save(a->senses, a->memory_out, a->memory_bytes),
     NO_NULL(memory_out, "state"), SHORT(memory_bytes, "state"))

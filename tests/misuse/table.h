@@ -48,10 +48,10 @@ typedef struct args {
   /* numbers */
   int32_t kind, id, quantity, receptor_quantity, body_id, how, version;
   size_t index, field_index, element, agent_index, world, steps;
-  double angle, value, spacing;
+  double angle, value, spacing, rate;
   /* strings */
   const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *motor_path, *joint_name, *other, *folder,
-      *field_name;
+      *field_name, *cart;
   /* arrays that are read */
   const uint64_t* seeds;
   const uint8_t* mask;

@@ -51,6 +51,7 @@ static mimo_scene* make_scene(const char* name, const char* body) {
   CHECK_OK(mimo_scene_default_agent(scene, &agent, sizeof agent));
   agent.vision = MIMO_VISION_RGB;
   agent.vision_width = agent.vision_height = PICTURE_SIZE;
+  agent.hearing = MIMO_HEARING_BANDS;
   agent.touch_scale = 0.3;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   return scene;
@@ -97,6 +98,7 @@ static mimo_scene* make_cart(void) {
   agent.body = "scene";
   agent.root = agent.vestibular_at = "cart";
   agent.vision = 0;
+  agent.hearing = MIMO_HEARING_EARS;
   CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
   CHECK_OK(mimo_scene_set_touch(scene, 0, NULL, 0.1));
   CHECK_OK(mimo_limits_init(&late, sizeof late));
@@ -478,6 +480,8 @@ args good_args(int uses) {
   good.how = MIMO_LOOK_HEAD;
   good.parameter_name = "reach/success_reward";
   good.spacing = 0.05;
+  good.rate = 16000;
+  good.cart = "cart";
   good.model = host_model;
   good.data = host_data;
   a = good;

@@ -11,6 +11,7 @@ EXAMPLES = {
     "async_worlds.py": ["--steps", "5"],
     "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
     "her.py": ["--steps", "0"],
+    "hearing.py": [],
     "muscles.py": [],
     "own_experiment.py": ["--worlds", "2", "--steps", "20"],
     "own_scene.py": [],

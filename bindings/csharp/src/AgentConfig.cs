@@ -64,5 +64,8 @@ namespace Mimo
         /// <summary>Slip below counts as none, m/s.</summary>
         public double touch_slip_threshold;
         internal IntPtr face, root, vestibular_at, growth;
+        /// <summary>What it hears; nothing by default.</summary>
+        public Hearing hearing;
+        internal uint hearing_reserved;
     }
 }

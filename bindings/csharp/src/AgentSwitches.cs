@@ -75,6 +75,18 @@ namespace Mimo
         All = 0x80000000
     }
 
+    /// <summary>What ears tell.</summary>
+    [Flags]
+    public enum Hearing : uint
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>Sound pressure at both ears, Pa.</summary>
+        Ears = 0x1,
+        /// <summary>Levels in bands above the threshold, dB, and the time between the ears, s.</summary>
+        Bands = 0x2
+    }
+
     /// <summary>What the sense of balance feels.</summary>
     [Flags]
     public enum Vestibular : uint

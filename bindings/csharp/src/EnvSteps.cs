@@ -19,6 +19,8 @@ namespace Mimo
         public double Proprioception;
         /// <summary>Accelerometer and gyroscope.</summary>
         public double Vestibular;
+        /// <summary>What sounds, and what reaches ears.</summary>
+        public double Hearing;
     }
 
     /// <summary>What is to be known of one agent of a world.</summary>
@@ -90,6 +92,13 @@ namespace Mimo
             MimoException.Check(Native.mimo_env_physics_step(handle, (UIntPtr)checked((uint)count)));
         }
 
+        /// <summary>Lets a body play samples, Pa at 1 m, from the next physics step on, after what it plays already; without
+        /// any it ends. The rate is Field.SampleRate of the ears.</summary>
+        public void Play(string body, float[] samples, double rate)
+        {
+            MimoException.Check(Native.mimo_env_play(handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+        }
+
         /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvOptions.Timing.</summary>
         public Timing Timing
         {
@@ -100,7 +109,7 @@ namespace Mimo
                 return new Timing
                 {
                     Steps = (long)raw.steps, Total = raw.total, Physics = raw.physics, Touch = raw.touch, Vision = raw.vision,
-                    Proprioception = raw.proprioception, Vestibular = raw.vestibular
+                    Proprioception = raw.proprioception, Vestibular = raw.vestibular, Hearing = raw.hearing
                 };
             }
         }

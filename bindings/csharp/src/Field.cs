@@ -76,6 +76,9 @@ namespace Mimo
         /// <summary>On how many receptors it reports, in the order of its first dimension; 0: it is not of skin.</summary>
         public int ReceptorCount { get; }
 
+        /// <summary>Of sound, samples a second, the oldest first; 0: it is no sound.</summary>
+        public double SampleRate { get; }
+
         internal Field(LayoutHandle layout, UIntPtr index)
         {
             this.layout = layout;
@@ -94,6 +97,7 @@ namespace Mimo
             End = raw.end;
             Period = raw.period;
             ReceptorCount = (int)raw.receptors;
+            SampleRate = raw.sample_rate;
         }
 
         private FieldStruct Raw()

@@ -68,5 +68,7 @@ namespace Mimo
         public double vision_delay;
         /// <summary>From the inner ear to the brain stem, s.</summary>
         public double vestibular_delay;
+        /// <summary>From the ear to the cortex, s.</summary>
+        public double hearing_delay;
     }
 }

@@ -110,6 +110,12 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_pose(Handle, Utf8.Bytes(joint), value));
         }
 
+        /// <summary>How many bodies can play at once, 4 unless this is called, and for how long sounds can wait at each, 4 s.</summary>
+        public void SetSources(int count, double seconds)
+        {
+            MimoException.Check(Native.mimo_scene_set_sources(Handle, (UIntPtr)checked((uint)count), seconds));
+        }
+
         /// <summary>The scene as one MJCF document, as MuJoCo will compile it.</summary>
         public string ToXml()
         {

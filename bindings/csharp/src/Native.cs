@@ -64,6 +64,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_xml(SceneHandle scene, byte[] text, Size capacity, out Size length);
         [DllImport(File)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
+        [DllImport(File)] internal static extern int mimo_scene_set_sources(SceneHandle scene, Size count, double seconds);
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, Size agent, byte[] joint);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
@@ -101,6 +102,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_frame_skip(EnvHandle env, out uint steps);
         [DllImport(File)] internal static extern int mimo_env_timestep(EnvHandle env, out double seconds);
         [DllImport(File)] internal static extern int mimo_env_physics_step(EnvHandle env, Size count);
+        [DllImport(File)] internal static extern int mimo_env_play(EnvHandle env, byte[] body, float[] samples, Size count, double rate);
         [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
         [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);
         [DllImport(File)] internal static extern int mimo_env_count(EnvHandle env, int kind, out Size count);
@@ -148,6 +150,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_senses_reset(SensesHandle senses, IntPtr data, ref ResetConfigStruct config);
         [DllImport(File)] internal static extern int mimo_senses_advance(SensesHandle senses, IntPtr data);
         [DllImport(File)] internal static extern int mimo_senses_drive_spindles(SensesHandle senses, int[] actuators, Size actuatorCount, double[] rates, Size rateCount);
+        [DllImport(File)] internal static extern int mimo_senses_play(SensesHandle senses, byte[] body, float[] samples, Size count, double rate);
         [DllImport(File)] internal static extern int mimo_senses_observe(SensesHandle senses, IntPtr data, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_senses_state_size(SensesHandle senses, out Size bytes);
         [DllImport(File)] internal static extern int mimo_senses_state_save(SensesHandle senses, byte[] state, Size bytes);

@@ -84,6 +84,12 @@ namespace Mimo
                 Native.mimo_senses_drive_spindles(handle, actuators, count, rates, (UIntPtr)rates.Length));
         }
 
+        /// <summary>Lets a body play samples, Pa at 1 m, from the next Advance on: see Env.Play.</summary>
+        public void Play(string body, float[] samples, double rate)
+        {
+            MimoException.Check(Native.mimo_senses_play(handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+        }
+
         /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
         public void Observe(IntPtr data)
         {

@@ -68,6 +68,7 @@ namespace Mimo
         internal UIntPtr ndim;
         internal double low, high, start, end, period;
         internal UIntPtr receptors;
+        internal double sample_rate;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -216,7 +217,7 @@ namespace Mimo
     {
         internal uint struct_size, reserved;
         internal ulong steps;
-        internal double total, physics, touch, vision, proprioception, vestibular;
+        internal double total, physics, touch, vision, proprioception, vestibular, hearing;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -103,6 +103,10 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
 
   /// Physics alone: no senses and no task.
   void physics_step(std::size_t count = 1) { check(mimo_env_physics_step(get(), count)); }
+  /// Lets a body play samples, Pa at 1 m, from the next physics step on; none: what it plays ends.
+  void play(const std::string &body, const std::vector<float> &samples, double rate) {
+    check(mimo_env_play(get(), body.c_str(), samples.data(), samples.size(), rate));
+  }
 
   double time() const {
     double seconds = 0;

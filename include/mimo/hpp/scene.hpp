@@ -63,6 +63,8 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   void set_temperature(const std::string &body, double celsius) {
     check(mimo_scene_set_temperature(get(), body.c_str(), celsius));
   }
+  /// How many bodies can play at once, and how long a sound can wait at each, s.
+  void set_sources(std::size_t count, double seconds) { check(mimo_scene_set_sources(get(), count, seconds)); }
   /// What a body is made of: one of mimo::material_names.
   void set_material(const std::string &body, const std::string &material) {
     check(mimo_scene_set_material(get(), body.c_str(), material.c_str()));

@@ -47,6 +47,10 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
     check(mimo_senses_drive_spindles(get(), actuators.empty() ? nullptr : actuators.data(), actuators.size(),
                                      rates.data(), rates.size()));
   }
+  /// Lets a body play samples, Pa at 1 m, from the next advance on; none: what it plays ends.
+  void play(const std::string &body, const std::vector<float> &samples, double rate) {
+    check(mimo_senses_play(get(), body.c_str(), samples.data(), samples.size(), rate));
+  }
   void observe(const void *data, Block &block) { check(mimo_senses_observe(get(), data, block.data(), block.bytes())); }
 
   /// What the senses remember.

@@ -120,6 +120,8 @@ class AgentConfig(Struct):
         ("root", c_char_p),
         ("vestibular_at", c_char_p),
         ("growth", ctypes.POINTER(Growth)),
+        ("hearing", c_uint32),
+        ("hearing_reserved", c_uint32),
     ]
 
 
@@ -148,6 +150,7 @@ class Maturity(Struct):
         ("motor_delay", c_double),
         ("vision_delay", c_double),
         ("vestibular_delay", c_double),
+        ("hearing_delay", c_double),
     ]
 
 
@@ -246,6 +249,7 @@ class Field(Struct):
         ("end", c_double),
         ("period", c_double),
         ("receptors", c_size_t),
+        ("sample_rate", c_double),
     ]
 
 
@@ -379,6 +383,7 @@ class Timing(Struct):
         ("vision", c_double),
         ("proprioception", c_double),
         ("vestibular", c_double),
+        ("hearing", c_double),
     ]
 
 
@@ -546,6 +551,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_limit_motor": (_status, [_Handle, c_size_t, c_char_p, _config(Limits)]),
     "mimo_maturity_init": (_status, [_config(Maturity), c_size_t]),
     "mimo_maturity_at": (_status, [c_double, _config(Maturity), c_size_t]),
+    "mimo_scene_set_sources": (_status, [_Handle, c_size_t, c_double]),
+    "mimo_env_play": (_status, [_Handle, c_char_p, c_void_p, c_size_t, c_double]),
+    "mimo_senses_play": (_status, [_Handle, c_char_p, c_void_p, c_size_t, c_double]),
     "mimo_scene_set_room_temperature": (_status, [_Handle, c_double]),
     "mimo_scene_set_temperature": (_status, [_Handle, c_char_p, c_double]),
     "mimo_scene_set_material": (_status, [_Handle, c_char_p, c_char_p]),

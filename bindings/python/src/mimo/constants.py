@@ -54,6 +54,13 @@ class Reflex(IntFlag):
     ALL = 0x80000000
 
 
+class Hearing(IntFlag):
+    """What ears tell."""
+
+    EARS = 0x1
+    BANDS = 0x2
+
+
 class Place(IntEnum):
     """Which point of an infant lies at its position."""
 

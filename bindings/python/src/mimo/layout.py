@@ -44,6 +44,7 @@ class Field:
     period: float  # s from one new value to the next
     offset: int  # bytes from the start of the block
     receptors: int  # on how many it reports, in the order of its first axis; 0: it is not of skin
+    sample_rate: float  # of sound, samples a second, the oldest first; 0: it is no sound
     labels: Tuple[str, ...]  # what each element is ("robot:left_elbow"); empty for pictures and touch
 
 
@@ -187,6 +188,7 @@ class Layout:
             period=field.period,
             offset=field.offset,
             receptors=field.receptors,
+            sample_rate=field.sample_rate,
             labels=self._labels(index, int(np.prod(shape))),
         )
 

@@ -29,6 +29,7 @@ class Maturity:
     motor_delay: float = 0  # from the cortex to the brain stem, s
     vision_delay: float = 0  # from the eye to the cortex, s
     vestibular_delay: float = 0  # from the inner ear to the brain stem, s
+    hearing_delay: float = 0  # from the ear to the cortex, s
 
     @classmethod
     def at(cls, age: float) -> Maturity:

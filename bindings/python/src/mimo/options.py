@@ -23,6 +23,7 @@ from .constants import (
     Disable,
     Frame,
     GrowthModel,
+    Hearing,
     Jacobian,
     Mature,
     Place,
@@ -85,6 +86,7 @@ class AgentOptions(GrowthOptions, total=False):
     orientation: Numbers
     proprioception: Union[Proprioception, bool]
     vestibular: Union[Vestibular, bool]
+    hearing: Union[Hearing, bool]
     limit_threshold: float
     vision: Union[Vision, bool]
     vision_width: int
@@ -100,7 +102,7 @@ class AgentOptions(GrowthOptions, total=False):
     touch_scale: float
     touch_slip_threshold: float
     reflexes: Union[Reflex, str, Sequence[Union[Reflex, str]]]
-    senses: Literal["usual", "all"]
+    senses: Union[Literal["usual", "all", "hearing"], Sequence[str]]
     face: str
     root: str
     vestibular_at: str

@@ -14,7 +14,7 @@ from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
-from .constants import NOW, Place, Proprioception, Quantity, Reflex, Touch, Vestibular
+from .constants import NOW, Hearing, Place, Proprioception, Quantity, Reflex, Touch, Vestibular
 from .maturity import Maturity, maturity_from
 from .options import (
     AgentOptions,
@@ -70,11 +70,15 @@ def _names(by_index: Any) -> List[str]:
 
 
 def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
-    """All that nerves tell, beside what the senses that are on tell anyway."""
+    """Hearing, or all that nerves tell, beside what the senses that are on tell anyway."""
     which = options.get("senses", "usual")
-    if which not in ("usual", "all"):
-        raise ValueError(f'senses is {which!r}, expected "usual" or "all"')
-    if which == "usual":
+    names = [which] if isinstance(which, str) else list(which)
+    for name in names:
+        if name not in ("usual", "all", "hearing"):
+            raise ValueError(f'senses is {which!r}, expected "usual", "all", "hearing", or a list of these')
+    if ("hearing" in names or "all" in names) and "hearing" not in options:
+        config.hearing = sum(Hearing)
+    if "all" not in names:
         return
     config.proprioception |= Proprioception.ALL
     if config.vestibular:
@@ -145,6 +149,7 @@ class Scene(Handle):
         config = _abi.AgentConfig()
         check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
         standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
+        standard["hearing"] = sum(Hearing)
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
         growth = _growth_in(options)
         agent = {name: value for name, value in options.items() if name not in growth and name != "senses"}
@@ -225,6 +230,11 @@ class Scene(Handle):
         """How warm a body of the model is, with all that hangs on it."""
         check(LIB.mimo_scene_set_temperature(self._handle, utf8(body), celsius))
         self._remember("set_temperature", body, celsius)
+
+    def set_sources(self, count: int, seconds: float) -> None:
+        """How many bodies can play at once (4 unless this is called), and how long a sound can wait at each (4 s)."""
+        check(LIB.mimo_scene_set_sources(self._handle, number_of("count", count), seconds))
+        self._remember("set_sources", count, seconds)
 
     def set_material(self, body: str, material: str) -> None:
         """What a body of the model is made of, one of mimo.materials(): "copper", "hardwood", ..."""

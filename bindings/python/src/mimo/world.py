@@ -22,6 +22,7 @@ from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
 from .results import Numbers, Results, StepResult
 from .scene import Scene, prepare
+from .sounds import play
 from .states import LoadReport, reported, saved
 
 _step = LIB.mimo_env_step
@@ -190,6 +191,13 @@ class World(Access):
     def physics_step(self, count: int = 1) -> None:
         """Bare physics: physics steps with the controls as they are, without senses or task."""
         check(LIB.mimo_env_physics_step(self._handle, number_of("count", count)))
+
+    def play(self, body: str, samples: ArrayLike, rate: Optional[float] = None) -> None:
+        """Lets a body play samples (Pa at 1 m) from the next physics step on, after what it plays already.
+
+        None: at the rate of the ears, Field.sample_rate. No samples: what it plays ends. See Scene.set_sources.
+        """
+        play(LIB.mimo_env_play, self._handle, self.layout, body, samples, rate)
 
     def update(self) -> None:
         """Recomputes poses from the current joint positions."""

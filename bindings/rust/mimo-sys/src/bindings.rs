@@ -134,6 +134,10 @@ pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
 pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
 #[doc = "vestibular/gravity, 3, m/s^2: where up is, as it is estimated."]
 pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
+#[doc = "hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa."]
+pub const MIMO_HEARING_EARS: u32 = 1;
+#[doc = "hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s."]
+pub const MIMO_HEARING_BANDS: u32 = 2;
 #[doc = "The scene's own place for an infant."]
 pub const MIMO_PLACE_SCENE: u32 = 0;
 #[doc = "The origin of its root body mimo_location; standing soles are 0.33 m below."]
@@ -940,6 +944,10 @@ pub struct mimo_agent_config {
     pub vestibular_at: *const std::os::raw::c_char,
     #[doc = "How old it is; NULL: 18 months."]
     pub growth: *const mimo_growth,
+    #[doc = "MIMO_HEARING_ bits; 0 (default): it is deaf."]
+    pub hearing: u32,
+    #[doc = "0."]
+    pub hearing_reserved: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
@@ -1089,7 +1097,7 @@ extern "C" {
 #[doc = "A nerve of length L is late by L / conduction_speed, and by what its way through the brain adds:"]
 #[doc = "  - touch by the part of the body that a sensor sits on, proprioception by the part that a joint moves:"]
 #[doc = "    sensory_delay;"]
-#[doc = "  - the vestibular sense and vision by their own delay alone;"]
+#[doc = "  - the vestibular sense, vision and hearing by their own delay alone;"]
 #[doc = "  - an action by the part that its motor moves: motor_delay."]
 #[doc = "Lengths are those of the agent's own body, MIMO_BODY_NERVE_LENGTH; delays are rounded to the nearest number of time"]
 #[doc = "steps of the model (with attached senses to that of the host's steps)."]
@@ -1122,6 +1130,8 @@ pub struct mimo_maturity {
     pub vision_delay: f64,
     #[doc = "From the inner ear to the brain stem, s, 0 to 2."]
     pub vestibular_delay: f64,
+    #[doc = "From the ear to the cortex, s, 0 to 2."]
+    pub hearing_delay: f64,
 }
 extern "C" {
     #[doc = "Fills maturity with that of perfect eyes, and of nerves that take no time."]
@@ -1182,8 +1192,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, and how it feels to"]
-    #[doc = "slide over. Default \"plastic\", of infants \"skin\"."]
+    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, how it feels to slide"]
+    #[doc = "over, and how it sounds when it is struck. Default \"plastic\", of infants \"skin\"."]
     #[doc = "@param body     as in mimo_scene_set_temperature."]
     #[doc = "@param material one of mimo_material_name."]
     #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in"]
@@ -1196,8 +1206,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Name of the index-th material, or NULL past the last: \"copper\", \"aluminium\", \"steel\", \"granite\", \"glass\", \"water\","]
-    #[doc = "\"polyethylene\", \"plastic\", \"rubber\", \"leather\", \"hardwood\", \"softwood\", \"cotton\", \"cork\", \"foam\", \"skin\". Static"]
-    #[doc = "string."]
+    #[doc = "\"polyethylene\", \"plastic\", \"rubber\", \"leather\", \"hardwood\", \"softwood\", \"cotton\", \"cork\", \"foam\", \"skin\", \"iron\","]
+    #[doc = "\"ceramic\", \"cardboard\", \"concrete\", \"carpet\". Static string."]
     pub fn mimo_material_name(index: usize) -> *const std::os::raw::c_char;
 }
 #[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
@@ -1268,6 +1278,8 @@ pub struct mimo_field {
     pub period: f64,
     #[doc = "On how many receptors it reports, in the order of its first axis; 0: it is not of skin."]
     pub receptors: usize,
+    #[doc = "Of sound, samples a second, the oldest first, up to `end`; 0: it is no sound."]
+    pub sample_rate: f64,
 }
 extern "C" {
     #[doc = "Describes the index-th field. Set field->struct_size first."]
@@ -1617,6 +1629,8 @@ pub struct mimo_timing {
     pub proprioception: f64,
     #[doc = "Accelerometer and gyroscope."]
     pub vestibular: f64,
+    #[doc = "What sounds, and what reaches ears."]
+    pub hearing: f64,
 }
 extern "C" {
     #[doc = "Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first."]
@@ -2502,5 +2516,41 @@ extern "C" {
         state: *const std::os::raw::c_void,
         state_bytes: usize,
         report: *mut mimo_load_report,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Sets how much can be played, for environments made and senses attached from now on, where an agent hears. It is part"]
+    #[doc = "of a world's state, with 4 bytes a sample."]
+    #[doc = "@param count   bodies that play at the same time, 1 to 64. Default 4."]
+    #[doc = "@param seconds of sound that may wait at each, 0.01 to 600. Default 4."]
+    pub fn mimo_scene_set_sources(scene: *mut mimo_scene, count: usize, seconds: f64) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Lets a body play samples, from the next physics step on. While it plays already they wait until that is over, so that"]
+    #[doc = "a sound may be handed over in blocks, one each step. Sound goes out from the body's centre of mass, to all sides"]
+    #[doc = "alike, and takes its time to ears. A reset ends it."]
+    #[doc = "@param body    its name in the model, \"cup\", \"anna/head\"."]
+    #[doc = "@param samples sound pressure at 1 m from the body, Pa; 0.02 is a conversation, 1 is 94 dB."]
+    #[doc = "@param count   length of samples; 0 (samples may be NULL then): what the body plays ends."]
+    #[doc = "@param rate    samples a second: sample_rate of the field \"hearing/ear_left\", 16000 in built-in scenes."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED where no agent hears; MIMO_E_NOT_FOUND for a body that the model does not have;"]
+    #[doc = "        MIMO_E_INVALID_ARGUMENT for samples that are not finite, more than there is room for, another rate, and where"]
+    #[doc = "        as many bodies play as may. Nothing of the samples is played then."]
+    pub fn mimo_env_play(
+        env: *mut mimo_env,
+        body: *const std::os::raw::c_char,
+        samples: *const f32,
+        count: usize,
+        rate: f64,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "As mimo_env_play, around attached senses: from their next mimo_senses_advance on."]
+    pub fn mimo_senses_play(
+        senses: *mut mimo_senses,
+        body: *const std::os::raw::c_char,
+        samples: *const f32,
+        count: usize,
+        rate: f64,
     ) -> mimo_status;
 }

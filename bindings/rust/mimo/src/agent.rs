@@ -113,6 +113,12 @@ impl AgentConfig {
         self
     }
 
+    /// `MIMO_HEARING_` bits: sound at both ears, and what of it is heard; 0: none.
+    pub fn hearing(&mut self, bits: u32) -> &mut Self {
+        self.raw.hearing = bits;
+        self
+    }
+
     /// Of colour: the middle is shown L / ln(1 + L) times as large and the rim small; 0: as drawn.
     pub fn vision_foveation(&mut self, strength: f64) -> &mut Self {
         self.raw.vision_foveation = strength;

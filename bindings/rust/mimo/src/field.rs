@@ -62,6 +62,8 @@ pub struct Field {
     pub period: f64,
     /// On how many receptors of the skin it reports, in the order of its first axis; 0: it is not of skin.
     pub receptors: usize,
+    /// Of sound, samples a second, the oldest first; 0: it is no sound.
+    pub sample_rate: f64,
 }
 
 impl Field {
@@ -88,6 +90,7 @@ impl Field {
             end: raw.end,
             period: raw.period,
             receptors: raw.receptors,
+            sample_rate: raw.sample_rate,
         })
     }
 }

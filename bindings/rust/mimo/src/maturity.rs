@@ -28,6 +28,8 @@ pub struct Maturity {
     pub vision_delay: f64,
     /// From the inner ear to the brain stem, s.
     pub vestibular_delay: f64,
+    /// From the ear to the cortex, s.
+    pub hearing_delay: f64,
 }
 
 impl Default for Maturity {
@@ -44,6 +46,7 @@ impl Default for Maturity {
             motor_delay: 0.0,
             vision_delay: 0.0,
             vestibular_delay: 0.0,
+            hearing_delay: 0.0,
         }
     }
 }
@@ -64,6 +67,7 @@ impl Maturity {
             motor_delay: raw.motor_delay,
             vision_delay: raw.vision_delay,
             vestibular_delay: raw.vestibular_delay,
+            hearing_delay: raw.hearing_delay,
         })
     }
 
@@ -79,6 +83,7 @@ impl Maturity {
             motor_delay: self.motor_delay,
             vision_delay: self.vision_delay,
             vestibular_delay: self.vestibular_delay,
+            hearing_delay: self.hearing_delay,
             ..defaults(sys::mimo_maturity_init)?
         })
     }

@@ -203,6 +203,11 @@ impl Scene {
         Ok(value)
     }
 
+    /// How many bodies can play at once (4 unless this is called), and how long a sound can wait at each (4 s).
+    pub fn set_sources(&mut self, count: usize, seconds: f64) -> Result<()> {
+        check(unsafe { sys::mimo_scene_set_sources(self.handle(), count, seconds) })
+    }
+
     /// The scene as one MJCF document, as MuJoCo will compile it.
     pub fn to_xml(&self) -> Result<String> {
         let mut length = 0;

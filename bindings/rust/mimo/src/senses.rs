@@ -150,6 +150,15 @@ impl Senses {
         })
     }
 
+    /// Lets a body play samples, Pa at 1 m, from the next [`advance`](Self::advance) on: see
+    /// [`World::play`](crate::World::play).
+    pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {
+        let body = c_string(body)?;
+        check(unsafe {
+            sys::mimo_senses_play(self.handle(), body.as_ptr(), samples.as_ptr(), samples.len(), rate)
+        })
+    }
+
     /// What the senses remember, as bytes.
     pub fn save(&self) -> Result<Vec<u8>> {
         let mut bytes = 0;

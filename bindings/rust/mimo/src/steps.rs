@@ -1,6 +1,6 @@
 //! How a world goes on.
 use crate::block::{memory, Block};
-use crate::error::{check, text, Result};
+use crate::error::{c_string, check, text, Result};
 use crate::reset::Reset;
 use crate::results::{Results, Step};
 use crate::sys;
@@ -83,5 +83,14 @@ impl World {
     /// Bare physics: so many physics steps with the controls as they are, without senses or task.
     pub fn physics_step(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::mimo_env_physics_step(self.handle(), count) })
+    }
+
+    /// Lets a body play samples, Pa at 1 m, from the next physics step on, after what it plays already; without any it
+    /// ends. The rate is [`Field::sample_rate`](crate::Field::sample_rate) of the ears.
+    pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {
+        let body = c_string(body)?;
+        check(unsafe {
+            sys::mimo_env_play(self.handle(), body.as_ptr(), samples.as_ptr(), samples.len(), rate)
+        })
     }
 }

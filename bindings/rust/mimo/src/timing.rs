@@ -23,6 +23,8 @@ pub struct Timing {
     pub proprioception: Duration,
     /// Accelerometer and gyroscope.
     pub vestibular: Duration,
+    /// What sounds, and what reaches ears.
+    pub hearing: Duration,
 }
 
 impl World {
@@ -38,6 +40,7 @@ impl World {
             vision: Duration::from_secs_f64(raw.vision),
             proprioception: Duration::from_secs_f64(raw.proprioception),
             vestibular: Duration::from_secs_f64(raw.vestibular),
+            hearing: Duration::from_secs_f64(raw.hearing),
         })
     }
 

@@ -1,0 +1,30 @@
+"""Sounds that a host plays in a world."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Callable, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._library import check, utf8
+from .arguments import real_number
+from .layout import Layout
+
+
+def play(
+    call: Callable[..., int], handle: Any, layout: Layout, body: str, samples: ArrayLike, rate: Optional[float]
+) -> None:
+    """Hands samples over; without a rate they are taken to have that of the ears."""
+    wave = np.ascontiguousarray(samples, dtype=np.float32)
+    if wave.ndim != 1:
+        raise ValueError(f"samples has shape {wave.shape}, expected one number a sample")
+    at = rate_of(layout) if rate is None else real_number("rate", rate)
+    check(call(handle, utf8(body), wave.ctypes.data_as(ctypes.c_void_p), wave.size, at))
+
+
+def rate_of(layout: Layout) -> float:
+    """Samples a second of what ears get; 16000 where only bands are observed or nobody hears."""
+    rates = [field.sample_rate for field in layout.fields.values() if field.sample_rate > 0]
+    return rates[0] if rates else 16000.0

@@ -1,0 +1,19 @@
+// What sounds in a world, for whoever plays and hears there.
+#pragma once
+
+#include "env/options.h"
+#include "observation/observer.h"
+#include "senses/hearing/soundscape.h"
+
+namespace mimo::env {
+
+// Null where nobody hears; else it belongs to the observer, before the senses that hear.
+senses::Soundscape* add_soundscape(observation::Observer& observer, const mjModel& model, double tick,
+                                   const std::vector<AgentOptions>& agents, const EnvOptions& options);
+
+// Throws Status::kUnsupported where nobody hears, kNotFound for a body that there is not, and what Soundscape::play
+// does; samples are finite numbers then.
+void play(senses::Soundscape* soundscape, const mjModel& model, const std::string& body, Span<const float> samples,
+          double rate);
+
+}  // namespace mimo::env

@@ -1,0 +1,59 @@
+// One blow as two ears hear it. It follows from its beginning alone, so that there is little to remember, and no error
+// grows.
+#pragma once
+
+#include <cstdint>
+
+#include "base/bytes.h"
+#include "base/span.h"
+#include "hearing/head.h"
+#include "sound/ringing.h"
+#include "sound/strike.h"
+
+namespace mimo::hearing {
+
+// What a blow sends out.
+struct Blow {
+  Eigen::Vector3d place;  // in the world
+  double onset = 0;       // samples since the episode began, and parts of one
+  sound::Click click;     // its scale is 0 where there is none
+  sound::Ringing ringing;
+};
+
+class Voice {
+ public:
+  Voice() = default;
+  Voice(const Blow& blow, const Ways& ways, double rate);
+
+  bool alive(std::int64_t now) const { return now < end_; }
+  // About the energy that is still to come, to find the voice that is missed least.
+  double remains(std::int64_t now) const;
+  // Adds what an ear hears of it from this sample on.
+  void add(std::size_t ear, std::int64_t now, Span<float> out);
+
+  void save(ByteWriter& to) const;
+  void load(ByteReader& from);
+
+ private:
+  void add_click(std::size_t ear, std::int64_t first, std::int64_t now, Span<float> out);
+  void add_ringing(std::size_t ear, std::int64_t first, std::int64_t now, Span<float> out) const;
+  void prepare();
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit);
+
+  double rate_ = 1;                    // samples a second
+  std::int64_t end_ = -1;              // no ear hears it from here on
+  std::array<double, kEars> start_{};  // when it reaches an ear, in samples
+  // The click, and the filter of each ear, which goes on.
+  sound::Click click_;
+  std::array<double, kEars> gain_{}, corner_{}, alpha_{};
+  std::array<float, kEars> x_{}, y_{};
+  // Modes: radians and nepers a sample; what each ear hears of them.
+  std::uint64_t modes_ = 0;
+  std::array<double, sound::kModes> turn_{}, decay_{};
+  std::array<std::array<double, sound::kModes>, kEars> amplitude_{}, phase_{};
+  // What follows from them: a sample's decay, cosine and sine.
+  std::array<double, sound::kModes> kept_{}, cosine_{}, sine_{};
+};
+
+}  // namespace mimo::hearing

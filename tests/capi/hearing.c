@@ -1,0 +1,81 @@
+/* Hearing, as a user asks for it. */
+#include <math.h>
+
+#include "support/capi.h"
+
+#define RATE 16000
+enum { kStep = 160 }; /* samples of a step of two physics steps, 5 ms each */
+
+static float beep[800];
+
+static mimo_field field(const mimo_env* env, const char* name) {
+  mimo_field found = {.struct_size = sizeof found};
+  size_t index;
+  CHECK_OK(mimo_layout_find(layout_of(env), name, &index));
+  CHECK_OK(mimo_layout_field(layout_of(env), index, &found));
+  return found;
+}
+
+static mimo_scene* empty_with_ears(uint32_t hearing) {
+  mimo_scene* scene = NULL;
+  mimo_agent_config agent;
+  CHECK_OK(mimo_scene_create(SIZED(mimo_scene_config, .name = "benchmark"), &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.vision = agent.touch = 0;
+  agent.hearing = hearing;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  return scene;
+}
+
+static void the_layout_tells_rate_and_interval(void) {
+  mimo_scene* scene = empty_with_ears(MIMO_HEARING_EARS | MIMO_HEARING_BANDS);
+  mimo_env* env = NULL;
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  const mimo_field left = field(env, "hearing/ear_left"), bands = field(env, "hearing/bands");
+  CHECK(left.dtype == MIMO_F32 && left.shape[0] == kStep && left.ndim == 1);
+  CHECK(left.sample_rate == RATE && fabs(left.period - 0.01) < 1e-12);
+  CHECK(strcmp(left.unit, "Pa") == 0 && strcmp(bands.unit, "dB") == 0);
+  CHECK(bands.shape[0] == 2 && bands.shape[1] == 24 && bands.sample_rate == 0);
+  CHECK(strcmp(field(env, "hearing/time_difference").unit, "s") == 0);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+}
+
+static void bodies_play(void) {
+  mimo_scene* scene = empty_with_ears(MIMO_HEARING_EARS);
+  mimo_env *env = NULL, *deaf = NULL;
+  CHECK_OK(mimo_scene_set_sources(scene, 1, 0.05));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  const mimo_field left = field(env, "hearing/ear_left");
+  mimo_layout_info info = {.struct_size = sizeof info};
+  CHECK_OK(mimo_layout_describe(layout_of(env), &info));
+  unsigned char* block = malloc(info.block_bytes);
+  CHECK_OK(mimo_env_reset(env, NULL, block, info.block_bytes));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "nobody", mimo_env_play(env, "nobody", beep, 800, RATE));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "rate is 44100, expected 16000", mimo_env_play(env, "head", beep, 800, 44100));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is 801, expected up to 800", mimo_env_play(env, "head", beep, 801, RATE));
+  beep[7] = NAN;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "samples[7]", mimo_env_play(env, "head", beep, 800, RATE));
+  for (int i = 0; i < 800; ++i) beep[i] = sinf(0.3f * (float)i);
+  CHECK_OK(mimo_env_play(env, "head", beep, 800, RATE));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "one too many", mimo_env_play(env, "left_hand", beep, 10, RATE));
+  CHECK_OK(mimo_env_step(env, NULL, 0, block, info.block_bytes, NULL));
+  const float* heard = (const float*)(block + left.offset);
+  float loudest = 0;
+  for (int i = 0; i < kStep; ++i) loudest = fmaxf(loudest, fabsf(heard[i]));
+  CHECK(loudest > 0.1f);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+  scene = empty_with_ears(0);
+  CHECK_OK(mimo_env_create(scene, NULL, &deaf));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "nobody hears", mimo_env_play(deaf, "head", beep, 10, RATE));
+  mimo_env_destroy(deaf);
+  mimo_scene_destroy(scene);
+  free(block);
+}
+
+int main(void) {
+  the_layout_tells_rate_and_interval();
+  bodies_play();
+  return failures();
+}

@@ -1,0 +1,35 @@
+// What infants hear at an age.
+#include "growth/hearing.h"
+
+#include <gtest/gtest.h>
+
+namespace mimo::growth {
+namespace {
+
+// Adults' thresholds (ISO 226:2003) and what was found of infants above them.
+TEST(Hearing, FollowsItsTables) {
+  EXPECT_NEAR(hearing_threshold(0, 500), 4.4 + 45, 1e-9);  // Sinnott 1983
+  EXPECT_NEAR(hearing_threshold(0, 4000), -5.4 + 32, 1e-9);
+  EXPECT_NEAR(hearing_threshold(3, 8000), 12.6 + 30, 1e-9);  // Olsho 1988
+  EXPECT_NEAR(hearing_threshold(6, 1000), 2.4 + 14, 1e-9);   // Nozza and Wilson 1984
+  EXPECT_NEAR(hearing_threshold(12, 4000), -5.4 + 6, 1e-9);
+}
+
+// Straight lines in age and in the logarithm of frequency: worked out by hand.
+TEST(Hearing, LiesBetweenThem) {
+  EXPECT_NEAR(hearing_threshold(9, 1000), 2.4 + 13, 1e-9);
+  EXPECT_NEAR(hearing_threshold(0, 1046.6), 42.4, 0.6);
+  EXPECT_NEAR(hearing_threshold(24, 3065.1), -1.0, 0.6);
+  EXPECT_EQ(hearing_threshold(0, 60), hearing_threshold(0, 125));
+}
+
+TEST(Hearing, GetsBetterWithAge) {
+  for (double frequency = 125; frequency <= 8000; frequency *= 1.3) {
+    for (double age = 0; age < 24; age += 1) {
+      EXPECT_GE(hearing_threshold(age, frequency), hearing_threshold(age + 1, frequency)) << age << " " << frequency;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mimo::growth
