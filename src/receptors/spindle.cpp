@@ -12,7 +12,7 @@ constexpr double kSensoryRest = 0.04, kPolarRest = 0.76;  // rest lengths
 constexpr double kSensoryThreshold = 0.0423, kPolarThreshold = 0.89;
 constexpr double kShare = 0.7, kSecondaryRest = 0.04;  // X and L_secondary
 constexpr double kOrigin = 0.46;                       // R
-constexpr double kShortening = 0.42;                   // C where it shortens
+constexpr double kShorteningEase = 3.45314885;         // 0.42^(-10/7): C where it shortens
 constexpr double kOcclusion = 0.156;                   // S
 constexpr double kBag1Contracts = 0.149, kBag2Contracts = 0.205;
 
@@ -35,33 +35,16 @@ std::array<double, 3> contracted(const FusimotorDrive& drive) {
 // How long the polar region is where nothing moves.
 double balanced(const Fibre& fibre, double drive, double length) {
   const double pull = kSensory * (length - kSensoryRest) + kPolar * kPolarRest - fibre.force_gain * drive;
-  return pull / (kSensory + kPolar);
+  return pull * (1 / (kSensory + kPolar));
 }
 
-// Where the polar region is a tick later. What pulls at it beyond its own stiffness is left to its damping,
-// beta C (P - R) |v|^0.3 with v = (P - P before) / tick. With y = |v|^0.3 that is smooth where it stands still:
-// Newton's steps from above, where it is convex, come down on the root.
-double crept(const Fibre& fibre, double drive, double length, double before, double tick) {
-  const double stiffness = kSensory + kPolar, ahead = balanced(fibre, drive, length) - before;
-  const double way = ahead < 0 ? -1 : 1, pull = stiffness * std::abs(ahead);
-  const double damping = (fibre.damping + fibre.damping_gain * drive) * (ahead < 0 ? kShortening : 1);
-  const double lever = std::max(0.0, before - kOrigin);
-  if (damping * lever <= 0) return before + ahead;
-  double y = std::min(pull / (damping * lever), std::cbrt(pull / (stiffness * tick)));
-  constexpr int kMost = 40;
-  constexpr double kNear = 1e-5;  // the step after such a step is its square
-  for (int i = 0; i < kMost; ++i) {
-    const double seventh = y * y * std::cbrt(y), moved = tick * y * seventh;  // y^(7/3), and v tick = y^(10/3) tick
-    const double arm = std::max(0.0, lever + way * moved);
-    const double slope = 10.0 / 3 * tick * seventh;
-    const double over = stiffness * moved + damping * arm * y - pull;
-    const double next = std::max(0.0, y - over / (stiffness * slope + damping * (arm + way * slope * y)));
-    const bool there = std::abs(next - y) <= kNear * y;
-    y = next;
-    if (there) break;
-  }
-  const double moved = tick * y * y * y * std::cbrt(y);
-  return before + way * std::min(moved, std::abs(ahead));
+// Where the polar region is a tick later. The lever changes on the way: it is the one at the end, as the first look has
+// it.
+double crept(double balanced, double before, double ease, const Creep& creep) {
+  const double ahead = balanced - before, way = std::abs(ahead), lever = before - kOrigin;
+  const double eased = ahead < 0 ? ease * kShorteningEase : ease;
+  const double moved = creep.moved(way, lever, eased);
+  return before + std::copysign(creep.moved(way, lever + std::copysign(moved, ahead), eased), ahead);
 }
 
 double primary(const Fibre& fibre, double stretch) {
@@ -77,11 +60,14 @@ double secondary(const Fibre& fibre, double stretch, double polar) {
 }  // namespace
 
 SpindleTick::SpindleTick(double tick)
-    : seconds(tick), kept_bag1(std::exp(-tick / kBag1Contracts)), kept_bag2(std::exp(-tick / kBag2Contracts)) {}
+    : creep(tick, kSensory + kPolar),
+      kept_bag1(std::exp(-tick / kBag1Contracts)),
+      kept_bag2(std::exp(-tick / kBag2Contracts)) {}
 
 void Spindle::rest(double length, const FusimotorDrive& drive) {
   length_ = length;
   drive_ = contracted(drive);
+  ease_ = {};
   for (std::size_t i = 0; i < kFibres; ++i) polar_[i] = balanced(kTable[i], drive_[i], length);
 }
 
@@ -90,8 +76,11 @@ void Spindle::advance(double length, const FusimotorDrive& drive, const SpindleT
   const std::array<double, kFibres> kept = {tick.kept_bag1, tick.kept_bag2, 0};
   length_ = length;
   for (std::size_t i = 0; i < kFibres; ++i) {
-    drive_[i] = told[i] + kept[i] * (drive_[i] - told[i]);
-    polar_[i] = crept(kTable[i], drive_[i], length, polar_[i], tick.seconds);
+    const double drive = told[i] + kept[i] * (drive_[i] - told[i]);
+    if (drive != drive_[i] || ease_[i] == 0)
+      ease_[i] = tick.creep.ease(kTable[i].damping + kTable[i].damping_gain * drive);
+    drive_[i] = drive;
+    polar_[i] = crept(balanced(kTable[i], drive, length), polar_[i], ease_[i], tick.creep);
   }
 }
 
@@ -114,6 +103,7 @@ void Spindle::load(ByteReader& from) {
   length_ = from.take_finite("a spindle");
   for (double& number : drive_) number = from.take_finite("a spindle");
   for (double& number : polar_) number = from.take_finite("a spindle");
+  ease_ = {};
 }
 
 }  // namespace mimo::receptors

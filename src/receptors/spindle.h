@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "base/bytes.h"
+#include "receptors/creep.h"
 
 namespace mimo::receptors {
 
@@ -25,7 +26,7 @@ struct SpindleRates {
 // What a tick of so many seconds does to any spindle.
 struct SpindleTick {
   explicit SpindleTick(double seconds);
-  double seconds;
+  Creep creep;
   double kept_bag1, kept_bag2;  // of how much a fibre has yet to contract
 };
 
@@ -46,6 +47,7 @@ class Spindle {
   double length_ = 1;
   std::array<double, kFibres> drive_{};  // how much each fibre contracts: what its drive does in the end, 0 to 1
   std::array<double, kFibres> polar_{};  // lengths of their polar regions, L0
+  std::array<double, kFibres> ease_{};   // follows from the drive; 0: not yet
 };
 
 // The lengths of a joint's muscle at the two ends of the joint's range: an estimate, about the range that the model was
