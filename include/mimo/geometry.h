@@ -71,7 +71,7 @@ MIMO_API mimo_status mimo_mesh_init(mimo_mesh *mesh, size_t size) MIMO_NOEXCEPT;
 /**
  * A geom as triangles. Meshes and height fields of the model come as they are, whatever segments says. Skins, tendons
  * and sites, which MuJoCo draws as well, are not to be had.
- * Errors: MIMO_E_BUFFER_TOO_SMALL, with the counts filled and the arrays untouched.
+ * Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message says what is needed.
  */
 MIMO_API mimo_status mimo_env_mesh(const mimo_env *env, int32_t geom, mimo_mesh *mesh) MIMO_NOEXCEPT;
 

@@ -63,14 +63,19 @@ geometry::Detail detail_of(const mimo_mesh& wanted) {
   return {static_cast<int>(wanted.segments), wanted.plane};
 }
 
+void check_capacity(std::size_t capacity, std::size_t needed, const char* what) {
+  if (capacity >= needed) return;
+  fail(Status::kBufferTooSmall, "mesh: {} is {}, but {} are needed", what, capacity, needed);
+}
+
 void check_room(const mimo_mesh& to) {
-  for (const float* array : {to.positions, to.normals, to.texcoords}) {
-    if (array == nullptr || to.vertex_capacity >= to.vertex_count) continue;
-    fail(Status::kBufferTooSmall, "mesh: vertex_capacity is {}, but {} are needed", to.vertex_capacity,
-         to.vertex_count);
+  if (to.positions != nullptr || to.normals != nullptr || to.texcoords != nullptr) {
+    check_length<float[3]>(to.vertex_capacity, "mesh: vertex_capacity");
+    check_capacity(to.vertex_capacity, to.vertex_count, "vertex_capacity");
   }
-  if (to.indices == nullptr || to.index_capacity >= to.index_count) return;
-  fail(Status::kBufferTooSmall, "mesh: index_capacity is {}, but {} are needed", to.index_capacity, to.index_count);
+  if (to.indices == nullptr) return;
+  check_length<std::uint32_t>(to.index_capacity, "mesh: index_capacity");
+  check_capacity(to.index_capacity, to.index_count, "index_capacity");
 }
 
 void copy(const geometry::Mesh& mesh, const geometry::Conversion& to, const mimo_mesh& where) {
@@ -176,8 +181,8 @@ mimo_status mimo_env_mesh(const mimo_env* env, int32_t geom, mimo_mesh* mesh) no
     const geometry::Mesh made = geometry::mesh_of(model, geom, detail_of(ours));
     ours.vertex_count = made.vertices.size();
     ours.index_count = made.indices.size();
-    write_described(mesh, ours, "mesh");
     check_room(ours);
+    write_described(mesh, ours, "mesh");
     copy(made, to, ours);
   });
 }
@@ -217,9 +222,9 @@ mimo_status mimo_env_texture(const mimo_env* env, int32_t texture_id, mimo_textu
     ours.type = static_cast<std::int32_t>(size.type);
     ours.width = static_cast<std::uint32_t>(size.width);
     ours.height = static_cast<std::uint32_t>(size.height);
-    write_described(texture, ours, "texture");
     const std::size_t bytes = std::size_t{4} * ours.width * ours.height;
     check_buffer(ours.pixels, ours.pixel_bytes, bytes, "texture: pixels");
+    write_described(texture, ours, "texture");
     if (ours.pixels != nullptr) geometry::read_pixels(model, texture_id, {ours.pixels, bytes});
   });
 }

@@ -1,5 +1,6 @@
 #include "geometry/texture.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -127,7 +128,19 @@ class CubeLayer {
   }
 
   void add(const Polygon& polygon, int face) {
-    for (std::size_t i = 2; i < polygon.size(); ++i) add_triangle({polygon[0], polygon[i - 1], polygon[i]}, face, 0);
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const Polygon corners = {polygon[0], polygon[i - 1], polygon[i]};
+      if (!is_flat(corners)) add_triangle(corners, face, 0);
+    }
+  }
+
+  // Cuts leave corners on straight edges and next to each other, and three of them are no triangle.
+  static bool is_flat(const Polygon& corners) {
+    const Vec a = corners[1].place - corners[0].place;
+    const Vec b = corners[2].place - corners[0].place;
+    const double longest = std::max({a.norm(), b.norm(), (a - b).norm()});
+    const double far = corners[0].place.norm();
+    return longest < kFlat * far || a.cross(b).norm() < kFlat * longest * longest;
   }
 
   // Along a triangle that comes nearer to the middle of the cube the texture does not advance evenly, as it does in
@@ -159,6 +172,7 @@ class CubeLayer {
   static constexpr double kUneven = 1.1;
   static constexpr int kDepth = 4;
   static constexpr double kSlack = 1e-9;
+  static constexpr double kFlat = 1e-5;  // relative; single precision has little more
 
   render::TextureMapping mapping_;
   double texel_;
