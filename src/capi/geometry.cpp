@@ -187,12 +187,12 @@ mimo_status mimo_env_mesh(const mimo_env* env, int32_t geom, mimo_mesh* mesh) no
   });
 }
 
-mimo_status mimo_env_look(const mimo_env* env, int32_t geom, mimo_look* look) noexcept {
+mimo_status mimo_env_material(const mimo_env* env, int32_t geom, mimo_material* material) noexcept {
   return guard(env, [&] {
     const mjModel& model = open(env).world().model();
     check_element(geom, model.ngeom, "geom");
-    const geometry::Look found = geometry::look_of(model, geom);
-    mimo_look ours{};
+    const geometry::Material found = geometry::material_of(model, geom);
+    mimo_material ours{};
     ours.visible = found.visible ? 1 : 0;
     ours.group = found.group;
     ours.texture = found.paint.texture;
@@ -201,7 +201,7 @@ mimo_status mimo_env_look(const mimo_env* env, int32_t geom, mimo_look* look) no
     ours.specular = found.paint.specular;
     ours.shininess = found.paint.shininess;
     ours.reflectance = found.paint.reflectance;
-    write_described(look, ours, "look");
+    write_described(material, ours, "material");
   });
 }
 

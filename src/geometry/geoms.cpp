@@ -57,7 +57,7 @@ render::Shape shape_of(const mjModel& model, int geom) {
 }  // namespace
 
 Mesh mesh_of(const mjModel& model, int geom, const Detail& detail) {
-  const int texture = look_of(model, geom).paint.texture;
+  const int texture = material_of(model, geom).paint.texture;
   if (texture < 0) return bare(model, geom, detail);
   const TextureSize size = size_of(model, texture);
   const render::TextureMapping mapping =
@@ -67,12 +67,12 @@ Mesh mesh_of(const mjModel& model, int geom, const Detail& detail) {
   return mesh;
 }
 
-Look look_of(const mjModel& model, int geom) {
-  Look look;
-  look.group = model.geom_group[geom];
-  look.paint = render::paint_of(model, model.geom_matid[geom], model.geom_rgba + 4 * geom);
-  look.visible = render::is_shown(look.group) && look.paint.color[3] > 0;
-  return look;
+Material material_of(const mjModel& model, int geom) {
+  Material material;
+  material.group = model.geom_group[geom];
+  material.paint = render::paint_of(model, model.geom_matid[geom], model.geom_rgba + 4 * geom);
+  material.visible = render::is_shown(material.group) && material.paint.color[3] > 0;
+  return material;
 }
 
 }  // namespace mimo::geometry

@@ -16,12 +16,12 @@ struct Detail {
 // In the geom's frame, with its places in the geom's texture.
 Mesh mesh_of(const mjModel& model, int geom, const Detail& detail);
 
-struct Look {
+struct Material {
   bool visible = false;  // of the groups that MuJoCo draws, and not transparent
   int group = 0;
   render::Paint paint;
 };
 
-Look look_of(const mjModel& model, int geom);
+Material material_of(const mjModel& model, int geom);
 
 }  // namespace mimo::geometry

@@ -416,16 +416,16 @@ int main(void) {
   FIELD(mimo_mesh, vertex_count);
   FIELD(mimo_mesh, index_count);
 
-  BEGIN(mimo_look);
-  FIELD(mimo_look, struct_size);
-  FIELD(mimo_look, visible);
-  FIELD(mimo_look, group);
-  FIELD(mimo_look, texture);
-  FIELD(mimo_look, color);
-  FIELD(mimo_look, emission);
-  FIELD(mimo_look, specular);
-  FIELD(mimo_look, shininess);
-  FIELD(mimo_look, reflectance);
+  BEGIN(mimo_material);
+  FIELD(mimo_material, struct_size);
+  FIELD(mimo_material, visible);
+  FIELD(mimo_material, group);
+  FIELD(mimo_material, texture);
+  FIELD(mimo_material, color);
+  FIELD(mimo_material, emission);
+  FIELD(mimo_material, specular);
+  FIELD(mimo_material, shininess);
+  FIELD(mimo_material, reflectance);
 
   BEGIN(mimo_texture);
   FIELD(mimo_texture, struct_size);

@@ -1,4 +1,5 @@
-/* Shapes, looks, textures, lights and poses for engines. Where triangles lie is tested in unit/; here is how one asks.
+/* Shapes, materials, textures, lights and poses for engines. Where triangles lie is tested in unit/; here is how one
+ * asks.
  */
 #include "support/capi.h"
 
@@ -149,12 +150,12 @@ static void check_poses(void) {
   mimo_env_destroy(env);
 }
 
-static mimo_look look_at(const mimo_env* env, const char* geom) {
-  mimo_look look;
-  memset(&look, 0, sizeof look);
-  look.struct_size = sizeof look;
-  CHECK_OK(mimo_env_look(env, find(env, MIMO_GEOM, geom), &look));
-  return look;
+static mimo_material material_of(const mimo_env* env, const char* geom) {
+  mimo_material material;
+  memset(&material, 0, sizeof material);
+  material.struct_size = sizeof material;
+  CHECK_OK(mimo_env_material(env, find(env, MIMO_GEOM, geom), &material));
+  return material;
 }
 
 /* The pixels of a texture, with its size; freed by the caller. */
@@ -170,15 +171,15 @@ static uint8_t* read_texture(const mimo_env* env, int32_t id, mimo_texture* text
 
 static void check_faces(void) {
   mimo_env* env = blind_env("benchmark", NULL);
-  const mimo_look before = look_at(env, "head");
+  const mimo_material before = material_of(env, "head");
   const double joy = find(env, MIMO_FACE, "enjoyment");
   mimo_texture texture;
   uint8_t *calm, *happy;
-  mimo_look after;
+  mimo_material after;
   calm = read_texture(env, before.texture, &texture);
   CHECK(texture.type == MIMO_TEXTURE_CUBE && texture.height == 6 * texture.width);
   CHECK_OK(mimo_env_set(env, MIMO_AGENT_FACE, NULL, 0, &joy, 1));
-  after = look_at(env, "head");
+  after = material_of(env, "head");
   CHECK(after.texture >= 0 && after.texture != before.texture);
   happy = read_texture(env, after.texture, &texture);
   CHECK(memcmp(calm, happy, texture.pixel_bytes) != 0);
@@ -203,29 +204,29 @@ static mimo_env* known_room(void) {
 static void check_looks(mimo_env* env) {
   const int32_t ball = find(env, MIMO_GEOM, "ball");
   const double large[3] = {0.5, 0, 0}, red[4] = {1, 0, 0, 0.5}, gone[4] = {1, 0, 0, 0};
-  mimo_look look = look_at(env, "ball");
+  mimo_material material = material_of(env, "ball");
   triangles mesh;
   size_t i;
-  CHECK(look.visible == 1 && look.group == 0 && look.texture == -1);
-  CHECK_NEAR(0.1, look.color[0], 1e-7);
-  CHECK_NEAR(0.4, look.color[3], 1e-7);
+  CHECK(material.visible == 1 && material.group == 0 && material.texture == -1);
+  CHECK_NEAR(0.1, material.color[0], 1e-7);
+  CHECK_NEAR(0.4, material.color[3], 1e-7);
   CHECK_OK(mimo_env_set(env, MIMO_GEOM_COLOR, &ball, 1, red, 4));
   CHECK_OK(mimo_env_set(env, MIMO_GEOM_SIZE, &ball, 1, large, 3));
-  look = look_at(env, "ball");
-  CHECK(look.color[0] == 1.0F && look.color[1] == 0.0F && look.color[3] == 0.5F);
+  material = material_of(env, "ball");
+  CHECK(material.color[0] == 1.0F && material.color[1] == 0.0F && material.color[3] == 0.5F);
   mesh = read_mesh(env, ball, MIMO_AXES_UNREAL);
   for (i = 0; i < mesh.vertices; ++i) CHECK_NEAR(50, length(mesh.positions + 3 * i), 1e-4); /* cm */
   release(&mesh);
   CHECK_OK(mimo_env_set(env, MIMO_GEOM_COLOR, &ball, 1, gone, 4));
-  CHECK(look_at(env, "ball").visible == 0);
-  look = look_at(env, "box");
-  CHECK(look.visible == 0 && look.group == 4); /* MuJoCo draws groups 0 to 2 */
-  look = look_at(env, "floor");
-  CHECK(look.texture >= 0);
-  CHECK_NEAR(0.2, look.specular, 1e-7);
-  CHECK_NEAR(0.3, look.shininess, 1e-7);
-  CHECK_NEAR(0.4, look.reflectance, 1e-7);
-  CHECK_NEAR(0.5, look.emission, 1e-7);
+  CHECK(material_of(env, "ball").visible == 0);
+  material = material_of(env, "box");
+  CHECK(material.visible == 0 && material.group == 4); /* MuJoCo draws groups 0 to 2 */
+  material = material_of(env, "floor");
+  CHECK(material.texture >= 0);
+  CHECK_NEAR(0.2, material.specular, 1e-7);
+  CHECK_NEAR(0.3, material.shininess, 1e-7);
+  CHECK_NEAR(0.4, material.reflectance, 1e-7);
+  CHECK_NEAR(0.5, material.emission, 1e-7);
 }
 
 static void check_textures(mimo_env* env) {
@@ -234,7 +235,7 @@ static void check_textures(mimo_env* env) {
   uint8_t* pixels;
   CHECK_OK(mimo_env_texture_count(env, &count));
   CHECK(count == 2);
-  pixels = read_texture(env, look_at(env, "floor").texture, &texture);
+  pixels = read_texture(env, material_of(env, "floor").texture, &texture);
   CHECK(texture.type == MIMO_TEXTURE_FLAT && texture.width == 8 && texture.height == 4);
   for (i = 0; i < 32; ++i) odd += pixels[4 * i + 1] != 0 || pixels[4 * i + 3] != 255;
   CHECK(odd == 0);

@@ -283,7 +283,7 @@ static void make_structs(void) {
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.mesh = region(sizeof *good.mesh + TAIL);
-  good.look = region(sizeof *good.look + TAIL);
+  good.material = region(sizeof *good.material + TAIL);
   good.texture = region(sizeof *good.texture + TAIL);
   good.light = region(sizeof *good.light + TAIL);
   good.growth = region(sizeof *good.growth + TAIL);
@@ -372,7 +372,7 @@ static void fill_configs(void) {
   good.term->struct_size = sizeof *good.term;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
-  good.look->struct_size = sizeof *good.look;
+  good.material->struct_size = sizeof *good.material;
   good.report->struct_size = sizeof *good.report;
   good.senses_config->mujoco_version = mj_version();
   good.senses_config->model_size = sizeof *host_model;

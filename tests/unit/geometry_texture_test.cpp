@@ -83,7 +83,7 @@ Compared compare(const std::string& geom, const std::string& material, double az
   const render::View view = render::orbit_view({0, 0, 0}, 5, azimuth, elevation, 16);
   const Shot shot = studio.shoot(view, kPixels, kPixels);
   const geometry::Mesh mesh = geometry::mesh_of(*model, 0, {96, 1});
-  const int texture = geometry::look_of(*model, 0).paint.texture;
+  const int texture = geometry::material_of(*model, 0).paint.texture;
   const geometry::TextureSize size = geometry::size_of(*model, texture);
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * size.width * size.height));
   geometry::read_pixels(*model, texture, pixels);
