@@ -18,6 +18,7 @@ from .constants import (
     Act,
     Actuation,
     Autoreset,
+    Axes,
     Disable,
     Frame,
     GrowthModel,
@@ -32,6 +33,7 @@ from .constants import (
     Render,
     Sex,
     Shape,
+    TextureType,
     Touch,
     TouchResponse,
     Vestibular,
@@ -52,6 +54,7 @@ from .errors import (
     SimulationError,
     UnsupportedError,
 )
+from .geometry import convert_directions, convert_points
 from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_task import Moment, WorldTask
@@ -88,6 +91,7 @@ __all__ = [
     "Actuation",
     "ArgumentError",
     "Autoreset",
+    "Axes",
     "Batch",
     "ClosedError",
     "Disable",
@@ -128,6 +132,7 @@ __all__ = [
     "StepResult",
     "Task",
     "Term",
+    "TextureType",
     "Touch",
     "TouchResponse",
     "UnsupportedError",
@@ -139,6 +144,8 @@ __all__ = [
     "WorldTask",
     "abi_version",
     "api_version",
+    "convert_directions",
+    "convert_points",
     "faces",
     "library_path",
     "make",
