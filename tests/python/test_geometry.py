@@ -1,5 +1,7 @@
-"""The world as an engine gets it: drawn here with nothing but meshes, poses, materials and textures, beside the library's
-own pictures."""
+"""The world as an engine gets it.
+
+It is drawn here with nothing but meshes, poses, materials and textures, beside the library's own pictures.
+"""
 
 import math
 
@@ -129,7 +131,7 @@ VIEWS = [
 ]
 
 
-@pytest.mark.parametrize("scene, options, camera", VIEWS)
+@pytest.mark.parametrize(("scene", "options", "camera"), VIEWS)
 def test_an_engine_sees_the_same_world(scene, options, camera):
     with mimo.World(scene, vision=False, touch=False, **options) as world:
         world.reset(seed=3)
@@ -138,7 +140,8 @@ def test_an_engine_sees_the_same_world(scene, options, camera):
         seen = world.draw(width=WIDTH, height=HEIGHT, **camera.options).segmentation
         drawn = draw(world, camera).geom
     inside = inner(seen)
-    assert len(np.unique(seen)) > 20 and inside.mean() > 0.5
+    assert len(np.unique(seen)) > 20
+    assert inside.mean() > 0.5
     assert (drawn == seen)[inside].mean() > 0.99
     assert (drawn == seen).mean() > 0.95
 
@@ -188,7 +191,7 @@ def test_poses_in_frames_of_engines(small):
 
 
 def test_touch_sensors_lie_on_the_meshes(small):
-    """A sensor's place and a mesh's vertices meet in an engine's frame: of a sphere both are a radius from its middle."""
+    """A sensor's place and a mesh's vertices meet in an engine's frame, a radius from a sphere's middle."""
     receptors = small.layout.receptors("touch/force")
     head = small.find("geom", "head")
     on_head = np.asarray(receptors.geoms) == head
@@ -207,7 +210,9 @@ def test_what_is_changed_is_seen(small):
     world.set_face("surprise")
     assert before.texture != world.material("head").texture
     assert world.texture(before.texture).type is mimo.TextureType.CUBE
-    assert not np.array_equal(world.texture(before.texture).pixels, world.texture(world.material("head").texture).pixels)
+    assert not np.array_equal(
+        world.texture(before.texture).pixels, world.texture(world.material("head").texture).pixels
+    )
     sky = [world.texture(i).type for i in range(world.texture_count)].count(mimo.TextureType.SKY)
     assert sky == 1
     with pytest.raises(mimo.ArgumentError, match="texture_id is 999"):
@@ -217,13 +222,15 @@ def test_what_is_changed_is_seen(small):
 
 
 def test_lights():
-    scene = mimo.Scene(xml=LIT.replace("<worldbody>", "<worldbody><light pos='1 2 3' dir='0 3 -4' diffuse='.1 .2 .3'/>"))
+    scene = mimo.Scene(
+        xml=LIT.replace("<worldbody>", "<worldbody><light pos='1 2 3' dir='0 3 -4' diffuse='.1 .2 .3'/>")
+    )
     with mimo.World(scene) as world:
-        (light,) = world.lights(axes="unity")
+        (light,) = world.light_sources(axes="unity")
         np.testing.assert_allclose(light.position, [-2, 3, 1], atol=1e-6)
         np.testing.assert_allclose(light.direction, [-0.6, -0.8, 0], atol=1e-6)
         np.testing.assert_allclose(light.diffuse, [0.1, 0.2, 0.3], atol=1e-6)
-        assert light.active and light.casts_shadow and not light.directional
+        assert (light.active, light.casts_shadow, light.directional) == (True, True, False)
         np.testing.assert_allclose(world.light(HEADLIGHT).ambient, 1)
         with pytest.raises(mimo.ArgumentError, match="id is 1"):
             world.light(1)

@@ -84,9 +84,7 @@ class Geometry(Access):
     def _geom(self, geom: Union[int, str]) -> int:
         return self.find(Kind.GEOM, geom) if isinstance(geom, str) else _int32("geom", geom)
 
-    def mesh(
-        self, geom: Union[int, str], axes: AxesOf = Axes.MIMO, segments: int = 24, plane: float = 20.0
-    ) -> Mesh:
+    def mesh(self, geom: Union[int, str], axes: AxesOf = Axes.MIMO, segments: int = 24, plane: float = 20.0) -> Mesh:
         """A geom as triangles. segments: pieces of a circle; plane: half the size of endless planes, m."""
         mesh = _abi.Mesh()
         check(LIB.mimo_mesh_init(mesh, ctypes.sizeof(mesh)))
@@ -156,7 +154,7 @@ class Geometry(Access):
             *(np.array(getattr(raw, name), np.float32) for name in vectors),
         )
 
-    def lights(self, axes: AxesOf = Axes.MIMO) -> List[Light]:
+    def light_sources(self, axes: AxesOf = Axes.MIMO) -> List[Light]:
         """All lights but the headlight."""
         return [self.light(light, axes) for light in range(self.count(Kind.LIGHT))]
 
@@ -195,7 +193,7 @@ def _uint32(name: str, value: Any) -> int:
 
 
 def _within(name: str, value: Any, low: int, high: int) -> int:
-    """ctypes would silently drop what is beyond."""
+    """Within what ctypes would not silently cut off."""
     number = whole_number(name, value)
     if not low <= number <= high:
         raise ValueError(f"{name} is {value!r}, expected {low} to {high}")
