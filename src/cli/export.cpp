@@ -236,6 +236,7 @@ void add_export(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Validator(check_segments, ""))
       ->capture_default_str();
+  command->footer("Example: mimo export --scene showroom --seconds 5 --gltf infant.glb");
   command->callback([options] { export_scene(*options); });
 }
 
