@@ -8,6 +8,7 @@
  *   mimo_layout.c      what worlds observe, act with and are rewarded for;
  *   mimo_access.c      names and values of a world's things, states;
  *   mimo_sight.c       where infants look, and pictures;
+ *   mimo_engines.c     shapes, materials, textures, lights and poses for programs that draw themselves;
  *   mimo_report.c      what is to be known of a world, and of the library.
  *
  * Several of them need mimo_arrays.c (arrays in MATLAB's order), mimo_quantities.c (what can be read and set, by its

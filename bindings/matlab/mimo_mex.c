@@ -6,6 +6,7 @@
 
 #include "mimo_access.h"
 #include "mimo_base.h"
+#include "mimo_engines.h"
 #include "mimo_layout.h"
 #include "mimo_report.h"
 #include "mimo_scenes.h"
@@ -13,8 +14,8 @@
 #include "mimo_worlds.h"
 
 static const mimo_command* find(const char* name) {
-  const mimo_command* parts[] = {mimo_world_commands, mimo_layout_commands, mimo_access_commands,
-                                 mimo_sight_commands, mimo_scene_commands,  mimo_report_commands};
+  const mimo_command* parts[] = {mimo_world_commands, mimo_layout_commands, mimo_access_commands, mimo_sight_commands,
+                                 mimo_scene_commands, mimo_report_commands, mimo_engine_commands};
   const mimo_command* command;
   size_t i;
   for (i = 0; i < sizeof parts / sizeof *parts; ++i)

@@ -60,6 +60,7 @@
 #include "observation.h"
 #include "env.h"
 #include "access.h"
+#include "geometry.h"
 #include "sight.h"
 #include "state.h"
 #include "batch.h"

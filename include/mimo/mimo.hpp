@@ -18,6 +18,7 @@
 #include "hpp/batch.hpp"
 #include "hpp/configs.hpp"
 #include "hpp/env.hpp"
+#include "hpp/geometry.hpp"
 #include "hpp/handles.hpp"
 #include "hpp/layout.hpp"
 #include "hpp/observation.hpp"

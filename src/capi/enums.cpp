@@ -7,6 +7,8 @@
 #include "engine/model.h"
 #include "engine/physics.h"
 #include "env/access.h"
+#include "geometry/axes.h"
+#include "geometry/texture.h"
 #include "growth/growth.h"
 #include "mimo/mimo.h"
 #include "observation/field.h"
@@ -199,6 +201,16 @@ static_assert(same(MIMO_BODY_NERVE_LENGTH, env::Quantity::kBodyNerveLength));
 static_assert(same(MIMO_ACTUATOR_FUSIMOTOR_DRIVE, env::Quantity::kActuatorFusimotorDrive));
 static_assert(same(MIMO_ACTUATOR_FUSIMOTOR_DRIVE, env::kQuantities));
 static_assert(same(MIMO_WARNING, env::kKinds));
+
+static_assert(same(MIMO_AXES_MIMO, geometry::Axes::kMimo));
+static_assert(same(MIMO_AXES_UNITY, geometry::Axes::kUnity));
+static_assert(same(MIMO_AXES_UNREAL, geometry::Axes::kUnreal));
+static_assert(same(MIMO_AXES_GODOT, geometry::Axes::kGodot));
+static_assert(same(MIMO_AXES_GLTF, geometry::Axes::kGltf));
+static_assert(same(MIMO_AXES_GLTF, geometry::kLastAxes));
+static_assert(same(MIMO_TEXTURE_FLAT, geometry::TextureType::kFlat));
+static_assert(same(MIMO_TEXTURE_CUBE, geometry::TextureType::kCube));
+static_assert(same(MIMO_TEXTURE_SKY, geometry::TextureType::kSky));
 
 static_assert(same(MIMO_AUTORESET_NONE, batch::Autoreset::kNone));
 static_assert(same(MIMO_AUTORESET_NEXT_STEP, batch::Autoreset::kNextStep));

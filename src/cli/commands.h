@@ -12,5 +12,6 @@ void add_bench(CLI::App& program);
 void add_info(CLI::App& program);
 void add_render(CLI::App& program);
 void add_rollout(CLI::App& program);
+void add_export(CLI::App& program);
 
 }  // namespace cli

@@ -31,7 +31,8 @@ int complain(const CLI::App& program, std::string message, int code) {
 
 // Here and not by require_subcommand(1), which hides what it met instead of a command.
 void require_command(const CLI::App& program) {
-  if (program.get_subcommands().empty()) throw CLI::RequiredError("a command (run, bench, info, render or rollout)");
+  if (program.get_subcommands().empty())
+    throw CLI::RequiredError("a command (run, bench, info, render, rollout or export)");
 }
 
 // A full disk shows only here.
@@ -54,6 +55,7 @@ void describe(CLI::App& program) {
   cli::add_info(program);
   cli::add_render(program);
   cli::add_rollout(program);
+  cli::add_export(program);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "'mimo COMMAND --help' explains a command.\n"

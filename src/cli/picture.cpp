@@ -89,6 +89,21 @@ Picture<std::uint16_t> millimetres(const Picture<float>& metres, const Picture<s
   return picture;
 }
 
+std::vector<std::uint8_t> png_of(const mimo::Texture& texture) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = texture.width;
+  image.height = texture.height;
+  image.format = PNG_FORMAT_RGBA;
+  png_alloc_size_t bytes = 0;
+  const void* pixels = texture.pixels.data();
+  if (png_image_write_to_memory(&image, nullptr, &bytes, 0, pixels, 0, nullptr) == 0) throw Failure(image.message);
+  std::vector<std::uint8_t> png(bytes);
+  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, pixels, 0, nullptr) == 0) throw Failure(image.message);
+  png.resize(bytes);
+  return png;
+}
+
 void write_png(const std::string& path, const ColorPicture& picture) {
   write_png(path, PNG_FORMAT_RGB, picture.width, picture.height, picture.pixels.data());
 }

@@ -23,6 +23,9 @@ ColorPicture color_coded(const Picture<std::int32_t>& ids);
 // Metres as 16-bit millimetres; 0 where there is nothing (an id of -1), or nothing nearer than 65.5 m.
 Picture<std::uint16_t> millimetres(const Picture<float>& metres, const Picture<std::int32_t>& ids);
 
+// A texture as a PNG file.
+std::vector<std::uint8_t> png_of(const mimo::Texture& texture);
+
 // Write a file or throw a Failure. .npy is NumPy's format.
 void write_png(const std::string& path, const ColorPicture& picture);
 void write_png(const std::string& path, const Picture<std::uint16_t>& picture);

@@ -239,13 +239,13 @@ HWY_INLINE V Spread(const Subject& subject, const Aspect& aspect, const Material
                     V t, bool cube) {
   const auto [along_x, along_y] = StepsAt<kKind>(subject, aspect, ray, n, t);
   if (!cube) {
-    const V wide = Set(material.scale[0] * static_cast<float>(material.texture->width));
-    const V high = Set(material.scale[1] * static_cast<float>(material.texture->height));
+    const V wide = Set(material.mapping.scale[0] * static_cast<float>(material.texture->width));
+    const V high = Set(material.mapping.scale[1] * static_cast<float>(material.texture->height));
     const V spread_x = (along_x.x * wide) * (along_x.x * wide) + (along_x.y * high) * (along_x.y * high);
     const V spread_y = (along_y.x * wide) * (along_y.x * wide) + (along_y.y * high) * (along_y.y * high);
     return hn::Max(spread_x, spread_y);
   }
-  const V3 scale = {Set(material.scale[0]), Set(material.scale[1]), Set(material.scale[2])};
+  const V3 scale = {Set(material.mapping.scale[0]), Set(material.mapping.scale[1]), Set(material.mapping.scale[2])};
   const V3 gx = {along_x.x * scale.x, along_x.y * scale.y, along_x.z * scale.z};
   const V3 gy = {along_y.x * scale.x, along_y.y * scale.y, along_y.z * scale.z};
   return hn::Max(Dot(gx, gx), Dot(gy, gy));
@@ -258,8 +258,8 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
   const Frame& frame = *subject.frame;
   const Material& material = frame.solids[aspect.solid].material;
   const Texture& texture = *material.texture;
-  const bool cube = material.mapping == Mapping::kCube;
-  if (kKind == Form::kMesh && material.mapping == Mapping::kGiven) {
+  const bool cube = material.mapping.kind == Mapping::kCube;
+  if (kKind == Form::kMesh && material.mapping.kind == Mapping::kGiven) {
     const SurfaceAt surface(*frame.solids[aspect.solid].mesh, FaceAt(subject, i), p);
     const Steps steps = StepsAt<kKind>(subject, aspect, ray, n, t);
     const V wide = Set(static_cast<float>(texture.width));
@@ -273,8 +273,8 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
                          Repeated(surface.texture(1)), LevelOf(hn::Max(spread(steps.x), spread(steps.y))));
   }
   if (!cube) {
-    const V u = Repeated(p.x * Set(material.scale[0]) - Set(0.5F));
-    const V v = Repeated(p.y * Set(material.scale[1]) - Set(0.5F));
+    const V u = Repeated(p.x * Set(material.mapping.scale[0]) - Set(0.5F));
+    const V v = Repeated(p.y * Set(material.mapping.scale[1]) - Set(0.5F));
     // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
     if (kKind == Form::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
       return SampleLarge<false>(frame.texels, texture, hn::Zero(DI()), u, v);
@@ -282,10 +282,10 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
     const V spread = Spread<kKind>(subject, aspect, material, ray, n, t, false);
     return Sample<false>(frame.texels, texture, hn::Zero(DI()), u, v, LevelOf(spread));
   }
-  const V fold = Set(material.fold);
+  const V fold = Set(material.mapping.fold);
   const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);
-  const V3 q = {p.x * Set(material.scale[0]), p.y * Set(material.scale[1]),
-                z * Set(material.scale[2]) + (p.z - z) * Set(material.scale[3])};
+  const V3 q = {p.x * Set(material.mapping.scale[0]), p.y * Set(material.mapping.scale[1]),
+                z * Set(material.mapping.scale[2]) + (p.z - z) * Set(material.mapping.scale[3])};
   return SampleCube(frame.texels, texture, q, Spread<kKind>(subject, aspect, material, ray, n, t, true));
 }
 
@@ -293,11 +293,11 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
 HWY_INLINE float SharpUpTo(const Subject& subject, const Aspect& aspect) {
   const Tile& tile = *subject.tile;
   const Material& material = subject.frame->solids[aspect.solid].material;
-  if (material.mapping != Mapping::kFlat) return 0;
+  if (material.mapping.kind != Mapping::kFlat) return 0;
   const float x = std::max(std::abs(tile.x[0]), std::abs(tile.x[kTile - 1]));
   const float y = std::max(std::abs(tile.y[0]), std::abs(tile.y[kTile - 1]));
-  const float texels = std::max(std::abs(material.scale[0]) * static_cast<float>(material.texture->width),
-                                std::abs(material.scale[1]) * static_cast<float>(material.texture->height));
+  const float texels = std::max(std::abs(material.mapping.scale[0]) * static_cast<float>(material.texture->width),
+                                std::abs(material.mapping.scale[1]) * static_cast<float>(material.texture->height));
   return std::sqrt(0.99F * std::abs(aspect.o[2]) / ((1 + x * x + y * y) * tile.dx * texels));
 }
 

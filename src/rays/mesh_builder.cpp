@@ -1,6 +1,5 @@
 #include "rays/mesh_builder.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,12 +46,6 @@ void measure(Mesh& mesh) {
 }
 
 }  // namespace
-
-Vec normal_of(const Corners& corners) {
-  const Vec e1 = corners[1].place - corners[0].place;
-  const Vec e2 = corners[2].place - corners[0].place;
-  return unit(e1.cross(e2));
-}
 
 bool form(const Corners& corners, Triangle& triangle, Surface& surface) {
   for (const Corner& corner : corners) {
@@ -114,15 +107,6 @@ void MeshBuilder::add(const Corners& corners, bool keep) {
   }
   triangles_.push_back(triangle);
   surfaces_.push_back(surface);
-}
-
-void MeshBuilder::add_flat(const Vec& a, const Vec& b, const Vec& c) {
-  Corners corners;
-  corners[0].place = a;
-  corners[1].place = b;
-  corners[2].place = c;
-  for (Corner& corner : corners) corner.normal = normal_of(corners);
-  add(corners);
 }
 
 Mesh MeshBuilder::finish(bool textured) {

@@ -6,17 +6,12 @@
 
 #include "rays/meshes.h"
 #include "rays/vectors.h"
+#include "render/triangles.h"
 
 namespace mimo::rays {
 
-struct Corner {
-  Vec place = Vec::Zero();
-  Vec normal = Vec::Zero();
-  std::array<double, 2> texture{};
-};
-using Corners = std::array<Corner, 3>;
-
-Vec normal_of(const Corners& corners);
+using render::Corner;
+using render::Corners;
 
 // A triangle as rays meet it and what is known of its points; false where it has no area, or is too large or too far
 // away for floats: nothing of such a one is seen.
@@ -32,7 +27,6 @@ class MeshBuilder {
 
   // What is not seen is left out, unless it may be seen later.
   void add(const Corners& corners, bool keep = false);
-  void add_flat(const Vec& a, const Vec& b, const Vec& c);
   Mesh finish(bool textured);
   // Of each triangle of the finished mesh, when it was added.
   const std::vector<int>& order() const { return order_; }

@@ -58,7 +58,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
         n = Normal<kKind>(solid, p);
       }
       V3 color = Lit<kKind, kGray>(subject, aspect, ray, p, n, i);
-      if (solid.material.mapping != Mapping::kNone) {
+      if (solid.material.mapping.kind != Mapping::kNone) {
         const V3 texel = Textured<kKind>(subject, aspect, ray, p, n, t, i);
         color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
       }
@@ -115,8 +115,8 @@ HWY_NOINLINE void PaintSmoothTexture(const Subject& subject, const Smooth& smoot
       const V t = Load(subject.t + i);
       const V px = Set(aspect.o[0]) + (Set(aspect.a[0]) + Set(aspect.by[0]) * y + Set(aspect.bx[0]) * x) * t;
       const V py = Set(aspect.o[1]) + (Set(aspect.a[1]) + Set(aspect.by[1]) * y + Set(aspect.bx[1]) * x) * t;
-      const V u = Repeated(px * Set(material.scale[0]) - Set(0.5F));
-      const V v = Repeated(py * Set(material.scale[1]) - Set(0.5F));
+      const V u = Repeated(px * Set(material.mapping.scale[0]) - Set(0.5F));
+      const V v = Repeated(py * Set(material.mapping.scale[1]) - Set(0.5F));
       if (large[row]) {
         fine.put(AimLarge<false>(texture, face, u, v), i);
       } else {
@@ -157,10 +157,10 @@ inline bool PaintSmoothPlane(const Subject& subject, const Window& w, Canvas& ca
   Probes probes;
   Smooth smooth;
   if (!Probe(aspect, *subject.tile, probes) || !SmoothLight(subject, aspect, probes, smooth)) return false;
-  if (material.mapping == Mapping::kCube) return false;
-  if (material.mapping == Mapping::kFlat && !SmoothLevel(subject, aspect, probes, smooth)) return false;
+  if (material.mapping.kind == Mapping::kCube) return false;
+  if (material.mapping.kind == Mapping::kFlat && !SmoothLevel(subject, aspect, probes, smooth)) return false;
   PaintSmoothLight(subject, smooth, w, canvas);
-  if (material.mapping == Mapping::kFlat) PaintSmoothTexture(subject, smooth, w, canvas);
+  if (material.mapping.kind == Mapping::kFlat) PaintSmoothTexture(subject, smooth, w, canvas);
   return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rays/assets.h"
 #include "rays/extras.h"
+#include "render/paint.h"
 #include "render/renderer.h"
 
 namespace mimo::rays {
@@ -20,21 +21,6 @@ struct Solids::Element {
 };
 
 namespace {
-
-bool kind_of(int type, Form& kind) {
-  switch (type) {
-    case mjGEOM_PLANE: kind = Form::kPlane; return true;
-    case mjGEOM_SPHERE: kind = Form::kSphere; return true;
-    case mjGEOM_CAPSULE: kind = Form::kCapsule; return true;
-    case mjGEOM_ELLIPSOID: kind = Form::kEllipsoid; return true;
-    case mjGEOM_CYLINDER: kind = Form::kCylinder; return true;
-    case mjGEOM_BOX: kind = Form::kBox; return true;
-    case mjGEOM_MESH:
-    case mjGEOM_HFIELD:
-    case mjGEOM_SKIN: kind = Form::kMesh; return true;
-    default: return false;
-  }
-}
 
 double bounding_radius(Form kind, const std::array<float, 3>& size) {
   switch (kind) {
@@ -53,9 +39,6 @@ double bounding_radius(Form kind, const std::array<float, 3>& size) {
 bool has_place(const double* position, const double* rotation) {
   return std::all_of(position, position + 3, is_near) && std::all_of(rotation, rotation + 9, is_near);
 }
-
-// Of the groups that MuJoCo shows by default.
-bool is_shown(int group) { return std::clamp(group, 0, 5) <= 2; }
 
 }  // namespace
 
@@ -77,7 +60,7 @@ void Solids::gather(const mjModel& model, const mjData& data, const render::View
   mirror_ = -1;
   ground_ = -1;
   for (int i = 0; i < model.ngeom; ++i) {
-    if (!is_shown(model.geom_group[i])) continue;
+    if (!render::is_shown(model.geom_group[i])) continue;
     add(model,
         {model.geom_type[i], i, model.geom_size + 3 * i, data.geom_xpos + 3 * i, data.geom_xmat + 9 * i,
          model.geom_matid[i], model.geom_rgba + 4 * i, true,
@@ -85,7 +68,7 @@ void Solids::gather(const mjModel& model, const mjData& data, const render::View
         view.position);
   }
   for (int i = 0; i < model.nsite; ++i) {
-    if (!is_shown(model.site_group[i])) continue;
+    if (!render::is_shown(model.site_group[i])) continue;
     add(model,
         {model.site_type[i], -1, model.site_size + 3 * i, data.site_xpos + 3 * i, data.site_xmat + 9 * i,
          model.site_matid[i], model.site_rgba + 4 * i, false, nullptr},
@@ -120,7 +103,7 @@ void Solids::add_extras(const mjModel& model, const Vec& eye) {
 
 void Solids::add(const mjModel& model, const Element& element, const Vec& eye) {
   Solid solid;
-  if (!kind_of(element.type, solid.kind) || !has_place(element.position, element.rotation)) return;
+  if (!render::form_of(element.type, solid.kind) || !has_place(element.position, element.rotation)) return;
   solid.id = element.id;
   for (int k = 0; k < 3; ++k) solid.size[k] = static_cast<float>(std::min(element.size[k], kFarthest));
   solid.position = Eigen::Map<const Vec>(element.position);
@@ -132,7 +115,7 @@ void Solids::add(const mjModel& model, const Element& element, const Vec& eye) {
   solid.material =
       material_of(model, element.material, element.rgba, {solid.kind, solid.size, prescaled, given}, assets_.textures);
   if (solid.material.alpha == 0) return;
-  if (element.type == mjGEOM_SKIN && !given) solid.material.mapping = Mapping::kNone;
+  if (element.type == mjGEOM_SKIN && !given) solid.material.mapping.kind = Mapping::kNone;
   if (solid.kind == Form::kMesh) {
     if (solid.mesh == nullptr || solid.mesh->nodes.empty()) return;
     solid.size = solid.mesh->half;

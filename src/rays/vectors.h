@@ -12,15 +12,12 @@ namespace mimo::rays {
 using Vec = Eigen::Vector3d;
 using render::dot;
 using render::seen_from;
+using render::unit;
 
 // Nothing that is drawn is farther away or larger, m: of such numbers, squares and products still fit floats.
 constexpr double kFarthest = 1e12;
 inline bool is_near(double v) { return std::abs(v) < kFarthest; }  // false of what is no number
 
-inline Vec unit(const Vec& a) {
-  const double length = std::sqrt(dot(a, a));
-  return length > 0 ? Vec(a / length) : Vec(0, 0, 1);
-}
 inline std::array<float, 3> narrow(const Vec& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }

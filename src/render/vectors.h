@@ -3,11 +3,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 namespace mimo::render {
 
 inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Eigen::Vector3d unit(const Eigen::Vector3d& a) {
+  const double length = std::sqrt(dot(a, a));
+  return length > 0 ? Eigen::Vector3d(a / length) : Eigen::Vector3d(0, 0, 1);
 }
 
 // A vector as a frame sees it whose axes are these columns.

@@ -406,6 +406,55 @@ int main(void) {
   FIELD(mimo_task_field, low);
   FIELD(mimo_task_field, high);
 
+  BEGIN(mimo_mesh);
+  FIELD(mimo_mesh, struct_size);
+  FIELD(mimo_mesh, axes);
+  FIELD(mimo_mesh, segments);
+  FIELD(mimo_mesh, reserved);
+  FIELD(mimo_mesh, plane);
+  FIELD(mimo_mesh, positions);
+  FIELD(mimo_mesh, normals);
+  FIELD(mimo_mesh, texcoords);
+  FIELD(mimo_mesh, indices);
+  FIELD(mimo_mesh, vertex_capacity);
+  FIELD(mimo_mesh, index_capacity);
+  FIELD(mimo_mesh, vertex_count);
+  FIELD(mimo_mesh, index_count);
+
+  BEGIN(mimo_material);
+  FIELD(mimo_material, struct_size);
+  FIELD(mimo_material, visible);
+  FIELD(mimo_material, group);
+  FIELD(mimo_material, texture);
+  FIELD(mimo_material, color);
+  FIELD(mimo_material, emission);
+  FIELD(mimo_material, specular);
+  FIELD(mimo_material, shininess);
+  FIELD(mimo_material, reflectance);
+
+  BEGIN(mimo_texture);
+  FIELD(mimo_texture, struct_size);
+  FIELD(mimo_texture, type);
+  FIELD(mimo_texture, width);
+  FIELD(mimo_texture, height);
+  FIELD(mimo_texture, pixels);
+  FIELD(mimo_texture, pixel_bytes);
+
+  BEGIN(mimo_light);
+  FIELD(mimo_light, struct_size);
+  FIELD(mimo_light, axes);
+  FIELD(mimo_light, active);
+  FIELD(mimo_light, directional);
+  FIELD(mimo_light, casts_shadow);
+  FIELD(mimo_light, cutoff);
+  FIELD(mimo_light, exponent);
+  FIELD(mimo_light, position);
+  FIELD(mimo_light, direction);
+  FIELD(mimo_light, ambient);
+  FIELD(mimo_light, diffuse);
+  FIELD(mimo_light, specular);
+  FIELD(mimo_light, attenuation);
+
   printf("\n  }\n}\n");
   return 0;
 }

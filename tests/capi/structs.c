@@ -119,6 +119,7 @@ static mimo_status describe_layout(mimo_layout_info* info) { return mimo_layout_
 static mimo_status describe_action(mimo_action* action) { return mimo_layout_action(layout_of(env), 0, action); }
 static mimo_status describe_term(mimo_term* term) { return mimo_layout_term(layout_of(rewarded), 0, term); }
 static mimo_status describe_gaze(mimo_gaze* gaze) { return mimo_env_gaze(env, 0, gaze); }
+static mimo_status describe_material(mimo_material* material) { return mimo_env_material(env, 0, material); }
 static mimo_status describe_timing(mimo_timing* timing) { return mimo_env_timing(env, timing); }
 
 int main(void) {
@@ -145,6 +146,7 @@ int main(void) {
   CHECK_DESCRIBED(mimo_term, "term", describe_term);
   CHECK_DESCRIBED(mimo_timing, "timing", describe_timing);
   CHECK_DESCRIBED(mimo_gaze, "gaze", describe_gaze);
+  CHECK_DESCRIBED(mimo_material, "material", describe_material);
   mimo_env_destroy(rewarded);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);

@@ -2,6 +2,7 @@
  *   ROW(name, what it needs, a call that succeeds, faults...) */
 #include "misuse/rows_batch.h"
 #include "misuse/rows_env.h"
+#include "misuse/rows_geometry.h"
 #include "misuse/rows_layout.h"
 #include "misuse/rows_scene.h"
 #include "misuse/rows_senses.h"

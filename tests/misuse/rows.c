@@ -182,6 +182,7 @@ static void no_scene_name(args* a) { a->scene_name = ""; }
 static void nan_action(args* a) { ((float*)a->action)[1] = NAN; }
 static void infinite_action(args* a) { ((float*)a->action)[1] = -INFINITY; }
 static void no_block(args* a) { a->block = NULL, a->block_bytes = 0; }
+static void no_pixels(args* a) { a->texture->pixels = NULL, a->texture->pixel_bytes = 0; }
 static void no_blocks(args* a) { a->blocks = NULL, a->blocks_bytes = 0; }
 static void no_final_blocks(args* a) { a->results->final_blocks = NULL; }
 

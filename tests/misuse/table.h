@@ -39,6 +39,10 @@ typedef struct args {
   mimo_field_config* field_config;
   mimo_model_config* model_config;
   mimo_gaze* gaze;
+  mimo_mesh* mesh;
+  mimo_material* material;
+  mimo_texture* texture;
+  mimo_light* light;
   mimo_growth* growth;
   mimo_limits* limits;
   mimo_maturity* maturity;
@@ -46,7 +50,7 @@ typedef struct args {
   mimo_load_report* report;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, receptor_quantity, body_id, how, version;
+  int32_t kind, id, quantity, receptor_quantity, body_id, how, version, axes, geom;
   size_t index, field_index, element, agent_index, world, steps;
   double angle, value, spacing, rate;
   /* strings */
@@ -65,12 +69,14 @@ typedef struct args {
   void *block, *blocks, *state_out, *states_out, *memory_out;
   char* text;
   double *reward, *values, *all_values, *numbers, *pixels, *receptors, *look_angles, *delays;
-  uint8_t *terminated, *truncated, *rgb;
+  uint8_t *terminated, *truncated, *rgb, *texels;
   mimo_status* statuses;
-  float *depth, *directions;
+  float *depth, *directions, *poses, *positions;
+  uint32_t* corners;
   int32_t *outcome, *segmentation, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, rgb_bytes, depth_count, segmentation_count;
-  size_t receptor_count, look_capacity, number_count, term_count, delay_count, direction_count, picture_index;
+  size_t receptor_count, look_capacity, number_count, term_count, delay_count, direction_count, picture_index,
+      pose_count, texture_bytes;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;

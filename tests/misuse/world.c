@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20, LOOK_JOINTS = 8 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
 
 static struct {
   unsigned char *bytes, *kept;
@@ -159,6 +159,15 @@ static void find_things(void) {
   good.id_count = 1;
 }
 
+/* Bytes of the first texture. */
+static size_t size_of_texture(const mimo_env* env) {
+  mimo_texture texture;
+  memset(&texture, 0, sizeof texture);
+  texture.struct_size = sizeof texture;
+  CHECK_OK(mimo_env_texture(env, 0, &texture));
+  return (size_t)4 * texture.width * texture.height;
+}
+
 static void make_arrays(void) {
   const size_t worlds = WORLDS_IN_BATCH;
   size_t actions = 0, state = 0, text = 0;
@@ -216,6 +225,13 @@ static void make_arrays(void) {
   good.receptors = region(good.receptor_count * sizeof(double));
   good.delays = region(good.delay_count * sizeof(double));
   good.directions = region(good.direction_count * sizeof(float));
+  CHECK_OK(mimo_env_count(good.env, MIMO_BODY, &good.pose_count));
+  good.pose_count *= 7;
+  good.poses = region(good.pose_count * sizeof(float));
+  good.positions = region(3 * MESH_ROOM * sizeof(float));
+  good.corners = region(MESH_ROOM * sizeof(uint32_t));
+  good.texture_bytes = size_of_texture(good.env);
+  good.texels = region(good.texture_bytes);
   good.look_capacity = LOOK_JOINTS;
   good.look_joints = region(LOOK_JOINTS * sizeof(int32_t));
   good.look_angles = region(LOOK_JOINTS * sizeof(double));
@@ -268,6 +284,10 @@ static void make_structs(void) {
   good.field_config = region(sizeof *good.field_config + TAIL);
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
+  good.mesh = region(sizeof *good.mesh + TAIL);
+  good.material = region(sizeof *good.material + TAIL);
+  good.texture = region(sizeof *good.texture + TAIL);
+  good.light = region(sizeof *good.light + TAIL);
   good.growth = region(sizeof *good.growth + TAIL);
   good.limits = region(sizeof *good.limits + TAIL);
   good.maturity = region(sizeof *good.maturity + TAIL);
@@ -354,6 +374,7 @@ static void fill_configs(void) {
   good.term->struct_size = sizeof *good.term;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
+  good.material->struct_size = sizeof *good.material;
   good.report->struct_size = sizeof *good.report;
   good.senses_config->mujoco_version = mj_version();
   good.senses_config->model_size = sizeof *host_model;
@@ -448,6 +469,21 @@ static void fill_states(void) {
   }
 }
 
+/* A geom, a texture and a light, and room for what is read of them. */
+static void fill_geometry(void) {
+  CHECK_OK(mimo_mesh_init(good.mesh, sizeof *good.mesh));
+  good.mesh->segments = 4;
+  good.mesh->positions = good.mesh->normals = good.mesh->texcoords = good.positions;
+  good.mesh->indices = good.corners;
+  good.mesh->vertex_capacity = good.mesh->index_capacity = MESH_ROOM;
+  memset(good.texture, 0, sizeof *good.texture);
+  good.texture->struct_size = sizeof *good.texture;
+  good.texture->pixels = good.texels;
+  good.texture->pixel_bytes = good.texture_bytes;
+  memset(good.light, 0, sizeof *good.light);
+  good.light->struct_size = sizeof *good.light;
+}
+
 args good_args(int uses) {
   size_t i;
   args a;
@@ -457,6 +493,7 @@ args good_args(int uses) {
   fill_env_results();
   fill_resets();
   fill_picture();
+  fill_geometry();
   fill_arrays();
   fill_states();
   *good.made_scene = NULL;
@@ -467,6 +504,7 @@ args good_args(int uses) {
   good.quantity = MIMO_JOINT_POSITION;
   good.receptor_quantity = MIMO_RECEPTOR_FRAME;
   good.steps = 1;
+  good.axes = MIMO_AXES_UNITY;
   good.name = "toy";
   good.scene_name = "free";
   good.part = "head";

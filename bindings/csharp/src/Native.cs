@@ -121,6 +121,16 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_project(EnvHandle env, ref PictureConfigStruct config, Vector3d[] points, Size count, [Out] Vector3d[] pixels);
         [DllImport(File)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, ref PictureStruct picture);
 
+        [DllImport(File)] internal static extern int mimo_convert_points(int axes, [In, Out] float[] points, Size count);
+        [DllImport(File)] internal static extern int mimo_convert_directions(int axes, [In, Out] float[] directions, Size count);
+        [DllImport(File)] internal static extern int mimo_env_poses(EnvHandle env, int kind, int axes, float[] poses, Size count);
+        [DllImport(File)] internal static extern int mimo_mesh_init(out MeshStruct mesh, Size size);
+        [DllImport(File)] internal static extern int mimo_env_mesh(EnvHandle env, int geom, ref MeshStruct mesh);
+        [DllImport(File)] internal static extern int mimo_env_material(EnvHandle env, int geom, ref MaterialStruct material);
+        [DllImport(File)] internal static extern int mimo_env_texture_count(EnvHandle env, out Size count);
+        [DllImport(File)] internal static extern int mimo_env_texture(EnvHandle env, int texture, ref TextureStruct raw);
+        [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);
+
         [DllImport(File)] internal static extern IntPtr mimo_face_name(Size index);
         [DllImport(File)] internal static extern int mimo_env_state_size(EnvHandle env, out Size bytes);
         [DllImport(File)] internal static extern int mimo_env_state_save(EnvHandle env, byte[] state, Size bytes);

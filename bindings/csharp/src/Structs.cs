@@ -303,6 +303,59 @@ namespace Mimo
         internal UIntPtr field_count;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct Floats3
+    {
+        internal float x, y, z;
+        internal Vector3d Wide => new Vector3d(x, y, z);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct Floats4
+    {
+        internal float r, g, b, a;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct MeshStruct
+    {
+        internal uint struct_size;
+        internal int axes;
+        internal uint segments, reserved;
+        internal double plane;
+        internal IntPtr positions, normals, texcoords, indices;
+        internal UIntPtr vertex_capacity, index_capacity, vertex_count, index_count;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct MaterialStruct
+    {
+        internal uint struct_size, visible;
+        internal int group, texture;
+        internal Floats4 color;
+        internal float emission, specular, shininess, reflectance;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct TextureStruct
+    {
+        internal uint struct_size;
+        internal int type;
+        internal uint width, height;
+        internal IntPtr pixels;
+        internal UIntPtr pixel_bytes;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct LightStruct
+    {
+        internal uint struct_size;
+        internal int axes;
+        internal uint active, directional, casts_shadow;
+        internal float cutoff, exponent;
+        internal Floats3 position, direction, ambient, diffuse, specular, attenuation;
+    }
+
     internal static class Structs
     {
         internal static UIntPtr Size<T>() { return (UIntPtr)Marshal.SizeOf(typeof(T)); }

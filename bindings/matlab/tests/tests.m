@@ -5,7 +5,7 @@ function tests()
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
                  @scenes_step_by_step, @two_infants, @infants_of_any_age, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
-                 @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @steps_in_two_halves};
+                 @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @engines_see_it, @steps_in_two_halves};
   all_of_them = [all_of_them, layout_tests(), results_tests()];
   failed = 0;
   for i = 1:numel(all_of_them)
@@ -286,6 +286,36 @@ function eyes_meet()
   assert(max(abs(gaze.point - point)) < 1e-6);
   assert(abs(gaze.vergence - 2 * atan(0.0245 / 0.4)) < 0.02);
   refused(@() mimo_look_at(world, point, 'feet'), 'mimo:INVALID_ARGUMENT');
+  mimo_close(world);
+end
+
+% Unity's x is to the right, its y up, its z forward; Unreal counts in centimetres.
+function engines_see_it()
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0);
+  mimo_reset(world, 1);
+  head = find(strcmp(mimo_names(world, 'geom'), 'head'));
+  mesh = mimo_mesh(world, head);
+  assert(isequal(size(mesh.positions), size(mesh.normals)) && size(mesh.texcoords, 2) == size(mesh.positions, 2));
+  assert(min(mesh.triangles(:)) == 1 && max(mesh.triangles(:)) == size(mesh.positions, 2));
+  radius = mimo_get(world, 'geom_size', 'head');
+  assert(abs(max(sqrt(sum(mesh.positions .^ 2))) - radius(1)) < 1e-6);
+  assert(abs(max(sqrt(sum(mimo_mesh(world, head, 'unreal').positions .^ 2))) - 100 * radius(1)) < 1e-4);
+  before = mimo_material(world, head);
+  mimo_face(world, 'surprise');
+  assert(before.visible && before.texture ~= mimo_material(world, head).texture);
+  [pixels, type] = mimo_texture(world, before.texture);
+  assert(strcmp(type, 'cube') && size(pixels, 1) == 6 * size(pixels, 2) && all(all(pixels(:, :, 4) == 255)));
+  assert(mimo_texture(world) >= before.texture);
+  ours = mimo_poses(world, 'body');
+  unity = mimo_poses(world, 'body', 'unity');
+  assert(isequal(unity(1:3, :), [-ours(2, :); ours(3, :); ours(1, :)]) && isequal(unity(7, :), ours(4, :)));
+  assert(isequal(mimo_convert('points', [1; 2; 3], 'unreal'), [100; -200; 300]));
+  assert(isequal(mimo_convert('directions', [1; 2; 3], 'unreal'), [1; -2; 3]));
+  assert(mimo_light(world, 0).directional == 1 && mimo_light(world, 1, 'godot').active == 1);
+  refused(@() mimo_mesh(world, head, 'blender'), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_mesh(world, head, 'unity', 6), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_poses(world, 'joint'), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_texture(world, 999), 'mimo:INVALID_ARGUMENT');
   mimo_close(world);
 end
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry.hpp"
 #include "layout.hpp"
 #include "scene.hpp"
 
@@ -272,6 +273,42 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     if (points.empty()) return pixels;
     check(mimo_env_project(get(), &config, points[0].data(), points.size(), pixels[0].data()));
     return pixels;
+  }
+
+  /// A geom as triangles. segments: pieces of a circle; plane: half the size of endless planes, m.
+  Mesh mesh(std::int32_t geom, std::int32_t axes = MIMO_AXES_MIMO, std::uint32_t segments = 24,
+            double plane = 20) const {
+    return detail::mesh_of(get(), geom, axes, segments, plane);
+  }
+  mimo_material material(std::int32_t geom) const {
+    mimo_material material = {};
+    material.struct_size = sizeof material;
+    check(mimo_env_material(get(), geom, &material));
+    return material;
+  }
+  std::size_t texture_count() const {
+    std::size_t count = 0;
+    check(mimo_env_texture_count(get(), &count));
+    return count;
+  }
+  Texture texture(std::int32_t id) const { return detail::texture_of(get(), id); }
+  /// A light by its id, or MIMO_HEADLIGHT.
+  mimo_light light(std::int32_t id, std::int32_t axes = MIMO_AXES_MIMO) const {
+    mimo_light light = {};
+    light.struct_size = sizeof light;
+    light.axes = axes;
+    check(mimo_env_light(get(), id, &light));
+    return light;
+  }
+  /// Where all of a kind are now: seven numbers each, see mimo_env_poses.
+  std::vector<float> poses(std::int32_t kind, std::int32_t axes = MIMO_AXES_MIMO) const {
+    std::vector<float> poses(7 * count(kind));
+    read_poses(kind, axes, poses);
+    return poses;
+  }
+  /// The same into memory that is there.
+  void read_poses(std::int32_t kind, std::int32_t axes, std::vector<float> &poses) const {
+    check(mimo_env_poses(get(), kind, axes, poses.data(), poses.size()));
   }
 
   /// Where the time of steps went, in worlds whose config says timing = 1.

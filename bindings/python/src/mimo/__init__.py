@@ -19,6 +19,7 @@ from .constants import (
     Act,
     Actuation,
     Autoreset,
+    Axes,
     Disable,
     Frame,
     GrowthModel,
@@ -35,6 +36,7 @@ from .constants import (
     Render,
     Sex,
     Shape,
+    TextureType,
     Touch,
     TouchResponse,
     Vestibular,
@@ -55,6 +57,7 @@ from .errors import (
     SimulationError,
     UnsupportedError,
 )
+from .geometry import convert_directions, convert_points
 from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_task import Moment, WorldTask
@@ -93,6 +96,7 @@ __all__ = [
     "Actuation",
     "ArgumentError",
     "Autoreset",
+    "Axes",
     "Batch",
     "ClosedError",
     "Disable",
@@ -135,6 +139,7 @@ __all__ = [
     "StepResult",
     "Task",
     "Term",
+    "TextureType",
     "Touch",
     "TouchResponse",
     "UnsupportedError",
@@ -146,6 +151,8 @@ __all__ = [
     "WorldTask",
     "abi_version",
     "api_version",
+    "convert_directions",
+    "convert_points",
     "faces",
     "materials",
     "library_path",

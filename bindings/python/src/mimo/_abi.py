@@ -6,7 +6,7 @@ A test reads the header and compares; whoever changes mimo.h changes this table.
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Any, Dict, List, Tuple
 
 ABI_VERSION = 0
@@ -372,6 +372,67 @@ class Picture(Struct):
     ]
 
 
+class Mesh(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("axes", c_int32),
+        ("segments", c_uint32),
+        ("reserved", c_uint32),
+        ("plane", c_double),
+        ("positions", _Array),
+        ("normals", _Array),
+        ("texcoords", _Array),
+        ("indices", _Array),
+        ("vertex_capacity", c_size_t),
+        ("index_capacity", c_size_t),
+        ("vertex_count", c_size_t),
+        ("index_count", c_size_t),
+    ]
+
+
+class Material(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("visible", c_uint32),
+        ("group", c_int32),
+        ("texture", c_int32),
+        ("color", c_float * 4),
+        ("emission", c_float),
+        ("specular", c_float),
+        ("shininess", c_float),
+        ("reflectance", c_float),
+    ]
+
+
+class Texture(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("type", c_int32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("pixels", _Array),
+        ("pixel_bytes", c_size_t),
+    ]
+
+
+class Light(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("axes", c_int32),
+        ("active", c_uint32),
+        ("directional", c_uint32),
+        ("casts_shadow", c_uint32),
+        ("cutoff", c_float),
+        ("exponent", c_float),
+        ("position", c_float * 3),
+        ("direction", c_float * 3),
+        ("ambient", c_float * 3),
+        ("diffuse", c_float * 3),
+        ("specular", c_float * 3),
+        ("attenuation", c_float * 3),
+    ]
+
+
 class Timing(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -624,6 +685,15 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_picture_config_init": (_status, [_config(PictureConfig), c_size_t]),
     "mimo_env_render": (_status, [_Handle, _config(PictureConfig), _config(Picture)]),
     "mimo_env_project": (_status, [_Handle, _config(PictureConfig), _Array, c_size_t, _Array]),
+    "mimo_convert_points": (_status, [c_int32, _Array, c_size_t]),
+    "mimo_convert_directions": (_status, [c_int32, _Array, c_size_t]),
+    "mimo_env_poses": (_status, [_Handle, c_int32, c_int32, _Array, c_size_t]),
+    "mimo_mesh_init": (_status, [_config(Mesh), c_size_t]),
+    "mimo_env_mesh": (_status, [_Handle, c_int32, _config(Mesh)]),
+    "mimo_env_material": (_status, [_Handle, c_int32, _config(Material)]),
+    "mimo_env_texture_count": (_status, [_Handle, _Out_size]),
+    "mimo_env_texture": (_status, [_Handle, c_int32, _config(Texture)]),
+    "mimo_env_light": (_status, [_Handle, c_int32, _config(Light)]),
     "mimo_env_timing": (_status, [_Handle, _config(Timing)]),
     "mimo_env_timing_reset": (_status, [_Handle]),
     "mimo_env_state_size": (_status, [_Handle, _Out_size]),

@@ -250,6 +250,24 @@ class Kind(IntEnum):
     WARNING = 14
 
 
+class Axes(IntEnum):
+    """Frames of engines; mimo.h says which way their axes point."""
+
+    MIMO = 0
+    UNITY = 1
+    UNREAL = 2
+    GODOT = 3
+    GLTF = 4
+
+
+class TextureType(IntEnum):
+    """How a texture's pixels are to be understood."""
+
+    FLAT = 0
+    CUBE = 1
+    SKY = 2
+
+
 class Quantity(IntEnum):
     """What can be read, and in part written; mimo.h says what each is."""
 

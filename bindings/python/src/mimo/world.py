@@ -13,11 +13,12 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Native
 from ._library import LIB, check, log_to_python, raise_error, text
-from .access import Access, Mask
+from .access import Mask
 from .ages import Age, growths, of_agents
 from .arguments import index_in, number_of, real_number, vector, whole_number
 from .constants import Kind, Look, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
+from .geometry import Geometry
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
 from .results import Numbers, Results, StepResult
@@ -89,7 +90,7 @@ def reset_config(seed: Optional[int], ages: Sequence[Age] = ()) -> Optional[_abi
     return _abi.ResetConfig(growth=growth, growth_count=count, **seeded)
 
 
-class World(Access):
+class World(Geometry):
     """One world with its infants, their senses and a task.
 
     `World("reach", vision=False)` makes it of a built-in scene with its infants, `World(scene)` of a scene of your own.

@@ -426,6 +426,24 @@ pub const MIMO_BODY_NERVE_LENGTH: u32 = 56;
 pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: u32 = 57;
 #[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
 pub const MIMO_NOW: u32 = 1073741824;
+#[doc = "This library's, MuJoCo's and ROS's: x forward, y left, z up. Quaternions w x y z."]
+pub const MIMO_AXES_MIMO: u32 = 0;
+#[doc = "Left-handed: x right, y up, z forward. Quaternions x y z w, as in all that follow."]
+pub const MIMO_AXES_UNITY: u32 = 1;
+#[doc = "Left-handed: x forward, y right, z up; cm."]
+pub const MIMO_AXES_UNREAL: u32 = 2;
+#[doc = "Right-handed: x right, y up, z backward."]
+pub const MIMO_AXES_GODOT: u32 = 3;
+#[doc = "Right-handed: x left, y up, z forward: glTF, three.js."]
+pub const MIMO_AXES_GLTF: u32 = 4;
+#[doc = "One picture, repeated beyond its edges."]
+pub const MIMO_TEXTURE_FLAT: u32 = 0;
+#[doc = "Six square pictures, one above the other; texcoords of meshes already lie in them."]
+pub const MIMO_TEXTURE_CUBE: u32 = 1;
+#[doc = "A cube around everything: right, left, up, down, front, back of one who looks at it."]
+pub const MIMO_TEXTURE_SKY: u32 = 2;
+#[doc = "The light that every camera carries."]
+pub const MIMO_HEADLIGHT: i32 = -1;
 #[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
 pub const MIMO_LOOK_EYES: u32 = 0;
 #[doc = "The head turns first, so that the eyes have to turn little."]
@@ -1732,6 +1750,162 @@ extern "C" {
     #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get gives those of now"]
     #[doc = "until the next step. The trajectory stays as it was."]
     pub fn mimo_env_update(env: *mut mimo_env) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Converts points in place: positions, or the places of touch sensors."]
+    #[doc = "@param points three numbers each, in our frame."]
+    pub fn mimo_convert_points(axes: i32, points: *mut f32, point_count: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Converts directions in place: normals, forces, velocities; their lengths stay."]
+    pub fn mimo_convert_directions(axes: i32, directions: *mut f32, direction_count: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Poses of now of all elements of a kind, one after the other: position, and a quaternion in the order of the frame."]
+    #[doc = "@param kind        MIMO_BODY, MIMO_GEOM, MIMO_SITE or MIMO_CAMERA."]
+    #[doc = "@param axes        a MIMO_AXES_ constant."]
+    #[doc = "@param value_count length of poses: seven times mimo_env_count."]
+    #[doc = "A camera looks along its own -z in our frame, so along what that becomes in another one."]
+    pub fn mimo_env_poses(
+        env: *const mimo_env,
+        kind: i32,
+        axes: i32,
+        poses: *mut f32,
+        value_count: usize,
+    ) -> mimo_status;
+}
+#[doc = "A geom as triangles, in the geom's own frame: they move with its pose. Asked for twice: with NULL for the arrays, to"]
+#[doc = "learn how many vertices and indices there are, and again with arrays of that size."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_mesh {
+    #[doc = "sizeof(mimo_mesh), set by mimo_mesh_init."]
+    pub struct_size: u32,
+    #[doc = "In: a MIMO_AXES_ constant. The order of a triangle's corners is the one that the"]
+    #[doc = "engine takes for an outside: counter-clockwise, clockwise in Unity and Godot."]
+    pub axes: i32,
+    #[doc = "In: level of detail: pieces of a circle, a multiple of 4, 4 to 256. Default 24."]
+    pub segments: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "In: half the size of planes without an end, m, > 0. Default 20."]
+    pub plane: f64,
+    #[doc = "In: three for each vertex, or NULL."]
+    pub positions: *mut f32,
+    #[doc = "In: three for each vertex, length 1, or NULL."]
+    pub normals: *mut f32,
+    #[doc = "In: two for each vertex, or NULL. (0, 0) is where the texture's first row begins;"]
+    #[doc = "flat textures go on beyond 0 and 1. Zeros where the geom has no texture."]
+    pub texcoords: *mut f32,
+    #[doc = "In: three for each triangle, or NULL."]
+    pub indices: *mut u32,
+    #[doc = "In: for how many vertices the arrays have room."]
+    pub vertex_capacity: usize,
+    #[doc = "In: how many indices there is room for."]
+    pub index_capacity: usize,
+    #[doc = "Out."]
+    pub vertex_count: usize,
+    #[doc = "Out."]
+    pub index_count: usize,
+}
+extern "C" {
+    #[doc = "Fills a mesh with defaults: no arrays."]
+    pub fn mimo_mesh_init(mesh: *mut mimo_mesh, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "A geom as triangles. Meshes and height fields of the model come as they are, whatever segments says. Skins, tendons"]
+    #[doc = "and sites, which MuJoCo draws as well, are not to be had."]
+    #[doc = "Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message says what is needed."]
+    pub fn mimo_env_mesh(env: *const mimo_env, geom: i32, mesh: *mut mimo_mesh) -> mimo_status;
+}
+#[doc = "How a geom looks: its material, and whether it is to be seen at all."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_material {
+    #[doc = "sizeof(mimo_material), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "1: MuJoCo would draw it: of its groups 0 to 2, and not fully transparent."]
+    pub visible: u32,
+    #[doc = "MuJoCo's number of its group."]
+    pub group: i32,
+    #[doc = "Id of its texture, -1 for none: a face's, while the agent shows it."]
+    pub texture: i32,
+    #[doc = "Red, green, blue, opacity, 0 to 1; times the texture's."]
+    pub color: [f32; 4usize],
+    #[doc = "How much of its colour it shines by itself, 0 to 1."]
+    pub emission: f32,
+    #[doc = "Strength of highlights, 0 to 1."]
+    pub specular: f32,
+    #[doc = "Their sharpness, 0 to 1: Phong's exponent is 128 times this."]
+    pub shininess: f32,
+    #[doc = "Share of what it mirrors, 0 to 1; planes and boxes only."]
+    pub reflectance: f32,
+}
+extern "C" {
+    #[doc = "How a geom looks in this world now. Set material->struct_size first."]
+    pub fn mimo_env_material(env: *const mimo_env, geom: i32, material: *mut mimo_material) -> mimo_status;
+}
+#[doc = "A texture as pixels. Asked for twice, like a mesh."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_texture {
+    #[doc = "sizeof(mimo_texture), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "Out: a MIMO_TEXTURE_ constant."]
+    pub type_: i32,
+    #[doc = "Out: pixels."]
+    pub width: u32,
+    #[doc = "Out: pixels, of all six pictures of a cube together."]
+    pub height: u32,
+    #[doc = "In: red, green, blue, 255 of each pixel, row after row; or NULL."]
+    pub pixels: *mut u8,
+    #[doc = "In: length of pixels: 4 width height."]
+    pub pixel_bytes: usize,
+}
+extern "C" {
+    #[doc = "How many textures the world has; ids are 0 to count - 1."]
+    pub fn mimo_env_texture_count(env: *const mimo_env, count: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "A texture. Set texture->struct_size, pixels and pixel_bytes first."]
+    pub fn mimo_env_texture(env: *const mimo_env, texture_id: i32, texture: *mut mimo_texture)
+        -> mimo_status;
+}
+#[doc = "A light of now."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_light {
+    #[doc = "sizeof(mimo_light), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "In: a MIMO_AXES_ constant."]
+    pub axes: i32,
+    #[doc = "1: it shines."]
+    pub active: u32,
+    #[doc = "1: parallel, like the sun's, from direction; 0: from position, within a cone."]
+    pub directional: u32,
+    #[doc = "1: it casts shadows."]
+    pub casts_shadow: u32,
+    #[doc = "Half angle of the cone, degrees; 180: to all sides."]
+    pub cutoff: f32,
+    #[doc = "How much it is stronger in the middle of the cone; 0: even."]
+    pub exponent: f32,
+    #[doc = "Of now; zero for the headlight, which is where its camera is."]
+    pub position: [f32; 3usize],
+    #[doc = "Where it shines, unit vector."]
+    pub direction: [f32; 3usize],
+    #[doc = "Red, green, blue that reach everything."]
+    pub ambient: [f32; 3usize],
+    #[doc = "Red, green, blue that make surfaces bright that are turned to it."]
+    pub diffuse: [f32; 3usize],
+    #[doc = "Red, green, blue of highlights."]
+    pub specular: [f32; 3usize],
+    #[doc = "At a distance d in metres it has 1 / (a0 + a1 d + a2 d^2) of its strength."]
+    pub attenuation: [f32; 3usize],
+}
+extern "C" {
+    #[doc = "A light. Set light->struct_size and axes first."]
+    #[doc = "@param id a MIMO_LIGHT, or MIMO_HEADLIGHT."]
+    pub fn mimo_env_light(env: *const mimo_env, id: i32, light: *mut mimo_light) -> mimo_status;
 }
 #[doc = "Where an infant looks."]
 #[repr(C)]

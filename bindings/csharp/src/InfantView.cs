@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+
+namespace Mimo
+{
+    /// <summary>What an engine makes of a world: one object for each geom that is to be seen. The engine's own classes stay out of
+    /// it: give it a drawer, call Build once and Update after steps.</summary>
+    public interface IDrawer
+    {
+        /// <summary>A texture that materials will name by its id.</summary>
+        void AddTexture(int id, GeomTexture texture);
+
+        /// <summary>A geom, with the name that it has in the model, and of its body; again after its shape has changed.</summary>
+        void SetMesh(int geom, string name, string body, GeomMesh mesh);
+
+        /// <summary>How it looks; again after that has changed. Invisible ones are to be hidden.</summary>
+        void SetMaterial(int geom, GeomMaterial material);
+
+        /// <summary>Where it is.</summary>
+        void SetPose(int geom, float x, float y, float z, float qx, float qy, float qz, float qw);
+    }
+
+    /// <summary>Keeps an engine's objects as the world's geoms are.</summary>
+    public sealed class InfantView
+    {
+        private readonly Env env;
+        private readonly IDrawer drawer;
+        private readonly Axes axes;
+        private readonly int segments;
+        private readonly float[] poses;
+        private readonly GeomMaterial[] materials;
+        private readonly HashSet<int> textures = new HashSet<int>();
+
+        /// <summary>For a world, a drawer, and the engine's frame: Axes.Unity, Unreal, Godot or Gltf.</summary>
+        public InfantView(Env env, IDrawer drawer, Axes axes = Axes.Unity, int segments = 24)
+        {
+            if (axes == Axes.Mimo) throw new ArgumentException("axes is Mimo, expected an engine's", nameof(axes));
+            this.env = env;
+            this.drawer = drawer;
+            this.axes = axes;
+            this.segments = segments;
+            var count = env.Count(Kind.Geom);
+            poses = new float[7 * count];
+            materials = new GeomMaterial[count];
+        }
+
+        /// <summary>Hands over all meshes, materials and poses: at the start, and after geoms were given another size or infants
+        /// another age.</summary>
+        public void Build()
+        {
+            for (var geom = 0; geom < materials.Length; ++geom)
+            {
+                var body = env.Name(Kind.Body, env.BodyOf(Kind.Geom, geom));
+                drawer.SetMesh(geom, env.Name(Kind.Geom, geom), body, env.Mesh(geom, axes, segments));
+                Show(geom, env.Material(geom));
+            }
+            Update();
+        }
+
+        /// <summary>Moves all that is to be seen to where it is now. Allocates nothing.</summary>
+        public void Update()
+        {
+            env.Poses(Kind.Geom, axes, poses);
+            for (var geom = 0; geom < materials.Length; ++geom)
+            {
+                if (!materials[geom].Visible) continue;
+                var i = 7 * geom;
+                drawer.SetPose(geom, poses[i], poses[i + 1], poses[i + 2], poses[i + 3], poses[i + 4], poses[i + 5],
+                    poses[i + 6]);
+            }
+        }
+
+        /// <summary>Hands over materials that have changed: another face, another colour.</summary>
+        public void UpdateMaterials()
+        {
+            for (var geom = 0; geom < materials.Length; ++geom)
+            {
+                var material = env.Material(geom);
+                if (!material.Equals(materials[geom])) Show(geom, material);
+            }
+        }
+
+        private void Show(int geom, GeomMaterial material)
+        {
+            if (material.Visible && material.Texture >= 0 && textures.Add(material.Texture))
+                drawer.AddTexture(material.Texture, env.Texture(material.Texture));
+            materials[geom] = material;
+            drawer.SetMaterial(geom, material);
+        }
+    }
+}

@@ -1,0 +1,165 @@
+/* What engines draw themselves: shapes, materials, textures, lights, poses, frames. */
+#include "mimo_engines.h"
+
+#include <string.h>
+
+#include "mimo_arrays.h"
+
+/* The frame of a name: '', 'unity', ... */
+static int32_t read_axes(const mxArray* name) {
+  static const char* const names[] = {"mimo", "unity", "unreal", "godot", "gltf"};
+  const char* text = mimo_text(name, "axes");
+  int32_t i;
+  if (text[0] == '\0') return MIMO_AXES_MIMO;
+  for (i = 0; i < 5; ++i)
+    if (strcmp(text, names[i]) == 0) return i;
+  mimo_refuse("axes is '%s', expected 'mimo', 'unity', 'unreal', 'godot' or 'gltf'", text);
+  return 0;
+}
+
+/* A geom, texture or light, counted from 1. */
+static int32_t read_id(const mxArray* number, const char* what) { return (int32_t)mimo_number(number, what) - 1; }
+
+/* `rows` numbers for each of `count`, as an array of doubles. */
+static mxArray* rows_of(const float* values, size_t rows, size_t count) {
+  mxArray* array = mxCreateDoubleMatrix(rows, count, mxREAL);
+  size_t i;
+  for (i = 0; i < rows * count; ++i) mxGetPr(array)[i] = (double)values[i];
+  return array;
+}
+
+/* struct = mesh(number, geom, axes, segments, plane, index) */
+static void mesh(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_mesh wanted;
+  mimo_env* env;
+  mxArray* triangles;
+  int32_t geom;
+  size_t i;
+  (void)nout;
+  mimo_need(nin >= 5, "expected a world, a geom, axes, segments, and the size of planes");
+  env = mimo_world_at(mimo_worlds_of(in[0]), nin, in, 5);
+  geom = read_id(in[1], "geom");
+  mimo_check(mimo_mesh_init(&wanted, sizeof wanted));
+  wanted.axes = read_axes(in[2]);
+  wanted.segments = (uint32_t)mimo_number(in[3], "segments");
+  wanted.plane = mimo_number(in[4], "plane");
+  mimo_check(mimo_env_mesh(env, geom, &wanted));
+  wanted.vertex_capacity = wanted.vertex_count;
+  wanted.index_capacity = wanted.index_count;
+  wanted.positions = mxCalloc(3 * wanted.vertex_count + 1, sizeof(float));
+  wanted.normals = mxCalloc(3 * wanted.vertex_count + 1, sizeof(float));
+  wanted.texcoords = mxCalloc(2 * wanted.vertex_count + 1, sizeof(float));
+  wanted.indices = mxCalloc(wanted.index_count + 1, sizeof(uint32_t));
+  mimo_check(mimo_env_mesh(env, geom, &wanted));
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add(out[0], "positions", rows_of(wanted.positions, 3, wanted.vertex_count));
+  mimo_add(out[0], "normals", rows_of(wanted.normals, 3, wanted.vertex_count));
+  mimo_add(out[0], "texcoords", rows_of(wanted.texcoords, 2, wanted.vertex_count));
+  triangles = mxCreateDoubleMatrix(3, wanted.index_count / 3, mxREAL);
+  for (i = 0; i < wanted.index_count; ++i) mxGetPr(triangles)[i] = 1.0 + wanted.indices[i];
+  mimo_add(out[0], "triangles", triangles);
+}
+
+/* struct = material(number, geom, index) */
+static void material(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_material look = {0};
+  (void)nout;
+  mimo_need(nin >= 2, "expected a world, and a geom");
+  look.struct_size = sizeof look;
+  mimo_check(mimo_env_material(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 2), read_id(in[1], "geom"), &look));
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add_number(out[0], "visible", look.visible);
+  mimo_add_number(out[0], "group", look.group);
+  mimo_add_number(out[0], "texture", look.texture + 1);
+  mimo_add(out[0], "color", rows_of(look.color, 4, 1));
+  mimo_add_number(out[0], "emission", look.emission);
+  mimo_add_number(out[0], "specular", look.specular);
+  mimo_add_number(out[0], "shininess", look.shininess);
+  mimo_add_number(out[0], "reflectance", look.reflectance);
+}
+
+/* [pixels, type] = texture(number, id, index); of the id 0: how many there are */
+static void texture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  static const char* const types[] = {"flat", "cube", "sky"};
+  mimo_texture wanted = {0};
+  size_t count = 0;
+  mimo_env* env;
+  int32_t id;
+  mimo_need(nin >= 2, "expected a world, and a texture");
+  env = mimo_world_at(mimo_worlds_of(in[0]), nin, in, 2);
+  id = read_id(in[1], "texture");
+  if (id < 0) {
+    mimo_check(mimo_env_texture_count(env, &count));
+    out[0] = mxCreateDoubleScalar((double)count);
+    return;
+  }
+  wanted.struct_size = sizeof wanted;
+  mimo_check(mimo_env_texture(env, id, &wanted));
+  wanted.pixel_bytes = (size_t)4 * wanted.width * wanted.height;
+  wanted.pixels = mxCalloc(wanted.pixel_bytes, 1);
+  mimo_check(mimo_env_texture(env, id, &wanted));
+  out[0] = mimo_picture_of(wanted.pixels, wanted.height, wanted.width, 4, MIMO_U8);
+  if (nout > 1) out[1] = mxCreateString(types[wanted.type]);
+}
+
+/* struct = light(number, id, axes, index); the id 0 is the light that cameras carry */
+static void light(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_light now = {0};
+  (void)nout;
+  mimo_need(nin >= 3, "expected a world, a light, and axes");
+  now.struct_size = sizeof now;
+  now.axes = read_axes(in[2]);
+  mimo_check(mimo_env_light(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 3), read_id(in[1], "light"), &now));
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add_number(out[0], "active", now.active);
+  mimo_add_number(out[0], "directional", now.directional);
+  mimo_add_number(out[0], "casts_shadow", now.casts_shadow);
+  mimo_add_number(out[0], "cutoff", now.cutoff);
+  mimo_add_number(out[0], "exponent", now.exponent);
+  mimo_add(out[0], "position", rows_of(now.position, 3, 1));
+  mimo_add(out[0], "direction", rows_of(now.direction, 3, 1));
+  mimo_add(out[0], "ambient", rows_of(now.ambient, 3, 1));
+  mimo_add(out[0], "diffuse", rows_of(now.diffuse, 3, 1));
+  mimo_add(out[0], "specular", rows_of(now.specular, 3, 1));
+  mimo_add(out[0], "attenuation", rows_of(now.attenuation, 3, 1));
+}
+
+/* poses = poses(number, kind, axes, index): seven rows */
+static void poses(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  static const char* const names[] = {"body", "geom", "site", "camera"};
+  static const int32_t kinds[] = {MIMO_BODY, MIMO_GEOM, MIMO_SITE, MIMO_CAMERA};
+  const char* kind;
+  mimo_env* env;
+  size_t count = 0, i;
+  float* values;
+  (void)nout;
+  mimo_need(nin >= 3, "expected a world, a kind, and axes");
+  env = mimo_world_at(mimo_worlds_of(in[0]), nin, in, 3);
+  kind = mimo_text(in[1], "kind");
+  for (i = 0; i < 4 && strcmp(kind, names[i]) != 0; ++i) continue;
+  if (i == 4) mimo_refuse("kind is '%s', expected 'body', 'geom', 'site' or 'camera'", kind);
+  mimo_check(mimo_env_count(env, kinds[i], &count));
+  values = mxCalloc(7 * count + 1, sizeof *values);
+  mimo_check(mimo_env_poses(env, kinds[i], read_axes(in[2]), values, 7 * count));
+  out[0] = rows_of(values, 7, count);
+}
+
+/* converted = convert(what, values, axes): points or directions, 3 x n */
+static void convert(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_status (*function)(int32_t, float*, size_t) = mimo_convert_points;
+  size_t count, i;
+  float* values;
+  (void)nout;
+  mimo_need(nin == 3 && mxIsDouble(in[1]) && !mxIsComplex(in[1]) && mxGetM(in[1]) == 3,
+            "expected three rows of numbers, and axes");
+  if (strcmp(mimo_text(in[0], "what"), "directions") == 0) function = mimo_convert_directions;
+  count = mxGetN(in[1]);
+  values = mxCalloc(3 * count + 1, sizeof *values);
+  for (i = 0; i < 3 * count; ++i) values[i] = (float)mxGetPr(in[1])[i];
+  mimo_check(function(read_axes(in[2]), values, count));
+  out[0] = rows_of(values, 3, count);
+}
+
+const mimo_command mimo_engine_commands[] = {{"mesh", mesh},   {"material", material}, {"texture", texture},
+                                             {"light", light}, {"poses", poses},       {"convert", convert},
+                                             {NULL, NULL}};

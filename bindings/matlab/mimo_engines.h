@@ -1,0 +1,9 @@
+/* What engines draw themselves. */
+#ifndef MIMO_MATLAB_ENGINES_H
+#define MIMO_MATLAB_ENGINES_H
+
+#include "mimo_base.h"
+
+extern const mimo_command mimo_engine_commands[];
+
+#endif

@@ -1,0 +1,200 @@
+"""A world's shapes, materials, textures, lights and poses, for programs that draw it themselves."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, List, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi
+from ._library import LIB, check
+from .access import Access
+from .arguments import real_number, whole_number
+from .constants import Axes, Kind, TextureType
+
+Floats = NDArray[np.float32]
+AxesOf = Union[Axes, int, str]  # "unity" as well
+
+HEADLIGHT = -1  # the light that every camera carries
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A geom as triangles, in the geom's own frame."""
+
+    positions: Floats  # n x 3
+    normals: Floats  # n x 3, unit vectors
+    texcoords: Floats  # n x 2; (0, 0) is where the texture's first row begins
+    triangles: NDArray[np.uint32]  # m x 3, numbers of vertices in the order that the engine takes for an outside
+
+
+@dataclass(frozen=True)
+class Material:
+    """How a geom looks."""
+
+    visible: bool  # MuJoCo would draw it
+    group: int
+    texture: int  # -1: none
+    color: Tuple[float, float, float, float]  # red, green, blue, opacity; times the texture's
+    emission: float
+    specular: float
+    shininess: float  # Phong's exponent is 128 times this
+    reflectance: float
+
+
+@dataclass(frozen=True, eq=False)
+class Texture:
+    """A picture on geoms; a cube's six are one above the other."""
+
+    type: TextureType
+    pixels: NDArray[np.uint8]  # height x width x 4: red, green, blue, 255
+
+
+@dataclass(frozen=True, eq=False)
+class Light:
+    """A light of now."""
+
+    active: bool
+    directional: bool
+    casts_shadow: bool
+    cutoff: float  # half angle of its cone, degrees
+    exponent: float
+    position: Floats
+    direction: Floats
+    ambient: Floats  # red, green, blue, as the next two
+    diffuse: Floats
+    specular: Floats
+    attenuation: Floats  # 1 / (a0 + a1 d + a2 d^2) at a distance of d metres
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Where all elements of a kind are."""
+
+    positions: Floats  # n x 3
+    rotations: Floats  # n x 4: w x y z in the library's axes, x y z w in all others
+
+
+class Geometry(Access):
+    """What a world gives to programs that draw it themselves; see docs/engines.md."""
+
+    def _geom(self, geom: Union[int, str]) -> int:
+        return self.find(Kind.GEOM, geom) if isinstance(geom, str) else _int32("geom", geom)
+
+    def mesh(self, geom: Union[int, str], axes: AxesOf = Axes.MIMO, segments: int = 24, plane: float = 20.0) -> Mesh:
+        """A geom as triangles. segments: pieces of a circle; plane: half the size of endless planes, m."""
+        mesh = _abi.Mesh()
+        check(LIB.mimo_mesh_init(mesh, ctypes.sizeof(mesh)))
+        mesh.axes, mesh.segments = whole_number("axes", axes, Axes), _uint32("segments", segments)
+        mesh.plane, number = real_number("plane", plane), self._geom(geom)
+        check(LIB.mimo_env_mesh(self._names_handle, number, mesh))
+        vertices, triangles = mesh.vertex_count, mesh.index_count // 3
+        made = Mesh(
+            np.empty((vertices, 3), np.float32),
+            np.empty((vertices, 3), np.float32),
+            np.empty((vertices, 2), np.float32),
+            np.empty((triangles, 3), np.uint32),
+        )
+        mesh.positions, mesh.normals = made.positions.ctypes.data, made.normals.ctypes.data
+        mesh.texcoords, mesh.indices = made.texcoords.ctypes.data, made.triangles.ctypes.data
+        mesh.vertex_capacity, mesh.index_capacity = vertices, made.triangles.size
+        check(LIB.mimo_env_mesh(self._names_handle, number, mesh))
+        return made
+
+    def meshes(self, axes: AxesOf = Axes.MIMO, segments: int = 24, plane: float = 20.0) -> List[Mesh]:
+        """All geoms as triangles, in the order of their ids."""
+        return [self.mesh(geom, axes, segments, plane) for geom in range(self.count(Kind.GEOM))]
+
+    def material(self, geom: Union[int, str]) -> Material:
+        """How a geom looks now."""
+        raw = _abi.Material()
+        check(LIB.mimo_env_material(self._names_handle, self._geom(geom), raw))
+        red, green, blue, opacity = raw.color
+        return Material(
+            bool(raw.visible),
+            raw.group,
+            raw.texture,
+            (red, green, blue, opacity),
+            raw.emission,
+            raw.specular,
+            raw.shininess,
+            raw.reflectance,
+        )
+
+    @property
+    def texture_count(self) -> int:
+        """How many textures there are; ids are 0 to texture_count - 1."""
+        count = ctypes.c_size_t()
+        check(LIB.mimo_env_texture_count(self._names_handle, count))
+        return count.value
+
+    def texture(self, texture: int) -> Texture:
+        """A texture as pixels."""
+        raw, number = _abi.Texture(), _int32("texture", texture)
+        check(LIB.mimo_env_texture(self._names_handle, number, raw))
+        pixels = np.empty((raw.height, raw.width, 4), np.uint8)
+        raw.pixels, raw.pixel_bytes = pixels.ctypes.data, pixels.size
+        check(LIB.mimo_env_texture(self._names_handle, number, raw))
+        return Texture(TextureType(raw.type), pixels)
+
+    def light(self, light: int = HEADLIGHT, axes: AxesOf = Axes.MIMO) -> Light:
+        """A light, or the one that every camera carries."""
+        raw = _abi.Light(axes=whole_number("axes", axes, Axes))
+        check(LIB.mimo_env_light(self._names_handle, _int32("light", light), raw))
+        vectors = ("position", "direction", "ambient", "diffuse", "specular", "attenuation")
+        return Light(
+            bool(raw.active),
+            bool(raw.directional),
+            bool(raw.casts_shadow),
+            raw.cutoff,
+            raw.exponent,
+            *(np.array(getattr(raw, name), np.float32) for name in vectors),
+        )
+
+    def light_sources(self, axes: AxesOf = Axes.MIMO) -> List[Light]:
+        """All lights but the headlight."""
+        return [self.light(light, axes) for light in range(self.count(Kind.LIGHT))]
+
+    def poses(self, kind: Kind = Kind.GEOM, axes: AxesOf = Axes.MIMO) -> Poses:
+        """Where all bodies, geoms, sites or cameras are now."""
+        number, frame = whole_number("kind", kind, Kind), whole_number("axes", axes, Axes)
+        all_of = np.empty((self.count(kind), 7), np.float32)
+        check(LIB.mimo_env_poses(self._names_handle, number, frame, all_of.ctypes.data, all_of.size))
+        return Poses(all_of[:, :3], all_of[:, 3:])
+
+
+def convert_points(points: ArrayLike, axes: AxesOf) -> Floats:
+    """Places of ours (n x 3, m), of touch sensors for example, in another frame."""
+    return _converted(LIB.mimo_convert_points, "points", points, axes)
+
+
+def convert_directions(directions: ArrayLike, axes: AxesOf) -> Floats:
+    """Directions of ours (n x 3): forces, normals; their lengths stay."""
+    return _converted(LIB.mimo_convert_directions, "directions", directions, axes)
+
+
+def _converted(function: Any, name: str, values: ArrayLike, axes: AxesOf) -> Floats:
+    converted = np.array(values, np.float32, order="C")
+    if converted.ndim == 0 or converted.shape[-1] != 3:
+        raise ValueError(f"{name} has the shape {converted.shape}, expected rows of three numbers")
+    check(function(whole_number("axes", axes, Axes), converted.ctypes.data, converted.size // 3))
+    return converted
+
+
+def _int32(name: str, value: Any) -> int:
+    return _within(name, value, -(2**31), 2**31 - 1)
+
+
+def _uint32(name: str, value: Any) -> int:
+    return _within(name, value, 0, 2**32 - 1)
+
+
+def _within(name: str, value: Any, low: int, high: int) -> int:
+    """Within what ctypes would not silently cut off."""
+    number = whole_number(name, value)
+    if not low <= number <= high:
+        raise ValueError(f"{name} is {value!r}, expected {low} to {high}")
+    return number

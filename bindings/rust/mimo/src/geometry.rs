@@ -1,0 +1,240 @@
+//! Shapes, materials, textures, lights and poses, for programs that draw the world themselves.
+use crate::error::{check, Result};
+use crate::structs::{defaults, described, sized};
+use crate::sys;
+use crate::world::World;
+
+/// The frames of engines; [`sys`] says which way their axes point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axes {
+    /// The library's: x forward, y left, z up; quaternions w x y z, x y z w in all others.
+    #[default]
+    Mimo,
+    /// Left-handed, y up, z forward.
+    Unity,
+    /// Left-handed, x forward, z up; cm.
+    Unreal,
+    /// Right-handed, y up, z backward.
+    Godot,
+    /// Right-handed, y up, z forward.
+    Gltf,
+}
+
+impl Axes {
+    fn number(self) -> i32 {
+        (match self {
+            Axes::Mimo => sys::MIMO_AXES_MIMO,
+            Axes::Unity => sys::MIMO_AXES_UNITY,
+            Axes::Unreal => sys::MIMO_AXES_UNREAL,
+            Axes::Godot => sys::MIMO_AXES_GODOT,
+            Axes::Gltf => sys::MIMO_AXES_GLTF,
+        }) as i32
+    }
+}
+
+/// How fine a mesh is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Detail {
+    /// Pieces of a circle, a multiple of 4, 4 to 256.
+    pub segments: u32,
+    /// Half the size of planes without an end, m.
+    pub plane: f64,
+}
+
+impl Default for Detail {
+    fn default() -> Detail {
+        Detail { segments: 24, plane: 20.0 }
+    }
+}
+
+/// A geom as triangles, in the geom's own frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Mesh {
+    /// Of the vertices.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit vectors.
+    pub normals: Vec<[f32; 3]>,
+    /// (0, 0) is where the texture's first row begins.
+    pub texcoords: Vec<[f32; 2]>,
+    /// Numbers of vertices, in the order that the engine takes for an outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// How a geom looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Material {
+    /// Whether MuJoCo would draw it.
+    pub visible: bool,
+    /// MuJoCo's number of its group.
+    pub group: i32,
+    /// Id of its texture.
+    pub texture: Option<i32>,
+    /// Red, green, blue, opacity; times the texture's.
+    pub color: [f32; 4],
+    /// How much of its colour it shines by itself.
+    pub emission: f32,
+    /// Strength of highlights.
+    pub specular: f32,
+    /// Their sharpness: Phong's exponent is 128 times this.
+    pub shininess: f32,
+    /// Share of what it mirrors.
+    pub reflectance: f32,
+}
+
+/// A texture as pixels.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Texture {
+    /// A `MIMO_TEXTURE_` constant.
+    pub kind: i32,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels, of a cube's six pictures together.
+    pub height: u32,
+    /// Red, green, blue, 255 of each, row after row.
+    pub pixels: Vec<u8>,
+}
+
+/// A light of now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Light {
+    /// Whether it shines.
+    pub active: bool,
+    /// Whether its light is parallel.
+    pub directional: bool,
+    /// Whether it casts shadows.
+    pub casts_shadow: bool,
+    /// Half angle of its cone, degrees.
+    pub cutoff: f32,
+    /// How much it is stronger in the middle of the cone.
+    pub exponent: f32,
+    /// Of now.
+    pub position: [f32; 3],
+    /// Where it shines, unit vector.
+    pub direction: [f32; 3],
+    /// Red, green, blue that reach everything.
+    pub ambient: [f32; 3],
+    /// Red, green, blue of what is turned to it.
+    pub diffuse: [f32; 3],
+    /// Red, green, blue of highlights.
+    pub specular: [f32; 3],
+    /// At a distance of d metres it has 1 / (a0 + a1 d + a2 d^2) of its strength.
+    pub attenuation: [f32; 3],
+}
+
+/// Where something is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Pose {
+    /// Metres, centimetres for Unreal.
+    pub position: [f32; 3],
+    /// In the order of the frame: w x y z of ours, x y z w of the others.
+    pub rotation: [f32; 4],
+}
+
+/// Places of ours in another frame: of touch sensors, for example.
+pub fn convert_points(axes: Axes, points: &mut [[f32; 3]]) -> Result<()> {
+    check(unsafe { sys::mimo_convert_points(axes.number(), points.as_mut_ptr().cast(), points.len()) })
+}
+
+/// Directions likewise; their lengths stay.
+pub fn convert_directions(axes: Axes, directions: &mut [[f32; 3]]) -> Result<()> {
+    check(unsafe {
+        sys::mimo_convert_directions(axes.number(), directions.as_mut_ptr().cast(), directions.len())
+    })
+}
+
+impl World {
+    /// A geom as triangles.
+    pub fn mesh(&self, geom: i32, axes: Axes, detail: Detail) -> Result<Mesh> {
+        let mut raw = defaults(sys::mimo_mesh_init)?;
+        raw.axes = axes.number();
+        raw.segments = detail.segments;
+        raw.plane = detail.plane;
+        check(unsafe { sys::mimo_env_mesh(self.handle(), geom, &mut raw) })?;
+        let count = raw.vertex_count;
+        let mut mesh = Mesh {
+            positions: vec![[0.0; 3]; count],
+            normals: vec![[0.0; 3]; count],
+            texcoords: vec![[0.0; 2]; count],
+            triangles: vec![[0; 3]; raw.index_count / 3],
+        };
+        raw.positions = mesh.positions.as_mut_ptr().cast();
+        raw.normals = mesh.normals.as_mut_ptr().cast();
+        raw.texcoords = mesh.texcoords.as_mut_ptr().cast();
+        raw.indices = mesh.triangles.as_mut_ptr().cast();
+        raw.vertex_capacity = count;
+        raw.index_capacity = raw.index_count;
+        check(unsafe { sys::mimo_env_mesh(self.handle(), geom, &mut raw) })?;
+        Ok(mesh)
+    }
+
+    /// How a geom looks now.
+    pub fn material(&self, geom: i32) -> Result<Material> {
+        let raw: sys::mimo_material =
+            described(|raw| unsafe { sys::mimo_env_material(self.handle(), geom, raw) })?;
+        Ok(Material {
+            visible: raw.visible == 1,
+            group: raw.group,
+            texture: if raw.texture >= 0 { Some(raw.texture) } else { None },
+            color: raw.color,
+            emission: raw.emission,
+            specular: raw.specular,
+            shininess: raw.shininess,
+            reflectance: raw.reflectance,
+        })
+    }
+
+    /// How many textures there are; ids are 0 to that - 1.
+    pub fn texture_count(&self) -> Result<usize> {
+        let mut count = 0;
+        check(unsafe { sys::mimo_env_texture_count(self.handle(), &mut count) })?;
+        Ok(count)
+    }
+
+    /// A texture as pixels.
+    pub fn texture(&self, id: i32) -> Result<Texture> {
+        let mut raw: sys::mimo_texture =
+            described(|raw| unsafe { sys::mimo_env_texture(self.handle(), id, raw) })?;
+        let mut pixels = vec![0; 4 * raw.width as usize * raw.height as usize];
+        raw.pixels = pixels.as_mut_ptr();
+        raw.pixel_bytes = pixels.len();
+        check(unsafe { sys::mimo_env_texture(self.handle(), id, &mut raw) })?;
+        Ok(Texture { kind: raw.type_, width: raw.width, height: raw.height, pixels })
+    }
+
+    /// A light by its id; None: the one that every camera carries.
+    pub fn light(&self, id: Option<i32>, axes: Axes) -> Result<Light> {
+        let mut raw = sys::mimo_light { axes: axes.number(), ..sized() };
+        check(unsafe { sys::mimo_env_light(self.handle(), id.unwrap_or(sys::MIMO_HEADLIGHT), &mut raw) })?;
+        Ok(Light {
+            active: raw.active == 1,
+            directional: raw.directional == 1,
+            casts_shadow: raw.casts_shadow == 1,
+            cutoff: raw.cutoff,
+            exponent: raw.exponent,
+            position: raw.position,
+            direction: raw.direction,
+            ambient: raw.ambient,
+            diffuse: raw.diffuse,
+            specular: raw.specular,
+            attenuation: raw.attenuation,
+        })
+    }
+
+    /// Where all bodies, geoms, sites or cameras (`MIMO_BODY`, ...) are now.
+    pub fn poses(&self, kind: u32, axes: Axes) -> Result<Vec<Pose>> {
+        let mut poses = vec![Pose::default(); self.count(kind)?];
+        self.poses_into(kind, axes, &mut poses)?;
+        Ok(poses)
+    }
+
+    /// The same into memory that is there.
+    pub fn poses_into(&self, kind: u32, axes: Axes, poses: &mut [Pose]) -> Result<()> {
+        let (to, count) = (poses.as_mut_ptr().cast(), 7 * poses.len());
+        check(unsafe { sys::mimo_env_poses(self.handle(), kind as i32, axes.number(), to, count) })
+    }
+}

@@ -1,0 +1,243 @@
+// mimo export: a scene as a file for other programs.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "files.h"
+#include "glb.h"
+#include "random_actions.h"
+#include "world.h"
+
+namespace cli {
+namespace {
+
+using Json = Glb::Json;
+
+struct ExportOptions {
+  WorldOptions world;
+  std::string gltf;
+  double seconds = 0;
+  std::uint32_t segments = 24;
+};
+
+// Poses as glTF has them: a place, and a quaternion x y z w.
+struct Pose {
+  std::array<float, 3> place;
+  std::array<float, 4> rotation;
+};
+
+// Rounding may leave a little more than 1, which glTF does not allow.
+float part(double value) { return static_cast<float>(std::clamp(value, -1.0, 1.0)); }
+
+Pose pose_at(const std::vector<float>& poses, std::int32_t id) {
+  const float* p = &poses[7 * static_cast<std::size_t>(id)];
+  return {{p[0], p[1], p[2]}, {part(double(p[3])), part(double(p[4])), part(double(p[5])), part(double(p[6]))}};
+}
+
+using Four = std::array<double, 4>;
+
+Four product(const Four& a, const Four& b) {
+  return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2],
+          a[3] * b[2] + a[2] * b[3] + a[0] * b[1] - a[1] * b[0], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+}
+
+// What is in `frame`, seen from there.
+Pose within(const Pose& frame, const Pose& pose) {
+  const auto& f = frame.rotation;
+  const Four back = {-f[0], -f[1], -f[2], f[3]};
+  const Four there = {f[0], f[1], f[2], f[3]};
+  const auto& q = pose.rotation;
+  Four offset{};
+  for (std::size_t i = 0; i < 3; ++i) offset[i] = double(pose.place[i]) - double(frame.place[i]);
+  const Four place = product(product(back, offset), there);
+  const Four turn = product(back, {q[0], q[1], q[2], q[3]});
+  return {{float(place[0]), float(place[1]), float(place[2])},
+          {part(turn[0]), part(turn[1]), part(turn[2]), part(turn[3])}};
+}
+
+// Colours of MuJoCo's are as screens have them, glTF's factors are linear.
+double linear(float value) { return std::pow(std::clamp(double(value), 0.0, 1.0), 2.2); }
+
+class GltfScene {
+ public:
+  GltfScene(const mimo::Env& env, std::uint32_t segments) : env_(env), segments_(segments) {
+    const std::vector<float> bodies = env.poses(MIMO_BODY, MIMO_AXES_GLTF);
+    const std::vector<float> geoms = env.poses(MIMO_GEOM, MIMO_AXES_GLTF);
+    std::map<std::int32_t, Json> children;
+    for (const std::int32_t geom : env.ids(MIMO_GEOM)) {
+      const mimo_material look = env.material(geom);
+      if (look.visible == 0) continue;
+      const std::int32_t body = env.body_of(MIMO_GEOM, geom);
+      Json node = placed(name_of(MIMO_GEOM, geom, "geom:"), within(pose_at(bodies, body), pose_at(geoms, geom)));
+      node["mesh"] = add_mesh(geom, look);
+      children[body].push_back(file_.add("nodes", std::move(node)));
+    }
+    Json roots = Json::array();
+    for (auto& [body, nodes] : children) {
+      Json node = placed(name_of(MIMO_BODY, body, "body:"), pose_at(bodies, body));
+      node["children"] = nodes;
+      nodes_[body] = file_.add("nodes", std::move(node));
+      roots.push_back(nodes_[body]);
+    }
+    file_.add("scenes", {{"name", env.task()}, {"nodes", roots}});
+  }
+
+  // Where the bodies are at this time.
+  void keep(double time) {
+    times_.push_back(static_cast<float>(time));
+    env_poses_.push_back(env_.poses(MIMO_BODY, MIMO_AXES_GLTF));
+  }
+
+  void write(const std::string& path) {
+    if (times_.size() > 1) animate();
+    file_.write(path);
+  }
+
+ private:
+  std::string name_of(std::int32_t kind, std::int32_t id, const char* otherwise) const {
+    const std::string name = env_.name(kind, id);
+    return name.empty() ? otherwise + std::to_string(id) : name;
+  }
+
+  static Json placed(const std::string& name, const Pose& pose) {
+    return {{"name", name}, {"translation", pose.place}, {"rotation", pose.rotation}};
+  }
+
+  std::size_t add_mesh(std::int32_t geom, const mimo_material& look) {
+    const mimo::Mesh mesh = env_.mesh(geom, MIMO_AXES_GLTF, segments_);
+    Json attributes = {{"POSITION", file_.add_floats(mesh.positions, 3, true)},
+                       {"NORMAL", file_.add_floats(mesh.normals, 3, true)}};
+    if (look.texture >= 0) attributes["TEXCOORD_0"] = file_.add_floats(mesh.texcoords, 2, true);
+    const Json triangles = {
+        {"attributes", attributes}, {"indices", file_.add_indices(mesh.indices)}, {"material", add_material(look)}};
+    return file_.add("meshes", {{"name", name_of(MIMO_GEOM, geom, "geom:")}, {"primitives", Json::array({triangles})}});
+  }
+
+  // Geoms that look alike share one. Phong's exponent n is a roughness of sqrt(2 / (n + 2)).
+  std::size_t add_material(const mimo_material& look) {
+    std::string key(reinterpret_cast<const char*>(&look), sizeof look);
+    const auto found = materials_.find(key);
+    if (found != materials_.end()) return found->second;
+    const float* rgba = look.color;
+    Json surface = {{"baseColorFactor", {linear(rgba[0]), linear(rgba[1]), linear(rgba[2]), rgba[3]}},
+                    {"metallicFactor", 0},
+                    {"roughnessFactor", std::sqrt(2.0 / (128.0 * double(look.shininess) + 2.0))}};
+    Json material = {{"name", "material:" + std::to_string(materials_.size())}};
+    const auto shine = [&](int k) { return linear(rgba[k] * look.emission); };
+    if (look.emission > 0) material["emissiveFactor"] = {shine(0), shine(1), shine(2)};
+    if (look.texture >= 0) {
+      const Json texture = {{"index", add_texture(look.texture)}};
+      surface["baseColorTexture"] = texture;
+      if (look.emission > 0) material["emissiveTexture"] = texture;
+    }
+    material["pbrMetallicRoughness"] = std::move(surface);
+    if (rgba[3] < 1) material["alphaMode"] = "BLEND";
+    return materials_[key] = file_.add("materials", std::move(material));
+  }
+
+  std::size_t add_texture(std::int32_t id) {
+    const auto found = textures_.find(id);
+    if (found != textures_.end()) return found->second;
+    return textures_[id] = file_.add_texture(env_.texture(id), "texture:" + std::to_string(id));
+  }
+
+  // Of bodies that move. A quaternion is also its negative: the one nearer to that before it.
+  void animate() {
+    Json channels = Json::array(), samplers = Json::array();
+    const std::size_t input = file_.add_floats(times_, 1);
+    const auto add = [&](std::size_t node, const char* path, const std::vector<float>& values, std::size_t width) {
+      samplers.push_back({{"input", input}, {"output", file_.add_floats(values, width)}});
+      channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
+    };
+    for (const auto& [body, node] : nodes_) {
+      std::vector<float> places, rotations;
+      bool moves = false;
+      std::array<float, 4> before = pose_at(env_poses_.front(), body).rotation;
+      for (const std::vector<float>& poses : env_poses_) {
+        Pose pose = pose_at(poses, body);
+        float along = 0;
+        for (std::size_t i = 0; i < 4; ++i) along += before[i] * pose.rotation[i];
+        for (float& number : pose.rotation) number = along < 0 ? -number : number;
+        before = pose.rotation;
+        places.insert(places.end(), pose.place.begin(), pose.place.end());
+        rotations.insert(rotations.end(), pose.rotation.begin(), pose.rotation.end());
+        const std::size_t first = 7 * static_cast<std::size_t>(body);
+        moves = moves || !std::equal(poses.begin() + static_cast<std::ptrdiff_t>(first),
+                                     poses.begin() + static_cast<std::ptrdiff_t>(first + 7),
+                                     env_poses_.front().begin() + static_cast<std::ptrdiff_t>(first));
+      }
+      if (!moves) continue;
+      add(node, "translation", places, 3);
+      add(node, "rotation", rotations, 4);
+    }
+    if (!channels.empty())
+      file_.add("animations", {{"name", "movement"}, {"channels", channels}, {"samplers", samplers}});
+  }
+
+  const mimo::Env& env_;
+  std::uint32_t segments_;
+  Glb file_;
+  std::map<std::int32_t, std::size_t> nodes_;  // of bodies
+  std::map<std::string, std::size_t> materials_;
+  std::map<std::int32_t, std::size_t> textures_;
+  std::vector<float> times_;
+  std::vector<std::vector<float>> env_poses_;
+};
+
+void export_scene(const ExportOptions& options) {
+  require_writable(options.gltf);
+  mimo::Env env = open_bare_world(options.world, make_env_config());
+  mimo::Block block = env.make_block();
+  env.reset(options.world.seed, block);
+  GltfScene scene(env, options.segments);
+  RandomActions random(env, options.world.seed);
+  const double step = env.timestep() * env.frame_skip();
+  const auto steps = static_cast<std::uint64_t>(std::llround(options.seconds / step));
+  mimo::Results results = env.make_results();
+  scene.keep(0);
+  for (std::uint64_t i = 1; i <= steps; ++i) {
+    env.step(random.draw(), block, results);
+    scene.keep(static_cast<double>(i) * step);
+  }
+  scene.write(options.gltf);
+}
+
+std::string check_glb(const std::string& path) {
+  return has_ending(path, ".glb") ? "" : "expected a name that ends in .glb, not '" + path + "'";
+}
+
+std::string check_segments(const std::string& text) {
+  return CLI::Range(4, 256)(text).empty() && std::stoi(text) % 4 == 0 ? "" : "expected a multiple of 4 from 4 to 256";
+}
+
+}  // namespace
+
+void add_export(CLI::App& program) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = program.add_subcommand("export", "Write a scene as a file for other programs");
+  add_scene_options(*command, options->world);
+  add_actuation_option(*command, options->world);
+  add_face_option(*command, options->world);
+  add_seed_option(*command, options->world);
+  command->add_option("--gltf", options->gltf, "glTF 2.0, with textures inside: Blender, Unity, Godot, three.js")
+      ->type_name("FILE.glb")
+      ->check(CLI::Validator(check_glb, ""))
+      ->required();
+  command->add_option("--seconds", options->seconds, "With an animation: so long random movement; default: none")
+      ->check(number(0, 3600))
+      ->option_text("S");
+  command->add_option("--segments", options->segments, "Level of detail: pieces of a circle, a multiple of 4")
+      ->type_name("N")
+      ->check(CLI::Validator(check_segments, ""))
+      ->capture_default_str();
+  command->footer("Example: mimo export --scene showroom --seconds 5 --gltf infant.glb");
+  command->callback([options] { export_scene(*options); });
+}
+
+}  // namespace cli

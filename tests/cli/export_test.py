@@ -1,0 +1,137 @@
+"""`mimo export --gltf`: the file is read here as glTF 2.0's specification says, and by Khronos' validator where that is
+installed (npm install gltf-validator; its folder node_modules in NODE_PATH)."""
+import json
+import math
+import shutil
+import struct
+import subprocess
+import unittest
+
+from program import COUNTS, Case
+
+WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+VALIDATE = """const validator = require("gltf-validator"), file = require("fs").readFileSync(process.argv[1]);
+validator.validateBytes(new Uint8Array(file)).then(report => console.log(JSON.stringify(report.issues)));"""
+
+
+class Glb:
+    def __init__(self, path):
+        data = path.read_bytes()
+        magic, version, length = struct.unpack("<4sII", data[:12])
+        assert (magic, version, length) == (b"glTF", 2, len(data))
+        size, kind = struct.unpack("<I4s", data[12:20])
+        assert kind == b"JSON"
+        self.json = json.loads(data[20:20 + size])
+        rest, kind = struct.unpack("<I4s", data[20 + size:28 + size])
+        assert kind == b"BIN\0" and len(data) == 28 + size + rest
+        self.data = data[28 + size:]
+
+    def view(self, index):
+        view = self.json["bufferViews"][index]
+        return self.data[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
+
+    def numbers(self, index):
+        accessor = self.json["accessors"][index]
+        count, width = accessor["count"], WIDTH[accessor["type"]]
+        kind = {5126: "f", 5125: "I"}[accessor["componentType"]]
+        values = struct.unpack("<%d%s" % (count * width, kind), self.view(accessor["bufferView"]))
+        return [values[i:i + width] for i in range(0, len(values), width)]
+
+    def node(self, name):
+        return next(node for node in self.json["nodes"] if node["name"] == name and "mesh" not in node)
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def placed(node, points):
+    """glTF's quaternions are x y z w: p + 2 v x (v x p + w p)."""
+    *axis, w = node["rotation"]
+    turned = []
+    for p in points:
+        inner = [c + w * x for c, x in zip(cross(axis, p), p)]
+        turned.append([x + 2 * c + t for x, c, t in zip(p, cross(axis, inner), node["translation"])])
+    return turned
+
+
+class Export(Case):
+    def test_scene(self):
+        self.mimo("export", "--gltf", "a.glb")
+        file = Glb(self.folder / "a.glb")
+        meshes = [node for node in file.json["nodes"] if "mesh" in node]
+        self.assertEqual(len(meshes), COUNTS["geoms"])
+        for part in (mesh["primitives"][0] for mesh in file.json["meshes"]):
+            positions = file.numbers(part["attributes"]["POSITION"])
+            self.assertLess(max(i for i, in file.numbers(part["indices"])), len(positions))
+            self.assertEqual(len(file.numbers(part["attributes"]["NORMAL"])), len(positions))
+        for image in file.json["images"]:
+            self.assertEqual(file.view(image["bufferView"])[:8], b"\x89PNG\r\n\x1a\n")
+        rough = [m["pbrMetallicRoughness"]["roughnessFactor"] for m in file.json["materials"]]
+        self.assertTrue(all(0 < one <= 1 for one in rough))
+
+    def test_places(self):
+        """Where the ball of a scene of known numbers lies: in glTF x is to the left, y up, z forward."""
+        (self.folder / "room.xml").write_text(
+            "<mujoco><worldbody><geom name='floor' type='plane' size='2 3 1' rgba='.5 .2 1 .25'/>"
+            "<body name='ball' pos='1 2 3' euler='10 20 30'><freejoint/>"
+            "<geom name='ball' size='.25' pos='0 0 .5'/></body></worldbody></mujoco>")
+        self.mimo("export", "--scene", "room.xml", "--gltf", "a.glb")
+        file = Glb(self.folder / "a.glb")
+        body = file.node("ball")
+        for place, expected in zip(body["translation"], (2, 3, 1)):
+            self.assertAlmostEqual(place, expected, places=5)
+        geom = file.json["nodes"][body["children"][0]]
+        part = file.json["meshes"][geom["mesh"]]["primitives"][0]
+        points = placed(body, placed(geom, file.numbers(part["attributes"]["POSITION"])))
+        middle = placed(body, placed(geom, [(0, 0, 0)]))[0]
+        self.assertAlmostEqual(math.dist(middle, body["translation"]), 0.5, places=5)
+        # Turned by 10 degrees about x, then 20 about y, then 30 about z: what was up is now at these numbers of ours.
+        up = (math.sin(math.radians(20)), -math.sin(math.radians(10)) * math.cos(math.radians(20)),
+              math.cos(math.radians(10)) * math.cos(math.radians(20)))
+        for place, expected in zip(middle, (2 + up[1] / 2, 3 + up[2] / 2, 1 + up[0] / 2)):
+            self.assertAlmostEqual(place, expected, places=5)
+        self.assertTrue(all(abs(math.dist(p, middle) - 0.25) < 1e-5 for p in points))
+        floor = next(m for m in file.json["materials"] if m.get("alphaMode") == "BLEND")
+        color = floor["pbrMetallicRoughness"]["baseColorFactor"]
+        for value, expected in zip(color, (0.5 ** 2.2, 0.2 ** 2.2, 1, 0.25)):
+            self.assertAlmostEqual(value, expected, places=6)
+
+    def test_movement(self):
+        self.mimo("export", "--gltf", "a.glb", "--seconds", "0.5", "--segments", "8")
+        file = Glb(self.folder / "a.glb")
+        animation, = file.json["animations"]
+        times = [t for t, in file.numbers(animation["samplers"][0]["input"])]
+        self.assertEqual(len(times), 51)  # steps of 10 ms
+        self.assertAlmostEqual(times[-1], 0.5, places=6)
+        moved = {file.json["nodes"][c["target"]["node"]]["name"] for c in animation["channels"]}
+        self.assertIn("head", moved)
+        self.assertNotIn("world", moved)
+        for channel in animation["channels"]:
+            values = file.numbers(animation["samplers"][channel["sampler"]]["output"])
+            self.assertEqual(len(values), len(times))
+            if channel["target"]["path"] == "rotation":
+                self.assertTrue(all(abs(math.hypot(*q) - 1) < 1e-5 for q in values))
+                self.assertTrue(all(sum(a * b for a, b in zip(p, q)) >= 0 for p, q in zip(values, values[1:])))
+            start = file.json["nodes"][channel["target"]["node"]][channel["target"]["path"]]
+            self.assertTrue(all(abs(abs(a) - abs(b)) < 1e-6 for a, b in zip(start, values[0])))
+
+    def test_wrong_arguments(self):
+        self.assertIn("ends in .glb", self.mimo("export", "--gltf", "a.obj", code=2))
+        self.assertIn("multiple of 4", self.mimo("export", "--gltf", "a.glb", "--segments", "6", code=2))
+        self.assertIn("no folder", self.mimo("export", "--gltf", "no/a.glb", code=1))
+        self.assertEqual(self.files(), [])
+
+    def test_validator(self):
+        node = shutil.which("node")
+        have = node and subprocess.run([node, "-e", 'require("gltf-validator")'], capture_output=True).returncode == 0
+        if not have:
+            self.skipTest("the npm package gltf-validator is not installed, or not in NODE_PATH")
+        self.mimo("export", "--scene", "showroom", "--gltf", "a.glb", "--seconds", "0.2")
+        path = str(self.folder / "a.glb")
+        report = json.loads(subprocess.run([node, "-e", VALIDATE, path], capture_output=True, check=True).stdout)
+        self.assertEqual((report["numErrors"], report["numWarnings"]), (0, 0), report["messages"][:5])
+
+
+if __name__ == "__main__":
+    unittest.main()
