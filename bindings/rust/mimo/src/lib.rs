@@ -76,7 +76,7 @@ pub use gaze::{Gaze, Look, LookAngles, Sightline};
 pub use growth::Growth;
 pub use layout::{Action, Layout, Receptor, Term};
 pub use limits::Limits;
-pub use lists::{builtin_scenes, faces, parameters, rooms, tasks, Parameter};
+pub use lists::{builtin_scenes, faces, materials, parameters, rooms, tasks, Parameter};
 pub use log::{Level, LogRecord};
 pub use maturity::Maturity;
 pub use object::{Model, Object};
