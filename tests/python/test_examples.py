@@ -15,6 +15,7 @@ EXAMPLES = {
     "own_experiment.py": ["--worlds", "2", "--steps", "20"],
     "own_scene.py": [],
     "overhead.py": ["--steps", "20", "--worlds", "4"],
+    "receptors.py": [],
     "tutorial.py": [],
     "zero_copy.py": [],
 }

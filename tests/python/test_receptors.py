@@ -17,7 +17,9 @@ from mimo import Kind
 
 TICK = 0.005
 BLIND = {"senses": "all", "vision": False}
-SPACING = 0.01  # m, of the hand's sensors: its skin takes 0.3 N a millimetre of it to be pressed in half as far as it goes
+SPACING = (
+    0.01  # m, of the hand's sensors: its skin takes 0.3 N a millimetre of it to be pressed in half as far as it goes
+)
 HALF = 3.0  # N
 
 SKIN = {
@@ -48,11 +50,7 @@ def test_all_senses_are_listed(root):
     command = root / "build/bin/mimo"
     if not command.exists():
         pytest.skip("the program is built by CMake only")
-    told = json.loads(
-        subprocess.check_output(
-            [command, "info", "--json", "--senses", "all", "--scene", "free"]
-        )
-    )
+    told = json.loads(subprocess.check_output([command, "info", "--json", "--senses", "all", "--scene", "free"]))
     fields = {field["name"]: field for field in told["observation_fields"]}
     sensors = told["touch_sensors"]
     for name, (rest, unit) in SKIN.items():
@@ -61,9 +59,7 @@ def test_all_senses_are_listed(root):
             unit,
         ), name
     for name, (shape, unit) in BALANCE.items():
-        assert (fields[name]["shape"], fields[name]["unit"]) == (list(shape), unit), (
-            name
-        )
+        assert (fields[name]["shape"], fields[name]["unit"]) == (list(shape), unit), name
     for name in MUSCLES:
         assert (fields[name]["shape"], fields[name]["unit"]) == (
             [2 * told["nu"]],
@@ -86,10 +82,7 @@ def test_all_senses_are_observed():
         assert env.observation_space.contains(seen)
     with mimo.make("free", vision=False) as env:
         seen, _ = env.reset(seed=1)
-        assert (
-            not {*SKIN, *MUSCLES, "vestibular/canals", "proprioception/joint_receptor"}
-            & seen.keys()
-        )
+        assert not {*SKIN, *MUSCLES, "vestibular/canals", "proprioception/joint_receptor"} & seen.keys()
     with pytest.raises(ValueError, match="senses is 'most'"):
         mimo.make("free", senses="most")
 
@@ -137,9 +130,7 @@ def middle_of_the_palm():
         receptors = world.layout.receptors("touch/force")
         palm = receptors.geoms == world.find(Kind.GEOM, "left_hand1")
         flat = np.abs(receptors.frame[:, 0, 1]) > 0.999
-        off = np.linalg.norm(
-            receptors.position - receptors.position[palm].mean(axis=0), axis=1
-        )
+        off = np.linalg.norm(receptors.position - receptors.position[palm].mean(axis=0), axis=1)
         sensor = int(np.argmin(np.where(palm & flat, off, np.inf)))
         position, quaternion = hand.position[0], hand.orientation[0]
         at = position + turned(quaternion, receptors.position[sensor])
@@ -149,16 +140,12 @@ def middle_of_the_palm():
 def probed(newtons, radius=0.01, celsius=33.0, material="plastic", gap=0.0, **options):
     """A world in which a probe of such a weight comes to lie on the palm, and the sensor under it."""
     sensor, at, normal, quaternion = middle_of_the_palm()
-    away = turned(
-        quaternion * [1, -1, -1, -1], normal
-    )  # of the palm, in the frame of the hand and of the probe
+    away = turned(quaternion * [1, -1, -1, -1], normal)  # of the palm, in the frame of the hand and of the probe
     xml = f"""<mujoco><worldbody><body name="probe">
       <joint name="down" type="slide" axis="{away[0]} {away[1]} {away[2]}" damping="10"/>
       <geom name="tip" size="{radius}" mass="{newtons / 9.81}"/></body></worldbody></mujoco>"""
     scene = held("left_hand")
-    scene.add_model(
-        "tool", xml=xml, position=at + (radius + gap) * normal, orientation=quaternion
-    )
+    scene.add_model("tool", xml=xml, position=at + (radius + gap) * normal, orientation=quaternion)
     scene.set_temperature("tool/probe", celsius)
     scene.set_material("tool/probe", material)
     world = stiff(scene, **options)
@@ -186,9 +173,7 @@ def test_a_held_press_is_told_by_sa1_alone(depth, rate):
     assert jolt > 5
     assert moving > 20
     seen = run(world, 1.5)
-    assert np.linalg.norm(seen["touch/force"][sensor]) == pytest.approx(
-        newtons, rel=0.02
-    )
+    assert np.linalg.norm(seen["touch/force"][sensor]) == pytest.approx(newtons, rel=0.02)
     assert seen["touch/sa1"][sensor] == pytest.approx(rate, rel=0.05)
     assert seen["touch/ra"].max() == 0
     assert seen["touch/pc"].max() == 0
@@ -210,9 +195,7 @@ def test_a_metal_cup_feels_colder_than_a_wooden_one():
         while world.observation["touch/temperature"][sensor] > warm - 1e-3:
             world.step()
         seen = run(world, 1)
-        assert warm - seen["touch/temperature"][sensor] == pytest.approx(
-            warm - skin, rel=0.05
-        )
+        assert warm - seen["touch/temperature"][sensor] == pytest.approx(warm - skin, rel=0.05)
         felt[material] = seen["touch/cold"][sensor]
         assert seen["touch/warm"][sensor] == 0
         world.close()
@@ -223,13 +206,9 @@ def test_a_metal_cup_feels_colder_than_a_wooden_one():
 def test_a_point_hurts_and_a_ball_does_not():
     world, sensor = probed(1.0, radius=0.0005)
     seen = run(world, 4)
-    x = 209 / 144
-    assert seen["touch/nociception_slow"][sensor] == pytest.approx(
-        5 * (x - 0.8), rel=0.05
-    )
-    assert seen["touch/nociception_fast"][sensor] == pytest.approx(
-        20 * (x - 1) * (0.4 + 0.6 * np.exp(-4)), rel=0.05
-    )
+    x = 209 / 144  # kPa
+    assert seen["touch/nociception_slow"][sensor] == pytest.approx(5 * (x - 0.8), rel=0.05)
+    assert seen["touch/nociception_fast"][sensor] == pytest.approx(20 * (x - 1) * (0.4 + 0.6 * np.exp(-4)), rel=0.05)
     world.close()
     world, sensor = probed(1.0)
     assert run(world, 1)["touch/nociception_slow"].max() == 0
@@ -290,16 +269,12 @@ def test_a_tilt_of_90_degrees_is_told_by_the_otoliths():
         ("up", (1, 0, 0, 0)),
         ("right", (0.5**0.5, 0.5**0.5, 0, 0)),
     ):
-        with stiff(
-            untouched("mimo_location", "head", orientation=orientation)
-        ) as world:
+        with stiff(untouched("mimo_location", "head", orientation=orientation)) as world:
             run(world, 40)  # the slowest part of it goes with 10 s
             told[name] = world.observation["vestibular/otoliths"][..., 0].copy()
             assert canals(world) == pytest.approx(0, abs=0.1)
             gravity = world.observation["vestibular/gravity"]
-            assert gravity == pytest.approx(
-                [0, 9.81 * (name == "right"), 9.81 * (name == "up")], abs=0.3
-            )
+            assert gravity == pytest.approx([0, 9.81 * (name == "right"), 9.81 * (name == "up")], abs=0.3)
     change = told["right"] - told["up"]
     left, right = change
     assert left[0, 1] == pytest.approx(46.2, rel=0.05)
@@ -338,9 +313,7 @@ def test_held_muscles_tell_their_length():
 def test_a_motor_that_pulls_is_told_by_the_tendon_organ():
     with stiff(untouched("mimo_location")) as world:
         assert elbow(world, MUSCLES[2]).tolist() == [0, 0]
-        number = next(
-            i for i, name in enumerate(world.action_names) if "right_elbow" in name
-        )
+        number = next(i for i, name in enumerate(world.action_names) if "right_elbow" in name)
         action = np.zeros(len(world.action_names), np.float32)
         action[number] = 0.5 * world.action_high[number]
         last = 40 * np.log1p(20 * 0.5)
