@@ -2,7 +2,8 @@
 
 python receptors.py [FOLDER]        # the picture goes there, by default to the current folder
 
-Every panel is a small model of its own: a palm under a probe, a head on a hinge, an arm with a motor, a ball on a table.
+Every panel is a small model of its own: a palm under a probe, a head on a hinge, an arm with a motor, a ball on a
+table.
 """
 
 import sys
@@ -16,7 +17,8 @@ import mimo
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 TICK = 0.005  # s
 PALM = """<body name="skin"><geom type="box" size=".05 .05 .01"/></body>
-  <body name="probe" pos="0 0 .01999"><joint type="slide" axis="0 0 1" damping="20"/><geom size=".01" mass=".2"/></body>"""
+  <body name="probe" pos="0 0 .01999"><joint type="slide" axis="0 0 1" damping="20"/>
+  <geom size=".01" mass=".2"/></body>"""
 HEAD = '<body name="head"><joint name="turn" axis="{}"/><geom size=".07"/></body>'
 ARM = """<body name="arm"><joint name="elbow" axis="0 1 0" range="-1 1" limited="true" damping="1"/>
   <geom type="capsule" fromto="0 0 0 .2 0 0" size=".02"/></body>"""

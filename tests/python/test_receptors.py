@@ -308,8 +308,8 @@ def test_held_muscles_tell_their_length():
         assert sorted(secondary) == pytest.approx([17.7, 54.7], rel=0.05)
 
 
-# 40 Hz ln(1 + 20 f) at half of the largest force is 95.9 Hz; a step of it begins at 1.7 of that, is at 1.186 after 1 s and
-# at 1.049 after 5.
+# 40 Hz ln(1 + 20 f) at half of the largest force is 95.9 Hz; a step of it begins at 1.7 of that, is at 1.186 after 1 s
+# and at 1.049 after 5.
 def test_a_motor_that_pulls_is_told_by_the_tendon_organ():
     with stiff(untouched("mimo_location")) as world:
         assert elbow(world, MUSCLES[2]).tolist() == [0, 0]

@@ -1,5 +1,7 @@
-"""What nerves remember: it does not depend on how a world is stepped and looked at, is part of its state, and ends with an
-episode. The scene is one in which everything has something to tell: an infant that lies on a cold floor and moves."""
+"""What nerves remember does not depend on how a world is stepped and looked at, is part of its state, ends with an episode.
+
+The scene is one in which everything has something to tell: an infant that lies on a cold floor and moves.
+"""
 
 import numpy as np
 import pytest
