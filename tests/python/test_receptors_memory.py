@@ -1,4 +1,4 @@
-"""What nerves remember does not depend on how a world is stepped and looked at, is part of its state, ends with an episode.
+"""What nerves remember depends on no frame_skip and no looks, is part of a state, and ends with an episode.
 
 The scene is one in which everything has something to tell: an infant that lies on a cold floor and moves.
 """
