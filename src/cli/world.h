@@ -20,11 +20,11 @@ struct WorldOptions {
   std::string effects;                          // comma-separated, or "none"; "" for the usual ones
   std::uint32_t eye_width = 0, eye_height = 0;  // of an eye's picture that is no square; 0: as vision says
   double foveation = 0;                         // of the eyes' colour pictures; 0: none
-  std::string vision;       // "off", pixels, or "" for 256 where a renderer works; with kOwn "" is the scene's
+  std::string vision;        // "off", pixels, or "" for 256 where a renderer works; with kOwn "" is the scene's
   bool every_sense = false;  // beside those, all that nerves tell: receptors of skin, muscles, joints and labyrinth
-  std::string touch = "1";  // "off", or the scale; with kOwn "" is the scene's
-  std::string face;         // "" means the model's own
-  std::string actuation;    // "" means the scene's own
+  std::string touch = "1";   // "off", or the scale; with kOwn "" is the scene's
+  std::string face;          // "" means the model's own
+  std::string actuation;     // "" means the scene's own
   std::uint64_t seed = 0;
 };
 

@@ -224,6 +224,19 @@ def untouched(*parts, **options):
     return scene
 
 
+# A foot of a model is a box, an infant's is not: its 11 kg do not stand on edges.
+def test_standing_does_not_hurt():
+    with mimo.World("benchmark", **BLIND) as world:
+        world.reset(seed=3)
+        for _ in range(20):  # it comes down on its feet
+            assert not world.step().observation["touch/nociception_fast"].any()
+        for _ in range(40):
+            seen = world.step().observation
+            assert np.linalg.norm(seen["touch/force"], axis=1).max() > 1
+            assert not seen["touch/nociception_fast"].any()
+            assert not seen["touch/nociception_slow"].any()
+
+
 # ---- Balance ---------------------------------------------------------------------------------------------------
 
 

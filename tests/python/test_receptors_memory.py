@@ -1,6 +1,6 @@
 """What nerves remember depends on no frame_skip and no looks, is part of a state, and ends with an episode.
 
-The scene is one in which everything has something to tell: an infant that lies on a cold floor and moves.
+The scene is one in which everything has something to tell: an infant that falls onto a hot floor in a cold room.
 """
 
 import numpy as np
@@ -20,7 +20,8 @@ STEPS = 60  # of physics
 def scene():
     made = mimo.Scene("benchmark")
     made.add_agents(senses="all", vision=False)
-    made.set_room_temperature(15)  # so that the floor is cold
+    made.set_room_temperature(15)
+    made.set_temperature("world", 300)  # it hurts within 0.3 s
     made.set_material("world", "steel")
     return made
 
