@@ -63,11 +63,6 @@ REASONS = [
         "An agent starts from what its scene gives (mimo_scene_default_agent).",
     ),
     (
-        "Rust C# MATLAB",
-        "mimo_scene_set_(room_temperature|temperature|material)|mimo_material_name",
-        "Not yet.",
-    ),
-    (
         "MATLAB",
         "mimo_senses_.*",
         "MATLAB has no MuJoCo data of a host that they could look at.",

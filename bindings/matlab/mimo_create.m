@@ -8,10 +8,15 @@ function world = mimo_create(scene, varargin)
 %
 %   world = mimo_create('reach', name, value, ...) changes what the scene gives by itself. Options have the names and values
 %   of mimo.h's structs, where all are explained:
-%     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_height, vision_width, vision_fovy, touch (1
-%                  force; 0: none), touch_scale, touch_response, touch_frame, touch_slip_threshold, proprioception
-%                  (2^31: all there is), vestibular, limit_threshold, actuation (1: by angles, 2 or 3: muscles), acts (2^31: all,
-%                  2^30: nothing), normalize_actions, body, reflexes (of newborns: 1 palmar grasp, 2 plantar grasp, 4 rooting, 8 Moro,
+%     the infant   vision (1 colour + 2 depth + 4 segmentation; 0: none), vision_height, vision_width, vision_fovy, touch (a
+%                  sum of 1 force, 2 normal force, 4 slip, 8 friction_use, 16 sa1, 32 ra, 64 pc, 128 sa2, 256 temperature,
+%                  512 cold, 1024 warm, 2048 nociception_fast, 4096 nociception_slow, 8192 units; 0: none), touch_scale,
+%                  touch_response, touch_frame, touch_slip_threshold, proprioception (a sum of 1 velocity, 2 torque, 4 limit,
+%                  8 actuation, 16 joint_torque, 32 position, 64 effort, 128 spindle_primary, 256 spindle_secondary,
+%                  512 tendon_organ, 1024 joint_receptor; 2^31: all there is), vestibular (a sum of 1 acceleration,
+%                  2 angular_velocity, 4 canals, 8 otoliths, 16 gravity), limit_threshold, actuation (1: by angles,
+%                  2 or 3: muscles), acts (2^31: all, 2^30: nothing), normalize_actions, body,
+%                  reflexes (of newborns: 1 palmar grasp, 2 plantar grasp, 4 rooting, 8 Moro,
 %                  16 asymmetric tonic neck, 32 stepping, 64 withdrawal; 2^30: the field has all; 2^31: all that the body can do),
 %                  face, position, orientation (w x y z), place (1: position is that of the root, 2: of the soles,
 %                  3: of the lowest point); limits (struct array with path, gain, noise, delay in

@@ -132,15 +132,20 @@ static void known(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   static const struct list {
     const char* kind;
     const char* (*name)(size_t);
-  } lists[] = {
-      {"scene", mimo_scene_builtin}, {"room", mimo_scene_room}, {"task", mimo_task_name}, {"face", mimo_face_name}};
+  } lists[] = {{"scene", mimo_scene_builtin},
+               {"room", mimo_scene_room},
+               {"task", mimo_task_name},
+               {"face", mimo_face_name},
+               {"material", mimo_material_name}};
   const char* kind;
+  const size_t kinds = sizeof lists / sizeof *lists;
   size_t list, count = 0, i;
   (void)nout;
   mimo_need(nin == 1, "expected a kind");
   kind = mimo_text(in[0], "kind");
-  for (list = 0; list < 4 && strcmp(lists[list].kind, kind) != 0; ++list) continue;
-  if (list == 4) mimo_refuse("kind is \"%s\", expected scene, room, task or face; or a world before it", kind);
+  for (list = 0; list < kinds && strcmp(lists[list].kind, kind) != 0; ++list) continue;
+  if (list == kinds)
+    mimo_refuse("kind is \"%s\", expected scene, room, task, face or material; or a world before it", kind);
   while (lists[list].name(count) != NULL) ++count;
   out[0] = mxCreateCellMatrix(count, 1);
   for (i = 0; i < count; ++i) mxSetCell(out[0], i, mxCreateString(lists[list].name(i)));

@@ -25,6 +25,9 @@ function number = mimo_scene_add(scene, what, varargin)
 %                  help mimo_maturity; with nothing given as the option maturity of mimo_create says; agent
 %     'sensory_delay'  seconds by which an agent feels body, or else all of it, late, by touch and joints; agent
 %     'sources'    count of bodies that can play at once, 4 unless it is set, and seconds of sound that can wait at each, 4
+%     'room_temperature'  celsius, of the air and of all that has no temperature of its own
+%     'temperature'  celsius, of body and all that hangs on it
+%     'material'   name (mimo_names('material')): what body is made of, with all that hangs on it
 %     'parameter'  name, value (mimo_parameters)
 %   agent is the number of one, 1 unless given. number is 0 for what has none.
 number = mimo_mex('scene_add', scene, char(what), varargin{:});

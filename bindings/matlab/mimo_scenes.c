@@ -204,6 +204,29 @@ static double add_maturity(mimo_scene* scene, properties* given) {
   return 0;
 }
 
+static double add_room_temperature(mimo_scene* scene, properties* given) {
+  const double celsius = mimo_take_number(given, "celsius");
+  mimo_set_all(NULL, mimo_no_options, given, "a room's temperature");
+  mimo_check(mimo_scene_set_room_temperature(scene, celsius));
+  return 0;
+}
+
+static double add_temperature(mimo_scene* scene, properties* given) {
+  const char* body = mimo_take_text(given, "body");
+  const double celsius = mimo_take_number(given, "celsius");
+  mimo_set_all(NULL, mimo_no_options, given, "a temperature");
+  mimo_check(mimo_scene_set_temperature(scene, body, celsius));
+  return 0;
+}
+
+static double add_material(mimo_scene* scene, properties* given) {
+  const char* body = mimo_take_text(given, "body");
+  const char* name = mimo_take_text(given, "name");
+  mimo_set_all(NULL, mimo_no_options, given, "a material");
+  mimo_check(mimo_scene_set_material(scene, body, name));
+  return 0;
+}
+
 static double add_parameter(mimo_scene* scene, properties* given) {
   const char* name = mimo_take_text(given, "name");
   const double value = mimo_take_number(given, "value");
@@ -234,6 +257,9 @@ static const struct thing {
     {"maturity", add_maturity},
     {"sensory_delay", add_sensory_delay},
     {"sources", set_sources},
+    {"room_temperature", add_room_temperature},
+    {"temperature", add_temperature},
+    {"material", add_material},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */

@@ -1,5 +1,7 @@
 #include "env/things.h"
 
+#include <string_view>
+
 #include "base/fail.h"
 #include "body/body.h"
 #include "matter/materials.h"
@@ -13,6 +15,7 @@ using senses::touch::Things;
 
 void feel_like(Thing& thing, const matter::Material& material) {
   thing.effusivity = material.effusivity;
+  thing.is_flesh = std::string_view(material.name) == "skin";
   thing.wavelength = material.wavelength;
   thing.amplitude = material.amplitude;
 }

@@ -31,9 +31,17 @@ static mimo_status make_scene(const char* name, const char* xml) {
   return mimo_scene_create(&config, &scene);
 }
 
+/* All that nerves tell. */
+static const unsigned kNervesOfSkin = MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 |
+                                      MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM |
+                                      MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW | MIMO_TOUCH_UNITS;
+
 static mimo_status add_infant(mimo_scene* to) {
   mimo_agent_config agent;
   CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.touch |= kNervesOfSkin;
+  agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+  agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
   agent.vision_width = agent.vision_height = PICTURE;
   agent.touch_scale = 0.3;
   return mimo_scene_add_agent(to, &agent, NULL);
@@ -82,7 +90,11 @@ static void begin_host(void) {
   agent.body = "scene";
   agent.root = "world";
   agent.vestibular = agent.vision = 0;
+  agent.touch |= kNervesOfSkin;
+  agent.proprioception |= MIMO_PROPRIOCEPTION_JOINT_RECEPTOR | MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY |
+                          MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY | MIMO_PROPRIOCEPTION_TENDON_ORGAN;
   CHECK_OK(mimo_scene_add_agent(gripper_scene, &agent, NULL));
+  CHECK_OK(mimo_scene_set_touch(gripper_scene, 0, NULL, 0.02));
   CHECK_OK(mimo_limits_init(&limits, sizeof limits));
   limits.delay = limits.noise = 0.1;
   CHECK_OK(mimo_scene_limit_sense(gripper_scene, 0, "proprioception", &limits));
@@ -204,6 +216,8 @@ static mimo_status limit_motor(void) {
 
 static mimo_status set_parameter(void) { return mimo_scene_set_parameter(scene, "reach/success_reward", 3); }
 static mimo_status set_touch(void) { return mimo_scene_set_touch(infant_scene, 0, "left_hand", 0.01); }
+static mimo_status set_temperature(void) { return mimo_scene_set_temperature(scene, "left_hand", 10); }
+static mimo_status set_material(void) { return mimo_scene_set_material(scene, "left_hand", "copper"); }
 static mimo_status print_scene(void) { return mimo_scene_xml(infant_scene, (char*)block, sizeof block, NULL); }
 
 static mimo_status create_small(void) { return mimo_env_create(small_scene, NULL, &made_env); }
@@ -263,6 +277,8 @@ const scenario all_scenarios[] = {
     {"scene_limit_sense", prepare_infant, limit_sense, clean, 0, 0, 400},
     {"scene_limit_motor", prepare_infant, limit_motor, clean, 0, 0, 400},
     {"scene_set_touch", nothing, set_touch, clean, 0, 0, 400},
+    {"scene_set_temperature", prepare_infant, set_temperature, clean, 0, 0, 400},
+    {"scene_set_material", prepare_infant, set_material, clean, 0, 0, 400},
     {"scene_xml", nothing, print_scene, clean, 0, 0, 400},
     {"env_create, small", nothing, create_small, clean, 1, 1, 3000},
     {"env_create", nothing, create_infant, clean, 1, 1, 20},

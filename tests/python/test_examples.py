@@ -17,6 +17,7 @@ EXAMPLES = {
     "own_scene.py": [],
     "overhead.py": ["--steps", "20", "--worlds", "4"],
     "reflexes.py": [],
+    "receptors.py": [],
     "tutorial.py": [],
     "zero_copy.py": [],
 }

@@ -24,6 +24,13 @@ namespace Mimo
         public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_face_name);
     }
 
+    /// <summary>What things may be made of.</summary>
+    public static class Materials
+    {
+        /// <summary>Their names, for MimoScene.SetMaterial: "copper", "hardwood", ...</summary>
+        public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_material_name);
+    }
+
     /// <summary>The tasks of the library.</summary>
     public static class Tasks
     {

@@ -257,6 +257,25 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_touch(Handle, (UIntPtr)agent, Utf8.Bytes(body), spacing));
         }
 
+        /// <summary>Sets how warm the room is, -40 to 80 degrees Celsius: its air, and all that has no temperature of its
+        /// own. Infants are as warm as skin in it.</summary>
+        public void SetRoomTemperature(double celsius)
+        {
+            MimoException.Check(Native.mimo_scene_set_room_temperature(Handle, celsius));
+        }
+
+        /// <summary>Sets how warm a body of the model is, "cup", with all that hangs on it, degrees Celsius; it stays so.</summary>
+        public void SetTemperature(string body, double celsius)
+        {
+            MimoException.Check(Native.mimo_scene_set_temperature(Handle, Utf8.Bytes(body), celsius));
+        }
+
+        /// <summary>Sets what a body of the model is made of, with all that hangs on it: one of Materials.Names.</summary>
+        public void SetMaterial(string body, string material)
+        {
+            MimoException.Check(Native.mimo_scene_set_material(Handle, Utf8.Bytes(body), Utf8.Bytes(material)));
+        }
+
         /// <summary>Gives worlds made from now on a task of your own in place of the scene's; null takes it away.</summary>
         public void SetTask(MimoTask task)
         {

@@ -57,6 +57,9 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_set_touch(SceneHandle scene, Size agent, byte[] body, double spacing);
         [DllImport(File)] internal static extern int mimo_model_config_init(out ModelConfigStruct config, Size size);
         [DllImport(File)] internal static extern int mimo_scene_add_agents(SceneHandle scene, ref AgentConfig config, out Size count);
+        [DllImport(File)] internal static extern int mimo_scene_set_room_temperature(SceneHandle scene, double celsius);
+        [DllImport(File)] internal static extern int mimo_scene_set_temperature(SceneHandle scene, byte[] body, double celsius);
+        [DllImport(File)] internal static extern int mimo_scene_set_material(SceneHandle scene, byte[] body, byte[] material);
         [DllImport(File)] internal static extern int mimo_scene_set_room(SceneHandle scene, byte[] name);
         [DllImport(File)] internal static extern int mimo_scene_add_model(SceneHandle scene, ref ModelConfigStruct config);
         [DllImport(File)] internal static extern int mimo_scene_weld(SceneHandle scene, byte[] body, byte[] other, double[] pose);
@@ -132,6 +135,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);
 
         [DllImport(File)] internal static extern IntPtr mimo_face_name(Size index);
+        [DllImport(File)] internal static extern IntPtr mimo_material_name(Size index);
         [DllImport(File)] internal static extern int mimo_env_state_size(EnvHandle env, out Size bytes);
         [DllImport(File)] internal static extern int mimo_env_state_save(EnvHandle env, byte[] state, Size bytes);
         [DllImport(File)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, Size bytes, ref LoadReportStruct report);

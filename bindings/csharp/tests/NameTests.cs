@@ -87,7 +87,7 @@ internal static partial class Tests
         compare(typeof(Vision), "MIMO_VISION_", "VISION_[A-Z]+");
         compare(typeof(Actuation), "MIMO_ACTUATION_", "ACTUATION_[A-Z_]+");
         compare(typeof(Act), "MIMO_ACT_", "ACT_[A-Z_]+");
-        compare(typeof(TouchOutputs), "MIMO_TOUCH_", "TOUCH_[A-Z_]+");
+        compare(typeof(TouchOutputs), "MIMO_TOUCH_", "TOUCH_[A-Z_0-9]+");
         compare(typeof(TouchResponse), "MIMO_RESPONSE_", "RESPONSE_[A-Z]+");
         compare(typeof(TouchFrame), "MIMO_FRAME_", "FRAME_[A-Z]+");
     }

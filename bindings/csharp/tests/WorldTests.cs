@@ -253,6 +253,50 @@ internal static partial class Tests
         }
     }
 
+    /// <summary>Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces that meet (J Appl Physiol 1957;11:211 has
+    /// skin's effusivity) through 350 W/(m^2 K) give 28.21 on copper, 30.26 on hardwood.</summary>
+    private static void MetalFeelsColderThanWood()
+    {
+        Near(28.21, SkinOn("copper"), 0.1, "copper");
+        Near(30.26, SkinOn("hardwood"), 0.1, "hardwood");
+        Check(Materials.Names.Contains("cork"), string.Join(" ", Materials.Names));
+        using (var scene = MimoScene.FromXml(Table))
+        {
+            Check(Refused(() => scene.SetMaterial("table", "kryptonite")).Message.Contains("copper"), "no list");
+            Check(Refused(() => scene.SetTemperature("table", -274)).Message.Contains("-274"), "below absolute zero");
+            Refused(() => scene.SetRoomTemperature(81));
+            scene.SetRoomTemperature(20);
+        }
+    }
+
+    private const string Table =
+        "<mujoco><option timestep='.005'/><worldbody><body name='table'><geom type='box' size='1 1 .1' pos='0 0 -.1'/></body>" +
+        "<body name='arm' pos='0 0 .0999'><freejoint/><geom size='.1'/></body></worldbody></mujoco>";
+
+    private static double SkinOn(string material)
+    {
+        using (var scene = MimoScene.FromXml(Table))
+        {
+            var agent = scene.DefaultAgent();
+            agent.vision = 0;
+            agent.vestibular = 0;
+            agent.touch = TouchOutputs.Temperature;
+            scene.AddAgent(agent, root: "arm");
+            scene.SetTouch(0, "arm", 0.05);
+            scene.SetTemperature("table", 10);
+            scene.SetMaterial("table", material);
+            using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
+            {
+                env.Reset(1);
+                for (var i = 0; i < 200; ++i) env.Step(null);
+                var skin = env.Layout.Find("touch/temperature");
+                var degrees = new float[skin.Bytes / 4];
+                env.Read(skin, degrees);
+                return degrees.Min();
+            }
+        }
+    }
+
     private static void FacesShow()
     {
         Check(Faces.Names.Count == 7 && Faces.Names.Contains("fear"), "no emotion, and the six basic ones");

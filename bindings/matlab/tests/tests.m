@@ -4,7 +4,7 @@ function tests()
                  @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
                  @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
-                 @scenes_step_by_step, @two_infants, @infants_of_any_age, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
+                 @scenes_step_by_step, @metal_feels_colder_than_wood, @two_infants, @infants_of_any_age, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
                  @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @engines_see_it, @steps_in_two_halves};
   all_of_them = [all_of_them, layout_tests(), results_tests()];
   failed = 0;
@@ -430,6 +430,38 @@ function robots_of_ones_own()
   said = message_of(@() mimo_create(file, 'body', 'scene', 'root', 'leg', 'vision', 0, 'touch', 0));
   assert(~isempty(strfind(said, '"leg"')), said);
   delete(file);
+end
+
+% Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces that meet (J Appl Physiol 1957;11:211 has skin's effusivity)
+% through 350 W/(m^2 K) give 28.21 on copper, 30.26 on hardwood.
+function metal_feels_colder_than_wood()
+  assert(abs(skin_on('copper') - 28.21) < 0.1);
+  assert(abs(skin_on('hardwood') - 30.26) < 0.1);
+  assert(ismember('cork', mimo_names('material')));
+  scene = mimo_scene('free');
+  said = message_of(@() mimo_scene_add(scene, 'material', 'body', 'cup', 'name', 'kryptonite'));
+  assert(~isempty(strfind(said, 'copper')), said);
+  refused(@() mimo_scene_add(scene, 'temperature', 'body', 'cup', 'celsius', -274), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_scene_add(scene, 'room_temperature', 'celsius', 81), 'mimo:INVALID_ARGUMENT');
+  mimo_scene_add(scene, 'room_temperature', 'celsius', 20);
+  mimo_close(scene);
+end
+
+% The coldest sensor of a ball that has lain on such a table for a second. 256 is the bit of touch/temperature.
+function coldest = skin_on(material)
+  table = '<body name="table"><geom type="box" size="1 1 .1" pos="0 0 -.1"/></body>';
+  arm = '<body name="arm" pos="0 0 .0999"><freejoint/><geom size=".1"/></body>';
+  scene = mimo_scene(['<mujoco><option timestep=".005"/><worldbody>' table arm '</worldbody></mujoco>']);
+  mimo_scene_add(scene, 'agent', 'body', 'scene', 'root', 'arm', 'vision', 0, 'vestibular', 0, 'touch', 256);
+  mimo_scene_add(scene, 'skin', 'body', 'arm', 'spacing', 0.05);
+  mimo_scene_add(scene, 'temperature', 'body', 'table', 'celsius', 10);
+  mimo_scene_add(scene, 'material', 'body', 'table', 'name', material);
+  world = mimo_create(scene, 'frame_skip', 1);
+  mimo_close(scene);
+  mimo_reset(world, 1);
+  for step = 1:200, seen = mimo_step(world, []); end
+  coldest = min(seen.touch_temperature);
+  mimo_close(world);
 end
 
 % 0.5 s of free fall from 2 m end 1.23 m lower: what is welded to the world stays.

@@ -6,7 +6,14 @@
 
 namespace mimo::senses::touch {
 
+// A box or cylinder that stands for flesh has no edges: it is as round there as it is thin.
+struct Surfaced {
+  int geom;
+  bool is_flesh;
+};
+
 // Of both surfaces together, m; the point is in the world. Flat things on each other count as 100 mm.
-double curvature_radius(const mjModel& model, const mjData& data, int geom, int other, const Vec3& point);
+double curvature_radius(const mjModel& model, const mjData& data, const Surfaced& one, const Surfaced& other,
+                        const Vec3& point);
 
 }  // namespace mimo::senses::touch

@@ -7,8 +7,8 @@
 
 namespace mimo::senses::touch {
 
-Felt::Felt(const Skin& skin, Response response, Wanted wanted)
-    : skin_(skin), spread_(skin, response), wanted_(wanted), feelings_(skin.sensors().size()) {
+Felt::Felt(const Skin& skin, Response response, Wanted wanted, const Things& things)
+    : skin_(skin), things_(things), spread_(skin, response), wanted_(wanted), feelings_(skin.sensors().size()) {
   sensors_.reserve(feelings_.size());
   pricks_.reserve(feelings_.size());
 }
@@ -54,7 +54,9 @@ void Felt::add(const mjModel& model, const mjData& data, const Press& press, int
     }
   }
   if (!wanted_.pricks || nearest < 0 || pricks_.size() == pricks_.capacity()) return;
-  const double radius = curvature_radius(model, data, press.geom, other_geom, press.point);
+  const bool meets_flesh =
+      skin_.covers(model.geom_bodyid[other_geom]) || things_.by_geom[static_cast<std::size_t>(other_geom)].is_flesh;
+  const double radius = curvature_radius(model, data, {press.geom, true}, {other_geom, meets_flesh}, press.point);
   pricks_.push_back({nearest, receptors::contact_pressure(press.normal_force, radius)});
 }
 

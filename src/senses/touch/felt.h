@@ -6,6 +6,7 @@
 
 #include "senses/touch/press.h"
 #include "senses/touch/spread.h"
+#include "senses/touch/things.h"
 
 namespace mimo::senses::touch {
 
@@ -29,7 +30,7 @@ class Felt {
   struct Wanted {
     bool sliding, pricks;
   };
-  Felt(const Skin& skin, Response response, Wanted wanted);
+  Felt(const Skin& skin, Response response, Wanted wanted, const Things& things);
 
   void take_in(const mjModel& model, const mjData& data);
   // Those that feel anything now, each once.
@@ -41,6 +42,7 @@ class Felt {
   void add(const mjModel& model, const mjData& data, const Press& press, int other_geom);
 
   const Skin& skin_;
+  const Things& things_;
   Spread spread_;
   Wanted wanted_;
   std::vector<Feeling> feelings_;

@@ -26,7 +26,7 @@ class Nerves : public observation::Process {
         wants_warmth_(options.receptors.warmth() || options.receptors.pain()),
         wants_pain_(options.receptors.pain()),
         wants_rates_of_warmth_(options.receptors.cold || options.receptors.warm),
-        felt_(*skin_, options.response, {options.receptors.ra || options.receptors.pc, wants_pain_}),
+        felt_(*skin_, options.response, {options.receptors.ra || options.receptors.pc, wants_pain_}, *things_),
         afferents_(patches_, options.slip_threshold, tick),
         warmth_(patches_, things_->air, tick),
         pain_(patches_, tick) {}

@@ -9,6 +9,7 @@ namespace mimo::senses::touch {
 struct Thing {
   double temperature = 24;               // degrees Celsius; things are so large that skin does not change it
   double effusivity = 0;                 // W s^0.5 / (m^2 K)
+  bool is_flesh = false;                 // of another infant, or as soft as that
   double wavelength = 0, amplitude = 0;  // of its texture, m
 };
 

@@ -78,7 +78,7 @@ pub use geometry::{convert_directions, convert_points, Axes, Detail, Light, Mate
 pub use growth::Growth;
 pub use layout::{Action, Layout, Receptor, Term};
 pub use limits::Limits;
-pub use lists::{builtin_scenes, faces, parameters, rooms, tasks, Parameter};
+pub use lists::{builtin_scenes, faces, materials, parameters, rooms, tasks, Parameter};
 pub use log::{Level, LogRecord};
 pub use maturity::Maturity;
 pub use object::{Model, Object};

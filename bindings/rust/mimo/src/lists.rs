@@ -19,6 +19,11 @@ pub fn faces() -> Vec<String> {
     names(sys::mimo_face_name)
 }
 
+/// Names of the materials for [`Scene::set_material`](crate::Scene::set_material).
+pub fn materials() -> Vec<String> {
+    names(sys::mimo_material_name)
+}
+
 /// Names of the tasks for [`EnvConfig::task`](crate::EnvConfig::task).
 pub fn tasks() -> Vec<String> {
     names(sys::mimo_task_name)

@@ -189,6 +189,24 @@ impl Scene {
         check(unsafe { sys::mimo_scene_set_sensory_delay(self.handle(), agent, name, seconds) })
     }
 
+    /// Sets how warm the room is, -40 to 80 degrees Celsius: its air, and all that has no temperature of its own. Infants
+    /// are as warm as skin in it.
+    pub fn set_room_temperature(&mut self, celsius: f64) -> Result<()> {
+        check(unsafe { sys::mimo_scene_set_room_temperature(self.handle(), celsius) })
+    }
+
+    /// Sets how warm a body of the model is, "cup", with all that hangs on it, degrees Celsius; it stays so.
+    pub fn set_temperature(&mut self, body: &str, celsius: f64) -> Result<()> {
+        let body = c_string(body)?;
+        check(unsafe { sys::mimo_scene_set_temperature(self.handle(), body.as_ptr(), celsius) })
+    }
+
+    /// Sets what a body of the model is made of, with all that hangs on it: one of [`materials`](crate::materials).
+    pub fn set_material(&mut self, body: &str, material: &str) -> Result<()> {
+        let (body, material) = (c_string(body)?, c_string(material)?);
+        check(unsafe { sys::mimo_scene_set_material(self.handle(), body.as_ptr(), material.as_ptr()) })
+    }
+
     /// Sets a parameter of a task, "reach/success_reward", for worlds made from now on.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<()> {
         let name = c_string(name)?;
