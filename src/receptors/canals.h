@@ -2,7 +2,7 @@
 //
 // A canal is a torsion pendulum: what goes on turning evenly is forgotten with 5.7 s (Fernandez and Goldberg 1971), and
 // when it stops, the opposite is told. Afferents of macaques (Schneider et al. 2015, after Hullar 2005): H(s) = K s
-// (s + 1/T1) / ((s + 1/Tc)(s + 1/T2)), deg/s to spikes/s above rest.
+// (s + 1/T1) / ((s + 1/Tc)(s + 1/T2)), deg/s to spikes/s above rest; T2 lies below our steps and is left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,11 +32,10 @@ class Canals {
 
  private:
   double tick_, kept_;
-  std::array<double, kAfferents> kept_drive_{};
   // All canals are linear and alike, so that one filter of the head's turn serves them all.
   Eigen::Vector3d passed_ = Eigen::Vector3d::Zero();  // high-passed, rad/s
   Eigen::Vector3d before_ = Eigen::Vector3d::Zero();  // angular velocity at the last tick
-  std::array<Eigen::Vector3d, kAfferents> driven_;    // what drives either type of afferents, rad/s
+  Eigen::Vector3d gained_ = Eigen::Vector3d::Zero();  // its change in it, rad/s^2
 };
 
 }  // namespace mimo::receptors

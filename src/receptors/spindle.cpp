@@ -76,11 +76,11 @@ void Spindle::advance(double length, const FusimotorDrive& drive, const SpindleT
   const std::array<double, kFibres> kept = {tick.kept_bag1, tick.kept_bag2, 0};
   length_ = length;
   for (std::size_t i = 0; i < kFibres; ++i) {
-    const double drive = told[i] + kept[i] * (drive_[i] - told[i]);
-    if (drive != drive_[i] || ease_[i] == 0)
-      ease_[i] = tick.creep.ease(kTable[i].damping + kTable[i].damping_gain * drive);
-    drive_[i] = drive;
-    polar_[i] = crept(balanced(kTable[i], drive, length), polar_[i], ease_[i], tick.creep);
+    const double contracts = told[i] + kept[i] * (drive_[i] - told[i]);
+    if (contracts != drive_[i] || ease_[i] == 0)
+      ease_[i] = tick.creep.ease(kTable[i].damping + kTable[i].damping_gain * contracts);
+    drive_[i] = contracts;
+    polar_[i] = crept(balanced(kTable[i], contracts, length), polar_[i], ease_[i], tick.creep);
   }
 }
 

@@ -26,15 +26,16 @@ double over_rest(const Canals& canals, std::size_t canal, Afferent type) {
 }
 
 // About the canal's own axis at 60 degrees a second, so that the cosine is 1. K T2/T1 = 0.4366 of Schneider et al. 2015
-// times 60, 26.198, falling to its e-th part in each 5.7 s: after 0.05, 1, 5.7, 11.4 and 17.1
-// s 25.97, 21.98, 9.64, 3.55, 1.30 spikes/s. What the onset adds is over by then, as T2 is 2.7 ms.
+// times 60, falling to its e-th part in each 5.7 s: 26.18, 21.98, 9.64, 3.55, 1.30 spikes/s.
 TEST(Canals, ATurnThatGoesOnFades) {
   Canals canals(kTick);
   canals.rest(Vector3d::Zero());
   const Vector3d about = 60 * kDegree * canal_axis(1);
   canals.advance(about);  // the onset
-  double before = 0;
-  const double known[][2] = {{0.05, 25.97}, {1, 21.98}, {5.7, 9.64}, {11.4, 3.55}, {17.1, 1.30}};
+  turn(canals, about, kTick);
+  EXPECT_NEAR(over_rest(canals, 1, Afferent::kRegular), 26.18, 0.03);
+  double before = kTick;
+  const double known[][2] = {{1, 21.98}, {5.7, 9.64}, {11.4, 3.55}, {17.1, 1.30}};
   for (const auto& [at, rate] : known) {
     turn(canals, about, at - before);
     before = at;
@@ -47,8 +48,8 @@ TEST(Canals, AStopTellsTheOpposite) {
   Canals canals(kTick);
   canals.rest(60 * kDegree * canal_axis(1));
   canals.advance(Vector3d::Zero());
-  turn(canals, Vector3d::Zero(), 0.05);
-  EXPECT_NEAR(over_rest(canals, 1, Afferent::kRegular), -25.97, 0.03);
+  canals.advance(Vector3d::Zero());
+  EXPECT_NEAR(over_rest(canals, 1, Afferent::kRegular), -26.18, 0.03);
 }
 
 // Components of the directions of Della Santina et al. 2005: yaw to the left, pitch nose down, roll right side down.
@@ -87,21 +88,23 @@ Answer canal_answer(double hertz, Afferent type) {
   return {std::hypot(sine, cosine), std::atan2(cosine, sine) / kDegree};
 }
 
-// |H| and phase of Schneider's transfer functions, computed from their constants; steps of 0.5 ms delay by half of one,
-// half a degree at 5 Hz. Amplitudes come out 0.3 to 0.7 % too large; why is not known yet.
+// |H| and phase of Schneider's transfer functions, computed from their constants. Their pole T2 is left out here, as it
+// lies below the physics step: what it does to both is taken off again. Steps of 0.5 ms add up to 0.7 % and half a
+// degree.
+void expect_answers(Afferent type, double left_out, const double (&known)[4][3]) {
+  for (const auto& [hertz, gain, lead] : known) {
+    const Answer answer = canal_answer(hertz, type);
+    const double pole = 2 * kPi * hertz * left_out;
+    EXPECT_NEAR(answer.amplitude, gain * std::hypot(1, pole), 0.008 * gain) << hertz;
+    EXPECT_NEAR(answer.lead, lead + std::atan(pole) / kDegree, 0.6) << hertz;
+  }
+}
+
 TEST(Canals, FollowTheirTransferFunction) {
-  const double regular[][3] = {{0.01, 0.147, 70.4}, {0.1, 0.421, 16.1}, {1, 0.439, 6.9}, {5, 0.4965, 24.3}};
-  for (const auto& [hertz, gain, lead] : regular) {
-    const Answer answer = canal_answer(hertz, Afferent::kRegular);
-    EXPECT_NEAR(answer.amplitude, gain, 0.008 * gain) << hertz;
-    EXPECT_NEAR(answer.lead, lead, 0.6) << hertz;
-  }
-  const double irregular[][3] = {{0.01, 0.183, 70.4}, {0.1, 0.522, 16.7}, {1, 0.551, 12.1}, {5, 0.744, 42.5}};
-  for (const auto& [hertz, gain, lead] : irregular) {
-    const Answer answer = canal_answer(hertz, Afferent::kIrregular);
-    EXPECT_NEAR(answer.amplitude, gain, 0.008 * gain) << hertz;
-    EXPECT_NEAR(answer.lead, lead, 0.6) << hertz;
-  }
+  expect_answers(Afferent::kRegular, 0.0027,
+                 {{0.01, 0.147, 70.4}, {0.1, 0.421, 16.1}, {1, 0.439, 6.9}, {5, 0.4965, 24.3}});
+  expect_answers(Afferent::kIrregular, 0.0006,
+                 {{0.01, 0.183, 70.4}, {0.1, 0.522, 16.7}, {1, 0.551, 12.1}, {5, 0.744, 42.5}});
 }
 
 // Inhibition ends at silence, excitation does not (Ewald's second law).
