@@ -14,7 +14,7 @@ function world = mimo_create(scene, varargin)
 %                  touch_response, touch_frame, touch_slip_threshold, proprioception (a sum of 1 velocity, 2 torque, 4 limit,
 %                  8 actuation, 16 joint_torque, 32 position, 64 effort, 128 spindle_primary, 256 spindle_secondary,
 %                  512 tendon_organ, 1024 joint_receptor; 2^31: all there is), vestibular (a sum of 1 acceleration,
-%                  2 angular_velocity, 4 canals, 8 otoliths, 16 gravity), limit_threshold, actuation (1: by angles,
+%                  2 angular_velocity, 4 canals, 8 otoliths, 16 gravity), hearing (1 ears, 2 bands; 0: none), limit_threshold, actuation (1: by angles,
 %                  2 or 3: muscles), acts (2^31: all, 2^30: nothing), normalize_actions, body,
 %                  reflexes (of newborns: 1 palmar grasp, 2 plantar grasp, 4 rooting, 8 Moro,
 %                  16 asymmetric tonic neck, 32 stepping, 64 withdrawal; 2^30: the field has all; 2^31: all that the body can do),
