@@ -172,7 +172,7 @@ TEST(MuscleReceptors, AttachedTheyTellTheSame) {
   env::Attached next(kit, 0);
   EXPECT_EQ(next.load(state).fresh, 0U);
   for (int i = 0; i < 20; ++i) both(next);
-  const std::int32_t nobody[] = {1};
+  const std::vector<std::int32_t> nobody = {1};
   EXPECT_THROW(next.drive_spindles(nobody, drive), Error);
   EXPECT_THROW(next.drive_spindles(next.driven(), Values{0, 0, 0}), Error);
   EXPECT_THROW(next.drive_spindles(next.driven(), Values{0, 0, 0, 501}), Error);

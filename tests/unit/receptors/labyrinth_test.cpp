@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/angle.h"
 #include "receptors/canals.h"
 #include "receptors/gravity_estimate.h"
 #include "receptors/maculae.h"
