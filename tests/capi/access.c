@@ -90,7 +90,7 @@ static void check_quantities(void) {
     for (i = 0; i < width; ++i) CHECK(floats[i] == (float)values[i] || (isnan(floats[i]) && isnan(values[i])));
     CHECK_OK(mimo_env_get(env, quantity, &first, 0, NULL, 0)); /* none of them */
   }
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 57", mimo_env_get(env, 57, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 58", mimo_env_get(env, 58, &first, 1, values, 1));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0", mimo_env_set(env, 0, &first, 1, values, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "MIMO_NOW",
               mimo_env_set(env, MIMO_BODY_POSITION | MIMO_NOW, &first, 1, values, 3));

@@ -170,7 +170,7 @@ static void check_struct_size(void) {
   mimo_env* env = blind_env("free", NULL);
   mimo_field field;
   memset(&field, 0, sizeof field);
-  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "field: struct_size is 0, expected 112, the struct's sizeof",
+  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "field: struct_size is 0, expected 120, the struct's sizeof",
               mimo_layout_field(layout_of(env), 0, &field));
   CHECK(strstr(mimo_last_error(), "_init") == NULL);
   mimo_env_destroy(env);

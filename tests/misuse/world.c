@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 20, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
+enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 21, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
 
 static struct {
   unsigned char *bytes, *kept;

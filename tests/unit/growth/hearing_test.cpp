@@ -15,12 +15,13 @@ TEST(Hearing, FollowsItsTables) {
   EXPECT_NEAR(hearing_threshold(12, 4000), -5.4 + 6, 1e-9);
 }
 
-// Straight lines in age and in the logarithm of frequency: worked out by hand.
+// Straight lines in age and in the logarithm of frequency: worked out by hand, from numbers of one decimal.
 TEST(Hearing, LiesBetweenThem) {
   EXPECT_NEAR(hearing_threshold(9, 1000), 2.4 + 13, 1e-9);
-  EXPECT_NEAR(hearing_threshold(0, 1046.6), 42.4, 0.6);
-  EXPECT_NEAR(hearing_threshold(24, 3065.1), -1.0, 0.6);
-  EXPECT_EQ(hearing_threshold(0, 60), hearing_threshold(0, 125));
+  EXPECT_NEAR(hearing_threshold(0, 1046.6), 42.4, 0.1);
+  EXPECT_NEAR(hearing_threshold(24, 3065.1), -1.0, 0.1);
+  EXPECT_NEAR(hearing_threshold(0, 147.7), 67.0, 0.1);
+  EXPECT_EQ(hearing_threshold(0, 60), hearing_threshold(0, 100));
 }
 
 TEST(Hearing, GetsBetterWithAge) {
