@@ -111,7 +111,7 @@ internal static partial class Tests
         var widths = new[]
         {
             1, 1, 1, 1, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3, 1, 7, 7, 7, 7, 3, 4, 1, 2, 3, 3, 3, // then contacts
-            2, 2, 3, 9, 1, 3, 3, 2, 2, 1, 1, 3, 3, 3, 1, 3, 1, 6, 0, 0, 1, 1, 1 // agents have none here
+            2, 2, 3, 9, 1, 3, 3, 2, 2, 1, 1, 3, 3, 3, 1, 3, 1, 6, 0, 0, 1, 1, 1, 0 // agents have none here, nor do motors without spindles
         };
         using (var scene = MimoScene.FromXml(all))
         using (var env = new Env(scene, new EnvOptions { StepContacts = true }))
