@@ -13,8 +13,9 @@ macro_rules! add {
         $(
             // Only addresses are taken; nothing is read.
             let field = unsafe { std::ptr::addr_of!((*start).$field) };
+            // What C may call "type" is "type_" here.
             $layout.insert(
-                format!("{}.{}", stringify!($type), stringify!($field)),
+                format!("{}.{}", stringify!($type), stringify!($field).trim_end_matches('_')),
                 (field as usize - start as usize, size_of_pointee(field)),
             );
         )*
