@@ -22,7 +22,7 @@ struct WorldOptions {
   double foveation = 0;                         // of the eyes' colour pictures; 0: none
   std::string vision;        // "off", pixels, or "" for 256 where a renderer works; with kOwn "" is the scene's
   bool every_sense = false;  // beside those, all that nerves tell: receptors of skin, muscles, joints and labyrinth
-  bool hearing = false;           // beside those
+  bool hearing = false;      // beside those
   std::string reflexes = "none";  // comma-separated, or "all"
   std::string touch = "1";        // "off", or the scale; with kOwn "" is the scene's
   std::string face;               // "" means the model's own

@@ -14,7 +14,7 @@
 namespace mimo::senses {
 class FusimotorDrives;
 class Soundscape;
-}
+}  // namespace mimo::senses
 
 namespace mimo::env {
 

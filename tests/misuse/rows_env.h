@@ -25,8 +25,8 @@ ROW(mimo_env_observe, ON_ENV | SIMULATES, mimo_env_observe(a->env, a->block, a->
     SHORT(block_bytes, "block"), DO(no_block, E_ARG, "block"))
 ROW(mimo_env_physics_step, ON_ENV | SIMULATES, mimo_env_physics_step(a->env, a->steps), BAD_SIZE(steps, -1, "count"),
     BAD_SIZE(steps, 1000001, "count"))
-ROW(mimo_env_play, ON_ENV, mimo_env_play(a->env, a->part, a->action, a->action_count, a->rate),
-    NO_NULL(part, "body"), NO_NULL(action, "samples"), DO(nan_action, E_ARG, "samples[1]"), NOT_FINITE(rate, "rate"),
+ROW(mimo_env_play, ON_ENV, mimo_env_play(a->env, a->part, a->action, a->action_count, a->rate), NO_NULL(part, "body"),
+    NO_NULL(action, "samples"), DO(nan_action, E_ARG, "samples[1]"), NOT_FINITE(rate, "rate"),
     BAD_F64(rate, 44100, "rate is 44100"), BAD_SIZE(action_count, -1, "samples"))
 ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "seconds"))
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
