@@ -6,7 +6,7 @@
 #define RATE 16000
 enum { kStep = 160 }; /* samples of a step of two physics steps, 5 ms each */
 
-static float beep[800];
+static float beep[801]; /* one more than a world of these steps takes */
 
 static mimo_field field(const mimo_env* env, const char* name) {
   mimo_field found = {.struct_size = sizeof found};

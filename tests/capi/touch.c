@@ -40,7 +40,7 @@ static world open_world(const mimo_scene* scene) {
     const mimo_field field = field_at(layout_of(w.env), 0);
     w.sensors = field.receptors;
     w.offset = field.offset;
-    w.channels = field.shape[1];
+    w.channels = field.ndim > 1 ? field.shape[1] : 1; /* rates of receptors are one number each */
     CHECK(field.shape[0] == w.sensors);
   }
   return w;
