@@ -34,8 +34,12 @@ if(TARGET mujoco::mujoco)
   set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${mujoco_include_dirs}")
   find_file(mujoco_header mujoco/mujoco.h PATHS ${mujoco_include_dirs} NO_DEFAULT_PATH NO_CACHE)
   file(STRINGS "${mujoco_header}" mujoco_line REGEX "^#define mjVERSION_HEADER [0-9]+")
-  if(mujoco_line MATCHES "([0-9])([0-9])([0-9])$")
+  if(mujoco_line MATCHES " ([0-9])([0-9])([0-9])$")  # 222
     set(mujoco_VERSION ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}.${CMAKE_MATCH_3})
+  elseif(mujoco_line MATCHES " ([0-9]+)([0-9][0-9][0-9])([0-9][0-9][0-9])$")  # 4000001, since 3.5
+    math(EXPR mujoco_minor "1${CMAKE_MATCH_2} - 1000")
+    math(EXPR mujoco_patch "1${CMAKE_MATCH_3} - 1000")
+    set(mujoco_VERSION ${CMAKE_MATCH_1}.${mujoco_minor}.${mujoco_patch})
   endif()
 endif()
 

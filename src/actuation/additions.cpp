@@ -23,7 +23,7 @@ void Additions::follow(Span<const float> actions, const engine::Physics& physics
 // A lock that the agent's own actions move does not hinder it.
 bool Additions::held(std::size_t motor, const mjModel& model) const {
   const int lock = locks_[motor];
-  return lock >= 0 && model.eq_active[lock] != 0 && !actuation_.holds(lock);
+  return lock >= 0 && engine::is_held(model, lock) && !actuation_.holds(lock);
 }
 
 void Additions::add(Span<const double> shares, engine::Physics& physics) {

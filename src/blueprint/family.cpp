@@ -79,7 +79,7 @@ void Family::share_textures(env::Kit& kit) {
     textures_ = render::make_shelf();
   }
   kit.model = engine::with_textures_of(painted_, std::move(kit.model));
-  if (kit.model->tex_rgb == painted_->tex_rgb) kit.services.textures = textures_;
+  if (engine::share_textures(*kit.model, *painted_)) kit.services.textures = textures_;
 }
 
 env::KitPtr Family::find(const Growths& growths) {

@@ -7,6 +7,7 @@
 #include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "engine/compat.h"
 #include "engine/present.h"
 #include "geometry/axes.h"
 #include "geometry/geoms.h"
@@ -111,7 +112,7 @@ void light_of(const env::World& world, int id, const geometry::Conversion& to, m
   engine::Present present;
   const mjData& now = present.of(world.physics());
   light.active = model.light_active[id] != 0 ? 1 : 0;
-  light.directional = model.light_directional[id] != 0 ? 1 : 0;
+  light.directional = engine::compat::is_directional(model, id) ? 1 : 0;
   light.casts_shadow = model.light_castshadow[id] != 0 ? 1 : 0;
   light.cutoff = model.light_cutoff[id];
   light.exponent = model.light_exponent[id];

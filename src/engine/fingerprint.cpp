@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/hash.h"
+#include "engine/compat.h"
 
 namespace mimo::engine {
 namespace {
@@ -30,12 +31,20 @@ void add(Hash& hash, const T* values, std::size_t count) {
 }
 
 void add_options(Hash& hash, const mjOption& opt) {
+#if MIMO_MUJOCO_4
+#define X(type, name, count) add(hash, &opt.name, 1);
+#define XVEC(type, name, count) add(hash, opt.name, count);
+  MJOPTION_FIELDS
+#undef XVEC
+#undef X
+#else
 #define X(type, name) add(hash, &opt.name, 1);
   MJOPTION_SCALARS
 #undef X
 #define X(name, count) add(hash, opt.name, count);
   MJOPTION_VECTORS
 #undef X
+#endif
 }
 
 }  // namespace
@@ -43,7 +52,7 @@ void add_options(Hash& hash, const mjOption& opt) {
 std::uint64_t shape(const mjModel& model) {
   Hash hash;
 #define X(name) hash.add(static_cast<std::uint64_t>(model.name));
-  MJMODEL_INTS
+  MIMO_MODEL_SIZES
 #undef X
   hash.add({reinterpret_cast<const std::uint8_t*>(model.names), static_cast<std::size_t>(model.nnames)});
   return hash.value();
@@ -52,12 +61,12 @@ std::uint64_t shape(const mjModel& model) {
 std::uint64_t fingerprint(const mjModel& model) {
   Hash hash;
 #define X(name) hash.add(static_cast<std::uint64_t>(model.name));
-  MJMODEL_INTS
+  MIMO_MODEL_SIZES
 #undef X
   add_options(hash, model.opt);
   MJMODEL_POINTERS_PREAMBLE((&model))
-#define X(type, name, rows, columns)                  \
-  if constexpr (std::string_view(#name) != "tex_rgb") \
+#define X(type, name, rows, columns)                            \
+  if constexpr (std::string_view(#name) != compat::kPixelsName) \
     add(hash, model.name, static_cast<std::size_t>(model.rows) * static_cast<std::size_t>(columns));
   MJMODEL_POINTERS
 #undef X

@@ -1,10 +1,10 @@
 #include "engine/ground.h"
 
-#include <mujoco/mujoco.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/compat.h"
 
 namespace mimo::engine {
 namespace {
@@ -20,11 +20,9 @@ bool stands_still(const mjModel& model, int geom) { return model.body_weldid[mod
 double distance_below(const mjModel& model, const mjData& data, int geom, const Eigen::Vector3d& point) {
   const Eigen::Vector3d down(0, 0, -1);
   switch (model.geom_type[geom]) {
-    case mjGEOM_MESH: return mj_rayMesh(&model, &data, geom, point.data(), down.data());
-    case mjGEOM_HFIELD: return mj_rayHfield(&model, &data, geom, point.data(), down.data());
-    default:
-      return mju_rayGeom(data.geom_xpos + 3 * geom, data.geom_xmat + 9 * geom, model.geom_size + 3 * geom, point.data(),
-                         down.data(), model.geom_type[geom]);
+    case mjGEOM_MESH: return compat::ray_mesh(model, data, geom, point.data(), down.data());
+    case mjGEOM_HFIELD: return compat::ray_field(model, data, geom, point.data(), down.data());
+    default: return compat::ray_shape(model, data, geom, point.data(), down.data());
   }
 }
 

@@ -1,19 +1,23 @@
 #include "engine/guard.h"
 
-#include <mujoco/mujoco.h>
-
 #include <csetjmp>
 #include <cstdio>
 #include <mutex>
 
-// Exported by MuJoCo 2.2 but not declared in its headers. Weak: a build of MuJoCo may lack them.
+#include "engine/compat.h"
+
+// Exported by MuJoCo but not declared in its headers. Weak: a build of MuJoCo may lack them.
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): the names are MuJoCo's
 extern "C" {
+#if MIMO_MUJOCO_4
+__attribute__((weak)) mjfLogHandler _mjPRIVATE_setTlsLogHandler(mjfLogHandler handler);
+#else
 using mimo_mujoco_handler = void (*)(const char*);
 __attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_error_fn();
 __attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_warning_fn();
 __attribute__((weak)) void _mjPRIVATE__set_tls_error_fn(mimo_mujoco_handler handler);
 __attribute__((weak)) void _mjPRIVATE__set_tls_warning_fn(mimo_mujoco_handler handler);
+#endif
 }
 // NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
@@ -40,6 +44,56 @@ void on_error(const char* text) {
 void on_warning(const char* text) {
   if (current->complaint->warnings++ == 0) copy_text(current->complaint->warning, text);
 }
+
+#if MIMO_MUJOCO_4
+
+void on_message(const mjLogMessage* message) {
+  if (message->level == mjLOG_ERROR) on_error(message->subject);
+  if (message->level == mjLOG_WARNING) on_warning(message->subject);
+}
+
+// Fallback for a MuJoCo without thread-local handlers: a process-wide one that chains to what the host had set.
+mjfLogHandler host_handler = nullptr;
+
+void on_global_message(const mjLogMessage* message) {
+  if (current != nullptr) {
+    on_message(message);
+  } else if (host_handler != nullptr) {
+    host_handler(message);
+  }
+}
+
+void install_global_handler() {
+  static std::once_flag once;
+  std::call_once(once, [] { host_handler = mju_setLogHandler(on_global_message); });
+}
+
+// Puts our handler in place and gives the host's back, also when an exception passes.
+class Handlers {
+ public:
+  explicit Handlers(Frame& frame) {
+    frame.outer = current;
+    current = &frame;
+    if (_mjPRIVATE_setTlsLogHandler != nullptr) {
+      previous_ = _mjPRIVATE_setTlsLogHandler(on_message);
+    } else {
+      install_global_handler();
+    }
+  }
+
+  ~Handlers() {
+    current = current->outer;
+    if (_mjPRIVATE_setTlsLogHandler != nullptr) _mjPRIVATE_setTlsLogHandler(previous_);
+  }
+
+  Handlers(const Handlers&) = delete;
+  Handlers& operator=(const Handlers&) = delete;
+
+ private:
+  mjfLogHandler previous_ = nullptr;
+};
+
+#else
 
 bool has_thread_handlers() { return _mjPRIVATE__set_tls_error_fn != nullptr; }
 
@@ -100,6 +154,8 @@ class Handlers {
   mimo_mujoco_handler error_ = nullptr;
   mimo_mujoco_handler warning_ = nullptr;
 };
+
+#endif
 
 // In a function of its own, so that no object with a destructor lives in the frame that setjmp returns to.
 bool run(Frame& frame, void (*call)(void*), void* argument) {

@@ -72,12 +72,12 @@ inline void add_to_row(const Hessian& hessian, int row, int count, const int* co
 
 void write_inertia(const mjModel& model, const mjData& data, const int* starts, const int* columns, double* inertia) {
   for (int dof = 0; dof < model.nv; ++dof) {
-    int address = model.dof_Madr[dof], other = dof;
-    for (int at = starts[dof + 1] - 1; at >= starts[dof]; --at) {
-      const bool held = columns[at] == other;
-      inertia[at] = held ? data.qM[address++] : 0;
-      if (held) other = model.dof_parentid[other];
-    }
+    int at = starts[dof + 1] - 1;
+    compat::visit_inertia(model, data, dof, [&](int other, double value) {
+      for (; columns[at] != other; --at) inertia[at] = 0;
+      inertia[at--] = value;
+    });
+    for (; at >= starts[dof]; --at) inertia[at] = 0;
   }
 }
 

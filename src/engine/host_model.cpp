@@ -1,11 +1,11 @@
 #include "engine/host_model.h"
 
 #include <mujoco/mjxmacro.h>
-#include <mujoco/mujoco.h>
 
 #include <cstdint>
 
 #include "base/fail.h"
+#include "engine/compat.h"
 #include "engine/physics.h"
 
 namespace mimo::engine {
@@ -15,7 +15,7 @@ namespace {
 // bytes are no such struct, or one of other sizes.
 class BufferWalk {
  public:
-  BufferWalk(const void* buffer, int bytes)
+  BufferWalk(const void* buffer, std::int64_t bytes)
       : next_(reinterpret_cast<std::uintptr_t>(buffer)), end_(next_ + static_cast<std::uintptr_t>(bytes)) {
     sound_ = buffer != nullptr && bytes >= 0;
   }
@@ -29,6 +29,14 @@ class BufferWalk {
     next_ = start + bytes;
   }
 
+  // Some place in the buffer.
+  void skip_to(const void* array) {
+    const auto start = reinterpret_cast<std::uintptr_t>(array);
+    sound_ = sound_ && start >= next_ && start <= end_;
+    if (sound_) next_ = start;
+  }
+
+  bool in_bounds() const { return sound_; }
   bool sound() const { return sound_ && end_ - next_ <= 2 * kGap; }
 
  private:
@@ -38,15 +46,16 @@ class BufferWalk {
 };
 
 // Sizes from which MuJoCo's own formulas for the lengths of arrays do not overflow. The buffer itself may be larger.
-bool is_size(const mjModel& model, const int& size) {
+template <typename Size>
+bool is_size(const mjModel& model, const Size& size) {
   constexpr int kMost = (1 << 29) - 1;
-  return size >= 0 && (size <= kMost || &size == &model.nbuffer);
+  return size >= 0 && (size <= kMost || static_cast<const void*>(&size) == &model.nbuffer);
 }
 
 bool is_sound(const mjModel& model) {
 #define X(n) \
   if (!is_size(model, model.n)) return false;
-  MJMODEL_INTS
+  MIMO_MODEL_SIZES
 #undef X
   const mjModel* m = &model;
   BufferWalk walk(m->buffer, m->nbuffer);
@@ -57,14 +66,35 @@ bool is_sound(const mjModel& model) {
   return walk.sound() && model.nbody >= 1;
 }
 
+#if MIMO_MUJOCO_4
+
+bool has_room(const mjModel&, const mjData& data) {
+  BufferWalk walk(data.arena, data.narena);
+  if (data.ncon > 0) walk.skip_to(data.contact);
+  if (data.ncon > 0) walk.visit(data.contact, sizeof(mjContact), data.ncon, 1);
+  return walk.in_bounds();
+}
+
+#else
+
+bool has_room(const mjModel& model, const mjData& data) {
+  return data.ncon <= model.nconmax && data.nefc <= model.njmax;
+}
+
+#endif
+
 bool is_sound(const mjModel& model, const mjData& data) {
   const mjModel* m = &model;
   BufferWalk walk(data.buffer, data.nbuffer);
+#if MIMO_MUJOCO_4
+  MJMODEL_POINTERS_PREAMBLE(m)
+#else
   MJDATA_POINTERS_PREAMBLE(m)
+#endif
 #define X(type, name, rows, columns) walk.visit(data.name, sizeof(type), m->rows, columns);
   MJDATA_POINTERS
 #undef X
-  return walk.sound() && data.ncon >= 0 && data.ncon <= model.nconmax && data.nefc >= 0 && data.nefc <= model.njmax;
+  return walk.sound() && data.ncon >= 0 && data.nefc >= 0 && has_room(model, data);
 }
 
 void check_size(const char* what, std::size_t theirs, std::size_t ours) {

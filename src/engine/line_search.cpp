@@ -114,7 +114,7 @@ Cone* prepare_cones(mjData& data, const Line& line) {
 // them. Newton's steps lead there. Halves are taken where such a step leads out, and where steps do not get shorter
 // quickly: the slope of a cone is shaped like an S, and they can bounce from one end of it to the other for ever.
 double find_least(mjData& data, const Line& line, double tolerance) {
-  const int stack = data.pstack;
+  const compat::StackMark stack = compat::mark_stack(data);
   const Cone* cones = prepare_cones(data, line);
   double low = 0, high = kInfinity, at = 0, moved = kInfinity;
   double best = 0, flattest = kInfinity;  // rounding may end the search where the slope is not within the tolerance
@@ -135,7 +135,7 @@ double find_least(mjData& data, const Line& line, double tolerance) {
     if (!(std::abs(slope.first) >= tolerance)) break;
     (slope.first < 0 ? low : high) = at;
   }
-  data.pstack = stack;
+  compat::release_stack(data, stack);
   return best;
 }
 

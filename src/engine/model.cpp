@@ -12,6 +12,7 @@
 #include "base/format.h"
 #include "base/utf8.h"
 #include "engine/callbacks.h"
+#include "engine/compat.h"
 #include "engine/compile_lock.h"
 #include "engine/guard.h"
 
@@ -28,11 +29,9 @@ class VirtualFiles {
 
   void add(const char* name, const void* bytes, std::size_t size) {
     int result = 0;
-    const Complaint complaint =
-        guarded([&] { result = mj_makeEmptyFileVFS(vfs_.get(), name, static_cast<int>(size)); });
+    const Complaint complaint = guarded([&] { compat::add_file(*vfs_, name, bytes, size, result); });
     if (complaint.failed) fail(Status::kOutOfMemory, "file {} of {} bytes: {}", name, size, complaint.error.data());
     if (result != 0) fail(Status::kModel, "file {} cannot be handed to MuJoCo (code {})", name, result);
-    std::memcpy(vfs_->filedata[vfs_->nfile - 1], bytes, size);
   }
 
   const mjVFS* get() const { return vfs_.get(); }
@@ -73,11 +72,20 @@ void require_our_mujoco() {
   const int found = mj_version();
   if (found == mjVERSION_HEADER) return;
   fail(Status::kUnsupported,
-       "libmimo was made for MuJoCo {}.{}.{}, but the program has MuJoCo {} in its global scope, which comes first; "
-       "load "
+       "libmimo was made for MuJoCo {}, but the program has MuJoCo {} in its global scope, which comes first; load "
        "that one with RTLD_LOCAL, or libmimo with RTLD_DEEPBIND",
-       mjVERSION_HEADER / 100, mjVERSION_HEADER / 10 % 10, mjVERSION_HEADER % 10, mj_versionString());
+       compiled_version(), mj_versionString());
 }
+
+}  // namespace
+
+// 222, and since 3.5 4000001.
+std::string compiled_version() {
+  constexpr int kVersion = mjVERSION_HEADER, kBase = kVersion < 1000 ? 10 : 1000;
+  return fmt::format("{}.{}.{}", kVersion / (kBase * kBase), kVersion / kBase % kBase, kVersion % kBase);
+}
+
+namespace {
 
 // MuJoCo's message may have several lines; ours have one.
 std::string one_line(const char* text) {

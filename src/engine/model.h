@@ -24,6 +24,9 @@ struct Asset {
 // directory. Throws Status::kModel with MuJoCo's message. Warnings of the compiler go to the log.
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log);
 
+// The version of MuJoCo that this was compiled for, as "2.2.2".
+std::string compiled_version();
+
 // Kinds of model elements, as mimo.h numbers them (MIMO_BODY ...).
 enum class Kind : int { kBody = 1, kJoint, kGeom, kSite, kCamera, kActuator, kSensor, kLight };
 

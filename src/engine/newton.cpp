@@ -1,7 +1,5 @@
 #include "engine/newton.h"
 
-#include <mujoco/mujoco.h>
-
 #include "engine/hessian.h"
 #include "engine/line_search.h"
 #include "engine/solver_stack.h"
@@ -81,14 +79,15 @@ bool advance(const mjModel& model, mjData& data, const Hessian& hessian, Search&
 void minimize(const mjModel& model, mjData& data, Search& search) {
   const Blocks blocks = gather_blocks(data);
   const Hessian hessian = make_hessian(model, data, blocks);
-  data.solver_nnz = hessian.starts[hessian.size];
+  compat::entries(data) = hessian.starts[hessian.size];
   const double scale = 1 / (model.stat.meaninertia * model.nv);
   descend(model, data, search);
-  while (data.solver_iter < model.opt.iterations) {
+  int& iterations = compat::iterations(data);
+  while (iterations < model.opt.iterations) {
     factorize(hessian, data, blocks);
     solve(hessian, search.direction);
     if (!advance(model, data, hessian, search, scale)) return;
-    ++data.solver_iter;
+    ++iterations;
     const double before = search.cost;
     update_constraints(model, data, search);
     const double slope = scale * descend(model, data, search);
@@ -97,9 +96,9 @@ void minimize(const mjModel& model, mjData& data, Search& search) {
 }
 
 void solve_constraints(const mjModel& model, mjData& data) {
-  const int stack = data.pstack;
-  data.solver_iter = 0;
-  data.solver_nnz = 0;
+  const compat::StackMark stack = compat::mark_stack(data);
+  compat::iterations(data) = 0;
+  compat::entries(data) = 0;
   if (data.nefc == 0) {
     mju_copy(data.qacc, data.qacc_smooth, model.nv);
     mju_zero(data.qfrc_constraint, model.nv);
@@ -112,7 +111,7 @@ void solve_constraints(const mjModel& model, mjData& data) {
     minimize(model, data, search);
   }
   mju_copy(data.qacc_warmstart, data.qacc, model.nv);
-  data.pstack = stack;
+  compat::release_stack(data, stack);
 }
 
 }  // namespace
@@ -128,6 +127,7 @@ void newton_step(const mjModel* model, mjData* data) {
   mj_fwdActuation(model, data);
   mj_fwdAcceleration(model, data);
   solve_constraints(*model, *data);
+  compat::expect_accelerations(*data);
   mj_sensorAcc(model, data);
   mj_checkAcc(model, data);
   mj_Euler(model, data);

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/fail.h"
+#include "engine/compat.h"
 #include "engine/constants.h"
 #include "engine/joints.h"
 
@@ -105,7 +106,7 @@ T* Overrides::own(mjModel& model, T* mjModel::*array, int length) {
 }
 
 void Overrides::own_locks(mjModel& model) {
-  own(model, &mjModel::eq_active, model.neq);
+  own(model, compat::kLockFlags, model.neq);
   own(model, &mjModel::eq_data, model.neq * mjNEQDATA);
 }
 
@@ -123,17 +124,17 @@ void Overrides::own_masses(mjModel& model) {
 void Overrides::hold(mjModel& model, int lock, double angle) {
   own_locks(model);
   model.eq_data[lock * mjNEQDATA] = angle - reference(model, lock);
-  model.eq_active[lock] = 1;
+  (model.*compat::kLockFlags)[lock] = 1;
 }
 
 void Overrides::release(mjModel& model, int lock, double angle) {
   hold(model, lock, angle);
-  model.eq_active[lock] = 0;
+  (model.*compat::kLockFlags)[lock] = 0;
 }
 
 void Overrides::release(mjModel& model, int lock) {
   own_locks(model);
-  model.eq_active[lock] = 0;
+  (model.*compat::kLockFlags)[lock] = 0;
 }
 
 double& Overrides::gear(mjModel& model, int actuator) {
@@ -223,7 +224,7 @@ void Overrides::unlimit(mjModel& model, int actuator) {
 }
 
 void Overrides::save(const mjModel& model, ByteWriter& to) {
-  for (int i = 0; i < model.neq; ++i) to.put(model.eq_active[i]);
+  for (int i = 0; i < model.neq; ++i) to.put(mjtByte{(model.*compat::kLockFlags)[i]});
   for (int i = 0; i < model.ngeom; ++i) to.put(std::int32_t{model.geom_matid[i]});
   visit_columns(model, [&](const auto& column) {
     for (int i = 0; i < column.count; ++i) to.put((model.*column.array)[i * column.stride]);
@@ -258,7 +259,7 @@ void Overrides::load(mjModel& model, ByteReader& from) {
       if (value != (model.*array)[i * stride]) own(model, array, count * stride)[i * stride] = value;
     }
   };
-  take(&mjModel::eq_active, model.neq, 1);
+  take(compat::kLockFlags, model.neq, 1);
   take(&mjModel::geom_matid, model.ngeom, 1);
   visit_columns(model, [&](const auto& column) { take(column.array, column.count, column.stride); });
   from.take(Span<double>(model.opt.gravity, 3));
@@ -270,6 +271,8 @@ int find_lock(const mjModel& model, int joint) {
   }
   return -1;
 }
+
+bool is_held(const mjModel& model, int lock) { return (model.*compat::kLockFlags)[lock] != 0; }
 
 double lock_angle(const mjModel& model, int lock) { return model.eq_data[lock * mjNEQDATA] + reference(model, lock); }
 

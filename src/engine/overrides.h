@@ -75,6 +75,9 @@ int size_count(int geom_type);
 // The equality that can hold a joint; -1 if the model has none.
 int find_lock(const mjModel& model, int joint);
 
+// Whether a lock holds its joint.
+bool is_held(const mjModel& model, int lock);
+
 // The angle at which a lock holds, or would hold, its joint.
 double lock_angle(const mjModel& model, int lock);
 

@@ -1,11 +1,10 @@
 #include "engine/physics.h"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 
 #include "base/fail.h"
 #include "engine/callbacks.h"
+#include "engine/compat.h"
 #include "engine/newton.h"
 
 namespace mimo::engine {
@@ -154,6 +153,8 @@ std::vector<Note> Physics::take_warnings() {
   }
   return notes;
 }
+
+void Physics::apply_locks() { compat::apply_locks(model_, *data_); }
 
 void Physics::fail_world(const std::string& why) {
   failed_ = true;

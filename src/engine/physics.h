@@ -59,9 +59,18 @@ class Physics {
   void update_poses_at_last_start(Span<const int> turned);
 
   // Differences from the shared model, for this world only. They outlive resets.
-  void hold(int lock, double angle) { overrides_.hold(model_, lock, angle); }
-  void release(int lock) { overrides_.release(model_, lock); }
-  void release(int lock, double angle) { overrides_.release(model_, lock, angle); }
+  void hold(int lock, double angle) {
+    overrides_.hold(model_, lock, angle);
+    apply_locks();
+  }
+  void release(int lock) {
+    overrides_.release(model_, lock);
+    apply_locks();
+  }
+  void release(int lock, double angle) {
+    overrides_.release(model_, lock, angle);
+    apply_locks();
+  }
   double& gear(int actuator) { return overrides_.gear(model_, actuator); }
   void paint(int geom, int material) { overrides_.paint(model_, geom, material); }
   void slacken(int joint, int dof, double damping) { overrides_.slacken(model_, joint, dof, damping); }
@@ -96,7 +105,10 @@ class Physics {
   // usable again.
   void save_overrides(ByteWriter& to) const { Overrides::save(model_, to); }
   void check_overrides(ByteReader& from) const { Overrides::check(model_, from); }
-  void load_overrides(ByteReader& from) { overrides_.load(model_, from); }
+  void load_overrides(ByteReader& from) {
+    overrides_.load(model_, from);
+    apply_locks();
+  }
   void save(ByteWriter& to) const;
   void check(ByteReader& from) const;
   void load(ByteReader& from);
@@ -113,6 +125,7 @@ class Physics {
   void forget_warnings(int kind) { counts_[static_cast<std::size_t>(kind)] = 0; }
 
  private:
+  void apply_locks();  // where MuJoCo keeps with the state which ones hold
   void fail_world(const std::string& why);
   void check_divergence();
   void forget_derived();

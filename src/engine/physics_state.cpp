@@ -1,9 +1,8 @@
 // Physics::save and load.
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/compat.h"
 #include "engine/guard.h"
 #include "engine/physics.h"
 
@@ -24,6 +23,7 @@ void visit_state(const mjModel& model, Data& data, Visit&& visit) {
   visit("mocap_pos", data.mocap_pos, 3 * model.nmocap);
   visit("mocap_quat", data.mocap_quat, 4 * model.nmocap);
   visit("userdata", data.userdata, model.nuserdata);
+  compat::visit_more_state(model, data, visit);
 }
 
 void clear(mjtNum* numbers, int count) { std::fill_n(numbers, count, 0.0); }

@@ -1,10 +1,9 @@
 #include "engine/present.h"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 
 #include "base/fail.h"
+#include "engine/compat.h"
 
 namespace mimo::engine {
 namespace {
@@ -33,6 +32,7 @@ void visit_poses(const mjModel& model, Visit&& visit) {
   visit(&mjData::cinert, 10 * model.nbody);
   visit(&mjData::cvel, 6 * model.nbody);
   visit(&mjData::cdof_dot, 6 * model.nv);
+  compat::visit_more_poses(model, visit);
 }
 
 // What these functions take from MuJoCo's stack, and more.
@@ -62,9 +62,7 @@ const mjData& Present::of(const mjModel& model, const mjData& data) {
     (*data_).*array = next;
     next += count;
   });
-  data_->stack = next;
-  data_->nstack = stack_size(model);
-  data_->pstack = 0;
+  compat::give_stack(*data_, next, stack_size(model));
   const Complaint complaint = guarded([&] {
     mj_kinematics(&model, data_.get());
     mj_comPos(&model, data_.get());

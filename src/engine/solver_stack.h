@@ -1,18 +1,17 @@
 // Room on mjData's own stack, as MuJoCo's solvers take it: too little is MuJoCo's error.
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <type_traits>
+
+#include "engine/compat.h"
 
 namespace mimo::engine {
 
-// Uninitialised; whoever keeps data.pstack and puts it back gives it free.
+// Uninitialised; whoever marks the stack before and releases it gives it free.
 template <typename T>
 T* take(mjData& data, int count) {
   static_assert(std::is_trivial_v<T> && alignof(T) <= alignof(mjtNum));
-  const auto bytes = static_cast<std::size_t>(count) * sizeof(T);
-  return reinterpret_cast<T*>(mj_stackAlloc(&data, static_cast<int>((bytes + sizeof(mjtNum) - 1) / sizeof(mjtNum))));
+  return reinterpret_cast<T*>(compat::take_stack(data, static_cast<std::size_t>(count) * sizeof(T)));
 }
 
 }  // namespace mimo::engine

@@ -9,4 +9,7 @@ namespace mimo::engine {
 // holds none of its own.
 ModelPtr with_textures_of(const ModelPtr& owner, ModelPtr model);
 
+// Whether they are the same bytes in memory.
+bool share_textures(const mjModel& one, const mjModel& other);
+
 }  // namespace mimo::engine

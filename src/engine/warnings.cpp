@@ -1,5 +1,7 @@
 #include "engine/warnings.h"
 
+#include "engine/compat.h"
+
 namespace mimo::engine {
 namespace {
 
@@ -45,7 +47,7 @@ void WarningWatch::count(const mjModel& model, const mjData& data, WarningCounts
     const int now = data.warning[i].number;
     if (now != 0 && now != before_[i]) add(kind_of(static_cast<mjtWarning>(i)), counts);
   }
-  if (data.nefc > 0 && data.solver_iter >= model.opt.iterations) add(Warning::kNotConverged, counts);
+  if (data.nefc > 0 && compat::iterations(model, data) >= model.opt.iterations) add(Warning::kNotConverged, counts);
 }
 
 }  // namespace mimo::engine

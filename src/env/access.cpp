@@ -78,7 +78,7 @@ void range(const mjModel& model, int joint, Out out) {
 
 void lock(const mjModel& model, int joint, Out out) {
   const int lock = engine::find_lock(model, joint);
-  const bool held = lock >= 0 && model.eq_active[lock] != 0;
+  const bool held = lock >= 0 && engine::is_held(model, lock);
   out.put(held ? 1 : 0).put(lock < 0 ? 0.0 : engine::lock_angle(model, lock));
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "engine/compat.h"
 
 namespace mimo::rays {
 namespace {
@@ -82,7 +83,9 @@ Textures::Textures(const mjModel& model) {
   texels_.resize(size + 1);  // texels are read in pairs
   for (int i = 0; i < model.ntex; ++i) {
     const Texture& texture = textures_[i];
-    const unsigned char* rgb = model.tex_rgb + model.tex_adr[i];
+    const unsigned char* pixels = model.*engine::compat::kPixels + model.tex_adr[i];
+    const int channels = engine::compat::channels(model, i);
+    const int green = channels < 3 ? 0 : 1, blue = channels < 3 ? 0 : 2;  // fewer are grey
     // A cube texture as high as wide is one picture for all six faces.
     const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
     for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
@@ -92,11 +95,12 @@ Textures::Textures(const mjModel& model) {
         return Level(texels_.data() + texture.origin[level] + face * bordered(width, height), width, height);
       };
       Level level = level_at(0);
-      const unsigned char* from = rgb + (same_faces ? 0 : 3 * static_cast<std::size_t>(width) * height * face);
+      const unsigned char* from =
+          pixels + (same_faces ? 0 : static_cast<std::size_t>(channels) * width * height * face);
       for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x, from += 3) {
-          level.at(x, y) = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[1]) << 8 |
-                           static_cast<std::uint32_t>(from[2]) << 16;
+        for (int x = 0; x < width; ++x, from += channels) {
+          level.at(x, y) = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[green]) << 8 |
+                           static_cast<std::uint32_t>(from[blue]) << 16;
         }
       }
       level.fill_border(!texture.cube);

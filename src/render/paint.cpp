@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/compat.h"
+
 namespace mimo::render {
 
 Paint paint_of(const mjModel& model, int material, const float* rgba) {
@@ -14,7 +16,7 @@ Paint paint_of(const mjModel& model, int material, const float* rgba) {
   paint.specular = model.mat_specular[material];
   paint.shininess = model.mat_shininess[material];
   paint.reflectance = model.mat_reflectance[material];
-  paint.texture = model.mat_texid[material];
+  paint.texture = engine::compat::color_texture(model, material);
   return paint;
 }
 
