@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .access import Joints
 from .errors import UnsupportedError
+from .frames import placed
 from .layout import Observation
 from .world import World
 
@@ -59,7 +60,8 @@ def touch_map(world: World, observation: Optional[Observation] = None, agent: in
         raise ValueError("the infant has no touch; make the world with touch=mimo.Touch.FORCE")
     shown = world.observation if observation is None else observation
     force, sensors = np.linalg.norm(shown[field], axis=-1), world.layout.receptors(field)
-    places = _in_world(world, sensors.bodies, sensors.position)
+    bodies = world.bodies()
+    places = placed(bodies.position[sensors.bodies], bodies.orientation[sensors.bodies], sensors.position)
     felt = force > 0
     figure, axes = plt.subplots(1, 2, figsize=(8, 5), layout="constrained")
     for axis, across, title in zip(axes, (1, 0), ("from the front", "from the right")):
@@ -125,13 +127,3 @@ class Window:
     def close(self) -> None:
         """Closes the window."""
         plt.close(self._figure)
-
-
-def _in_world(world: World, bodies: NDArray[np.int32], local: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Points in the frames of bodies as points in the world; rotated by v + 2 w (u x v) + 2 u x (u x v)."""
-    everything = world.bodies()
-    position, quaternion = everything.position[bodies], everything.orientation[bodies]
-    w, u = quaternion[:, :1], quaternion[:, 1:]
-    cross = np.cross(u, local)
-    turned: NDArray[np.float64] = position + local + 2 * (w * cross + np.cross(u, cross))
-    return turned
