@@ -54,7 +54,9 @@ class SceneControls:
         names = scenes() if source.scenes else [source.scene]
         self._scene = server.gui.add_dropdown("scene", names, initial_value=source.scene, disabled=not source.scenes)
         choices = [SCENES_OWN, *tasks()]
-        self._task = server.gui.add_dropdown("task", choices, initial_value=task or SCENES_OWN, disabled=not source.scenes)
+        self._task = server.gui.add_dropdown(
+            "task", choices, initial_value=task or SCENES_OWN, disabled=not source.scenes
+        )
         self._change, self._ask = change, ask
         for chosen in (self._scene, self._task):
             chosen.on_update(self._chosen)

@@ -15,7 +15,8 @@ from ..world import World
 from .pull import Pull
 
 LIFT = 0.002  # m above the skin, so that marks are not inside it
-STRONG = 0.5  # N that have the strongest colour
+WEAK, STRONG = 0.1, 10.0  # N that have the first and the last colour; between them it goes by the logarithm
+NOWHERE = -1000.0  # m below the floor: of one mark at least, as the page takes no empty lists
 CONTACT_SCALE = 0.003  # m for a newton
 LONGEST = 0.5  # m
 STOPS = np.array([[255, 235, 130], [250, 140, 40], [215, 25, 30], [110, 0, 60]], np.float64)
@@ -62,10 +63,14 @@ class Skin(Layer):
         self._fields = [name for name in world.layout.fields if name.endswith(("touch/force", "touch/normal_force"))]
         self._receptors: List[Receptors] = [world.layout.receptors(name) for name in self._fields]
         self._ages = _ages(world)
-        points, none = np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint8)
         super().__init__(
             server.scene.add_point_cloud(
-                "/touch", points, none, point_size=0.008, point_shape="circle", precision="float32"
+                "/touch",
+                nowhere(1),
+                np.zeros((1, 3), np.uint8),
+                point_size=0.008,
+                point_shape="circle",
+                precision="float32",
             )
         )
 
@@ -74,7 +79,7 @@ class Skin(Layer):
             self._ages = _ages(self._world)
             self._receptors = [self._world.layout.receptors(name) for name in self._fields]
         poses = self._world.poses(Kind.BODY)
-        places, forces = [np.zeros((0, 3))], [np.zeros(0)]
+        places, forces = [nowhere(1)], [np.zeros(1)]
         for name, receptors in zip(self._fields, self._receptors):
             felt = self._world.observation[name].reshape(len(receptors.bodies), -1)
             force = np.linalg.norm(felt, axis=1)
@@ -83,8 +88,9 @@ class Skin(Layer):
             lifted = receptors.position[on] + LIFT * receptors.frame[on, 0]
             places.append(placed(poses.positions[bodies], poses.rotations[bodies], lifted))
             forces.append(force[on])
+        force = np.maximum(np.concatenate(forces), 1e-9)
         self._handle.points = np.concatenate(places).astype(np.float32)
-        self._handle.colors = heat(np.concatenate(forces) / STRONG)
+        self._handle.colors = heat(np.log(force / WEAK) / np.log(STRONG / WEAK))
 
 
 class Contacts(Layer):
@@ -109,8 +115,7 @@ class Pulled(Layer):
 
     def _draw(self) -> None:
         target = self._pull.target
-        ends = [] if target is None else [[self._pull.position, target]]
-        self._handle.points = np.array(ends, np.float32).reshape(-1, 2, 3)
+        self._handle.points = nowhere(1, 2) if target is None else np.array([[self._pull.position, target]], np.float32)
 
 
 class Bones(Layer):
@@ -123,12 +128,11 @@ class Bones(Layer):
         self._own = np.unique(self._bodies)
         parents = world.bodies().body_ids
         self._links = np.array([[body, parents[body]] for body in self._own if parents[body] != 0]).reshape(-1, 2)
-        points, ends = np.zeros((0, 3), np.float32), np.zeros((0, 2, 3), np.float32)
-        self._lines = server.scene.add_line_segments("/bones/lines", ends, (90, 90, 90), line_width=3.0)
+        self._lines = server.scene.add_line_segments("/bones/lines", nowhere(1, 2), (90, 90, 90), line_width=3.0)
         self._points = server.scene.add_point_cloud(
             "/bones/joints",
-            points,
-            points.astype(np.uint8),
+            nowhere(1),
+            np.zeros((1, 3), np.uint8),
             point_size=0.014,
             point_shape="circle",
             precision="float32",
@@ -140,10 +144,12 @@ class Bones(Layer):
         low, high = self._joints._get(Quantity.JOINT_RANGE).reshape(-1, 2).T
         angle = self._joints._get(Quantity.JOINT_POSITION)
         strain = np.abs((angle - low) / np.maximum(high - low, 1e-9) - 0.5) * 2
-        share = np.array([strain[self._bodies == body].max() for body in self._own])[:, None].clip(0, 1)
-        self._points.points = positions[self._own]
-        self._points.colors = (CALM * (1 - share) + STRAINED * share).astype(np.uint8)
-        self._lines.points = positions[self._links].reshape(-1, 2, 3)
+        share = np.array([strain[self._bodies == body].max() for body in self._own]).reshape(-1, 1).clip(0, 1)
+        if len(self._own) > 0:
+            self._points.points = positions[self._own]
+            self._points.colors = (CALM * (1 - share) + STRAINED * share).astype(np.uint8)
+        if len(self._links) > 0:
+            self._lines.points = positions[self._links]
 
 
 def limited(world: World) -> Selection:
@@ -162,12 +168,17 @@ def arrows(starts: Any, forces: Any) -> NDArray[np.float32]:
     length = np.linalg.norm(forces, axis=1, keepdims=True)
     shown = length[:, 0] > 1e-3
     drawn = forces * np.minimum(CONTACT_SCALE, LONGEST / np.maximum(length, 1e-9))
-    return np.stack([starts, starts + drawn], axis=1)[shown].astype(np.float32)
+    drawn = np.stack([starts, starts + drawn], axis=1)[shown]
+    return np.concatenate([nowhere(1, 2), drawn]).astype(np.float32)
+
+
+def nowhere(*shape: int) -> NDArray[np.float32]:
+    """Places that nobody sees."""
+    return np.full((*shape, 3), NOWHERE, np.float32)
 
 
 def _arrows(server: Any, name: str, color: Any) -> Any:
-    ends = np.zeros((0, 2, 3), np.float32)
-    return server.scene.add_arrows(name, ends, color, shaft_radius=0.003, head_radius=0.008, head_length=0.015)
+    return server.scene.add_arrows(name, nowhere(1, 2), color, shaft_radius=0.003, head_radius=0.008, head_length=0.015)
 
 
 def _ages(world: World) -> Any:

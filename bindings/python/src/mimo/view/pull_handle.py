@@ -20,7 +20,9 @@ class PullHandle:
         self._pull, self._ask, self._dragged = pull, ask, False
         gui = server.gui
         bodies = [name for name in world.bodies().names[1:] if name]
-        self._choice = gui.add_dropdown("pull at", [NOTHING, *bodies], initial_value=NOTHING, hint="or Ctrl and drag it")
+        self._choice = gui.add_dropdown(
+            "pull at", [NOTHING, *bodies], initial_value=NOTHING, hint="or Ctrl and drag it"
+        )
         self._hold = gui.add_checkbox("hold on", False, hint="goes on pulling when the handle is let go")
         self._stiffness = gui.add_slider("spring (N/m)", min=20.0, max=2000.0, step=10.0, initial_value=pull.stiffness)
         self._axes = server.scene.add_transform_controls("/pull", 0.2, disable_rotations=True, visible=False)
