@@ -10,14 +10,13 @@ Each function draws into `axes` (or a figure of its own) and returns the figure,
 
 from __future__ import annotations
 
-import os
-import sys
 from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .access import Joints
+from .display import has_display
 from .errors import UnsupportedError
 from .frames import placed
 from .layout import Observation
@@ -91,11 +90,6 @@ def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
     figure.supxlabel("time (s)")
     figure.supylabel("angle (rad)")
     return figure
-
-
-def has_display() -> bool:
-    """Whether a window can be opened here."""
-    return sys.platform != "linux" or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
 
 
 class Window:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 
 WINDOW = 1.0  # s over which the speed is told
+LATE = 0.1  # s
+PATIENCE = 1 / 30  # s
 
 
 class Clock:
@@ -44,10 +46,15 @@ class Clock:
             self.reached = self._done * self.step_seconds / (now - self._window_start)
             self._window_start, self._done = now, 0
 
+    @property
+    def late(self) -> bool:
+        """Whether more is due than a moment's."""
+        return self._due * self.step_seconds > LATE * self.speed
+
     def wait_for_step(self) -> bool:
         """Sleeps until the next step is due, a frame at most; whether it is."""
         if self.due() >= 1:
             return True
-        missing = (1 - self._due) * self.step_seconds / self.speed
-        time.sleep(min(missing, 1 / 30) if not self.paused else 1 / 30)
+        missing = PATIENCE if self.paused else (1 - self._due) * self.step_seconds / self.speed
+        time.sleep(min(missing, PATIENCE))
         return self.due() >= 1

@@ -78,7 +78,7 @@ class InfantControls:
     """Ages, which count from the next reset on, and faces, which change at once."""
 
     def __init__(self, server: Any, source: Source, restart: Callable[[], None], ask: Ask) -> None:
-        self._world, self._faces, self._ages = source.world, [], []
+        self._world = source.world
         self._given: Dict[int, float] = {}
         faces = [self._world.name(Kind.FACE, i) for i in range(self._world.count(Kind.FACE))]
         for agent, infant in enumerate(self._world.agents):

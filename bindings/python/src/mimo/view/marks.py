@@ -128,7 +128,9 @@ class Bones(Layer):
         self._own = np.unique(self._bodies)
         parents = world.bodies().body_ids
         self._links = np.array([[body, parents[body]] for body in self._own if parents[body] != 0]).reshape(-1, 2)
-        self._lines = server.scene.add_line_segments("/bones/lines", nowhere(1, 2), (90, 90, 90), line_width=3.0)
+        self._lines = server.scene.add_line_segments(
+            "/bones/lines", nowhere(1, 2), (90, 90, 90), thickness=3.0, thickness_units="screen"
+        )
         self._points = server.scene.add_point_cloud(
             "/bones/joints",
             nowhere(1),

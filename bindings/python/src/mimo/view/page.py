@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable
+from typing import Any, Callable, Dict
 
 from .clock import Clock
 from .controls import InfantControls, MotorControls, SceneControls, TimeControls, layer_switches
-from .marks import Bones, Contacts, Pulled, Skin
+from .marks import Bones, Contacts, Layer, Pulled, Skin
 from .motors import Motors
 from .pull import Pull
 from .pull_handle import PullHandle
@@ -28,16 +28,15 @@ class Page:
         self._build_controls(clock, task)
         dragged = self._handle.body_dragged
         self.shapes = Shapes(server, source.world, dragged)
-        layers = {
-            "bodies": self.shapes,
+        marks: Dict[str, Layer] = {
             "touch": Skin(server, source.world),
             "contacts": Contacts(server, source.world),
             "joints": Bones(server, source.world),
         }
-        self._marks = [layers["touch"], layers["contacts"], layers["joints"], Pulled(server, self.pull)]
+        self._marks = [*marks.values(), Pulled(server, self.pull)]
         self._senses = SensesPanel(server, source.world)
         with self._show_tab:
-            layer_switches(server, layers)
+            layer_switches(server, {"bodies": self.shapes, **marks})
         self.update()
 
     def _build_controls(self, clock: Clock, task: str) -> None:

@@ -26,10 +26,14 @@ class PullHandle:
         self._hold = gui.add_checkbox("hold on", False, hint="goes on pulling when the handle is let go")
         self._stiffness = gui.add_slider("spring (N/m)", min=20.0, max=2000.0, step=10.0, initial_value=pull.stiffness)
         self._axes = server.scene.add_transform_controls("/pull", 0.2, disable_rotations=True, visible=False)
-        self._choice.on_update(lambda event: event.client is not None and ask(lambda: self._choose(event.target.value)))
+        self._choice.on_update(self._chosen)
         self._hold.on_update(lambda event: ask(self._let_go))
         self._stiffness.on_update(lambda event: setattr(pull, "stiffness", float(event.target.value)))
         self._axes.on_update(self._moved)
+
+    def _chosen(self, event: Any) -> None:
+        if event.client is not None:
+            self._ask(lambda: self._choose(event.target.value))
 
     def _choose(self, body: str) -> None:
         self._pull.choose(None if body == NOTHING else body)

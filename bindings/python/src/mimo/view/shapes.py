@@ -12,6 +12,7 @@ from ..geometry import Material
 from ..world import World
 from .glb import binary
 
+SEGMENTS = 16  # pieces of a circle
 FLOOR = 5.0  # half the size of endless planes, m
 STILL = 1e-5  # m, and of quaternions; what moves by less is not sent
 
@@ -80,7 +81,7 @@ class Shapes:
                 self._shown[geom] = self._add(int(geom), material, places[geom], rotations[geom])
 
     def _add(self, geom: int, material: Material, place: Any, rotation: Any) -> Any:
-        mesh = self._world.mesh(geom, plane=FLOOR)
+        mesh = self._world.mesh(geom, segments=SEGMENTS, plane=FLOOR)
         data = binary(
             mesh,
             material,

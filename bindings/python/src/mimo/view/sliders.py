@@ -45,7 +45,7 @@ class JointSliders:
         for folder, indices in _folders(server.gui, names, "rad"):
             with folder:
                 for i in indices:
-                    self._sliders[i] = _slider(server.gui, names[i], *ranges[i], values[i])
+                    self._sliders[i] = _slider(server.gui, names[i], ranges[i][0], ranges[i][1], values[i])
                     self._sliders[i].on_update(self._moved(i))
 
     def _ranges(self) -> Any:

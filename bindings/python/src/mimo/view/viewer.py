@@ -8,6 +8,7 @@ import threading
 import time
 from typing import Any, Callable, Optional
 
+from ..constants import Kind
 from .clock import Clock
 from .page import Page
 from .server import silence, start
@@ -60,7 +61,7 @@ class Viewer:
         bodies = world.bodies()
         prefix = f"{world.agents[0].name}/" if world.agents and world.agents[0].name else ""
         at = bodies.names.index(f"{prefix}hip") if f"{prefix}hip" in bodies.names else 0
-        x, y, z = world.poses("body").positions[at].tolist()
+        x, y, z = world.poses(Kind.BODY).positions[at].tolist()
         camera = self._server.initial_camera
         camera.look_at = (x, y, z + 0.1)
         camera.position = (x + 1.1, y - 0.6, z + 0.6)
@@ -147,7 +148,7 @@ class Viewer:
         while not self.clock.wait_for_step() and not self._closed.is_set():
             self._do_wishes()
             self._draw_in_time()
-        self.clock.done(1, False)
+        self.clock.done(1, self.clock.late)
         self._page.pull.apply(self._source.step_seconds)
         self._draw_in_time()
 
