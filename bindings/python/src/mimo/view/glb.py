@@ -33,7 +33,6 @@ def binary(mesh: Mesh, material: Material, picture: Any, places: Any, normals: A
     paint = trimesh.visual.material.PBRMaterial(
         baseColorFactor=np.append(linear(material.color[:3]), material.color[3]),
         baseColorTexture=picture,
-        emissiveFactor=linear(np.minimum(1, np.multiply(material.color[:3], material.emission))),
         metallicFactor=0.0,
         roughnessFactor=roughness(material),
         alphaMode="BLEND" if material.color[3] < 1 else "OPAQUE",

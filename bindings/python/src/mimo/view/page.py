@@ -11,6 +11,7 @@ from .motors import Motors
 from .pull import Pull
 from .pull_handle import PullHandle
 from .senses_panel import SensesPanel
+from .lights import add_lights
 from .shapes import Shapes
 from .sliders import ActionSliders, JointSliders
 from .source import Source
@@ -27,6 +28,7 @@ class Page:
         self.pull, self.motors = Pull(source.world), Motors(source.world, source.step_seconds)
         self._build_controls(clock, task)
         dragged = self._handle.body_dragged
+        add_lights(server)
         self.shapes = Shapes(server, source.world, dragged)
         marks: Dict[str, Layer] = {
             "touch": Skin(server, source.world),

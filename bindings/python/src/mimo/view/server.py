@@ -10,7 +10,6 @@ from typing import Any
 from ..errors import UnsupportedError
 
 LABEL = "MIMo"
-AMBIENT = 0.25  # how bright surroundings are, beside the lamps
 
 
 def free_port(host: str, port: int) -> int:
@@ -43,5 +42,4 @@ def start(host: str, port: int) -> Any:
         server = viser.ViserServer(host=host, port=found, verbose=False, label=LABEL)
     server.gui.configure_theme(show_logo=False, show_share_button=False)
     server.gui.main_panel.dock_right()
-    server.scene.configure_environment_map("warehouse", environment_intensity=AMBIENT)
     return server

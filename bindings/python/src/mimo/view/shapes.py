@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional
 
 import numpy as np
@@ -31,6 +32,7 @@ class Shapes:
         self._shown: List[Any] = [None] * len(self._geoms)  # handles
         self._bodies: Dict[int, Any] = {}
         self._visible = True
+        self._brightness = brightness(world)
         self._begin()
 
     def _begin(self) -> None:
@@ -84,7 +86,7 @@ class Shapes:
         mesh = self._world.mesh(geom, segments=SEGMENTS, plane=FLOOR)
         data = binary(
             mesh,
-            material,
+            lit(material, self._brightness),
             self._picture(material.texture),
             turned(rotation, mesh.positions) + place,
             turned(rotation, mesh.normals),
@@ -129,3 +131,15 @@ class Shapes:
             if node is not None:
                 node.position, node.wxyz = now[body, :3], now[body, 3:]
             self._sent[body] = now[body]
+
+
+def brightness(world: World) -> float:
+    """How much light falls on what is turned to all lights: MuJoCo's colours are made for that."""
+    lights = [light for light in [world.light(), *world.light_sources()] if light.active]
+    return float(max(np.sum([light.ambient + light.diffuse for light in lights], axis=0), default=1.0))
+
+
+def lit(material: Material, strength: float) -> Material:
+    """The material with its own and the world's light on it; the page's lamps make white things white."""
+    red, green, blue = (min(1.0, (strength + material.emission) * part) for part in material.color[:3])
+    return replace(material, color=(red, green, blue, material.color[3]))
