@@ -86,7 +86,7 @@ def test_a_pull_holds_a_weight_where_a_spring_would():
         assert pull.position[2] < 0.97  # it falls
 
 
-# ---- What is sent to the page -----------------------------------------------------------------------------------------
+# ---- What is sent to the page ---------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -219,7 +219,7 @@ def test_an_environment_for_people(monkeypatch, capsys):
     env.close()
 
 
-# ---- The program ----------------------------------------------------------------------------------------------------------
+# ---- The program ----------------------------------------------------------------------------------------------------
 
 
 def program(*arguments, **options):

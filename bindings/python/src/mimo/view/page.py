@@ -6,12 +6,12 @@ from typing import Any, Callable, Dict
 
 from .clock import Clock
 from .controls import InfantControls, MotorControls, SceneControls, TimeControls, layer_switches
+from .lights import add_lights
 from .marks import Bones, Contacts, Layer, Pulled, Skin
 from .motors import Motors
 from .pull import Pull
 from .pull_handle import PullHandle
 from .senses_panel import SensesPanel
-from .lights import add_lights
 from .shapes import Shapes
 from .sliders import ActionSliders, JointSliders
 from .source import Source
