@@ -31,6 +31,11 @@ def heat(share: Any) -> NDArray[np.uint8]:
     return np.asarray(STOPS[below] * (1 - rest) + STOPS[below + 1] * rest, np.uint8)
 
 
+def strength(force: Any) -> NDArray[np.float64]:
+    """Where forces (N) lie between WEAK (0) and STRONG (1)."""
+    return np.asarray(np.log(np.maximum(force, 1e-9) / WEAK) / np.log(STRONG / WEAK))
+
+
 class Layer:
     """Marks that can be hidden; what is hidden is not computed either."""
 
@@ -88,9 +93,9 @@ class Skin(Layer):
             lifted = receptors.position[on] + LIFT * receptors.frame[on, 0]
             places.append(placed(poses.positions[bodies], poses.rotations[bodies], lifted))
             forces.append(force[on])
-        force = np.maximum(np.concatenate(forces), 1e-9)
+        force = np.concatenate(forces)
         self._handle.points = np.concatenate(places).astype(np.float32)
-        self._handle.colors = heat(np.log(force / WEAK) / np.log(STRONG / WEAK))
+        self._handle.colors = heat(strength(force))
 
 
 class Contacts(Layer):
