@@ -6,13 +6,12 @@ import sys
 import numpy as np
 import pytest
 
+import mimo
+from mimo.frames import placed
+
 sdk = pytest.importorskip("rerun", reason="rerun-sdk is not installed")
 if not hasattr(sdk, "chunk"):
     pytest.skip("this rerun-sdk has no reader of files", allow_module_level=True)
-
-import mimo
-import mimo.rerun
-from mimo.frames import placed
 
 STEPS = 20
 
@@ -85,7 +84,7 @@ def test_pictures(logged):
 
 def test_shapes_once_and_bodies_by_time(logged):
     """A vertex with its body's transform is where the library has it."""
-    read, seen, world = logged
+    read, _, world = logged
     head, geom = world.find("body", "head"), world.find("geom", "head")
     _, vertices = read.column(f"/world/bodies/{head}/{geom}", "Mesh3D:vertex_positions")
     assert len(vertices) == 1
@@ -101,7 +100,7 @@ def test_shapes_once_and_bodies_by_time(logged):
 
 def test_touch_lies_on_the_skin(logged):
     read, seen, world = logged
-    times, points = read.column("/world/senses/touch/force", "Points3D:positions")
+    _, points = read.column("/world/senses/touch/force", "Points3D:positions")
     felt = [np.linalg.norm(o["touch/force"], axis=1) > 0 for _, o, _ in seen]
     assert [len(at) for at in points] == [on.sum() for on in felt]
     assert len(points[-1]) > 10
@@ -112,7 +111,7 @@ def test_touch_lies_on_the_skin(logged):
 
 
 def test_wrong_arguments(monkeypatch):
-    with pytest.raises(TypeError, match="expected a mimo.World"):
+    with pytest.raises(TypeError, match=r"expected a mimo\.World"):
         mimo.rerun.log("benchmark")
     monkeypatch.setitem(sys.modules, "rerun", None)
     monkeypatch.delitem(sys.modules, "mimo.rerun")
