@@ -50,15 +50,6 @@ def test_touch_map(tmp_path):
         plot.touch_map(mimo.World("reach"))
 
 
-def test_points_turn_with_their_body():
-    # A quarter turn about z takes x to y.
-    scene = mimo.Scene()
-    scene.add_object("box", shape=mimo.Shape.BOX, size=[1, 1, 1], position=[5, 0, 0], orientation=[1, 0, 0, 1])
-    world = mimo.World(scene)
-    body = np.array([world.find(mimo.Kind.BODY, "box")], np.int32)
-    np.testing.assert_allclose(plot._in_world(world, body, np.array([[1.0, 0, 0]])), [[5, 1, 0]], atol=1e-12)
-
-
 def test_joint_angles_lie_between_their_limits():
     world = mimo.World("reach")
     joints = world.joints("robot:right_elbow", "robot:right_shoulder_ad_ab")

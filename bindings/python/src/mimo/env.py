@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
+from . import view
 from .ages import Age
 from .arguments import reset_options
 from .constants import Outcome
@@ -30,8 +31,9 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
 
     Observations are dicts of arrays by field name; with `flatten` one row of numbers. `task` may be an object derived
     from mimo.Task, or the name of a built-in task. All further options are those of mimo.World.
-    `render_mode` is "rgb_array", "depth_array" (m) or "human"; `camera` names the camera to render from, None is a view
-    from the front; `width` and `height` are those of the picture.
+    `render_mode` is "rgb_array", "depth_array" (m) or "human", a page in the browser that shows the steps in real time
+    (needs the extra [view]); `camera` names the camera to render from, None is a view from the front; `width` and
+    `height` are those of the picture.
     """
 
     metadata: Dict[str, Any] = {"render_modes": [*ARRAYS, "human"], "render_fps": 100}  # noqa: RUF012
@@ -60,7 +62,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
         if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
             self.compute_reward = task.compute_reward
-        self._window: Any = None
+        self._viewer: Any = None
         self._supply = Supply(self.world.layout)
         self._seeded = False
 
@@ -101,24 +103,21 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._observation(views), reward, terminated, truncated, judged_info(judged)
 
     def render(self) -> Any:
-        """A picture with render_mode "rgb_array" or "depth_array"; draws to the window with "human"."""
+        """A picture with render_mode "rgb_array" or "depth_array"; shows it in the browser with "human"."""
         if self.render_mode is None:
             return None
-        picture = self._painter.paint(self.world)
         if self.render_mode != "human":
-            return picture
-        if self._window is None:
-            from .plot import Window  # matplotlib is only needed for windows and plots
-
-            self._window = Window(f"MIMo: {self.world.task}")
-        self._window.show(picture)
+            return self._painter.paint(self.world)
+        if self._viewer is None:
+            self._viewer = view.opened_for_people(self)
+        self._viewer.show()
         return None
 
     def close(self) -> None:
-        """Closes the world, and the window if there is one."""
-        if self._window is not None:
-            self._window.close()
-            self._window = None
+        """Closes the world, and its page if there is one."""
+        if self._viewer is not None:
+            self._viewer.close()
+            self._viewer = None
         self.world.close()
 
     def _observation(self, views: Observation) -> Any:
@@ -126,7 +125,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._view.show(views, own)
 
     def __getstate__(self) -> Dict[str, Any]:
-        return {**self.__dict__, "_window": None, "_supply": None}
+        return {**self.__dict__, "_viewer": None, "_supply": None}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self.__dict__.update(state)

@@ -10,15 +10,15 @@ Each function draws into `axes` (or a figure of its own) and returns the figure,
 
 from __future__ import annotations
 
-import os
-import sys
 from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .access import Joints
+from .display import has_display
 from .errors import UnsupportedError
+from .frames import placed
 from .layout import Observation
 from .world import World
 
@@ -59,7 +59,8 @@ def touch_map(world: World, observation: Optional[Observation] = None, agent: in
         raise ValueError("the infant has no touch; make the world with touch=mimo.Touch.FORCE")
     shown = world.observation if observation is None else observation
     force, sensors = np.linalg.norm(shown[field], axis=-1), world.layout.receptors(field)
-    places = _in_world(world, sensors.bodies, sensors.position)
+    bodies = world.bodies()
+    places = placed(bodies.position[sensors.bodies], bodies.orientation[sensors.bodies], sensors.position)
     felt = force > 0
     figure, axes = plt.subplots(1, 2, figsize=(8, 5), layout="constrained")
     for axis, across, title in zip(axes, (1, 0), ("from the front", "from the right")):
@@ -91,11 +92,6 @@ def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
     return figure
 
 
-def has_display() -> bool:
-    """Whether a window can be opened here."""
-    return sys.platform != "linux" or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
-
-
 class Window:
     """A live window that shows one picture after the other."""
 
@@ -125,13 +121,3 @@ class Window:
     def close(self) -> None:
         """Closes the window."""
         plt.close(self._figure)
-
-
-def _in_world(world: World, bodies: NDArray[np.int32], local: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Points in the frames of bodies as points in the world; rotated by v + 2 w (u x v) + 2 u x (u x v)."""
-    everything = world.bodies()
-    position, quaternion = everything.position[bodies], everything.orientation[bodies]
-    w, u = quaternion[:, :1], quaternion[:, 1:]
-    cross = np.cross(u, local)
-    turned: NDArray[np.float64] = position + local + 2 * (w * cross + np.cross(u, cross))
-    return turned

@@ -1,0 +1,214 @@
+"""A world as it is as a USD file: shapes, materials, textures, lights. Needs the extra [usd].
+
+mimo.usd.write(world, "infant.usdc")    # or .usda, a text; or .usdz, with the textures inside
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Any, Dict, List, Union
+
+import numpy as np
+
+from .constants import Kind, TextureType
+from .errors import UnsupportedError
+from .frames import after, inverse, turned
+from .geometry import Light, Material, Mesh
+from .view.glb import linear, roughness
+from .world import World
+
+ENDINGS = (".usda", ".usdc", ".usdz")
+LAMP = 0.05  # radius of lamps, m
+
+
+def write(world: World, file: Union[str, "os.PathLike[str]"], segments: int = 24, plane: float = 20.0) -> List[Path]:
+    """Writes a world, and its textures to a folder beside (but not for .usdz, which has them inside).
+
+    Returns the files that were written. Metres, z is up; a transform for each body, with its geoms below it.
+    """
+    path = Path(file)
+    if path.suffix not in ENDINGS:
+        raise ValueError(f"the file is {str(path)!r}, expected a name that ends in {', '.join(ENDINGS)}")
+    if not path.absolute().parent.is_dir():
+        raise ValueError(f"the file is {str(path)!r}, but there is no folder {str(path.absolute().parent)!r}")
+    _need()
+    if path.suffix != ".usdz":
+        return _Writer(world, path, segments, plane).written
+    from pxr import Sdf, UsdUtils
+
+    with tempfile.TemporaryDirectory() as folder:
+        inside = Path(folder) / f"{path.stem}.usdc"
+        _Writer(world, inside, segments, plane)
+        if not UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(inside)), str(path.absolute())):
+            raise OSError(f"{str(path)!r} cannot be written")
+    return [path]
+
+
+def _need() -> None:
+    try:
+        import PIL.Image  # noqa: F401
+        import pxr.Usd  # noqa: F401
+    except ImportError:
+        raise UnsupportedError("USD files need usd-core and Pillow: pip install 'mimo[usd]'") from None
+
+
+class _Writer:
+    def __init__(self, world: World, path: Path, segments: int, plane: float) -> None:
+        from pxr import Usd, UsdGeom
+
+        self._world, self._path, self.written = world, path, [path]
+        self._textures: Dict[int, str] = {}
+        self._stage = Usd.Stage.CreateNew(str(path))
+        UsdGeom.SetStageUpAxis(self._stage, UsdGeom.Tokens.z)
+        UsdGeom.SetStageMetersPerUnit(self._stage, 1.0)
+        root = UsdGeom.Xform.Define(self._stage, "/World")
+        self._stage.SetDefaultPrim(root.GetPrim())
+        Usd.ModelAPI(root).SetKind("component")
+        self._bodies = self._add_bodies()
+        self._add_geoms(segments, plane)
+        self._add_lights()
+        self._stage.GetRootLayer().Save()
+
+    def _add_bodies(self) -> List[str]:
+        from pxr import Gf, UsdGeom
+
+        poses, paths = self._world.poses(Kind.BODY), []
+        for body, name in enumerate(self._world.bodies().names):
+            node = UsdGeom.Xform.Define(self._stage, f"/World/{_identifier(name, 'body', body)}")
+            node.AddTranslateOp().Set(Gf.Vec3d(*poses.positions[body].tolist()))
+            w, x, y, z = poses.rotations[body].tolist()
+            node.AddOrientOp().Set(Gf.Quatf(w, x, y, z))
+            paths.append(str(node.GetPath()))
+        return paths
+
+    def _add_geoms(self, segments: int, plane: float) -> None:
+        geoms, bodies = self._world.poses(Kind.GEOM), self._world.poses(Kind.BODY)
+        selection = self._world.geoms()
+        owners, names = selection.body_ids, selection.names
+        back = inverse(bodies.rotations[owners])
+        places = turned(back, geoms.positions - bodies.positions[owners])
+        rotations = after(back, geoms.rotations)
+        for geom, owner in enumerate(owners):
+            material = self._world.material(geom)
+            if material.visible:
+                path = f"{self._bodies[owner]}/{_identifier(names[geom], 'geom', geom)}"
+                mesh = self._world.mesh(geom, segments=segments, plane=plane)
+                self._add_mesh(path, mesh, places[geom], rotations[geom])
+                self._add_material(path, material)
+
+    def _add_mesh(self, path: str, mesh: Mesh, place: Any, rotation: Any) -> None:
+        from pxr import Sdf, UsdGeom, Vt
+
+        shape = UsdGeom.Mesh.Define(self._stage, path)
+        points = np.ascontiguousarray(turned(rotation, mesh.positions) + place, np.float32)
+        normals = np.ascontiguousarray(turned(rotation, mesh.normals), np.float32)
+        texcoords = np.ascontiguousarray(np.stack([mesh.texcoords[:, 0], 1 - mesh.texcoords[:, 1]], axis=1), np.float32)
+        shape.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+        shape.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(normals))
+        shape.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+        shape.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(mesh.triangles), 3, np.int32)))
+        shape.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(mesh.triangles.astype(np.int32).ravel()))
+        shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+        shape.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(axis=0), points.max(axis=0)])))
+        places = UsdGeom.PrimvarsAPI(shape).CreatePrimvar(
+            "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.vertex
+        )
+        places.Set(Vt.Vec2fArray.FromNumpy(texcoords))
+
+    def _add_material(self, path: str, look: Material) -> None:
+        from pxr import Gf, Sdf, UsdShade
+
+        material = UsdShade.Material.Define(self._stage, f"{path}/material")
+        surface = UsdShade.Shader.Define(self._stage, f"{path}/material/surface")
+        surface.CreateIdAttr("UsdPreviewSurface")
+        surface.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(roughness(look))
+        surface.CreateInput("metallic", Sdf.ValueTypeNames.Float).Set(0.0)
+        surface.CreateInput("opacity", Sdf.ValueTypeNames.Float).Set(look.color[3])
+        color = linear(look.color[:3])
+        for name, strength in (("diffuseColor", 1.0), ("emissiveColor", look.emission)):
+            wanted = surface.CreateInput(name, Sdf.ValueTypeNames.Color3f)
+            amount = (color * strength).tolist()
+            if look.texture < 0 or strength == 0:
+                wanted.Set(Gf.Vec3f(*amount))
+            else:
+                wanted.ConnectToSource(self._reader(f"{path}/material", name, look.texture, amount))
+        material.CreateSurfaceOutput().ConnectToSource(surface.ConnectableAPI(), "surface")
+        shape = self._stage.GetPrimAtPath(path)
+        UsdShade.MaterialBindingAPI.Apply(shape).Bind(material)
+
+    def _reader(self, path: str, name: str, texture: int, amount: List[float]) -> Any:
+        """A shader that looks into a texture, times a colour."""
+        from pxr import Gf, Sdf, UsdShade
+
+        places = UsdShade.Shader.Define(self._stage, f"{path}/places")
+        places.CreateIdAttr("UsdPrimvarReader_float2")
+        places.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
+        picture = UsdShade.Shader.Define(self._stage, f"{path}/{name}")
+        picture.CreateIdAttr("UsdUVTexture")
+        picture.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(self._texture(texture)))
+        picture.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+        for side in ("wrapS", "wrapT"):
+            picture.CreateInput(side, Sdf.ValueTypeNames.Token).Set("repeat")
+        picture.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(*amount, 1.0))
+        found = places.CreateOutput("result", Sdf.ValueTypeNames.Float2)
+        picture.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(found)
+        return picture.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
+
+    def _texture(self, number: int) -> str:
+        from PIL import Image
+
+        if number not in self._textures:
+            folder = self._path.parent / f"{self._path.stem}_textures"
+            folder.mkdir(exist_ok=True)
+            file = folder / f"{number}.png"
+            texture = self._world.texture(number)
+            assert texture.type is not TextureType.SKY  # which no geom has
+            Image.fromarray(texture.pixels[..., :3]).save(file)
+            self.written.append(file)
+            self._textures[number] = f"./{folder.name}/{file.name}"
+        return self._textures[number]
+
+    def _add_lights(self) -> None:
+        """MuJoCo's lights have no units: white things under them are to be as bright as there, where infants are."""
+        from pxr import UsdLux
+
+        head = self._world.light()
+        dome = UsdLux.DomeLight.Define(self._stage, "/World/around")  # half of it: the camera's light reaches one side
+        _set_light(dome, head.ambient + head.diffuse / 2, 1.0)
+        for number, light in enumerate(self._world.light_sources()):
+            if light.active:
+                self._add_light(f"/World/light_{number}", light)
+
+    def _add_light(self, path: str, light: Light) -> None:
+        from pxr import Gf, UsdGeom, UsdLux
+
+        if light.directional:
+            lamp = UsdLux.DistantLight.Define(self._stage, path)
+            lamp.CreateNormalizeAttr(True)
+            _set_light(lamp, light.diffuse, np.pi)
+        else:
+            lamp = UsdLux.SphereLight.Define(self._stage, path)
+            lamp.CreateRadiusAttr(LAMP)
+            _set_light(lamp, light.diffuse, max(float(np.linalg.norm(light.position)), LAMP) ** 2 / LAMP**2)
+        if not light.directional and light.cutoff < 90:
+            UsdLux.ShapingAPI.Apply(lamp.GetPrim()).CreateShapingConeAngleAttr(light.cutoff)
+        node = UsdGeom.Xformable(lamp)
+        node.AddTranslateOp().Set(Gf.Vec3d(*light.position.tolist()))
+        turn = Gf.Rotation(Gf.Vec3d(0, 0, -1), Gf.Vec3d(*light.direction.tolist())).GetQuat()  # lamps shine along -z
+        node.AddOrientOp().Set(Gf.Quatf(turn))
+
+
+def _set_light(light: Any, color: Any, intensity: float) -> None:
+    from pxr import Gf
+
+    strongest = float(max(np.max(color), 1e-6))
+    light.CreateColorAttr(Gf.Vec3f(*(np.asarray(color) / strongest).tolist()))
+    light.CreateIntensityAttr(strongest * intensity)
+
+
+def _identifier(name: str, kind: str, number: int) -> str:
+    from pxr import Tf
+
+    return f"{Tf.MakeValidIdentifier(name or kind)}_{number}"

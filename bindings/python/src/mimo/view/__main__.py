@@ -1,0 +1,67 @@
+"""The viewer on the command line: python -m mimo.view --scene S --port P."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+from typing import Any, Dict, List, Optional
+
+from ..errors import Error
+from ..scene import scenes, tasks
+from .source import EYES, Live
+from .viewer import LOCAL, Viewer
+
+
+def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
+    """What was asked for."""
+    parser = argparse.ArgumentParser(prog="python -m mimo.view", description="Shows an infant in the browser.")
+    parser.add_argument("--scene", default="benchmark", help=f"one of {', '.join(scenes())}")
+    parser.add_argument("--task", default="", help=f"instead of the scene's own, one of {', '.join(tasks())}")
+    parser.add_argument("--seed", type=int, default=1, help="of the first episode (1)")
+    parser.add_argument("--age", type=float, help="of the infants, months")
+    parser.add_argument("--eyes", type=int, default=EYES, help=f"pixels of each eye, across and down ({EYES}); 0: none")
+    parser.add_argument("--port", type=int, default=8080, help="of the page (8080); 0: any that is free")
+    parser.add_argument("--host", default=LOCAL, help=f"address to listen at ({LOCAL}: from this machine only)")
+    parser.add_argument("--paused", action="store_true", help="does not move until asked to")
+    return parser.parse_args(given)
+
+
+def made(asked: argparse.Namespace) -> Viewer:
+    """The viewer."""
+    options: Dict[str, Any] = {"vision": False} if asked.eyes == 0 else {}
+    if asked.eyes != 0:
+        options = {"vision_width": asked.eyes, "vision_height": asked.eyes}
+    if asked.age is not None:
+        options["age"] = asked.age
+    source = Live(asked.scene, asked.task, **options)
+    viewer = Viewer(source, asked.host, asked.port, asked.seed, asked.task)
+    viewer.clock.paused = asked.paused
+    return viewer
+
+
+def _stop(*_: Any) -> None:
+    raise KeyboardInterrupt
+
+
+def main() -> int:
+    """Serves the page until it is interrupted."""
+    asked = arguments()
+    signal.signal(signal.SIGTERM, _stop)
+    try:
+        viewer = made(asked)
+    except (Error, OSError, ValueError) as error:
+        print(f"python -m mimo.view: {error}", file=sys.stderr)
+        return 1
+    print(f"The infant is at {viewer.url}; Ctrl-C ends it", flush=True)
+    try:
+        viewer.run()
+    except KeyboardInterrupt:
+        pass
+    finally:
+        viewer.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,192 @@
+"""What is drawn over the world's shapes: touch, contacts, the pull, bones and joints."""
+
+from __future__ import annotations
+
+from typing import Any, List
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..access import Selection
+from ..constants import Kind, Quantity
+from ..frames import placed
+from ..layout import Receptors
+from ..world import World
+from .pull import Pull
+
+LIFT = 0.002  # m above the skin, so that marks are not inside it
+WEAK, STRONG = 0.1, 10.0  # N that have the first and the last colour; between them it goes by the logarithm
+NOWHERE = -1000.0  # m below the floor: of one mark at least, as the page takes no empty lists
+CONTACT_SCALE = 0.003  # m for a newton
+LONGEST = 0.5  # m
+STOPS = np.array([[255, 235, 130], [250, 140, 40], [215, 25, 30], [110, 0, 60]], np.float64)
+CALM, STRAINED = np.array([70, 130, 220]), np.array([230, 40, 40])
+
+
+def heat(share: Any) -> NDArray[np.uint8]:
+    """Colours from pale yellow (0) over red to dark (1)."""
+    at = np.clip(np.asarray(share, np.float64), 0, 1) * (len(STOPS) - 1)
+    below = np.minimum(at.astype(int), len(STOPS) - 2)
+    rest = (at - below)[:, None]
+    return np.asarray(STOPS[below] * (1 - rest) + STOPS[below + 1] * rest, np.uint8)
+
+
+def strength(force: Any) -> NDArray[np.float64]:
+    """Where forces (N) lie between WEAK (0) and STRONG (1)."""
+    return np.asarray(np.log(np.maximum(force, 1e-9) / WEAK) / np.log(STRONG / WEAK))
+
+
+class Layer:
+    """Marks that can be hidden; what is hidden is not computed either."""
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    @property
+    def visible(self) -> bool:
+        """Whether it is shown."""
+        return bool(self._handle.visible)
+
+    @visible.setter
+    def visible(self, visible: bool) -> None:
+        self._handle.visible = visible
+
+    def update(self) -> None:
+        """Draws what is now."""
+        if self.visible:
+            self._draw()
+
+    def _draw(self) -> None:
+        raise NotImplementedError
+
+
+class Skin(Layer):
+    """Touch: each sensor that feels a force, by its strength."""
+
+    def __init__(self, server: Any, world: World) -> None:
+        self._world = world
+        self._fields = [name for name in world.layout.fields if name.endswith(("touch/force", "touch/normal_force"))]
+        self._receptors: List[Receptors] = [world.layout.receptors(name) for name in self._fields]
+        self._ages = _ages(world)
+        super().__init__(
+            server.scene.add_point_cloud(
+                "/touch",
+                nowhere(1),
+                np.zeros((1, 3), np.uint8),
+                point_size=0.008,
+                point_shape="circle",
+                precision="float32",
+            )
+        )
+
+    def _draw(self) -> None:
+        if not np.array_equal(_ages(self._world), self._ages):
+            self._ages = _ages(self._world)
+            self._receptors = [self._world.layout.receptors(name) for name in self._fields]
+        poses = self._world.poses(Kind.BODY)
+        places, forces = [nowhere(1)], [np.zeros(1)]
+        for name, receptors in zip(self._fields, self._receptors):
+            felt = self._world.observation[name].reshape(len(receptors.bodies), -1)
+            force = np.linalg.norm(felt, axis=1)
+            on = np.flatnonzero(force > 0)
+            bodies = receptors.bodies[on]
+            lifted = receptors.position[on] + LIFT * receptors.frame[on, 0]
+            places.append(placed(poses.positions[bodies], poses.rotations[bodies], lifted))
+            forces.append(force[on])
+        force = np.concatenate(forces)
+        self._handle.points = np.concatenate(places).astype(np.float32)
+        self._handle.colors = heat(strength(force))
+
+
+class Contacts(Layer):
+    """Contacts: an arrow for the force on the second body of each."""
+
+    def __init__(self, server: Any, world: World) -> None:
+        self._world = world
+        super().__init__(_arrows(server, "/contacts", (40, 170, 60)))
+
+    def _draw(self) -> None:
+        contacts = self._world.contacts()
+        forces = np.einsum("nij,ni->nj", contacts.frame, contacts.force)
+        self._handle.points = arrows(contacts.position, forces)
+
+
+class Pulled(Layer):
+    """The pull: an arrow from the body to where it is pulled."""
+
+    def __init__(self, server: Any, pull: Pull) -> None:
+        self._pull = pull
+        super().__init__(_arrows(server, "/pull_force", (200, 60, 200)))
+
+    def _draw(self) -> None:
+        target = self._pull.target
+        self._handle.points = nowhere(1, 2) if target is None else np.array([[self._pull.position, target]], np.float32)
+
+
+class Bones(Layer):
+    """Bodies with joints, each joined to its parent; blue in the middle of their joints' ranges, red at the limits."""
+
+    def __init__(self, server: Any, world: World) -> None:
+        self._world = world
+        self._joints = limited(world)
+        self._bodies = self._joints.body_ids
+        self._own = np.unique(self._bodies)
+        parents = world.bodies().body_ids
+        self._links = np.array([[body, parents[body]] for body in self._own if parents[body] != 0]).reshape(-1, 2)
+        self._lines = server.scene.add_line_segments(
+            "/bones/lines", nowhere(1, 2), (90, 90, 90), thickness=3.0, thickness_units="screen"
+        )
+        self._points = server.scene.add_point_cloud(
+            "/bones/joints",
+            nowhere(1),
+            np.zeros((1, 3), np.uint8),
+            point_size=0.014,
+            point_shape="circle",
+            precision="float32",
+        )
+        super().__init__(server.scene.add_frame("/bones", show_axes=False, visible=False))
+
+    def _draw(self) -> None:
+        positions = self._world.poses(Kind.BODY).positions
+        low, high = self._joints._get(Quantity.JOINT_RANGE).reshape(-1, 2).T
+        angle = self._joints._get(Quantity.JOINT_POSITION)
+        strain = np.abs((angle - low) / np.maximum(high - low, 1e-9) - 0.5) * 2
+        share = np.array([strain[self._bodies == body].max() for body in self._own]).reshape(-1, 1).clip(0, 1)
+        if len(self._own) > 0:
+            self._points.points = positions[self._own]
+            self._points.colors = (CALM * (1 - share) + STRAINED * share).astype(np.uint8)
+        if len(self._links) > 0:
+            self._lines.points = positions[self._links]
+
+
+def limited(world: World) -> Selection:
+    """Joints of one number that has limits."""
+    joints = world.joints()
+    one = [number for number in joints.ids if joints._width(Quantity.JOINT_POSITION, np.array([number], np.int32)) == 1]
+    ranges = world.get(Quantity.JOINT_RANGE, [int(number) for number in one]).reshape(-1, 2)
+    bounded = np.isfinite(ranges).all(axis=1) & (ranges[:, 0] < ranges[:, 1])
+    chosen = Selection(world, np.array(one, np.int32)[bounded])
+    chosen.kind = Kind.JOINT
+    return chosen
+
+
+def arrows(starts: Any, forces: Any) -> NDArray[np.float32]:
+    """Starts and ends (n x 2 x 3) of arrows for forces, N."""
+    length = np.linalg.norm(forces, axis=1, keepdims=True)
+    shown = length[:, 0] > 1e-3
+    drawn = forces * np.minimum(CONTACT_SCALE, LONGEST / np.maximum(length, 1e-9))
+    drawn = np.stack([starts, starts + drawn], axis=1)[shown]
+    return np.concatenate([nowhere(1, 2), drawn]).astype(np.float32)
+
+
+def nowhere(*shape: int) -> NDArray[np.float32]:
+    """Places that nobody sees."""
+    return np.full((*shape, 3), NOWHERE, np.float32)
+
+
+def _arrows(server: Any, name: str, color: Any) -> Any:
+    return server.scene.add_arrows(name, nowhere(1, 2), color, shaft_radius=0.003, head_radius=0.008, head_length=0.015)
+
+
+def _ages(world: World) -> Any:
+    return world.get(Quantity.AGENT_AGE) if world.agents else np.zeros(0)

@@ -1,0 +1,82 @@
+"""All that is on the page for one world."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Dict
+
+from .clock import Clock
+from .controls import InfantControls, MotorControls, SceneControls, TimeControls, layer_switches
+from .lights import add_lights
+from .marks import Bones, Contacts, Layer, Pulled, Skin
+from .motors import Motors
+from .pull import Pull
+from .pull_handle import PullHandle
+from .senses_panel import SensesPanel
+from .shapes import Shapes
+from .sliders import ActionSliders, JointSliders
+from .source import Source
+
+SLOW = 6  # frames between two updates of bars and sliders
+
+
+class Page:
+    """The scene and the panels. Built anew for another world; all of it runs in the thread that steps the world."""
+
+    def __init__(self, server: Any, source: Source, clock: Clock, task: str, commands: Any) -> None:
+        self._server, self._source, self.commands = server, source, commands
+        self._frames = 0
+        self.pull, self.motors = Pull(source.world), Motors(source.world, source.step_seconds)
+        self._build_controls(clock, task)
+        dragged = self._handle.body_dragged
+        add_lights(server)
+        self.shapes = Shapes(server, source.world, dragged)
+        marks: Dict[str, Layer] = {
+            "touch": Skin(server, source.world),
+            "contacts": Contacts(server, source.world),
+            "joints": Bones(server, source.world),
+        }
+        self._marks = [*marks.values(), Pulled(server, self.pull)]
+        self._senses = SensesPanel(server, source.world)
+        with self._show_tab:
+            layer_switches(server, {"bodies": self.shapes, **marks})
+        self.update()
+
+    def _build_controls(self, clock: Clock, task: str) -> None:
+        server, source, ask = self._server, self._source, self.commands.ask
+        restart: Callable[[], None] = self.commands.restart
+        self.time = TimeControls(server, source, clock, restart, ask)
+        tabs = server.gui.add_tab_group()
+        with tabs.add_tab("World"):
+            if source.drives:
+                self.scene = SceneControls(server, source, task, self.commands.change, ask)
+            self.infants = InfantControls(server, source, restart, ask)
+            self._handle = PullHandle(server, source.world, self.pull, ask)
+        with tabs.add_tab("Joints"):
+            self._joints = JointSliders(server, source.world, ask)
+        if source.drives:
+            with tabs.add_tab("Actions"):
+                choice = MotorControls(server, self.motors)
+                ActionSliders(server, source.world, self.motors, choice.show)
+        self._show_tab = tabs.add_tab("Show")
+
+    def update(self) -> None:
+        """Shows the world as it is."""
+        with self._server.atomic():
+            self.shapes.update()
+            for marks in self._marks:
+                marks.update()
+            self._handle.update()
+        if self._frames % 2 == 0:
+            self._senses.update_pictures()
+        if self._frames % SLOW == 0:
+            self.time.update()
+            self._senses.update_bars()
+            self._joints.update()
+        self._frames += 1
+
+    def remove(self) -> None:
+        """Takes all off the page."""
+        self.pull.release()
+        self._senses.remove()
+        self._server.gui.reset()
+        self._server.scene.reset()

@@ -1,0 +1,87 @@
+"""The page's left side: what the infants see, and what their motors or muscles do."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any, Dict, Iterator, List, Tuple
+
+import numpy as np
+
+from ..world import World
+
+EYES = ("left", "right")
+GAP = 4  # pixels between the two eyes' pictures
+ACTIVITY = ("proprioception/activation", "proprioception/control")  # of muscles, or of motors
+
+
+class SensesPanel:
+    """Pictures of both eyes of each infant, side by side, and bars for all that acts."""
+
+    def __init__(self, server: Any, world: World) -> None:
+        self._world = world
+        self._panel = server.gui.add_panel()
+        self._pictures: Dict[str, Any] = {}
+        self._bars: List[Tuple[str, Any]] = []
+        with self._panel.add_tab("Senses"):
+            for name in _agents(world):
+                self._add_eyes(server, name)
+        with self._panel.add_tab("Muscles"):
+            for name in _agents(world):
+                self._add_bars(server, name)
+        self._panel.dock_left()
+        self._panel.set_width(300)
+
+    def _add_eyes(self, server: Any, prefix: str) -> None:
+        fields = self._world.layout.fields
+        if all(f"{prefix}vision/eye_{side}" in fields for side in EYES):
+            label = f"{prefix.rstrip('/')} left and right eye".strip()
+            self._pictures[prefix] = server.gui.add_image(self._both(prefix), label=label, jpeg_quality=85)
+
+    def _add_bars(self, server: Any, prefix: str) -> None:
+        for field in ACTIVITY:
+            if self._world.layout.fields.get(prefix + field) is not None:
+                self._bars.append((prefix + field, server.gui.add_html("")))
+                return
+
+    def _both(self, prefix: str) -> Any:
+        left, right = (self._world.observation[f"{prefix}vision/eye_{side}"] for side in EYES)
+        return np.hstack([left, np.full((len(left), GAP, 3), 255, np.uint8), right])
+
+    def update_pictures(self) -> None:
+        """What the eyes see now."""
+        for prefix, picture in self._pictures.items():
+            picture.image = self._both(prefix)
+
+    def update_bars(self) -> None:
+        """What muscles do now."""
+        for name, html in self._bars:
+            field = self._world.layout.fields[name]
+            html.content = bars(field.labels, self._world.observation[name].ravel())
+
+    def remove(self) -> None:
+        """Takes it off the page."""
+        self._panel.remove()
+
+
+def _agents(world: World) -> Iterator[str]:
+    for agent in world.agents:
+        yield f"{agent.name}/" if agent.name else ""
+
+
+def bars(names: Any, values: Any) -> str:
+    """A table of bars: to the right of the middle for positive values, to the left for negative ones."""
+    rows = "".join(_row(short(name), float(np.clip(value, -1, 1))) for name, value in zip(names, values))
+    return f'<div style="font:11px sans-serif;padding:0 8px">{rows}</div>'
+
+
+def _row(name: str, value: float) -> str:
+    left, width = 50 + 50 * min(value, 0), 50 * abs(value)
+    bar = f'<div style="position:absolute;height:8px;left:{left:.0f}%;width:{width:.0f}%;background:#c8483c"></div>'
+    scale = f'<div style="position:relative;flex:1;height:8px;background:#8883">{bar}</div>'
+    label = f'<div style="width:150px;overflow:hidden;white-space:nowrap">{escape(name)}</div>'
+    return f'<div style="display:flex;align-items:center;height:14px">{label}{scale}</div>'
+
+
+def short(name: str) -> str:
+    """A motor's or joint's name without the word for what it is: "left_elbow" of "robot:left_elbow"."""
+    return name.split(":")[-1]

@@ -1,0 +1,45 @@
+"""The web server of a viewer's page."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import socket
+from typing import Any
+
+from ..errors import UnsupportedError
+
+LABEL = "MIMo"
+
+
+def free_port(host: str, port: int) -> int:
+    """The port, or any free one for 0; refuses one that is taken, where viser would take the next without a word."""
+    if not 0 <= port <= 65535:
+        raise ValueError(f"port is {port}, expected 0 to 65535")
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((host, port))
+        except OSError as error:
+            raise OSError(f"port {port} of {host} cannot be had ({error.strerror}); give another port") from None
+        taken: int = probe.getsockname()[1]
+        return taken
+
+
+def silence() -> Any:
+    """Keeps what viser prints, asked or not, from the user's terminal."""
+    return contextlib.redirect_stdout(io.StringIO())
+
+
+def start(host: str, port: int) -> Any:
+    """A viser server that says nothing."""
+    try:
+        import viser
+    except ImportError:
+        raise UnsupportedError("the viewer needs viser: pip install 'mimo[view]'") from None
+    found = free_port(host, port)
+    with silence():
+        server = viser.ViserServer(host=host, port=found, verbose=False, label=LABEL)
+    server.gui.configure_theme(show_logo=False, show_share_button=False)
+    server.gui.main_panel.dock_right()
+    return server

@@ -1,0 +1,145 @@
+"""The world's shapes on the page: a node for each body, its geoms below it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Callable, Dict, List, Optional
+
+import numpy as np
+
+from ..constants import Kind, Quantity
+from ..frames import after, inverse, turned
+from ..geometry import Material
+from ..world import World
+from .glb import binary
+
+SEGMENTS = 16  # pieces of a circle
+FLOOR = 5.0  # half the size of endless planes, m
+STILL = 1e-5  # m, and of quaternions; what moves by less is not sent
+
+Dragged = Callable[[str, Any], None]  # the body's name, viser's event
+
+
+class Shapes:
+    """Draws all geoms that MuJoCo would draw, and keeps them where and as they are."""
+
+    def __init__(self, server: Any, world: World, dragged: Optional[Dragged] = None) -> None:
+        self._scene, self._world, self._dragged = server.scene, world, dragged
+        self._geoms = world.geoms()
+        self._body_of = self._geoms.body_ids
+        self._names = world.bodies().names
+        self._pictures: Dict[int, Any] = {}
+        self._shown: List[Any] = [None] * len(self._geoms)  # handles
+        self._bodies: Dict[int, Any] = {}
+        self._visible = True
+        self._brightness = brightness(world)
+        self._begin()
+
+    def _begin(self) -> None:
+        poses = self._world.poses(Kind.BODY)
+        self._sent = np.hstack([poses.positions, poses.rotations])
+        for body in sorted(set(self._body_of.tolist())):
+            pose = self._sent[body]
+            name = f"/bodies/{body}"
+            self._bodies[body] = self._scene.add_frame(name, show_axes=False, position=pose[:3], wxyz=pose[3:])
+        self._ages, self._faces, self._looks = self._of_agents(), self._face_numbers(), self._own_looks()
+        self._textures = self._texture_numbers()
+        self._draw(range(len(self._geoms)))
+
+    def _of_agents(self) -> Any:
+        return self._world.get(Quantity.AGENT_AGE) if self._world.agents else np.zeros(0)
+
+    def _face_numbers(self) -> Any:
+        return self._world.get(Quantity.AGENT_FACE) if self._world.agents else np.zeros(0)
+
+    def _own_looks(self) -> Any:
+        return np.hstack([self._geoms.color, self._geoms.size])
+
+    def _texture_numbers(self) -> Any:
+        return np.array([self._world.material(geom).texture for geom in range(len(self._geoms))])
+
+    def _changed(self) -> Any:
+        """Geoms that look otherwise than they did when this was last asked."""
+        ages, faces, looks, textures = self._of_agents(), self._face_numbers(), self._own_looks(), self._textures
+        if not np.array_equal(faces, self._faces):
+            textures = self._texture_numbers()
+        changed = (looks != self._looks).any(axis=1) | (textures != self._textures)
+        if not np.array_equal(ages, self._ages):
+            changed[:] = True
+        self._ages, self._faces, self._looks, self._textures = ages, faces, looks, textures
+        return np.flatnonzero(changed)
+
+    def _draw(self, geoms: Any) -> None:
+        poses, bodies = self._world.poses(Kind.GEOM), self._world.poses(Kind.BODY)
+        back = inverse(bodies.rotations[self._body_of])
+        places = turned(back, poses.positions - bodies.positions[self._body_of])
+        rotations = after(back, poses.rotations)
+        for geom in geoms:
+            if self._shown[geom] is not None:
+                self._shown[geom].remove()
+                self._shown[geom] = None
+            material = self._world.material(int(geom))
+            if material.visible:
+                self._shown[geom] = self._add(int(geom), material, places[geom], rotations[geom])
+
+    def _add(self, geom: int, material: Material, place: Any, rotation: Any) -> Any:
+        mesh = self._world.mesh(geom, segments=SEGMENTS, plane=FLOOR)
+        data = binary(
+            mesh,
+            lit(material, self._brightness),
+            self._picture(material.texture),
+            turned(rotation, mesh.positions) + place,
+            turned(rotation, mesh.normals),
+        )
+        body = int(self._body_of[geom])
+        handle = self._scene.add_glb(f"/bodies/{body}/{geom}", data, visible=self._visible or body == 0)
+        if self._dragged is not None and body != 0:
+            name, dragged = self._names[body], self._dragged
+            handle.on_drag("left", modifier="cmd/ctrl")(lambda event: dragged(name, event))
+        return handle
+
+    def _picture(self, texture: int) -> Any:
+        if texture < 0:
+            return None
+        if texture not in self._pictures:
+            from PIL import Image
+
+            self._pictures[texture] = Image.fromarray(self._world.texture(texture).pixels[..., :3])
+        return self._pictures[texture]
+
+    @property
+    def visible(self) -> bool:
+        """Whether what can move is shown."""
+        return self._visible
+
+    @visible.setter
+    def visible(self, visible: bool) -> None:
+        self._visible = visible
+        for geom, handle in enumerate(self._shown):
+            if handle is not None and self._body_of[geom] != 0:
+                handle.visible = visible
+
+    def update(self) -> None:
+        """Moves what has moved, and draws anew what looks otherwise."""
+        changed = self._changed()
+        if len(changed) > 0:
+            self._draw(changed)
+        poses = self._world.poses(Kind.BODY)
+        now = np.hstack([poses.positions, poses.rotations])
+        for body in np.flatnonzero((np.abs(now - self._sent) > STILL).any(axis=1)):
+            node = self._bodies.get(int(body))
+            if node is not None:
+                node.position, node.wxyz = now[body, :3], now[body, 3:]
+            self._sent[body] = now[body]
+
+
+def brightness(world: World) -> float:
+    """How much light falls on what is turned to all lights: MuJoCo's colours are made for that."""
+    lights = [light for light in [world.light(), *world.light_sources()] if light.active]
+    return float(max(np.sum([light.ambient + light.diffuse for light in lights], axis=0), default=1.0))
+
+
+def lit(material: Material, strength: float) -> Material:
+    """The material with its own and the world's light on it; the page's lamps make white things white."""
+    red, green, blue = (min(1.0, (strength + material.emission) * part) for part in material.color[:3])
+    return replace(material, color=(red, green, blue, material.color[3]))

@@ -1,0 +1,96 @@
+"""Sliders for joints and for actions, in a folder for each infant."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import Any, Callable, Dict, List, Tuple
+
+import numpy as np
+
+from ..constants import Quantity
+from ..world import World
+from .marks import limited
+from .motors import SLIDERS, Motors
+from .senses_panel import short
+
+FINE = 200  # steps of a slider
+
+
+def owner(name: str) -> str:
+    """Whose a joint or motor is: "anna" of "anna/robot:left_elbow", "" for a sole infant's."""
+    return name.split("/")[0] if "/" in name else ""
+
+
+def _folders(gui: Any, names: Any, title: str) -> List[Tuple[Any, List[int]]]:
+    """A folder for each owner, with the indices of what is its."""
+    by_owner: Dict[str, List[int]] = defaultdict(list)
+    for index, name in enumerate(names):
+        by_owner[owner(name)].append(index)
+    return [(gui.add_folder(of or title), indices) for of, indices in by_owner.items()]
+
+
+def _slider(gui: Any, name: str, low: float, high: float, value: float) -> Any:
+    value = float(np.clip(value, low, high))
+    return gui.add_slider(short(name), min=low, max=high, step=(high - low) / FINE, initial_value=value)
+
+
+class JointSliders:
+    """Show where joints are, and put them elsewhere at once."""
+
+    def __init__(self, server: Any, world: World, ask: Callable[[Callable[[], None]], None]) -> None:
+        self._world, self._joints, self._ask = world, limited(world), ask
+        self._sliders: List[Any] = [None] * len(self._joints)
+        names, ranges = self._joints.names, self._ranges()
+        values = self._joints._get(Quantity.JOINT_POSITION)
+        for folder, indices in _folders(server.gui, names, "rad"):
+            with folder:
+                for i in indices:
+                    self._sliders[i] = _slider(server.gui, names[i], ranges[i][0], ranges[i][1], values[i])
+                    self._sliders[i].on_update(self._moved(i))
+
+    def _ranges(self) -> Any:
+        return self._joints._get(Quantity.JOINT_RANGE).reshape(-1, 2).tolist()
+
+    def _moved(self, index: int) -> Callable[[Any], None]:
+        def moved(event: Any) -> None:
+            if event.client is not None:  # not ours, of update()
+                self._ask(lambda: self._put(index, event.target.value))
+
+        return moved
+
+    def _put(self, index: int, angle: float) -> None:
+        which = [int(self._joints.ids[index])]
+        self._world.set(Quantity.JOINT_POSITION, angle, which)
+        self._world.set(Quantity.JOINT_VELOCITY, 0.0, which)
+        self._world.update()
+
+    def update(self) -> None:
+        """Where the joints are now, and how far they can go."""
+        ranges, values = self._ranges(), self._joints._get(Quantity.JOINT_POSITION)
+        for slider, (low, high), value in zip(self._sliders, ranges, values.tolist()):
+            if (slider.min, slider.max) != (low, high):
+                slider.min, slider.max = low, high
+            rounded = round(min(max(value, low), high), 2)
+            if abs(slider.value - rounded) > 0.005:
+                slider.value = rounded
+
+
+class ActionSliders:
+    """Choose the actions."""
+
+    def __init__(self, server: Any, world: World, motors: Motors, chosen: Callable[[], None]) -> None:
+        self._motors, self._chosen = motors, chosen
+        for folder, indices in _folders(server.gui, world.action_names, "actions"):
+            with folder:
+                for i in indices:
+                    low, high = float(world.action_low[i]), float(world.action_high[i])
+                    slider = _slider(server.gui, world.action_names[i], low, high, float(motors.rest[i]))
+                    slider.on_update(self._moved(i))
+
+    def _moved(self, index: int) -> Callable[[Any], None]:
+        def moved(event: Any) -> None:
+            self._motors.given[index] = event.target.value
+            self._motors.choice = SLIDERS
+            self._chosen()
+
+        return moved

@@ -1,0 +1,91 @@
+"""Where a viewer's frames come from: a world that it moves on itself, or one that somebody else steps.
+
+Whoever has frames of another kind derives from Source: the viewer asks for nothing else.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..scene import Scene
+from ..world import World
+
+EYES = 128  # pixels to each side
+
+
+class Source:
+    """A world at a moment, its next moment, and its start."""
+
+    drives = False  # whether the viewer moves it on, resets it and chooses its actions
+    scenes = False  # whether it can change to another built-in scene
+    world: World
+    scene = ""
+
+    @property
+    def step_seconds(self) -> float:
+        """How far a step goes."""
+        return self.world.timestep * self.world.frame_skip
+
+    def advance(self, action: Optional[NDArray[np.float32]], senses: bool) -> bool:
+        """The next moment; without senses only what moves is new. Returns whether an episode ended there."""
+        raise NotImplementedError
+
+    def restart(self, seed: Optional[int], ages: Any = None) -> None:
+        """The start of an episode."""
+        raise NotImplementedError
+
+    def change(self, scene: str, task: str) -> None:
+        """Another world, of another scene; "" is the scene's own task."""
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """Ends what it has begun itself."""
+
+
+class Followed(Source):
+    """A world that its owner steps."""
+
+    def __init__(self, world: World) -> None:
+        self.world, self.scene = world, world._scene.source
+
+
+class Live(Source):
+    """A world of the viewer's own."""
+
+    drives = True
+
+    def __init__(self, scene: Union[str, Scene], task: str = "", **options: Any) -> None:
+        self.scenes = isinstance(scene, str)
+        self._options = {**self._usual(), **options} if self.scenes else options
+        self.scene = scene if isinstance(scene, str) else scene.source
+        self.world = self._made(scene, task)
+
+    @staticmethod
+    def _usual() -> Dict[str, Any]:
+        """What there is to see of an infant, also in scenes whose tasks do without."""
+        return {"vision": True, "vision_width": EYES, "vision_height": EYES, "touch": True}
+
+    def _made(self, scene: Union[str, Scene], task: str) -> World:
+        return World(scene, **{**self._options, **({"task": task} if task else {})})
+
+    def advance(self, action: Optional[NDArray[np.float32]], senses: bool) -> bool:
+        """A step of the world."""
+        self.world.step_into(self.world.block if senses else None, action)
+        return bool(np.any(self.world.terminated) or np.any(self.world.truncated))
+
+    def restart(self, seed: Optional[int], ages: Any = None) -> None:
+        """A reset of the world."""
+        self.world.reset(seed, ages)
+
+    def change(self, scene: str, task: str) -> None:
+        """Another built-in scene, with the same options; the old world goes when the new one is there."""
+        world = self._made(scene, task)
+        self.world.close()
+        self.world, self.scene = world, scene
+
+    def close(self) -> None:
+        """Closes the world."""
+        self.world.close()

@@ -1,0 +1,177 @@
+"""The viewer: a page in the browser that shows a world, and moves it on."""
+
+from __future__ import annotations
+
+import logging
+import queue
+import threading
+import time
+from typing import Any, Callable, Optional
+
+from ..constants import Kind
+from .clock import Clock
+from .page import Page
+from .server import silence, start
+from .source import Source
+
+FRAME = 1 / 30  # s
+BUDGET = 0.8 * FRAME  # s of a frame for steps
+LOCAL = "127.0.0.1"
+
+
+class Viewer:
+    """A page at `url`. One thread steps the world and draws it; the page's buttons leave their wishes with it."""
+
+    def __init__(
+        self, source: Source, host: str = LOCAL, port: int = 0, seed: Optional[int] = 1, task: str = ""
+    ) -> None:
+        self._source, self._task, self._seed = source, task, seed
+        self._server = start(host, port)
+        self._wishes: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
+        self._closed = threading.Event()
+        self._thread: Optional[threading.Thread] = None
+        self._next_frame = 0.0
+        self.clock = Clock(source.step_seconds)
+        try:
+            if source.drives:
+                source.restart(seed)
+            self._page = self._built(task)
+        except BaseException:
+            self._stop()
+            raise
+
+    @property
+    def url(self) -> str:
+        """Where the page is."""
+        return f"http://{self._server.get_host().replace('0.0.0.0', 'localhost')}:{self._server.get_port()}"
+
+    def _repr_html_(self) -> str:
+        return f'<iframe src="{self.url}" width="100%" height="600" style="border:0"></iframe>'
+
+    def _built(self, task: str) -> Page:
+        page = Page(self._server, self._source, self.clock, task, self)
+        if page.time.seed is not None and self._seed is not None:
+            page.time.seed.value = self._seed
+        self._look()
+        return page
+
+    def _look(self) -> None:
+        """Where the page looks from at first: at the first infant, from its front and a little above."""
+        world = self._source.world
+        bodies = world.bodies()
+        prefix = f"{world.agents[0].name}/" if world.agents and world.agents[0].name else ""
+        at = bodies.names.index(f"{prefix}hip") if f"{prefix}hip" in bodies.names else 0
+        x, y, z = world.poses(Kind.BODY).positions[at].tolist()
+        camera = self._server.initial_camera
+        camera.look_at = (x, y, z + 0.1)
+        camera.position = (x + 1.1, y - 0.6, z + 0.6)
+        for client in self._server.get_clients().values():
+            client.camera.look_at, client.camera.position = camera.look_at, camera.position
+
+    # ---- What the page's buttons ask for; done by the thread of the world ---------------------------------------
+
+    def ask(self, wish: Callable[[], None]) -> None:
+        """Leaves a wish."""
+        self._wishes.put(wish)
+
+    def restart(self) -> None:
+        """Starts an episode with the page's seed and ages."""
+        self._seed = int(self._page.time.seed.value)
+        self._page.pull.release()
+        self._source.restart(self._seed, self._page.infants.ages)
+        self._page.motors.restart(self._seed)
+
+    def change(self, scene: str, task: str) -> None:
+        """Goes to another scene or task."""
+        try:
+            self._source.change(scene, task)
+        except Exception:
+            self._page.scene.set(self._source.scene, self._task)
+            raise
+        self._page.remove()
+        self.clock.step_seconds, self._task = self._source.step_seconds, task
+        self._source.restart(self._seed)
+        self._page = self._built(task)
+
+    def _do_wishes(self) -> None:
+        while True:
+            try:
+                wish = self._wishes.get_nowait()
+            except queue.Empty:
+                return
+            try:
+                wish()
+            except Exception as error:  # of the library, for what was asked for; the world is as it was
+                self._tell(str(error))
+
+    def _tell(self, message: str) -> None:
+        logging.getLogger("mimo").info("viewer: %s", message)
+        for client in self._server.get_clients().values():
+            client.add_notification("That cannot be done", message, auto_close_seconds=10, color="red")
+
+    # ---- Moving on ------------------------------------------------------------------------------------------------
+
+    def _steps(self) -> None:
+        """Steps that are due; the last one of a frame senses."""
+        count, started, done = self.clock.due(), time.perf_counter(), 0
+        behind = False
+        while done < count and not behind:
+            behind = time.perf_counter() - started > BUDGET
+            last = done == count - 1 or behind
+            self._page.pull.apply(self._source.step_seconds)
+            done += 1
+            if self._source.advance(self._page.motors.next(), last):
+                self._source.restart(None)
+        self.clock.done(done, behind)
+
+    def frame(self) -> None:
+        """A frame of a world that the viewer moves on itself."""
+        self._do_wishes()
+        self._steps()
+        self._page.update()
+
+    def run(self) -> None:
+        """Frames until it is closed."""
+        while not self._closed.is_set():
+            started = time.perf_counter()
+            self.frame()
+            self._closed.wait(max(0.0, started + FRAME - time.perf_counter()))
+
+    def run_beside(self) -> None:
+        """As run, in a thread of its own."""
+        self._thread = threading.Thread(target=self.run, name="mimo viewer", daemon=True)
+        self._thread.start()
+
+    def show(self) -> None:
+        """Shows a world that somebody else has just stepped; waits for real time, or while the page is paused."""
+        self._do_wishes()
+        while not self.clock.wait_for_step() and not self._closed.is_set():
+            self._do_wishes()
+            self._draw_in_time()
+        self.clock.done(1, self.clock.late)
+        self._page.pull.apply(self._source.step_seconds)
+        self._draw_in_time()
+
+    def _draw_in_time(self) -> None:
+        now = time.perf_counter()
+        if now >= self._next_frame:
+            self._next_frame = now + FRAME
+            self._page.update()
+
+    def close(self) -> None:
+        """Closes the page, and what the viewer has made."""
+        self._closed.set()
+        if self._thread is not None:
+            self._thread.join()
+        self._stop()
+        self._source.close()
+
+    def _stop(self) -> None:
+        with silence():
+            self._server.stop()
+
+    def __enter__(self) -> "Viewer":
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self.close()

@@ -1,0 +1,317 @@
+"""The viewer: what is sent to the page, and the page in a real browser."""
+
+import io
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+
+import numpy as np
+import pytest
+
+import mimo
+from mimo import view
+from mimo.frames import placed
+from mimo.view.clock import Clock
+from mimo.view.motors import Motors
+from mimo.view.pull import Pull
+
+STATUS = re.compile(r"([0-9.]+) s \(([^)]*)\)")
+
+
+def viewer_or_skip(*arguments, **options):
+    pytest.importorskip("viser", reason="viser is not installed")
+    pytest.importorskip("PIL", reason="Pillow is not installed")
+    return view.Viewer(*arguments, **options)
+
+
+# ---- Without a page -------------------------------------------------------------------------------------------------
+
+
+def test_the_clock_follows_the_wall(monkeypatch):
+    """At double speed 0.05 s of the wall are 10 steps of 0.01 s."""
+    now = [100.0]
+    monkeypatch.setattr(time, "perf_counter", lambda: now[0])
+    clock = Clock(0.01)
+    clock.speed = 2.0
+    now[0] += 0.0501
+    assert clock.due() == 10
+    clock.done(10, False)
+    clock.paused = True
+    now[0] += 5
+    assert clock.due() == 0
+    clock.step_once()
+    assert (clock.due(), clock.due()) == (1, 0)
+    clock.paused = False
+    now[0] += 60.001
+    assert clock.due() == 12000
+    clock.done(3, True)
+    assert clock.due() == 0  # what was missed is not run after
+
+
+def test_random_actions_are_those_of_a_seed():
+    with mimo.World("reach") as world:
+        motors = Motors(world, 0.01)
+        rows = []
+        for _ in range(2):
+            motors.restart(7)
+            rows.append([motors.next() for _ in range(60)])
+        np.testing.assert_array_equal(*rows)
+        assert len(np.unique(rows[0], axis=0)) == 3  # held for 0.25 s
+        assert (rows[0] >= world.action_low).all()
+        assert (rows[0] <= world.action_high).all()
+        motors.choice = "at rest"
+        assert not motors.next().any()
+
+
+def test_a_pull_holds_a_weight_where_a_spring_would():
+    """A ball of 0.5 kg hangs m g / k below where it is pulled to."""
+    scene = mimo.Scene()
+    scene.add_object("ball", position=[0, 0, 1], mass=0.5)
+    with mimo.World(scene) as world:
+        pull = Pull(world)
+        pull.choose("ball")
+        pull.to([0.3, 0, 1])
+        for _ in range(1000):
+            pull.apply(world.timestep * world.frame_skip)
+            world.step()
+        np.testing.assert_allclose(pull.position, [0.3, 0, 1 - 0.5 * 9.81 / pull.stiffness], atol=1e-4)
+        np.testing.assert_allclose(pull.force, [0, 0, 0.5 * 9.81], atol=1e-2)
+        pull.release()
+        for _ in range(10):
+            world.step()
+        assert pull.position[2] < 0.97  # it falls
+
+
+# ---- What is sent to the page ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def shown():
+    with viewer_or_skip(view.Live("benchmark", vision_width=32, vision_height=32)) as viewer:
+        viewer.clock.paused = True
+        yield viewer
+
+
+def advance(viewer, seconds):
+    for _ in range(round(seconds / 0.01)):
+        viewer.clock.step_once()
+        viewer.frame()
+
+
+def vertices(handle):
+    """Of a shape that was sent, in its node's frame."""
+    import trimesh
+
+    made = trimesh.load(io.BytesIO(handle._impl.props.glb_data), file_type="glb", process=False)
+    (mesh,) = made.geometry.values()
+    return mesh
+
+
+def test_shapes_are_where_the_library_has_them(shown):
+    advance(shown, 0.3)
+    world, shapes = shown._source.world, shown._page.shapes
+    geoms = world.poses("geom")
+    for name in ("head", "left_uarm1", "floor"):
+        geom = world.find("geom", name)
+        mesh, node = vertices(shapes._shown[geom]), shapes._bodies[int(shapes._body_of[geom])]
+        sent = placed(node.position, node.wxyz, mesh.vertices)
+        ours = world.mesh(geom, segments=16, plane=5.0)
+        there = placed(geoms.positions[geom], geoms.rotations[geom], ours.positions)
+        np.testing.assert_allclose(sent, there, atol=5e-5)  # nodes that moved by less than 1e-5 stay
+        np.testing.assert_array_equal(mesh.faces, ours.triangles)
+        np.testing.assert_allclose(mesh.visual.uv[:, 1], 1 - ours.texcoords[:, 1], atol=1e-6)
+
+
+def test_a_face_and_an_age_change_the_shapes(shown):
+    world, shapes = shown._source.world, shown._page.shapes
+    head, arm = world.find("geom", "head"), world.find("geom", "left_uarm1")
+    before = shapes._shown[head], shapes._shown[arm]
+    world.set_face("surprise")
+    shown.frame()
+    assert shapes._shown[head] is not before[0]
+    assert shapes._shown[arm] is before[1]
+    pixels = np.asarray(vertices(shapes._shown[head]).visual.material.baseColorTexture)
+    np.testing.assert_array_equal(pixels[..., :3], world.texture(world.material("head").texture).pixels[..., :3])
+    tall = np.ptp(vertices(shapes._shown[head]).vertices[:, 2])
+    shown._page.infants._given[0] = 1.0
+    shown.restart()
+    shown.frame()
+    assert world.get(mimo.Quantity.AGENT_AGE)[0] == 1
+    assert np.ptp(vertices(shapes._shown[head]).vertices[:, 2]) < 0.9 * tall
+    shown._page.infants._given[0] = 18.0
+    shown.restart()
+    world.set_face("neutral")
+
+
+def test_touch_and_contacts(shown):
+    """What lies still is carried by the floor: the arrows together are its weight, at 3 mm for a newton."""
+    shown._page.motors.choice = "at rest"
+    shown.restart()
+    advance(shown, 4)
+    world = shown._source.world
+    touch, contacts = shown._page._marks[:2]
+    felt = np.linalg.norm(world.observation["touch/force"], axis=1) > 0
+    assert len(touch._handle.points) - 1 == felt.sum() > 10
+    floor = world.find("geom", "floor")
+    both, points = world.contacts(), contacts._handle.points[1:]
+    assert len(points) == len(both.geoms)
+    on_floor = (both.geoms == floor).any(axis=1)
+    up = (points[on_floor, 1] - points[on_floor, 0])[:, 2].sum() / 0.003
+    others = world.bodies("test_object1", "test_object2").mass.sum()
+    weight = 9.81 * (world.agents[0].mass + others)
+    assert up == pytest.approx(weight, rel=0.1)  # it still moves a little
+    shown._page.motors.choice = "random"
+
+
+def test_joints_are_moved_by_sliders(shown):
+    world, sliders = shown._source.world, shown._page._joints
+    elbow = sliders._joints.names.index("robot:left_elbow")
+    sliders._put(elbow, -1.0)
+    assert world.joints("robot:left_elbow").position.item() == -1.0
+    sliders.update()
+    assert sliders._sliders[elbow].value == -1.0
+    assert sliders._sliders[elbow].min == world.joints("robot:left_elbow").range.ravel()[0]
+
+
+def test_every_scene_is_shown(shown):
+    for scene in mimo.scenes():
+        shown.change(scene, "")
+        advance(shown, 0.05)
+        world = shown._source.world
+        assert world._scene.source == scene
+        assert len(shown._page._senses._pictures) == len(world.agents)
+        assert len(shown._page.infants._world.agents) == len(world.agents)
+        assert sum(handle is not None for handle in shown._page.shapes._shown) > 20
+
+
+def test_what_cannot_be_done_changes_nothing(shown):
+    shown.change("playdate", "")
+    told = []
+    shown._tell = told.append
+    shown.ask(lambda: shown.change("playdate", "reach"))
+    shown.frame()
+    assert len(told) == 1
+    assert "\n" not in told[0]
+    assert (shown._source.scene, shown._page.scene._task.value) == ("playdate", "the scene's own")
+    advance(shown, 0.02)
+
+
+def test_an_environment_for_people(monkeypatch, capsys):
+    pytest.importorskip("viser", reason="viser is not installed")
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    env = mimo.make("reach", render_mode="human")
+    env.reset(seed=1)
+    url = capsys.readouterr().out.split()[-1]
+    assert urllib.request.urlopen(url).status == 200
+    started = time.perf_counter()
+    for _ in range(50):
+        env.step(env.action_space.sample())
+    assert time.perf_counter() - started == pytest.approx(0.5, abs=0.15)  # in real time
+    elbow = env._viewer._page.shapes._bodies[env.world.find("body", "right_lower_arm")]
+    env._viewer._page.update()
+    there = env.world.poses("body").positions[env.world.find("body", "right_lower_arm")]
+    np.testing.assert_allclose(elbow.position, there, atol=2e-5)
+    env.close()
+
+
+# ---- The program ----------------------------------------------------------------------------------------------------
+
+
+def program(*arguments, **options):
+    return subprocess.Popen(
+        [sys.executable, "-m", "mimo.view", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        **options,
+    )
+
+
+def refused(*arguments):
+    output, errors = program(*arguments).communicate(timeout=120)
+    assert output == ""
+    assert errors.count("\n") == 1, errors
+    return errors
+
+
+def test_wrong_arguments():
+    pytest.importorskip("viser", reason="viser is not installed")
+    assert 'no scene named "nosuch"; there are: benchmark' in refused("--scene", "nosuch")
+    assert 'no task named "fly"' in refused("--scene", "reach", "--task", "fly")
+    assert "port is 70000, expected 0 to 65535" in refused("--port", "70000")
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        assert re.search("port [0-9]+ of 127.0.0.1 cannot be had", refused("--port", str(taken.getsockname()[1])))
+
+
+def test_without_viser(monkeypatch):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    with pytest.raises(mimo.UnsupportedError, match=re.escape("pip install 'mimo[view]'")):
+        view.open("reach")
+    with pytest.raises(mimo.UnsupportedError, match=re.escape("pip install 'mimo[view]'")):
+        mimo.make("reach", render_mode="human").reset(seed=1)
+
+
+@pytest.fixture
+def served():
+    pytest.importorskip("viser", reason="viser is not installed")
+    running = program("--scene", "benchmark", "--port", "0", "--eyes", "64")
+    yield re.search(r"http://[^;]*", running.stdout.readline()).group()
+    running.send_signal(signal.SIGTERM)
+    output, errors = running.communicate(timeout=60)
+    assert (running.returncode, output, errors) == (0, "", "")
+
+
+def status(page):
+    seconds, state = STATUS.search(page.inner_text("body")).groups()
+    return float(seconds), state
+
+
+def eventually(what, seconds=60):
+    """Software draws pages slowly."""
+    deadline = time.monotonic() + seconds
+    while not what():
+        assert time.monotonic() < deadline
+        time.sleep(0.2)
+
+
+def picture(page, path):
+    from PIL import Image
+
+    page.screenshot(path=path)
+    return np.asarray(Image.open(path).convert("RGB"), np.int32)
+
+
+def test_in_a_browser(served, tmp_path):
+    browser = pytest.importorskip("browser")
+    with browser.page() as (page, wrong):
+        page.goto(served)
+        eventually(lambda: STATUS.search(page.inner_text("body")))
+        page.get_by_role("button", name="Pause").click()
+        eventually(lambda: status(page)[1] == "paused")
+        halted = status(page)[0]
+        page.get_by_role("button", name="Step", exact=True).click()
+        eventually(lambda: status(page)[0] == pytest.approx(halted + 0.01))
+        page.get_by_role("button", name="Reset").click()
+        eventually(lambda: status(page)[0] == 0)
+        time.sleep(5)
+        drawn = picture(page, tmp_path / "page.png")
+        middle = drawn[:, 310:580]
+        # A floor of many colours, the infant's skin, and its shirt; none of it is the page's white.
+        assert (middle.min(axis=2) < 240).mean() > 0.5
+        assert len(np.unique(middle.reshape(-1, 3), axis=0)) > 2000
+        red, green, blue = np.moveaxis(middle, 2, 0)
+        assert ((red > green + 15) & (green > blue + 5)).sum() > 300
+        images = page.locator("img").evaluate_all("all => all.map(i => [i.naturalWidth, i.naturalHeight])")
+        assert [64 + 4 + 64, 64] in images
+        page.get_by_role("tab", name="Joints").click()
+        eventually(lambda: "left_elbow" in page.inner_text("body"))
+        page.get_by_role("tab", name="Actions").click()
+        eventually(lambda: "head_swivel" in page.inner_text("body"))
+    assert wrong == []
