@@ -161,6 +161,7 @@ void Recorder::keep_state(const mimo::Env& env) {
 
 void Recorder::before_step(const mimo::Env& env) {
   if (static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(env);
+  if (steps_ == 0) file_.flush();  // from here on a run that is killed can be replayed
 }
 
 void Recorder::after_step(const mimo::Env& env, const std::vector<float>& actions, const mimo::Block& block,
