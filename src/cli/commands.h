@@ -13,5 +13,7 @@ void add_info(CLI::App& program);
 void add_render(CLI::App& program);
 void add_rollout(CLI::App& program);
 void add_export(CLI::App& program);
+void add_record(CLI::App& program);
+void add_replay(CLI::App& program);
 
 }  // namespace cli

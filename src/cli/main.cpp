@@ -32,7 +32,7 @@ int complain(const CLI::App& program, std::string message, int code) {
 // Here and not by require_subcommand(1), which hides what it met instead of a command.
 void require_command(const CLI::App& program) {
   if (program.get_subcommands().empty())
-    throw CLI::RequiredError("a command (run, bench, info, render, rollout or export)");
+    throw CLI::RequiredError("a command (run, bench, info, render, rollout, export, record or replay)");
 }
 
 // A full disk shows only here.
@@ -56,6 +56,8 @@ void describe(CLI::App& program) {
   cli::add_render(program);
   cli::add_rollout(program);
   cli::add_export(program);
+  cli::add_record(program);
+  cli::add_replay(program);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "'mimo COMMAND --help' explains a command.\n"

@@ -10,7 +10,7 @@ from program import PROGRAM, SOURCES, Case
 class Usage(Case):
     def test_help(self):
         self.assertIn("rollout", self.mimo("--help"))
-        for command in ("run", "bench", "info", "render", "rollout", "export"):
+        for command in ("run", "bench", "info", "render", "rollout", "export", "record", "replay"):
             text = self.mimo(command, "--help")
             self.assertIn("Example", text)
             self.assertIn("mimo " + command, text)
@@ -36,13 +36,14 @@ class Usage(Case):
                           ["rollout", "--out", "a.json"], ["rollout", "--controls", "a.csv"],
                           ["rollout", "--controls", "a.csv", "--out", "a.json", "--jacobian", "thin"],
                           ["rollout", "--controls", "a.csv", "--out", "a.json", "--every", "0"],
+                          ["record"], ["replay"], ["record", "--out", "a.h5", "--compression", "10"],
                           ["export"], ["export", "--gltf", "a.gltf"], ["export", "--gltf", "a.glb", "--seconds", "-1"]):
             with self.subTest(arguments=arguments):
                 self.assertIn("--help", self.mimo(*arguments, code=2))
         self.assertEqual(self.files(), [])
 
     def test_unknown_things_are_named(self):
-        commands = (["info"], ["export", "--gltf", "a.glb"], ["run"], ["bench", "--vision", "off"], ["render", "--out", "a.png"])
+        commands = (["info"], ["export", "--gltf", "a.glb"], ["record", "--out", "a.h5"], ["run"], ["bench", "--vision", "off"], ["render", "--out", "a.png"])
         for command in commands:
             self.assertIn("moon", self.mimo(*command, "--scene", "moon", code=1))
             self.assertIn("moon.xml", self.mimo(*command, "--scene", "moon.xml", code=1))
@@ -65,7 +66,7 @@ class Usage(Case):
         explained = set(re.findall(r"\.It .*", explained))
         explained = {option for line in explained for option in re.findall(r"Fl -([a-z-]+)", line)}
         used = set()
-        for command in ("run", "bench", "info", "render", "rollout", "export"):
+        for command in ("run", "bench", "info", "render", "rollout", "export", "record", "replay"):
             part = re.search(r"\n\.Cm %s\n(.*?)(\n\.Nm|\Z)" % command, synopsis, re.S).group(1)
             help_text = self.mimo(command, "--help")
             options = set(re.findall(r"^ +(?:-h,)?--([a-z-]+)", help_text, re.M)) - {"help"}

@@ -1,0 +1,123 @@
+#include "hdf5.h"
+
+#include <dlfcn.h>
+
+#include <cstring>
+#include <string>
+
+#include "failure.h"
+
+namespace cli::hdf5 {
+namespace {
+
+constexpr int kDeflateFilter = 1;
+
+void* open_first() {
+  for (const char* name : {"libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310",
+                           "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"}) {
+    if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return handle;
+  }
+  throw Failure("recordings need the library HDF5 1.10 or later (Debian package libhdf5-103-1), which was not found");
+}
+
+void* address(void* handle, const char* name) {
+  void* const found = dlsym(handle, name);
+  if (found == nullptr) throw Failure(std::string("the library HDF5 that was found has no ") + name);
+  return found;
+}
+
+template <typename Function>
+void find(void* handle, Function& function, const char* name) {
+  void* const found = address(handle, name);
+  std::memcpy(&function, &found, sizeof function);
+}
+
+void find_id(void* handle, Id& id, const char* name) { id = *static_cast<const Id*>(address(handle, name)); }
+
+void find_files(void* handle, Library& h5) {
+  find(handle, h5.FilterAvailable, "H5Zfilter_avail");
+  find(handle, h5.CreateFile, "H5Fcreate");
+  find(handle, h5.OpenFile, "H5Fopen");
+  find(handle, h5.CloseFile, "H5Fclose");
+  find(handle, h5.Flush, "H5Fflush");
+  find(handle, h5.StartSwmrWrite, "H5Fstart_swmr_write");
+  find(handle, h5.CreateProperties, "H5Pcreate");
+  find(handle, h5.CloseProperties, "H5Pclose");
+  find(handle, h5.SetVersions, "H5Pset_libver_bounds");
+  find(handle, h5.SetChunk, "H5Pset_chunk");
+  find(handle, h5.SetDeflate, "H5Pset_deflate");
+  find(handle, h5.SetShuffle, "H5Pset_shuffle");
+  find(handle, h5.SetCreateGroups, "H5Pset_create_intermediate_group");
+}
+
+void find_shapes(void* handle, Library& h5) {
+  find(handle, h5.CreateSimpleSpace, "H5Screate_simple");
+  find(handle, h5.CreateSpace, "H5Screate");
+  find(handle, h5.CloseSpace, "H5Sclose");
+  find(handle, h5.SelectHyperslab, "H5Sselect_hyperslab");
+  find(handle, h5.Dimensions, "H5Sget_simple_extent_ndims");
+  find(handle, h5.Extents, "H5Sget_simple_extent_dims");
+  find(handle, h5.CopyType, "H5Tcopy");
+  find(handle, h5.SetTypeSize, "H5Tset_size");
+  find(handle, h5.TypeSize, "H5Tget_size");
+  find(handle, h5.CloseType, "H5Tclose");
+}
+
+void find_contents(void* handle, Library& h5) {
+  find(handle, h5.CreateDataset, "H5Dcreate2");
+  find(handle, h5.OpenDataset, "H5Dopen2");
+  find(handle, h5.CloseDataset, "H5Dclose");
+  find(handle, h5.SetExtent, "H5Dset_extent");
+  find(handle, h5.DatasetSpace, "H5Dget_space");
+  find(handle, h5.DatasetType, "H5Dget_type");
+  find(handle, h5.Write, "H5Dwrite");
+  find(handle, h5.Read, "H5Dread");
+  find(handle, h5.CreateAttribute, "H5Acreate2");
+  find(handle, h5.OpenAttribute, "H5Aopen");
+  find(handle, h5.CloseAttribute, "H5Aclose");
+  find(handle, h5.AttributeType, "H5Aget_type");
+  find(handle, h5.WriteAttribute, "H5Awrite");
+  find(handle, h5.ReadAttribute, "H5Aread");
+  find(handle, h5.HasLink, "H5Lexists");
+}
+
+void find_constants(void* handle, Library& h5) {
+  find_id(handle, h5.u8, "H5T_NATIVE_UINT8_g");
+  find_id(handle, h5.i32, "H5T_NATIVE_INT32_g");
+  find_id(handle, h5.i64, "H5T_NATIVE_INT64_g");
+  find_id(handle, h5.f32, "H5T_NATIVE_FLOAT_g");
+  find_id(handle, h5.f64, "H5T_NATIVE_DOUBLE_g");
+  find_id(handle, h5.string, "H5T_C_S1_g");
+  find_id(handle, h5.file_access, "H5P_CLS_FILE_ACCESS_ID_g");
+  find_id(handle, h5.dataset_create, "H5P_CLS_DATASET_CREATE_ID_g");
+  find_id(handle, h5.link_create, "H5P_CLS_LINK_CREATE_ID_g");
+}
+
+Library load() {
+  void* const handle = open_first();
+  Library h5 = {};
+  find(handle, h5.Open, "H5open");
+  find(handle, h5.LibraryVersion, "H5get_libversion");
+  find(handle, h5.SilenceErrors, "H5Eset_auto2");
+  unsigned major = 0, minor = 0, release = 0;
+  if (h5.Open() < 0 || h5.LibraryVersion(&major, &minor, &release) < 0 || (major == 1 && minor < 10)) {
+    throw Failure("recordings need HDF5 1.10 or later, and " + std::to_string(major) + "." + std::to_string(minor) +
+                  " was found");
+  }
+  h5.SilenceErrors(0, nullptr, nullptr);  // the program says in one line what was wrong
+  find_files(handle, h5);
+  find_shapes(handle, h5);
+  find_contents(handle, h5);
+  find_constants(handle, h5);
+  h5.deflate = h5.FilterAvailable(kDeflateFilter) > 0;
+  return h5;
+}
+
+}  // namespace
+
+const Library& library() {
+  static const Library loaded = load();
+  return loaded;
+}
+
+}  // namespace cli::hdf5

@@ -1,0 +1,67 @@
+// The functions of the HDF5 library that recordings need, loaded when a recording is made or read: the program works
+// without the library. Numbers and types are those of HDF5 1.10 and later, where handles have 64 bits.
+#pragma once
+
+#include <cstdint>
+
+namespace cli::hdf5 {
+
+using Id = std::int64_t;
+using Size = unsigned long long;  // hsize_t
+
+constexpr unsigned kReadOnly = 0, kTruncate = 2, kSwmrRead = 0x40;
+constexpr int kVersion110 = 2, kScalar = 0, kSelectSet = 0, kGlobalScope = 1;
+constexpr Id kDefault = 0, kAll = 0;
+constexpr Size kUnlimited = ~Size{0};
+
+struct Library {
+  int (*Open)();
+  int (*LibraryVersion)(unsigned*, unsigned*, unsigned*);
+  int (*SilenceErrors)(Id, void*, void*);
+  int (*FilterAvailable)(int);
+  Id (*CreateFile)(const char*, unsigned, Id, Id);
+  Id (*OpenFile)(const char*, unsigned, Id);
+  int (*CloseFile)(Id);
+  int (*Flush)(Id, int);
+  int (*StartSwmrWrite)(Id);
+  Id (*CreateProperties)(Id);
+  int (*CloseProperties)(Id);
+  int (*SetVersions)(Id, int, int);
+  int (*SetChunk)(Id, int, const Size*);
+  int (*SetDeflate)(Id, unsigned);
+  int (*SetShuffle)(Id);
+  int (*SetCreateGroups)(Id, unsigned);
+  Id (*CreateSimpleSpace)(int, const Size*, const Size*);
+  Id (*CreateSpace)(int);
+  int (*CloseSpace)(Id);
+  int (*SelectHyperslab)(Id, int, const Size*, const Size*, const Size*, const Size*);
+  int (*Dimensions)(Id);
+  int (*Extents)(Id, Size*, Size*);
+  Id (*CopyType)(Id);
+  int (*SetTypeSize)(Id, std::size_t);
+  std::size_t (*TypeSize)(Id);
+  int (*CloseType)(Id);
+  Id (*CreateDataset)(Id, const char*, Id, Id, Id, Id, Id);
+  Id (*OpenDataset)(Id, const char*, Id);
+  int (*CloseDataset)(Id);
+  int (*SetExtent)(Id, const Size*);
+  Id (*DatasetSpace)(Id);
+  Id (*DatasetType)(Id);
+  int (*Write)(Id, Id, Id, Id, Id, const void*);
+  int (*Read)(Id, Id, Id, Id, Id, void*);
+  Id (*CreateAttribute)(Id, const char*, Id, Id, Id, Id);
+  Id (*OpenAttribute)(Id, const char*, Id);
+  int (*CloseAttribute)(Id);
+  Id (*AttributeType)(Id);
+  int (*WriteAttribute)(Id, Id, const void*);
+  int (*ReadAttribute)(Id, Id, void*);
+  int (*HasLink)(Id, const char*, Id);
+  // Types and classes of properties, which are variables of the library.
+  Id u8, i32, i64, f32, f64, string, file_access, dataset_create, link_create;
+  bool deflate;  // can compress
+};
+
+// Throws a Failure in one line where there is no such library.
+const Library& library();
+
+}  // namespace cli::hdf5

@@ -1,0 +1,79 @@
+// mimo record: random movements, kept in a file that can be played again.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "failure.h"
+#include "files.h"
+#include "interrupt.h"
+#include "progress.h"
+#include "random_actions.h"
+#include "recorded_world.h"
+#include "recorder.h"
+#include "recorder_options.h"
+#include "text.h"
+
+namespace cli {
+namespace {
+
+struct RecordOptions {
+  WorldOptions world;
+  RecorderOptions recorder;
+  double seconds = 10;
+};
+
+void record(const RecordOptions& options, const std::string& configuration) {
+  require_writable(options.recorder.out);
+  hdf5::library();  // complains before any work
+  mimo::Env env = open_world(options.world, make_env_config());
+  mimo::Block block = env.make_block();
+  mimo::Results results = env.make_results();
+  const double dt = env.timestep() * env.frame_skip();
+  const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(options.seconds / dt)));
+  env.reset(options.world.seed, block);
+  RandomActions actions(env, options.world.seed);
+  const Interrupt interrupt;
+  Recorder recorder(options.recorder, env, configuration, options.world.seed);
+  std::size_t done = 0;
+  {
+    Progress progress(steps);
+    while (done < steps && !Interrupt::requested()) {
+      const auto action = actions.draw();
+      recorder.before_step(env);
+      env.step(action, block, results);
+      recorder.after_step(env, action, block, results);
+      progress.show(++done);
+    }
+  }
+  recorder.finish(env);
+  std::cout << text("%g s in %zu steps: %s\n", dt * static_cast<double>(done), done, options.recorder.out.c_str());
+  std::cout.flush();
+  if (Interrupt::requested()) Interrupt::pass_on();
+}
+
+}  // namespace
+
+void add_record(CLI::App& program) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command = program.add_subcommand("record", "Move at random, and keep the run in a file to play again");
+  add_recorded_options(*command, options->world);
+  add_seed_option(*command, options->world);
+  command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
+      ->type_name("S")
+      ->check(number(0.01, 1e6))
+      ->capture_default_str();
+  add_recorder_options(*command, options->recorder)->required();
+  command->footer(
+      "Writes an HDF5 file, which MATLAB, Python, R and Julia read: actions, joints, rewards and the chosen fields of\n"
+      "each step, and a state every now and then. A run that is killed leaves all that was flushed. Ctrl-C ends "
+      "early.\n"
+      "Examples:\n"
+      "  mimo record --seconds 60 --seed 7 --out run.h5\n"
+      "  mimo record --scene reach --keep all --out run.h5");
+  command->callback([options, command] { record(*options, configuration_of(*command)); });
+}
+
+}  // namespace cli

@@ -1,0 +1,115 @@
+#include "recorded_world.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "failure.h"
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kNoVision[] = "off";
+
+// Options and their values, of all that `known` has.
+void collect(const CLI::App& known, const CLI::App& given, Json& json) {
+  for (const CLI::Option* option : known.get_options()) {
+    const std::string name = option->get_single_name();
+    const CLI::Option* found = given.get_option_no_throw("--" + name);
+    if (name == "help" || found == nullptr || found->count() == 0) continue;
+    json[name] = found->results();
+  }
+}
+
+// So that it is found from everywhere.
+void make_scene_absolute(Json& json) {
+  if (!json.contains("scene")) return;
+  const std::string scene = json["scene"][0];
+  if (scene.find_first_of("./\\") == std::string::npos || !std::filesystem::exists(scene)) return;
+  json["scene"][0] = std::filesystem::absolute(scene).string();
+}
+
+Failure not_a_configuration(const std::string& file) {
+  return Failure(file + " is not a whole recording: its attribute 'configuration' is not what it should be");
+}
+
+Json parse_configuration(const std::string& file, const std::string& configuration) {
+  Json json = Json::parse(configuration, nullptr, false);
+  if (!json.is_object()) throw not_a_configuration(file);
+  return json;
+}
+
+void parse(const Json& json, CLI::App& parser) {
+  std::vector<std::string> arguments;
+  for (const auto& [name, values] : json.items()) {
+    arguments.push_back("--" + name + "=" + values.at(0).get<std::string>());
+    for (std::size_t i = 1; i < values.size(); ++i) arguments.push_back(values[i].get<std::string>());
+  }
+  std::reverse(arguments.begin(), arguments.end());  // as the parser wants them
+  parser.parse(arguments);
+}
+
+}  // namespace
+
+void add_sense_options(CLI::App& command, WorldOptions& options) {
+  add_vision_options(command, options, kNoVision);
+  add_foveation_option(command, options);
+  add_touch_option(command, options);
+  add_senses_option(command, options);
+}
+
+void add_recorded_options(CLI::App& command, WorldOptions& options) {
+  options.vision = kNoVision;
+  add_scene_options(command, options);
+  add_maturity_options(command, options.age);
+  add_actuation_option(command, options);
+  add_reflexes_option(command, options);
+  add_face_option(command, options);
+  add_sense_options(command, options);
+}
+
+std::string configuration_of(const CLI::App& command) {
+  WorldOptions options;
+  CLI::App known;
+  add_recorded_options(known, options);
+  Json json = Json::object();
+  collect(known, command, json);
+  make_scene_absolute(json);
+  return json.dump();
+}
+
+bool senses_changed(const CLI::App& command) {
+  WorldOptions options;
+  CLI::App known;
+  add_sense_options(known, options);
+  Json json = Json::object();
+  collect(known, command, json);
+  return !json.empty();
+}
+
+std::string changed_configuration(const std::string& file, const std::string& configuration, const CLI::App& changes) {
+  WorldOptions options;
+  CLI::App known;
+  add_recorded_options(known, options);
+  Json json = parse_configuration(file, configuration);
+  collect(known, changes, json);
+  return json.dump();
+}
+
+WorldOptions read_configuration(const std::string& file, const std::string& configuration) {
+  WorldOptions options;
+  CLI::App known;
+  add_recorded_options(known, options);
+  try {
+    parse(parse_configuration(file, configuration), known);
+  } catch (const CLI::Error& error) {
+    throw Failure(file + " has a configuration that this program does not understand: " + error.what());
+  } catch (const nlohmann::json::exception&) {
+    throw not_a_configuration(file);
+  }
+  return options;
+}
+
+}  // namespace cli

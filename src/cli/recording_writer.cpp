@@ -1,0 +1,136 @@
+#include <algorithm>
+
+#include "failure.h"
+#include "recording_file.h"
+
+namespace cli {
+namespace {
+
+constexpr std::size_t kChunkBytes = 256 * 1024, kMostRows = 1024;
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(std::string path, unsigned compression)
+    : h5_(hdf5::library()), path_(std::move(path)), compression_(compression) {
+  // What is needed for a file that stays whole while it grows ("single writer, multiple readers").
+  const hdf5::Id access = h5_.CreateProperties(h5_.file_access);
+  h5_.SetVersions(access, hdf5::kVersion110, hdf5::kVersion110);
+  file_ = h5_.CreateFile(path_.c_str(), hdf5::kTruncate, hdf5::kDefault, access);
+  h5_.CloseProperties(access);
+  check(file_);
+}
+
+RecordingWriter::~RecordingWriter() {
+  for (auto& [name, table] : tables_) h5_.CloseDataset(table.dataset);
+  if (file_ >= 0) h5_.CloseFile(file_);
+}
+
+void RecordingWriter::check(std::int64_t result) const {
+  if (result < 0) throw Failure("cannot write " + path_ + ": HDF5 refused; is there room, and the right to write?");
+}
+
+void RecordingWriter::write_attribute(hdf5::Id object, const std::string& name, hdf5::Id type,
+                                      const void* value) const {
+  const hdf5::Id space = h5_.CreateSpace(hdf5::kScalar);
+  const hdf5::Id attribute = h5_.CreateAttribute(object, name.c_str(), type, space, hdf5::kDefault, hdf5::kDefault);
+  h5_.CloseSpace(space);
+  check(attribute);
+  check(h5_.WriteAttribute(attribute, type, value));
+  h5_.CloseAttribute(attribute);
+}
+
+void RecordingWriter::write_text(hdf5::Id object, const std::string& name, const std::string& text) const {
+  const hdf5::Id type = h5_.CopyType(h5_.string);
+  h5_.SetTypeSize(type, text.size() + 1);
+  write_attribute(object, name, type, text.c_str());
+  h5_.CloseType(type);
+}
+
+void RecordingWriter::attribute(const std::string& name, const std::string& text) { write_text(file_, name, text); }
+
+void RecordingWriter::attribute(const std::string& name, std::int64_t value) {
+  write_attribute(file_, name, h5_.i64, &value);
+}
+
+void RecordingWriter::attribute(const std::string& name, double value) {
+  write_attribute(file_, name, h5_.f64, &value);
+}
+
+void RecordingWriter::table(const std::string& name, hdf5::Id type, const std::vector<std::size_t>& shape,
+                            const std::string& unit, const std::string& names) {
+  Table table{-1, type, {0}, h5_.TypeSize(type), 1, {}};
+  for (const std::size_t extent : shape) {
+    table.extents.push_back(extent);
+    table.row_bytes *= extent;
+  }
+  if (table.row_bytes == 0) return;  // no joints, no actions: nothing to keep
+  table.chunk_rows = std::clamp<std::size_t>(kChunkBytes / table.row_bytes, 1, kMostRows);
+  auto most = table.extents, chunk = table.extents;
+  most[0] = hdf5::kUnlimited;
+  chunk[0] = table.chunk_rows;
+  const int rank = static_cast<int>(chunk.size());
+  const hdf5::Id space = h5_.CreateSimpleSpace(rank, table.extents.data(), most.data());
+  const hdf5::Id layout = h5_.CreateProperties(h5_.dataset_create), groups = h5_.CreateProperties(h5_.link_create);
+  h5_.SetCreateGroups(groups, 1);
+  h5_.SetChunk(layout, rank, chunk.data());
+  if (compression_ != 0 && h5_.deflate) {
+    h5_.SetShuffle(layout);
+    h5_.SetDeflate(layout, compression_);
+  }
+  table.dataset = h5_.CreateDataset(file_, name.c_str(), type, space, groups, layout, hdf5::kDefault);
+  h5_.CloseProperties(groups);
+  h5_.CloseProperties(layout);
+  h5_.CloseSpace(space);
+  check(table.dataset);
+  if (!unit.empty()) write_text(table.dataset, "unit", unit);
+  if (!names.empty()) write_text(table.dataset, "names", names);
+  tables_.emplace(name, std::move(table));
+}
+
+void RecordingWriter::start() {
+  check(h5_.StartSwmrWrite(file_));
+  check(h5_.Flush(file_, hdf5::kGlobalScope));
+}
+
+void RecordingWriter::append(const std::string& name, const void* row) {
+  const auto found = tables_.find(name);
+  if (found == tables_.end()) return;  // rows of no bytes
+  Table& table = found->second;
+  const auto* bytes = static_cast<const std::uint8_t*>(row);
+  table.waiting.insert(table.waiting.end(), bytes, bytes + table.row_bytes);
+  if (table.waiting.size() >= table.chunk_rows * table.row_bytes) write_waiting(table);
+}
+
+void RecordingWriter::write_waiting(Table& table) const {
+  if (table.waiting.empty()) return;
+  auto start = table.extents, count = table.extents;
+  for (hdf5::Size& at : start) at = 0;
+  start[0] = table.extents[0];
+  count[0] = table.waiting.size() / table.row_bytes;
+  table.extents[0] += count[0];
+  check(h5_.SetExtent(table.dataset, table.extents.data()));
+  const hdf5::Id memory = h5_.CreateSimpleSpace(static_cast<int>(count.size()), count.data(), nullptr);
+  const hdf5::Id place = h5_.DatasetSpace(table.dataset);
+  h5_.SelectHyperslab(place, hdf5::kSelectSet, start.data(), nullptr, count.data(), nullptr);
+  const int written = h5_.Write(table.dataset, table.type, memory, place, hdf5::kDefault, table.waiting.data());
+  h5_.CloseSpace(place);
+  h5_.CloseSpace(memory);
+  check(written);
+  table.waiting.clear();
+}
+
+void RecordingWriter::flush() {
+  for (auto& [name, table] : tables_) write_waiting(table);
+  check(h5_.Flush(file_, hdf5::kGlobalScope));
+}
+
+void RecordingWriter::close() {
+  flush();
+  for (auto& [name, table] : tables_) check(h5_.CloseDataset(table.dataset));
+  tables_.clear();
+  const hdf5::Id file = file_;
+  file_ = -1;
+  check(h5_.CloseFile(file));
+}
+
+}  // namespace cli

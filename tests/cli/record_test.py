@@ -1,0 +1,170 @@
+"""`mimo record` and `mimo replay`: a run is kept, played again, and compared."""
+import ctypes
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, Case
+
+try:
+    import h5py
+    import numpy
+except ImportError:
+    h5py = None
+
+
+def can_record():
+    for name in ("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310", "libhdf5.so.200",
+                 "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"):
+        try:
+            ctypes.CDLL(name)
+            return True
+        except OSError:
+            pass
+    return False
+
+
+needs_h5py = unittest.skipUnless(h5py, "h5py is not installed")
+
+
+@unittest.skipUnless(can_record(), "HDF5 is not installed")
+class Record(Case):
+    def record(self, *arguments):
+        return self.mimo("record", "--out", "run.h5", "--touch", "off", *arguments)
+
+    def replay(self, *arguments, file="run.h5"):
+        return json.loads(self.mimo("replay", file, "--json", *arguments))
+
+    def test_a_replay_is_identical_from_any_time(self):
+        self.record("--seconds", "1", "--seed", "3", "--state-every", "0.25")
+        for start, state in ((0, 0), (0.2, 0), (0.3, 0.25), (0.75, 0.75), (1, 1)):
+            report = self.replay("--from", start)
+            self.assertIs(report["identical"], True)
+            self.assertEqual(report["largest_difference"], 0)
+            self.assertAlmostEqual(report["from_seconds"], state)
+            self.assertEqual(report["steps"], round(100 * (1 - state)))
+            self.assertIs(report["same_build"], True)
+
+    def test_muscles_reflexes_and_tasks_are_replayed(self):
+        self.mimo("record", "--scene", "reach", "--actuation", "muscle", "--reflexes", "all", "--age", "3", "--touch", "0.5",
+                  "--seconds", "0.5", "--keep", "all", "--state-every", "0.1", "--out", "run.h5")
+        for start in (0, 0.33):
+            self.assertIs(self.replay("--from", start)["identical"], True)
+
+    def test_what_was_not_recorded_can_be_sensed_later(self):
+        self.record("--seconds", "0.5", "--keep", "none")
+        report = self.replay("--touch", "0.5", "--from", "0.2", "--keep", "touch", "--out", "touch.h5")
+        self.assertIs(report["identical"], True)
+        self.assertIs(self.replay(file="touch.h5")["identical"], True)
+        if h5py:
+            with h5py.File(self.folder / "touch.h5") as file:
+                force = file["fields/touch/force"]
+                self.assertEqual(force.shape[0], 30)
+                self.assertGreater(abs(force[:]).max(), 0)  # it lies on the floor
+
+    @needs_h5py
+    def test_others_read_it(self):
+        self.record("--seconds", "0.4", "--seed", "18446744073709551615")
+        with h5py.File(self.folder / "run.h5") as file:
+            self.assertEqual(file.attrs["format"], b"mimo recording")
+            self.assertEqual(file.attrs["format_version"], 1)
+            self.assertEqual(file.attrs["seed"], b"18446744073709551615")
+            self.assertEqual(json.loads(file.attrs["configuration"])["touch"], ["off"])
+            self.assertEqual(file["actions"].shape, (40, 44))
+            self.assertEqual(file["joints/position"].shape, (40, 68))  # nq and nv of the benchmark scene
+            self.assertEqual(file["joints/velocity"].shape, (40, 65))
+            self.assertEqual(len(file["joints/position"].attrs["names"].decode().splitlines()), 68)
+            self.assertAlmostEqual(file["time"][-1], 0.4)
+            self.assertEqual(file["fields/proprioception/position"].attrs["unit"], b"rad")
+            self.assertEqual(list(file["states/step"]), [0, 40])
+            # What is sensed of a joint is where the joint is.
+            names = file["joints/position"].attrs["names"].decode().split("\n")
+            elbow = file["joints/position"][:, names.index("robot:left_elbow")]
+            sensed = file["fields/proprioception/position"]
+            column = [i for i, n in enumerate(sensed.attrs["names"].decode().split("\n")) if n == "robot:left_elbow"]
+            self.assertEqual(len(column), 1)
+            self.assertLess(abs(sensed[:, column[0]] - elbow).max(), 1e-6)
+
+    @needs_h5py
+    def test_a_difference_is_told_with_its_size(self):
+        self.record("--seconds", "0.3", "--keep", "none")
+        with h5py.File(self.folder / "run.h5", "r+") as file:
+            file["joints/position"][20, 9] += 0.5
+            file.attrs["build"] = numpy.bytes_("libmimo 0.0.1")
+        report = self.replay()
+        self.assertIs(report["identical"], False)
+        self.assertAlmostEqual(report["largest_difference"], 0.5)
+        self.assertEqual(report["differs_most_in"], "joints/position")
+        self.assertIs(report["same_build"], False)
+        text = self.mimo("replay", "run.h5")
+        self.assertIn("libmimo 0.0.1", text)
+        self.assertIn("from 0.21 s", text)
+        with h5py.File(self.folder / "run.h5", "r+") as file:
+            file["actions"][5] = -file["actions"][5]
+        self.assertGreater(self.replay()["largest_difference"], 0.5)
+
+    def test_a_killed_run_is_whole_up_to_its_last_flush(self):
+        for delay in (0.8, 1.37):  # s
+            run = subprocess.Popen([PROGRAM, "record", "--seconds", "100000", "--flush-every", "0.05", "--out", "run.h5"],
+                                   cwd=self.folder, stderr=subprocess.DEVNULL)
+            while run.poll() is None and not (self.folder / "run.h5").exists():
+                time.sleep(0.02)
+            time.sleep(delay)
+            os.kill(run.pid, signal.SIGKILL)
+            run.wait()
+            report = self.replay()
+            self.assertIs(report["identical"], True)
+            self.assertGreater(report["steps"], 10)
+            if h5py:
+                with h5py.File(self.folder / "run.h5", swmr=True) as file:
+                    self.assertGreaterEqual(file["time"].shape[0], report["steps"])
+            (self.folder / "run.h5").unlink()
+
+    def test_what_is_no_recording(self):
+        self.assertIn("none.h5", self.mimo("replay", "none.h5", code=1))
+        self.write("text.h5", "not a recording")
+        self.assertIn("text.h5", self.mimo("replay", "text.h5", code=1))
+        self.record("--seconds", "0.3")
+        whole = (self.folder / "run.h5").read_bytes()
+        (self.folder / "cut.h5").write_bytes(whole[:len(whole) // 2])
+        self.assertIn("cut", self.mimo("replay", "cut.h5", "--out", "new.h5", code=1))
+        self.assertEqual(self.files(), ["cut.h5", "run.h5", "text.h5"])
+
+    @needs_h5py
+    def test_recordings_of_something_else(self):
+        path = self.folder / "run.h5"
+
+        def refused(word, **attributes):
+            self.record("--seconds", "0.1")
+            with h5py.File(path, "r+") as file:
+                for name, value in attributes.items():
+                    file.attrs[name] = numpy.bytes_(value) if isinstance(value, str) else value
+            self.assertIn(word, self.mimo("replay", "run.h5", "--out", "new.h5", code=1))
+            self.assertEqual(self.files(), ["run.h5"])
+
+        refused("version 2", format_version=2)
+        refused("format", format="another")
+        refused("joints", joint_names="nose\n")
+        refused("configuration", configuration="{")
+        refused("configuration", configuration='{"scene": 3}')
+        refused("configuration", configuration='{"wings": ["2"]}')
+        with h5py.File(path, "w") as file:
+            file["x"] = 1
+        self.assertIn("not a recording", self.mimo("replay", "run.h5", code=1))
+
+    def test_bad_arguments(self):
+        self.assertIn("no folder", self.mimo("record", "--scene", "moon", "--out", "no/run.h5", code=1))
+        self.assertIn("moon", self.mimo("record", "--scene", "moon", "--out", "run.h5", code=1))
+        self.assertIn("wings", self.mimo("record", "--keep", "wings", "--out", "run.h5", code=1))
+        self.assertEqual(self.files(), [])
+        self.record("--seconds", "0.1")
+        self.assertIn("--from 7", self.mimo("replay", "run.h5", "--from", "7", code=1))
+        self.assertIn("itself", self.mimo("replay", "run.h5", "--out", pathlib.Path("./run.h5"), code=1))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
