@@ -7,9 +7,11 @@
 #include "actuation/actuation.h"
 #include "body/body.h"
 #include "env/kit.h"
+#include "hearing/ears.h"
 #include "observation/sense.h"
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"
+#include "sound/vocal.h"
 
 namespace mimo::senses {
 class FusimotorDrives;
@@ -23,6 +25,8 @@ struct Perception {
   std::unique_ptr<actuation::Actuation> actuation;  // whose commands are felt
   std::vector<std::unique_ptr<observation::Sense>> senses;
   SkinPtr skin;                                       // null without touch
+  std::shared_ptr<sound::Utterance> voice{};          // what it is told to say; null where it has none
+  std::size_t own_sound = hearing::Ears::kNone;       // of the sources around, its voice
   std::shared_ptr<senses::FusimotorDrives> drives{};  // of its spindles; null without them
 };
 
@@ -30,8 +34,8 @@ struct Perception {
 struct Setting {
   double tick;  // from one advance of the senses' processes to the next, s
   senses::touch::ThingsPtr things;
-  std::size_t ticks;                               // of a step
-  const senses::Soundscape* soundscape = nullptr;  // null where nobody hears
+  std::size_t ticks;                         // of a step
+  senses::Soundscape* soundscape = nullptr;  // null where nobody hears
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.

@@ -139,6 +139,7 @@ void World::start() {
   step_contacts_.begin();
   for (const Agent& agent : agents_) {
     agent.actuation->reset(physics_);
+    if (agent.voice) *agent.voice = {};
     if (agent.path) agent.path->forget();
     if (agent.drives) agent.drives->reset();
   }

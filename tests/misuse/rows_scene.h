@@ -87,7 +87,7 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(vision_foveation, 101, "vision_foveation"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
     AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x4000), AGENT(touch, 3),
     AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
-    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(hearing, 4), AGENT_UNKNOWN(hearing_reserved, 1),
+    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(hearing, 4), AGENT_UNKNOWN(voice, 2),
     AGENT_UNKNOWN(reflexes, 0x80), AGENT_UNKNOWN(reflexes, 0x80000080), DO(root_with_reflexes, E_ARG, "reflexes"),
     UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"), AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),

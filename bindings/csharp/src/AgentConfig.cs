@@ -66,6 +66,6 @@ namespace Mimo
         internal IntPtr face, root, vestibular_at, growth;
         /// <summary>What it hears; nothing by default.</summary>
         public Hearing hearing;
-        internal uint hearing_reserved;
+        internal uint voice;
     }
 }

@@ -965,7 +965,7 @@ pub struct mimo_agent_config {
     #[doc = "MIMO_HEARING_ bits; 0 (default): it is deaf."]
     pub hearing: u32,
     #[doc = "0."]
-    pub hearing_reserved: u32,
+    pub voice: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
