@@ -93,7 +93,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
   }
   if (options.hearing.any()) {
     senses::HearingSetting ears = ears_of(options, setting);
-    ears.own = agent.own_sound;
+    if (agent.own_sound) ears.own = *agent.own_sound;
     add(senses::make_hearing(model, agent.body, options.hearing, ears));
   }
   add(std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(feedback.exertion)));

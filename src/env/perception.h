@@ -2,16 +2,19 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "actuation/actuation.h"
 #include "body/body.h"
 #include "env/kit.h"
-#include "hearing/ears.h"
 #include "observation/sense.h"
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"
-#include "sound/vocal.h"
+
+namespace mimo::sound {
+struct Utterance;
+}
 
 namespace mimo::senses {
 class FusimotorDrives;
@@ -26,7 +29,7 @@ struct Perception {
   std::vector<std::unique_ptr<observation::Sense>> senses;
   SkinPtr skin;                                       // null without touch
   std::shared_ptr<sound::Utterance> voice{};          // what it is told to say; null where it has none
-  std::size_t own_sound = hearing::Ears::kNone;       // of the sources around, its voice
+  std::optional<std::size_t> own_sound{};             // of the sources around, its voice
   std::shared_ptr<senses::FusimotorDrives> drives{};  // of its spindles; null without them
 };
 

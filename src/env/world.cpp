@@ -15,6 +15,7 @@
 #include "env/things.h"
 #include "format/names.h"
 #include "senses/fusimotor_drives.h"
+#include "sound/vocal.h"
 
 namespace mimo::env {
 namespace {

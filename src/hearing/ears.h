@@ -13,10 +13,10 @@ constexpr std::size_t kVoices = 32;  // blows that are heard at once; further on
 // Something that plays, in the world.
 struct Source {
   const sound::Queue* queue = nullptr;  // null: nothing
-  Eigen::Vector3d place{};
+  Eigen::Vector3d place{0, 0, 0};
   bool fresh = false;  // it was not there a tick ago
   // At an angle to the axis (of length 1) it is 1 - directivity + directivity x cosine times as strong as along it.
-  Eigen::Vector3d axis{};
+  Eigen::Vector3d axis{0, 0, 0};
   double directivity = 0;
 };
 
