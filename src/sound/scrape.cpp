@@ -15,7 +15,7 @@ namespace {
 constexpr double kPressure = 2e-3, kSpeedThen = 0.1, kEfficiencyThen = 1e-4, kRoughnessThen = 14.1e-6;
 constexpr double kGrain = 5e-5;   // m, from one height of the surface to the next
 constexpr double kLeast = 2e-4;   // Pa at 1 m, 20 dB: weaker noise is none
-constexpr double kSpread = 2.12;  // so that heights with straight lines between them have the mean square 1
+constexpr double kSpread = 1.7320508075688772;  // numbers from -1 to 1 times this have the mean square 1
 constexpr double kMost = 1e15;    // steps of the surface, that a state may hold
 
 double compliance(const Solid& solid) { return (1 - solid.poisson * solid.poisson) / solid.young; }
@@ -59,7 +59,9 @@ bool ScrapeNoise::sound(const ScrapeLevel& level, double speed, double rate, Spa
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double whole = std::floor(distance_), share = distance_ - whole;
     const auto at = static_cast<std::uint64_t>(whole);
-    const double height = (1 - share) * scattered(number_, at) + share * scattered(number_, at + 1);
+    // Between two heights, and no flatter in the middle.
+    const double height = ((1 - share) * scattered(number_, at) + share * scattered(number_, at + 1)) /
+                          std::sqrt((1 - share) * (1 - share) + share * share);
     smooth_ = (1 - keeps) * height + keeps * smooth_;
     const double gain = pressure_ + (level.pressure - pressure_) * static_cast<double>(i + 1) / count;
     out[i] = static_cast<float>(kSpread * gain * smooth_);
