@@ -112,7 +112,8 @@ ROW(mimo_scene_set_material, ON_SCENE, mimo_scene_set_material(a->scene, a->part
 ROW(mimo_scene_set_sources, ON_SCENE, mimo_scene_set_sources(a->scene, a->steps, a->spacing),
     BAD_SIZE(steps, 65, "count"), BAD_SIZE(steps, -1, "count"), NOT_FINITE(spacing, "seconds"),
     BAD_F64(spacing, -1, "seconds"), BAD_F64(spacing, 601, "seconds"))
-ROW(mimo_scene_direct_source, ON_SCENE, mimo_scene_direct_source(a->scene, a->part, a->pose, a->pose, a->spacing),
+ROW(mimo_scene_direct_source, ON_SCENE,
+    mimo_scene_direct_source(a->scene, a->part, a->pose, a->pose == NULL ? NULL : a->pose + 1, a->spacing),
     NO_NULL(part, "body"), NO_NULL(pose, "place"), NOT_FINITE(spacing, "directivity"),
     BAD_F64(spacing, -0.1, "directivity"), BAD_F64(spacing, 1.1, "directivity"))
 ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_index, a->name),
