@@ -32,7 +32,11 @@ class Babbler:
         if self.left <= 0 and self.syllables > 0:
             self.syllables, self.left = self.syllables - 1, SYLLABLE
             opening, front = self.random.uniform(0.7, 1.3, 2)
-            self.vowel = {"pitch": self.random.uniform(-0.3, 0.3), "opening": opening, "front": front}
+            self.vowel = {
+                "pitch": self.random.uniform(-0.3, 0.3),
+                "opening": opening,
+                "front": front,
+            }
         if self.left > 0:
             self.left -= step
             self.waits = PAUSE + self.random.uniform(0, 0.3)
@@ -72,9 +76,18 @@ def main() -> None:
             seen = world.step(told).observation
             for babbler in babblers:
                 loudest = float(np.abs(seen[f"{babbler.name}/hearing/ear_left"]).max())
-                for part, value in babbler.act(i * ear.period, ear.period, loudest).items():
+                for part, value in babbler.act(
+                    i * ear.period, ear.period, loudest
+                ).items():
                     told[numbers[f"{babbler.name}/voice:{part}"]] = value
-            heard.append(np.stack([seen[f"{names[0]}/hearing/ear_{side}"] for side in ("left", "right")]))
+            heard.append(
+                np.stack(
+                    [
+                        seen[f"{names[0]}/hearing/ear_{side}"]
+                        for side in ("left", "right")
+                    ]
+                )
+            )
     both = np.concatenate(heard, axis=1)
     level = 20 * np.log10(np.sqrt(np.mean(np.square(both))) / 20e-6)
     print(f"{names[0]} hears {level:.0f} dB on average, mostly itself")

@@ -245,7 +245,11 @@ class Scene(Handle):
         point, direction = vector("place", place, 3), vector("axis", axis, 3)
         check(
             LIB.mimo_scene_direct_source(
-                self._handle, utf8(body), point.ctypes.data, direction.ctypes.data, real_number("directivity", directivity)
+                self._handle,
+                utf8(body),
+                point.ctypes.data,
+                direction.ctypes.data,
+                real_number("directivity", directivity),
             )
         )
         self._remember("direct_source", body, place, axis, directivity)
