@@ -28,6 +28,7 @@ const option mimo_agent_options[] = {
     OPTION(mimo_agent_config, proprioception, kUnsigned),
     OPTION(mimo_agent_config, vestibular, kUnsigned),
     OPTION(mimo_agent_config, hearing, kUnsigned),
+    OPTION(mimo_agent_config, voice, kUnsigned),
     OPTION(mimo_agent_config, limit_threshold, kNumber),
     OPTION(mimo_agent_config, vision, kUnsigned),
     OPTION(mimo_agent_config, vision_height, kUnsigned),

@@ -25,6 +25,8 @@ function number = mimo_scene_add(scene, what, varargin)
 %                  help mimo_maturity; with nothing given as the option maturity of mimo_create says; agent
 %     'sensory_delay'  seconds by which an agent feels body, or else all of it, late, by touch and joints; agent
 %     'sources'    count of bodies that can play at once, 4 unless it is set, and seconds of sound that can wait at each, 4
+%     'source_direction'  place and axis (three numbers each, in the frame of body) from where and whereto body plays, and
+%                  directivity (0 alike to all sides, 0.5 a cardioid, 1 a figure of eight)
 %     'room_temperature'  celsius, of the air and of all that has no temperature of its own
 %     'temperature'  celsius, of body and all that hangs on it
 %     'material'   name (mimo_names('material')): what body is made of, with all that hangs on it

@@ -159,6 +159,19 @@ static double set_sources(mimo_scene* scene, properties* given) {
   return 0;
 }
 
+static double add_source_direction(mimo_scene* scene, properties* given) {
+  const char* body = mimo_take_text(given, "body");
+  const mxArray *from = mimo_take(given, "place"), *along = mimo_take(given, "axis");
+  const double directivity = mimo_take_number(given, "directivity");
+  double place[3], axis[3];
+  mimo_need(from != NULL && along != NULL, "place, axis: expected three numbers each");
+  mimo_read_numbers(place, 3, "place", from);
+  mimo_read_numbers(axis, 3, "axis", along);
+  mimo_set_all(NULL, mimo_no_options, given, "a direction of a source");
+  mimo_check(mimo_scene_direct_source(scene, body, place, axis, directivity));
+  return 0;
+}
+
 static double add_joint(mimo_scene* scene, properties* given) {
   const size_t agent = take_agent(given);
   const char* joint = mimo_take_text(given, "joint");
@@ -257,6 +270,7 @@ static const struct thing {
     {"maturity", add_maturity},
     {"sensory_delay", add_sensory_delay},
     {"sources", set_sources},
+    {"source_direction", add_source_direction},
     {"room_temperature", add_room_temperature},
     {"temperature", add_temperature},
     {"material", add_material},

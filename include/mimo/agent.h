@@ -159,7 +159,10 @@ typedef struct mimo_agent_config {
   const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels; NULL: the infant's head. */
   const mimo_growth *growth;   /**< How old it is; NULL: 18 months. */
   uint32_t hearing;            /**< MIMO_HEARING_ bits; 0 (default): it is deaf. */
-  uint32_t hearing_reserved;   /**< 0. */
+  uint32_t voice;              /**< 1: an infant's voice, four more actions after those of motors: "voice:loudness", 0
+                                    (silent) to 1 (a cry); "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and
+                                    "voice:front", 0.7 to 1.3 times the first and second formant of its age. Heard
+                                    where an agent hears, see docs/guide/hearing.md. 0 (default): none. */
 } mimo_agent_config;
 
 /**

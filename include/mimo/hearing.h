@@ -21,9 +21,21 @@ extern "C" {
 MIMO_API mimo_status mimo_scene_set_sources(mimo_scene *scene, size_t count, double seconds) MIMO_NOEXCEPT;
 
 /**
+ * Says from where and whereto a body plays, for environments made and senses attached from now on; without it from its
+ * centre of mass, to all sides alike. At an angle a from the axis sound is 1 - directivity + directivity cos(a) times
+ * as strong as along it: 0 alike everywhere, 0.25 half behind, 0.5 nothing behind (a cardioid), 1 a figure of eight.
+ * @param body        its name in the model, "caregiver", "anna/head"; unknown ones are refused when a world is made.
+ * @param place       in the body's frame, m.
+ * @param axis        in the body's frame, longer than 0; need not have length 1.
+ * @param directivity 0 to 1. Called again for a body: the last one counts.
+ */
+MIMO_API mimo_status mimo_scene_direct_source(mimo_scene *scene, const char *body, const double place[3],
+                                              const double axis[3], double directivity) MIMO_NOEXCEPT;
+
+/**
  * Lets a body play samples, from the next physics step on. While it plays already they wait until that is over, so that
  * a sound may be handed over in blocks, one each step. Sound goes out from the body's centre of mass, to all sides
- * alike, and takes its time to ears. A reset ends it.
+ * alike unless mimo_scene_direct_source says otherwise, and takes its time to ears. A reset ends it.
  * @param body    its name in the model, "cup", "anna/head".
  * @param samples sound pressure at 1 m from the body, Pa; 0.02 is a conversation, 1 is 94 dB.
  * @param count   length of samples; 0 (samples may be NULL then): what the body plays ends.

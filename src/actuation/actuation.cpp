@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "actuation/muscle.h"
 #include "actuation/position.h"
@@ -18,12 +19,22 @@ void Actuation::add(std::string name, double low, double high, const char* unit)
   units_.push_back(normalize_ ? "" : unit);
 }
 
+void Actuation::add_control(std::string name, double low, double high, const char* unit,
+                            std::shared_ptr<double> number) {
+  add(std::move(name), low, high, unit);
+  controls_.push_back(std::move(number));
+}
+
 void Actuation::apply(Span<const float> actions, engine::Physics& physics) {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     if (std::isnan(actions[i])) continue;
     double value = static_cast<double>(std::clamp(actions[i], low_[i], high_[i]));
     if (normalize_) value = ranges_[i].low + (value + 1) / 2 * (ranges_[i].high - ranges_[i].low);
-    command(i, value, physics);
+    if (i < commands()) {
+      command(i, value, physics);
+    } else {
+      *controls_[i - commands()] = value;
+    }
   }
 }
 

@@ -36,6 +36,11 @@ class Actuation {
   const std::vector<std::string>& names() const { return names_; }
   const std::vector<const char*>& units() const { return units_; }  // static strings
 
+  // Of them, first those that command motors; then those that set numbers of others.
+  std::size_t commands() const { return low_.size() - controls_.size(); }
+  // One action more, which sets a number of somebody else's: after all that command motors.
+  void add_control(std::string name, double low, double high, const char* unit, std::shared_ptr<double> number);
+
   // Whether its actions move this lock.
   virtual bool holds(int) const { return false; }
   // The world has been reset to its start.
@@ -50,7 +55,7 @@ class Actuation {
   virtual bool pulls(const mjData&, double*) const { return false; }
 
   // What it takes in each action's command to pull a motor with that share of all it can do to that side, -1 to 1; is
-  // added to one number for each action.
+  // added to one number for each command.
   virtual void pull(std::size_t motor, double share, double* offsets) const = 0;
 
   // What the present commands cost, 0 to 1: their squares, weighted by the strength of the motors.
@@ -67,7 +72,7 @@ class Actuation {
   struct Range {
     double low, high;
   };
-  // Of the command of an action.
+  // Of the command of an action, in the order of the actions.
   const Range& range(std::size_t index) const { return ranges_[index]; }
 
   explicit Actuation(bool normalize) : normalize_(normalize) {}
@@ -84,6 +89,7 @@ class Actuation {
 
   bool normalize_;
   std::vector<Range> ranges_;
+  std::vector<std::shared_ptr<double>> controls_;
   std::vector<float> low_, high_;
   std::vector<std::string> names_;
   std::vector<const char*> units_;

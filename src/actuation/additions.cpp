@@ -8,8 +8,11 @@
 namespace mimo::actuation {
 
 Additions::Additions(const mjModel& model, const body::Body& body, Actuation& actuation)
-    : actuation_(actuation), offsets_(actuation.size()), asked_(actuation.size()), given_(actuation.size()) {
-  if (actuation.size() == 0) return;
+    : actuation_(actuation),
+      offsets_(actuation.commands()),
+      asked_(actuation.commands()),
+      given_(actuation.commands()) {
+  if (actuation.commands() == 0) return;
   for (const body::Motor& motor : body::motors(model, body)) locks_.push_back(motor.lock);
 }
 

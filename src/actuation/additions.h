@@ -33,9 +33,9 @@ class Additions {
 
   Actuation& actuation_;
   std::vector<int> locks_;       // of the motors' joints; -1: none
-  std::vector<double> offsets_;  // one for each action
+  std::vector<double> offsets_;  // one for each command of an action
   bool adding_ = false;
-  std::vector<double> asked_;  // what the agent commands, of each action
+  std::vector<double> asked_;  // what the agent commands, of each
   std::vector<double> given_;  // what stands there with the addition
 };
 

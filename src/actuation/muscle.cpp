@@ -103,7 +103,7 @@ void Muscle::advance(engine::Physics& physics) {
 }
 
 bool Muscle::pulls(const mjData& data, double* shares) const {
-  for (std::size_t i = 0; i < size(); ++i) {
+  for (std::size_t i = 0; i < commands(); ++i) {
     shares[i] = std::max(0.0, force(joint(i), side(i), data) / side(i).peak_force);
   }
   return true;
@@ -117,27 +117,27 @@ double Muscle::effort(const mjModel&, const mjData&) const {
       most += side.peak_force;
     }
   }
-  return most > 0 ? spent / (static_cast<double>(size()) * most) : 0;
+  return most > 0 ? spent / (static_cast<double>(commands()) * most) : 0;
 }
 
 Feedback Muscle::feel(const mjModel& model, const body::Body&) const {
   observation::Field activation;
   activation.name = "proprioception/activation";
-  activation.shape = {size()};
+  activation.shape = {commands()};
   activation.frame = "actuator";
   activation.time = observation::Time::kEnd;
   activation.low = 0;
   activation.high = 1;
   activation.labels = names();
-  for (std::size_t i = 0; i < size(); ++i) activation.bodies.push_back(model.jnt_bodyid[joint(i).joint.id]);
+  for (std::size_t i = 0; i < commands(); ++i) activation.bodies.push_back(model.jnt_bodyid[joint(i).joint.id]);
   observation::Field strength = activation;
   strength.name = "proprioception/muscle_force";
   strength.high = std::numeric_limits<double>::infinity();
   const auto activations = [this](const mjModel&, const mjData&, float* out) {
-    for (std::size_t i = 0; i < size(); ++i) out[i] = static_cast<float>(side(i).activation);
+    for (std::size_t i = 0; i < commands(); ++i) out[i] = static_cast<float>(side(i).activation);
   };
   const auto forces = [this](const mjModel&, const mjData& data, float* out) {
-    for (std::size_t i = 0; i < size(); ++i) out[i] = static_cast<float>(force(joint(i), side(i), data));
+    for (std::size_t i = 0; i < commands(); ++i) out[i] = static_cast<float>(force(joint(i), side(i), data));
   };
   return {{}, {{activation, activations}, {strength, forces}}};
 }

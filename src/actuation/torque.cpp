@@ -82,7 +82,7 @@ double Torque::effort(const mjModel& model, const mjData& data) const {
     spent += data.ctrl[id] * data.ctrl[id] * strength;
     most += strength;
   }
-  return most > 0 ? spent / (static_cast<double>(size()) * most) : 0;
+  return most > 0 ? spent / (static_cast<double>(commands()) * most) : 0;
 }
 
 }  // namespace mimo::actuation

@@ -128,7 +128,6 @@ env::ReflexOptions reflexes(const mimo_agent_config& config) {
 
 senses::HearingOptions hearing(const mimo_agent_config& config) {
   check_bits(config.hearing, MIMO_HEARING_EARS | MIMO_HEARING_BANDS, "hearing");
-  check_reserved(config.hearing_reserved, "hearing_reserved");
   return {(config.hearing & MIMO_HEARING_EARS) != 0, (config.hearing & MIMO_HEARING_BANDS) != 0};
 }
 
@@ -142,6 +141,8 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.vision.foveation = foveation(config.vision_foveation, "vision_foveation");
   options.touch = touch(config);
   options.hearing = hearing(config);
+  check_flag(config.voice, "voice");
+  options.voice = config.voice != 0;
   options.face = text(config.face);
   options.actuation = actuation(config);
   options.reflexes = reflexes(config);

@@ -1,4 +1,6 @@
 // Sounds that a host plays.
+#include <cmath>
+
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -6,12 +8,24 @@
 namespace mimo::capi {
 namespace {
 
+std::string body_name(const char* body) {
+  const std::string name = text(body);
+  require(!name.empty(), "body is {}, expected a name", body == nullptr ? "NULL" : "\"\"");
+  return name;
+}
+
+Eigen::Vector3d vector(const double* numbers, const char* what) {
+  require(numbers != nullptr, "{} is NULL, expected three numbers", what);
+  for (int i = 0; i < 3; ++i) {
+    require(std::isfinite(numbers[i]), "{}[{}] is {}, expected a finite number", what, i, numbers[i]);
+  }
+  return Eigen::Vector3d(numbers);
+}
+
 // A world, or attached senses, play what a caller gives.
 template <typename Plays>
 void play(Plays& plays, const char* body, const float* samples, std::size_t count, double rate) {
-  const std::string name = text(body);
-  require(!name.empty(), "body is {}, expected a name", body == nullptr ? "NULL" : "\"\"");
-  plays.play(name, array(samples, count, "samples"), rate);
+  plays.play(body_name(body), array(samples, count, "samples"), rate);
 }
 
 }  // namespace
@@ -27,7 +41,18 @@ mimo_status mimo_scene_set_sources(mimo_scene* scene, size_t count, double secon
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(count >= 1 && count <= 64, "count is {}, expected 1 to 64 bodies that play at once", count);
     require(seconds >= 0.01 && seconds <= 600, "seconds is {}, expected 0.01 to 600", seconds);
-    blueprint.edit([&](blueprint::Draft& draft) { draft.play = {count, seconds}; });
+    blueprint.edit([&](blueprint::Draft& draft) { draft.play.sources = count, draft.play.seconds = seconds; });
+  });
+}
+
+mimo_status mimo_scene_direct_source(mimo_scene* scene, const char* body, const double place[3], const double axis[3],
+                                     double directivity) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const senses::Direction direction{body_name(body), vector(place, "place"), vector(axis, "axis"), directivity};
+    require(direction.axis.norm() > 1e-9, "axis is 0 0 0, expected a direction");
+    require(directivity >= 0 && directivity <= 1, "directivity is {}, expected 0 to 1", directivity);
+    blueprint.edit([&](blueprint::Draft& draft) { draft.play.directions.push_back(direction); });
   });
 }
 

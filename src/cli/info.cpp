@@ -169,6 +169,7 @@ void add_info(CLI::App& program) {
   add_vision_options(*command, options->world, "the scene's own");
   add_touch_option(*command, options->world);
   add_senses_option(*command, options->world);
+  add_voice_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "The world is the one that mimo_env_make(scene) and mimo.make(scene) give, but for what options change.\n"

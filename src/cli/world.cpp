@@ -194,6 +194,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
   agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
+  agent.voice = options.voice ? 1 : 0;
   if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
   return agent;
@@ -289,6 +290,10 @@ void add_senses_option(CLI::App& command, WorldOptions& options) {
           "Default: usual")
       ->type_name("WHICH")
       ->check(CLI::IsMember({"usual", "hearing", "all"}).description(""));
+}
+
+void add_voice_option(CLI::App& command, WorldOptions& options) {
+  command.add_flag("--voice", options.voice, "The infant has a voice, four actions more after those of its motors");
 }
 
 void add_reflexes_option(CLI::App& command, WorldOptions& options) {

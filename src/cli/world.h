@@ -23,6 +23,7 @@ struct WorldOptions {
   std::string vision;        // "off", pixels, or "" for 256 where a renderer works; with kOwn "" is the scene's
   bool every_sense = false;  // beside those, all that nerves tell: receptors of skin, muscles, joints and labyrinth
   bool hearing = false;      // beside those
+  bool voice = false;        // that the infant moves like its motors
   std::string reflexes = "none";  // comma-separated, or "all"
   std::string touch = "1";        // "off", or the scale; with kOwn "" is the scene's
   std::string face;               // "" means the model's own
@@ -42,6 +43,7 @@ void add_foveation_option(CLI::App& command, WorldOptions& options);
 void add_touch_option(CLI::App& command, WorldOptions& options);
 void add_renderer_option(CLI::App& command, WorldOptions& options);  // and those for how pictures are made
 void add_actuation_option(CLI::App& command, WorldOptions& options);
+void add_voice_option(CLI::App& command, WorldOptions& options);
 void add_senses_option(CLI::App& command, WorldOptions& options);
 void add_reflexes_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);

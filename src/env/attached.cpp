@@ -49,6 +49,9 @@ void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
   if (options.actuation.effort || actuation::is_muscle(options.actuation.mode)) {
     fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
   }
+  if (options.voice) {
+    fail(Status::kUnsupported, "voice: with attached senses there are no actions; let the head play what it says");
+  }
   if (options.reflexes.wanted != 0) {
     fail(Status::kUnsupported, "reflexes: with attached senses the host commands the motors, and nothing adds to that");
   }

@@ -52,6 +52,7 @@ struct AgentOptions {
   senses::VestibularOptions vestibular;
   senses::VisionOptions vision;
   senses::HearingOptions hearing;
+  bool voice = false;  // of an infant
   actuation::Options actuation;
   ReflexOptions reflexes;  // of an infant
   senses::TouchOptions touch;

@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "env/sounds.h"
 #include "growth/hearing.h"
 #include "observation/signals.h"
 #include "senses/hearing/hearing.h"
@@ -66,6 +67,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
   agent.body = find(model, options);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
   actuation::Feedback feedback = agent.actuation->feedback(model, agent.body, options.actuation);
+  if (options.voice) add_voice(agent, model, options, setting.soundscape);
   if (options.proprioception.receptors.spindles()) agent.drives = senses::make_fusimotor_drives(model, agent.body);
   if (options.proprioception.any() || options.actuation.felt) {
     add(senses::make_proprioception(
@@ -90,7 +92,9 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
     add(std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
   }
   if (options.hearing.any()) {
-    add(senses::make_hearing(model, agent.body, options.hearing, ears_of(options, setting)));
+    senses::HearingSetting ears = ears_of(options, setting);
+    if (agent.own_sound) ears.own = *agent.own_sound;
+    add(senses::make_hearing(model, agent.body, options.hearing, ears));
   }
   add(std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(feedback.exertion)));
   return agent;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "actuation/actuation.h"
@@ -10,6 +11,10 @@
 #include "observation/sense.h"
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"
+
+namespace mimo::sound {
+struct Utterance;
+}
 
 namespace mimo::senses {
 class FusimotorDrives;
@@ -23,6 +28,8 @@ struct Perception {
   std::unique_ptr<actuation::Actuation> actuation;  // whose commands are felt
   std::vector<std::unique_ptr<observation::Sense>> senses;
   SkinPtr skin;                                       // null without touch
+  std::shared_ptr<sound::Utterance> voice{};          // what it is told to say; null where it has none
+  std::optional<std::size_t> own_sound{};             // of the sources around, its voice
   std::shared_ptr<senses::FusimotorDrives> drives{};  // of its spindles; null without them
 };
 
@@ -30,8 +37,8 @@ struct Perception {
 struct Setting {
   double tick;  // from one advance of the senses' processes to the next, s
   senses::touch::ThingsPtr things;
-  std::size_t ticks;                               // of a step
-  const senses::Soundscape* soundscape = nullptr;  // null where nobody hears
+  std::size_t ticks;                         // of a step
+  senses::Soundscape* soundscape = nullptr;  // null where nobody hears
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.

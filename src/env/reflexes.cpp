@@ -23,7 +23,7 @@ int motor_of(const mjModel& model, const Perception& agent, const Pull& pull, Si
   const int id = engine::find(model, engine::Kind::kActuator, name.c_str());
   const std::vector<int>& motors = agent.body.actuators;
   const auto found = std::find(motors.begin(), motors.end(), id);
-  return agent.actuation->size() == 0 || found == motors.end() ? -1 : static_cast<int>(found - motors.begin());
+  return agent.actuation->commands() == 0 || found == motors.end() ? -1 : static_cast<int>(found - motors.begin());
 }
 
 // The motor that it would need; empty where the body can do it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "env/options.h"
+#include "env/perception.h"
 #include "observation/observer.h"
 #include "senses/hearing/soundscape.h"
 
@@ -15,5 +16,9 @@ senses::Soundscape* add_soundscape(observation::Observer& observer, const mjMode
 // does; samples are finite numbers then.
 void play(senses::Soundscape* soundscape, const mjModel& model, const std::string& body, Span<const float> samples,
           double rate);
+
+// An infant's voice: four actions more of the agent, and, where anybody hears, a mouth in what sounds around. Throws
+// Status::kUnsupported for what is no infant.
+void add_voice(Perception& agent, const mjModel& model, const AgentOptions& options, senses::Soundscape* soundscape);
 
 }  // namespace mimo::env

@@ -15,6 +15,7 @@
 #include "env/things.h"
 #include "format/names.h"
 #include "senses/fusimotor_drives.h"
+#include "sound/vocal.h"
 
 namespace mimo::env {
 namespace {
@@ -139,6 +140,7 @@ void World::start() {
   step_contacts_.begin();
   for (const Agent& agent : agents_) {
     agent.actuation->reset(physics_);
+    if (agent.voice) *agent.voice = {};
     if (agent.path) agent.path->forget();
     if (agent.drives) agent.drives->reset();
   }

@@ -13,14 +13,20 @@ constexpr std::size_t kVoices = 32;  // blows that are heard at once; further on
 // Something that plays, in the world.
 struct Source {
   const sound::Queue* queue = nullptr;  // null: nothing
-  Eigen::Vector3d place;
+  Eigen::Vector3d place{0, 0, 0};
   bool fresh = false;  // it was not there a tick ago
+  // At an angle to the axis (of length 1) it is 1 - directivity + directivity x cosine times as strong as along it.
+  Eigen::Vector3d axis{0, 0, 0};
+  double directivity = 0;
 };
 
 class Ears {
  public:
-  // `samples` of a tick, `rate` of them a second; `kept` can be looked at.
-  Ears(std::size_t samples, double rate, std::size_t kept, std::size_t sources);
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  // `samples` of a tick, `rate` of them a second; `kept` can be looked at. Of the sources one may be the head's own
+  // voice, which bone and air bring to both ears alike.
+  Ears(std::size_t samples, double rate, std::size_t kept, std::size_t sources, std::size_t own = kNone);
 
   // Silence.
   void rest();
@@ -48,12 +54,13 @@ class Ears {
     std::array<float, kEars> x{}, y{};
   };
 
-  void hear(const Source& source, Path& path, const Head& head, std::int64_t now);
+  void hear(const Source& source, Path& path, const Ways& ways, std::int64_t now);
   void add_source(const Source& source, Path& path, const Ways& ways, std::size_t ear, std::int64_t now);
   void keep();
 
   std::size_t samples_;
   double rate_;
+  std::size_t own_;
   std::vector<Voice> voices_;
   std::vector<Path> paths_;
   std::array<std::vector<float>, kEars> kept_;  // rings

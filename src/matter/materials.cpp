@@ -21,7 +21,8 @@ constexpr double kClear = 3e-4, kDull = 1e-4, kFaint = 3e-5;
 
 constexpr Material row(const char* name, double effusivity, Texture texture, double young, double poisson, Rings rings,
                        double efficiency) {
-  return {name, effusivity, texture.wavelength, texture.amplitude, {young, poisson, efficiency, rings}};
+  return {
+      name, effusivity, texture.wavelength, texture.amplitude, {young, poisson, efficiency, rings, texture.amplitude}};
 }
 
 // Effusivities follow from engineering tables (woods dry), those of steel, water, plastics, cloth, foam, iron, ceramic,

@@ -9,7 +9,7 @@
 namespace mimo::sound {
 namespace {
 
-constexpr int kTaps = 8;
+constexpr int kTaps = 2 * static_cast<int>(kAhead);
 using Weights = std::array<float, kTaps>;
 
 // Of the samples at -3 to 4, for what is at `x`, 0 to 1: a sinc under a raised cosine. Up to 5 kHz of 16 it loses less

@@ -9,6 +9,9 @@
 
 namespace mimo::sound {
 
+// So many samples after the one that an ear just hears have to be there: what lies between samples follows from both
+// sides.
+constexpr std::int64_t kAhead = 4;
 constexpr std::int64_t kInTheAir = 1024;  // samples: what is further away than 22 m at 16 kHz is not heard any more
 
 class Queue {

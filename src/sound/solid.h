@@ -9,6 +9,7 @@ struct Solid {
   double poisson = 0;     // ratio
   double efficiency = 0;  // share of a blow's energy that ringing gives to the air; 0: it does not ring
   int timbre = -1;        // row of kTimbreTable; -1: it does not ring
+  double roughness = 0;   // height of its texture, m
 };
 
 // Of a body at the place where it is struck.

@@ -99,7 +99,7 @@ int main(void) {
   FIELD(mimo_agent_config, vestibular_at);
   FIELD(mimo_agent_config, growth);
   FIELD(mimo_agent_config, hearing);
-  FIELD(mimo_agent_config, hearing_reserved);
+  FIELD(mimo_agent_config, voice);
 
   BEGIN(mimo_limits);
   FIELD(mimo_limits, struct_size);

@@ -6,6 +6,7 @@
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
 //   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
+//   bench_extras voice [STEPS]      the same with a voice that speaks, against ears without one
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
 //   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
 #include <mimo/mimo.h>
@@ -33,7 +34,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes, kHearing };
+enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes, kHearing, kVoice };
 
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
@@ -70,7 +71,9 @@ mimo_env* make(Extra extra, bool has) {
     agent.touch |= MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE |
                    MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
   }
-  if (has && extra == Extra::kHearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
+  if ((has && extra == Extra::kHearing) || extra == Extra::kVoice)
+    agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
+  agent.voice = has && extra == Extra::kVoice ? 1 : 0;
   if (has && extra == Extra::kReceptors) {
     agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
     agent.proprioception |= MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY | MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY |
@@ -114,6 +117,7 @@ int main(int argc, char** argv) {
                       : what == "delays"    ? Extra::kDelays
                       : what == "skin"      ? Extra::kSkin
                       : what == "hearing"   ? Extra::kHearing
+                      : what == "voice"     ? Extra::kVoice
                       : what == "receptors" ? Extra::kReceptors
                       : what == "reflexes"  ? Extra::kReflexes
                                             : Extra::kContacts;
@@ -131,9 +135,11 @@ int main(int argc, char** argv) {
   std::vector<double> with, without, shares;
   for (int step = 0; step < steps; ++step) {
     const std::vector<float> action = wish(info.actions, step);
+    std::vector<float> mute = action;
+    if (extra == Extra::kVoice) mute.resize(action.size() - 4);  // a voice's actions are the last ones
     // Who goes second finds warm caches: they take turns at that, too.
     if (step % 2 == 0) with.push_back(seconds(having, action, block));
-    without.push_back(seconds(usual, action, block));
+    without.push_back(seconds(usual, mute, block));
     if (step % 2 != 0) with.push_back(seconds(having, action, block));
     shares.push_back(with.back() / without.back() - 1);
   }

@@ -52,6 +52,7 @@ DELAYS = ["bench_extras", "delays", "1500"]
 EYES = ["bench_extras", "eyes"]
 SKIN = ["bench_extras", "skin", "1500"]
 REFLEXES = ["bench_extras", "reflexes", "1500"]
+VOICE = ["bench_extras", "voice", "1500"]
 HEARING = ["bench_extras", "hearing", "1500"]
 RECEPTORS = ["bench_extras", "receptors", "1500"]
 
@@ -115,6 +116,7 @@ RATIOS = [
     ("a newborn's eyes, over the step at V256", EYES, in_text(r"(-?[\d.]+) of a step more")),
     ("receptors of skin, over the step without eyes", SKIN, in_text(r"(-?[\d.]+) of a step more")),
     ("hearing, over the step without eyes", HEARING, in_text(r"(-?[\d.]+) of a step more")),
+    ("a voice, over the step without eyes that hears", VOICE, in_text(r"(-?[\d.]+) of a step more")),
     ("all receptors, over the step without eyes", RECEPTORS, in_text(r"(-?[\d.]+) of a step more")),
     ("reflexes, over the step without eyes", REFLEXES, in_text(r"(-?[\d.]+) of a step more")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),

@@ -87,8 +87,8 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_REAL(vision_foveation, 101, "vision_foveation"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
     AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x4000), AGENT(touch, 3),
     AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
-    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(hearing, 4), AGENT_UNKNOWN(hearing_reserved, 1),
-    AGENT_UNKNOWN(reflexes, 0x80), AGENT_UNKNOWN(reflexes, 0x80000080), DO(root_with_reflexes, E_ARG, "reflexes"),
+    AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(hearing, 4), AGENT_UNKNOWN(voice, 2), AGENT_UNKNOWN(reflexes, 0x80),
+    AGENT_UNKNOWN(reflexes, 0x80000080), DO(root_with_reflexes, E_ARG, "reflexes"),
     UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"), AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
     AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
@@ -112,6 +112,10 @@ ROW(mimo_scene_set_material, ON_SCENE, mimo_scene_set_material(a->scene, a->part
 ROW(mimo_scene_set_sources, ON_SCENE, mimo_scene_set_sources(a->scene, a->steps, a->spacing),
     BAD_SIZE(steps, 65, "count"), BAD_SIZE(steps, -1, "count"), NOT_FINITE(spacing, "seconds"),
     BAD_F64(spacing, -1, "seconds"), BAD_F64(spacing, 601, "seconds"))
+ROW(mimo_scene_direct_source, ON_SCENE,
+    mimo_scene_direct_source(a->scene, a->part, a->pose, a->pose == NULL ? NULL : a->pose + 1, a->spacing),
+    NO_NULL(part, "body"), NO_NULL(pose, "place"), NOT_FINITE(spacing, "directivity"),
+    BAD_F64(spacing, -0.1, "directivity"), BAD_F64(spacing, 1.1, "directivity"))
 ROW(mimo_scene_read_joint, ON_SCENE, mimo_scene_read_joint(a->scene, a->agent_index, a->name),
     BAD_SIZE(agent_index, 1, "agent"), BAD_INDEX(agent_index, "agent"), NO_NULL(name, "joint"),
     DO(empty_name, E_ARG, "joint"), DO(same_joint, E_ARG, "already"))

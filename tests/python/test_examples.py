@@ -9,6 +9,7 @@ import pytest
 
 EXAMPLES = {
     "async_worlds.py": ["--steps", "5"],
+    "babble.py": [],
     "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
     "her.py": ["--steps", "0"],
     "hearing.py": [],

@@ -66,6 +66,7 @@ namespace Mimo
         internal IntPtr face, root, vestibular_at, growth;
         /// <summary>What it hears; nothing by default.</summary>
         public Hearing hearing;
-        internal uint hearing_reserved;
+        /// <summary>1: an infant's voice, four more actions after those of motors.</summary>
+        public uint voice;
     }
 }

@@ -116,6 +116,14 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_set_sources(Handle, (UIntPtr)checked((uint)count), seconds));
         }
 
+        /// <summary>From where a body plays and whereto, in its frame: 0 alike to all sides, 0.5 a cardioid, 1 a figure of eight.</summary>
+        public void DirectSource(string body, double[] place, double[] axis, double directivity)
+        {
+            if (place == null || place.Length != 3) throw new ArgumentException("expected 3 numbers", nameof(place));
+            if (axis == null || axis.Length != 3) throw new ArgumentException("expected 3 numbers", nameof(axis));
+            MimoException.Check(Native.mimo_scene_direct_source(Handle, Utf8.Bytes(body), place, axis, directivity));
+        }
+
         /// <summary>The scene as one MJCF document, as MuJoCo will compile it.</summary>
         public string ToXml()
         {

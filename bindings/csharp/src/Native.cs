@@ -68,6 +68,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_scene_lock(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_set_pose(SceneHandle scene, byte[] joint, double value);
         [DllImport(File)] internal static extern int mimo_scene_set_sources(SceneHandle scene, Size count, double seconds);
+        [DllImport(File)] internal static extern int mimo_scene_direct_source(SceneHandle scene, byte[] body, double[] place, double[] axis, double directivity);
         [DllImport(File)] internal static extern int mimo_scene_read_joint(SceneHandle scene, Size agent, byte[] joint);
         [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);
         [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, Size agent, byte[] path, ref LimitsStruct limits);

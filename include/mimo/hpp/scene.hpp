@@ -65,6 +65,10 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
   /// How many bodies can play at once, and how long a sound can wait at each, s.
   void set_sources(std::size_t count, double seconds) { check(mimo_scene_set_sources(get(), count, seconds)); }
+  /// From where and whereto a body plays, in its frame: see mimo_scene_direct_source.
+  void direct_source(const std::string &body, const double (&place)[3], const double (&axis)[3], double directivity) {
+    check(mimo_scene_direct_source(get(), body.c_str(), place, axis, directivity));
+  }
   /// What a body is made of: one of mimo::material_names.
   void set_material(const std::string &body, const std::string &material) {
     check(mimo_scene_set_material(get(), body.c_str(), material.c_str()));

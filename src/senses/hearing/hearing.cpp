@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ class Reception : public observation::Process {
         ball_(ball),
         around_(*setting.around),
         ears_(around_.samples(), around_.rate(), std::max(kWindow, setting.ticks * around_.samples()),
-              around_.sources()),
+              around_.sources(), setting.own),
         bands_(around_.rate(), setting.thresholds) {}
 
   const hearing::Ears& ears() const { return ears_; }
@@ -160,6 +161,19 @@ std::unique_ptr<observation::Sense> make_hearing(const mjModel& model, const bod
   if (head <= 0) fail(Status::kUnsupported, "hearing: the agent has no head for ears to be on; switch hearing off");
   const int ball = ball_of_head(model, head);
   return std::make_unique<Hearing>(std::make_unique<Reception>(head, ball, setting), options, setting);
+}
+
+Mouth mouth_of(const mjModel& model, const body::Body& body) {
+  if (!body.infant || body.head <= 0) fail(Status::kUnsupported, "voice: only infants have one; leave it 0");
+  constexpr double kDown = 0.5;  // of the head's radius, below its middle: where the built-in faces have it
+  const int ball = ball_of_head(model, body.head);
+  const double radius = ball < 0 ? kUsualRadius : model.geom_size[3 * ball];
+  const Eigen::Vector3d middle = ball < 0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(model.geom_pos + 3 * ball);
+  Mouth mouth;
+  mouth.head = body.head;
+  mouth.axis = Eigen::Vector3d::UnitX();
+  mouth.place = middle + radius * Eigen::Vector3d(std::sqrt(1 - kDown * kDown), 0, -kDown);
+  return mouth;
 }
 
 }  // namespace mimo::senses

@@ -1,7 +1,10 @@
 // What of hearing is wanted.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace mimo::senses {
 
@@ -12,10 +15,18 @@ struct HearingOptions {
   bool any() const { return ears || bands; }
 };
 
-// How much of what hosts play is remembered.
+// From where and whereto a body plays, in its frame.
+struct Direction {
+  std::string body;
+  Eigen::Vector3d place, axis;
+  double directivity = 0;  // 0 to all sides alike, 0.5 a cardioid, 1 a figure of eight
+};
+
+// How much of what hosts play is remembered, and how bodies play that do not do so from their middle to all sides.
 struct PlayOptions {
-  std::size_t sources = 4;  // bodies that play at once
-  double seconds = 4;       // of what waits at one of them
+  std::size_t sources = 4;              // bodies that play at once
+  double seconds = 4;                   // of what waits at one of them
+  std::vector<Direction> directions{};  // later ones count more
 };
 
 }  // namespace mimo::senses

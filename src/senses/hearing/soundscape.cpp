@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "engine/model.h"
 #include "senses/hearing/struck.h"
 #include "sound/air.h"
 
@@ -13,6 +14,7 @@ namespace mimo::senses {
 namespace {
 
 using hearing::Blow;
+using hearing::Source;
 
 constexpr std::size_t kPairs = 64;      // that are remembered
 constexpr std::size_t kMostBlows = 32;  // of a tick
@@ -20,8 +22,10 @@ constexpr double kSlowest = 0.02;       // m/s: what creeps and rests is slower
 constexpr double kAgain = 0.05;         // s, before the same two bodies sound anew
 // A touch that began within the tick is no deeper than it has come; a little more where it turned meanwhile.
 constexpr double kDeeper = 1.5;
-constexpr double kShortest = 60;   // Hz: what touches longer than a period of this is no click
-constexpr double kLeast = 6.3e-4;  // Pa at 1 m, 30 dB: weaker blows are none
+constexpr double kShortest = 60;     // Hz: what touches longer than a period of this is no click
+constexpr std::size_t kScrapes = 4;  // pairs of bodies that slide at once
+constexpr double kMouth = 0.25;      // directivity of a mouth: half behind; an estimate
+constexpr double kLeast = 6.3e-4;    // Pa at 1 m, 30 dB: weaker blows are none
 
 sound::Click click_of(const sound::Strike& blow, const sound::Struck& body) {
   const sound::Click made = sound::click(blow, body.inverse_mass, body.radius, sound::kMeanCosine);
@@ -36,9 +40,17 @@ sound::Ringing ringing_of(const sound::Strike& blow, const sound::Struck& body) 
   return made;
 }
 
+void direct(Source& source, const mjData& data, int body, const Direction& direction) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.xmat + 9 * body);
+  source.place = Eigen::Vector3d(data.xpos + 3 * body) + frame * direction.place;
+  source.axis = frame * direction.axis;
+  source.directivity = direction.directivity;
+}
+
 }  // namespace
 
-Soundscape::Soundscape(const mjModel& model, SolidsPtr solids, double tick, const PlayOptions& options)
+Soundscape::Soundscape(const mjModel& model, SolidsPtr solids, double tick, const PlayOptions& options,
+                       std::size_t mouths)
     : Process("sounds"),
       bodies_(model.nbody),
       solids_(std::move(solids)),
@@ -46,10 +58,30 @@ Soundscape::Soundscape(const mjModel& model, SolidsPtr solids, double tick, cons
       tick_(tick),
       rate_(static_cast<double>(samples_) / tick),
       pairs_(kPairs),
+      given_(options.directions),
+      made_(samples_),
       blows_(kMostBlows),
-      around_(options.sources) {
+      around_(options.sources + mouths + kScrapes) {
   const auto capacity = static_cast<std::size_t>(std::ceil(options.seconds * rate_));
   for (std::size_t i = 0; i < options.sources; ++i) playing_.push_back({-1, false, sound::Queue(capacity)});
+  scrapes_.resize(kScrapes, Scrape{-1, -1, false, Eigen::Vector3d::Zero(), {}, made_queue(), {}, 0});
+  voices_.reserve(mouths);
+  directions_.resize(static_cast<std::size_t>(bodies_), nullptr);
+  for (Direction& direction : given_) {
+    direction.axis.normalize();
+    const int body = engine::find_or_fail(model, engine::Kind::kBody, direction.body);
+    directions_[static_cast<std::size_t>(body)] = &direction;
+  }
+}
+
+// Of what is made as it is heard: a tick, and what reading it ahead takes.
+sound::Queue Soundscape::made_queue() const { return sound::Queue(samples_ + sound::kAhead); }
+
+std::size_t Soundscape::add(const Mouth& mouth) {
+  const std::size_t number = voices_.size();
+  voices_.push_back(
+      {mouth, sound::Vocal(mouth.pitch, mouth.formants, rate_, samples_, number), false, false, made_queue()});
+  return playing_.size() + number;
 }
 
 void Soundscape::play(int body, Span<const float> samples, double rate) {
@@ -84,12 +116,24 @@ void Soundscape::rest(const mjModel&, const mjData&) {
     one.body = -1;
     one.queue.clear();
   }
+  for (Voice& voice : voices_) {
+    *voice.mouth.told = {};
+    voice.vocal.rest();
+    voice.queue.clear();
+    voice.sounds = false;
+  }
+  for (Scrape& scrape : scrapes_) {
+    scrape.first = scrape.second = -1;
+    scrape.queue.clear();
+  }
 }
 
 void Soundscape::go_on(const mjModel& model, const mjData& data) {
   blow_count_ = 0;
   find_blows(model, data);
   find_sources(data);
+  find_voices(data);
+  find_scrapes();
   now_ += static_cast<std::int64_t>(samples_);
 }
 
@@ -98,6 +142,7 @@ void Soundscape::find_blows(const mjModel& model, const mjData& data) {
     const mjContact& contact = data.contact[i];
     const double overlap = contact.includemargin - contact.dist;
     if (overlap <= 0 || contact.exclude == 1) continue;
+    slide(model, data, i);
     const double speed = approach(model, data, contact);
     if (speed < kSlowest || overlap > kDeeper * speed * tick_) continue;
     // The tick ends now; it came together so much earlier.
@@ -155,11 +200,87 @@ void Soundscape::find_sources(const mjData& data) {
   for (std::size_t i = 0; i < playing_.size(); ++i) {
     Playing& one = playing_[i];
     if (one.body >= 0 && one.queue.over(now_)) one.body = -1;
+    around_[i] = {};
     around_[i].queue = one.body < 0 ? nullptr : &one.queue;
     if (one.body < 0) continue;
     around_[i].place = Eigen::Vector3d(data.xipos + 3 * one.body);
     around_[i].fresh = one.fresh;
     one.fresh = false;
+    const Direction* direction = directions_[static_cast<std::size_t>(one.body)];
+    if (direction != nullptr) direct(around_[i], data, one.body, *direction);
+  }
+}
+
+void Soundscape::slide(const mjModel& model, const mjData& data, int number) {
+  const mjContact& contact = data.contact[number];
+  const sound::Sliding found = sliding(model, data, number);
+  if (found.speed <= sound::kSlowestScrape) return;
+  const int a = model.body_weldid[model.geom_bodyid[contact.geom1]];
+  const int b = model.body_weldid[model.geom_bodyid[contact.geom2]];
+  if (a == b) return;
+  const sound::ScrapeLevel level =
+      sound::scrape_level(struck(model, contact.geom1, (*solids_)[static_cast<std::size_t>(contact.geom1)]),
+                          struck(model, contact.geom2, (*solids_)[static_cast<std::size_t>(contact.geom2)]), found);
+  if (level.pressure <= 0) return;
+  Scrape* scrape = scrape_of(std::min(a, b), std::max(a, b));
+  if (scrape == nullptr || level.pressure <= scrape->level.pressure) return;
+  scrape->level = level;
+  scrape->speed = found.speed;
+  scrape->place = Eigen::Vector3d(contact.pos);
+}
+
+Soundscape::Scrape* Soundscape::scrape_of(int first, int second) {
+  Scrape* free = nullptr;
+  for (Scrape& scrape : scrapes_) {
+    if (scrape.first == first && scrape.second == second) return &scrape;
+    if (scrape.first < 0 && free == nullptr) free = &scrape;
+  }
+  if (free == nullptr) return nullptr;
+  free->first = first;
+  free->second = second;
+  free->fresh = true;
+  free->queue.clear();
+  free->level = {};
+  free->noise.rest(static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second));
+  return free;
+}
+
+void Soundscape::find_scrapes() {
+  for (std::size_t i = 0; i < scrapes_.size(); ++i) {
+    Scrape& scrape = scrapes_[i];
+    Source& source = around_[playing_.size() + voices_.size() + i];
+    source = {};
+    if (scrape.first < 0) continue;
+    if (scrape.noise.sound(scrape.level, scrape.speed, rate_, made_)) {
+      scrape.queue.add(made_, now_ + sound::kAhead);
+    } else if (scrape.queue.over(now_)) {
+      scrape.first = scrape.second = -1;
+      continue;
+    }
+    scrape.level = {};
+    source.queue = &scrape.queue;
+    source.place = scrape.place;
+    source.fresh = scrape.fresh;
+    scrape.fresh = false;
+  }
+}
+
+void Soundscape::find_voices(const mjData& data) {
+  for (std::size_t i = 0; i < voices_.size(); ++i) {
+    Voice& voice = voices_[i];
+    Source& source = around_[playing_.size() + i];
+    source = {};
+    const bool utters = voice.vocal.utter(*voice.mouth.told, made_);
+    if (utters) {
+      source.fresh = !voice.sounds;
+      voice.sounds = true;
+      voice.queue.add(made_, now_ + sound::kAhead);
+    } else if (voice.sounds && voice.queue.over(now_)) {
+      voice.sounds = false;
+    }
+    if (!voice.sounds) continue;
+    source.queue = &voice.queue;
+    direct(source, data, voice.mouth.head, {"", voice.mouth.place, voice.mouth.axis, kMouth});
   }
 }
 
@@ -174,6 +295,49 @@ void Soundscape::save(ByteWriter& to) const {
     to.put(std::int32_t{one.body});
     to.put(one.fresh);
     one.queue.save(to);
+  }
+  save_made(to);
+}
+
+void Soundscape::save_made(ByteWriter& to) const {
+  for (const Voice& voice : voices_) {
+    const sound::Utterance& told = *voice.mouth.told;
+    for (const double number : {told.loudness, told.pitch, told.opening, told.front}) to.put(number);
+    to.put(voice.sounds);
+    voice.vocal.save(to);
+    voice.queue.save(to);
+  }
+  for (const Scrape& scrape : scrapes_) {
+    to.put(scrape.first);
+    to.put(scrape.second);
+    to.put(scrape.fresh);
+    for (int i = 0; i < 3; ++i) to.put(scrape.first < 0 ? 0.0 : scrape.place[i]);
+    scrape.noise.save(to);
+    scrape.queue.save(to);
+  }
+}
+
+void Soundscape::load_made(ByteReader& from) {
+  for (Voice& voice : voices_) {
+    sound::Utterance& told = *voice.mouth.told;
+    for (double* number : {&told.loudness, &told.pitch, &told.opening, &told.front}) {
+      *number = from.take_finite("what a voice is told");
+    }
+    const bool sane = told.loudness >= 0 && told.loudness <= 1 && std::abs(told.pitch) <= 0.5 &&
+                      std::abs(told.opening - 1) < 0.31 && std::abs(told.front - 1) < 0.31;
+    require(sane, "the state holds a voice that cannot be");
+    voice.sounds = from.take_flag();
+    voice.vocal.load(from);
+    voice.queue.load(from);
+  }
+  for (Scrape& scrape : scrapes_) {
+    scrape.first = from.take<std::int32_t>();
+    scrape.second = from.take<std::int32_t>();
+    scrape.fresh = from.take_flag();
+    for (int i = 0; i < 3; ++i) scrape.place[i] = from.take_finite("the place of a noise");
+    scrape.level = {};
+    scrape.noise.load(from);
+    scrape.queue.load(from);
   }
 }
 
@@ -191,6 +355,7 @@ void Soundscape::load(ByteReader& from) {
     one.queue.load(from);
     require(one.body >= -1 && one.body < bodies_, "the state holds a sound of body {}", one.body);
   }
+  load_made(from);
   blow_count_ = 0;
 }
 

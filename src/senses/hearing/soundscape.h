@@ -1,4 +1,5 @@
-// What sounds around: blows, and what a host plays. It is the same for all who hear.
+// What sounds around: blows, what slides and rolls, voices of infants, and what a host plays. It is the same for all
+// who hear.
 #pragma once
 
 #include <memory>
@@ -9,6 +10,8 @@
 #include "observation/sense.h"
 #include "senses/hearing/options.h"
 #include "sound/queue.h"
+#include "sound/scrape.h"
+#include "sound/vocal.h"
 
 typedef struct mjContact_ mjContact;
 
@@ -18,14 +21,26 @@ namespace mimo::senses {
 using Solids = std::vector<sound::Solid>;
 using SolidsPtr = std::shared_ptr<const Solids>;
 
+// An infant's mouth and what is in it.
+struct Mouth {
+  int head = 0;                 // body
+  Eigen::Vector3d place, axis;  // in its frame
+  double pitch = 0;             // Hz
+  std::array<double, sound::kFormants> formants{};
+  std::shared_ptr<sound::Utterance> told;  // what it is to say; part of what this remembers
+};
+
 class Soundscape : public observation::Process {
  public:
   // `tick` is what passes from one advance to the next, s. The number of samples in it is whole.
-  Soundscape(const mjModel& model, SolidsPtr solids, double tick, const PlayOptions& options);
+  // So many mouths are added before anybody hears.
+  Soundscape(const mjModel& model, SolidsPtr solids, double tick, const PlayOptions& options, std::size_t mouths);
+  // Returns which of the sources around it is.
+  std::size_t add(const Mouth& mouth);
 
   std::size_t samples() const { return samples_; }  // of a tick
   double rate() const { return rate_; }             // samples a second: 16000 where the tick allows it
-  std::size_t sources() const { return playing_.size(); }
+  std::size_t sources() const { return around_.size(); }
 
   // A body plays samples, in Pa at 1 m from it, as soon as what it plays already is over; without any it stops.
   // Throws Status::kInvalidArgument for more than there is room for, for another rate, and where all sources play.
@@ -48,6 +63,23 @@ class Soundscape : public observation::Process {
     bool fresh = false;
     sound::Queue queue;
   };
+  struct Voice {
+    Mouth mouth;
+    sound::Vocal vocal;
+    bool sounds = false, fresh = false;
+    sound::Queue queue;
+  };
+  // Two bodies that slide or roll on each other.
+  struct Scrape {
+    std::int32_t first = -1, second = -1;  // -1: nothing
+    bool fresh = false;
+    Eigen::Vector3d place{0, 0, 0};
+    sound::ScrapeNoise noise;
+    sound::Queue queue;
+    // Of the tick: its loudest contact.
+    sound::ScrapeLevel level{};
+    double speed = 0;
+  };
 
   void rest(const mjModel& model, const mjData& data) override;
   void go_on(const mjModel& model, const mjData& data) override;
@@ -55,6 +87,14 @@ class Soundscape : public observation::Process {
   void load(ByteReader& from) override;
 
   void find_blows(const mjModel& model, const mjData& data);
+  void slide(const mjModel& model, const mjData& data, int contact);
+  // Of two bodies, or one that is given to them; null where too many others slide.
+  Scrape* scrape_of(int first, int second);
+  sound::Queue made_queue() const;
+  void find_scrapes();
+  void find_voices(const mjData& data);
+  void save_made(ByteWriter& to) const;
+  void load_made(ByteReader& from);
   // The pair's place in memory, or one that may be given to it; null where they have met too lately.
   Pair* meet(int first, int second, std::int64_t at);
   void strike(const mjModel& model, const mjContact& contact, double approach, double onset);
@@ -68,6 +108,11 @@ class Soundscape : public observation::Process {
   std::int64_t now_ = 0;  // the next tick's first sample
   std::vector<Pair> pairs_;
   std::vector<Playing> playing_;
+  std::vector<const Direction*> directions_;  // by body; null: from its middle to all sides
+  std::vector<Direction> given_;
+  std::vector<Voice> voices_;
+  std::vector<Scrape> scrapes_;
+  std::vector<float> made_;  // of a tick
   std::vector<hearing::Blow> blows_;
   std::size_t blow_count_ = 0;
   std::vector<hearing::Source> around_;

@@ -23,6 +23,18 @@ Vec3 velocity(const mjModel& model, const mjData& data, int body, const Vec3& po
   return speed + spin.cross(point - Vec3(data.subtree_com + 3 * model.body_rootid[body]));
 }
 
+// What rolls: 1/m; 0 for what has sides.
+double roundness(const mjModel& model, int geom) {
+  const mjtNum* size = model.geom_size + 3 * geom;
+  switch (model.geom_type[geom]) {
+    case mjGEOM_SPHERE:
+    case mjGEOM_CAPSULE:
+    case mjGEOM_CYLINDER: return 1 / size[0];
+    case mjGEOM_ELLIPSOID: return 1 / std::cbrt(size[0] * size[1] * size[2]);
+    default: return 0;
+  }
+}
+
 }  // namespace
 
 sound::Struck struck(const mjModel& model, int geom, const sound::Solid& solid) {
@@ -71,6 +83,26 @@ double approach(const mjModel& model, const mjData& data, const mjContact& conta
   const Vec3 first = velocity(model, data, model.geom_bodyid[contact.geom1], point);
   const Vec3 second = velocity(model, data, model.geom_bodyid[contact.geom2], point);
   return (first - second).dot(normal);
+}
+
+sound::Sliding sliding(const mjModel& model, const mjData& data, int number) {
+  const mjContact& contact = data.contact[number];
+  const int first = model.geom_bodyid[contact.geom1], second = model.geom_bodyid[contact.geom2];
+  const Vec3 point(contact.pos), normal(contact.frame);
+  const Vec3 slip = velocity(model, data, first, point) - velocity(model, data, second, point);
+  sound::Sliding made;
+  made.speed = (slip - slip.dot(normal) * normal).norm();
+  if (made.speed <= sound::kSlowestScrape) {
+    const Vec3 spin = Vec3(data.cvel + 6 * first) - Vec3(data.cvel + 6 * second);
+    const double curvature = roundness(model, contact.geom1) + roundness(model, contact.geom2);
+    made.speed = curvature > 0 ? (spin - spin.dot(normal) * normal).norm() / curvature : 0;
+    made.rolls = true;
+  }
+  if (made.speed <= sound::kSlowestScrape) return {};
+  mjtNum force[6];
+  mj_contactForce(&model, &data, number, force);
+  made.force = force[0];
+  return made;
 }
 
 }  // namespace mimo::senses

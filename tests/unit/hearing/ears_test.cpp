@@ -207,6 +207,38 @@ TEST(Ears, WhatComesNearerSoundsHigher) {
   EXPECT_LT(20 * std::log10(worst / main), -40);
 }
 
+// Level in the left ear of a source 1 m ahead that looks along an axis.
+double level_of(const Eigen::Vector3d& axis, double directivity, std::size_t own = Ears::kNone) {
+  const std::vector<float> samples = tone(500, 0.5);
+  sound::Queue queue(samples.size());
+  queue.add(samples, 0);
+  Ears ears(kTick, kRate, kTick, 1, own);
+  std::vector<float> heard, block(kTick), other(kTick);
+  for (std::size_t now = 0; now < samples.size(); now += kTick) {
+    Source source{&queue, Eigen::Vector3d(1, 0, 0), now == 0, axis, directivity};
+    ears.advance(head(), Span<const Source>(&source, 1), static_cast<std::int64_t>(now));
+    ears.latest(0, block);
+    ears.latest(1, other);
+    EXPECT_EQ(block, other);
+    heard.insert(heard.end(), block.begin(), block.end());
+  }
+  return 20 * std::log10(std::abs(amplitude(heard, 500)) + 1e-12);
+}
+
+// A cardioid gives half at its side, nothing behind; a figure of eight gives as much behind as ahead.
+TEST(Ears, SourcesHaveDirections) {
+  const Eigen::Vector3d ahead(-1, 0, 0), side(0, 1, 0), behind(1, 0, 0);
+  const double alike = level_of(side, 0);
+  EXPECT_NEAR(level_of(ahead, 0.5), alike, 1e-4);
+  EXPECT_NEAR(level_of(side, 0.5), alike - 6.02, 0.01);
+  EXPECT_LT(level_of(behind, 0.5), alike - 100);
+  EXPECT_NEAR(level_of(behind, 0.25), alike - 6.02, 0.01);
+  EXPECT_NEAR(level_of(behind, 1), alike, 0.01);
+}
+
+// 17 dB above the level at 1 m, wherever the mouth is.
+TEST(Ears, TheOwnVoiceIsLoud) { EXPECT_NEAR(level_of(Eigen::Vector3d(1, 0, 0), 0.25, 0), 17, 0.05); }
+
 Blow wooden_blow(double onset) {
   const sound::Solid wood = {1.1e10, 0.25, 1e-4, sound::find_timbre("wood_hard")};
   const sound::Struck block = {wood, 20, 50, 0.02, 0.12}, table = {wood, 0, 0, 1, 3};

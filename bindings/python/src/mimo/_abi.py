@@ -121,7 +121,7 @@ class AgentConfig(Struct):
         ("vestibular_at", c_char_p),
         ("growth", ctypes.POINTER(Growth)),
         ("hearing", c_uint32),
-        ("hearing_reserved", c_uint32),
+        ("voice", c_uint32),
     ]
 
 
@@ -613,6 +613,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_maturity_init": (_status, [_config(Maturity), c_size_t]),
     "mimo_maturity_at": (_status, [c_double, _config(Maturity), c_size_t]),
     "mimo_scene_set_sources": (_status, [_Handle, c_size_t, c_double]),
+    "mimo_scene_direct_source": (_status, [_Handle, c_char_p, _Array, _Array, c_double]),
     "mimo_env_play": (_status, [_Handle, c_char_p, c_void_p, c_size_t, c_double]),
     "mimo_senses_play": (_status, [_Handle, c_char_p, c_void_p, c_size_t, c_double]),
     "mimo_scene_set_room_temperature": (_status, [_Handle, c_double]),

@@ -87,6 +87,7 @@ class AgentOptions(GrowthOptions, total=False):
     proprioception: Union[Proprioception, bool]
     vestibular: Union[Vestibular, bool]
     hearing: Union[Hearing, bool]
+    voice: bool
     limit_threshold: float
     vision: Union[Vision, bool]
     vision_width: int

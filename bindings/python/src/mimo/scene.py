@@ -236,6 +236,24 @@ class Scene(Handle):
         check(LIB.mimo_scene_set_sources(self._handle, number_of("count", count), seconds))
         self._remember("set_sources", count, seconds)
 
+    def direct_source(self, body: str, place: Numbers, axis: Numbers, directivity: float) -> None:
+        """From where a body plays and whereto, in its frame.
+
+        At an angle a from the axis sound is 1 - directivity + directivity cos(a) times as strong as along it: 0 alike to
+        all sides, 0.5 a cardioid, 1 a figure of eight.
+        """
+        point, direction = vector("place", place, 3), vector("axis", axis, 3)
+        check(
+            LIB.mimo_scene_direct_source(
+                self._handle,
+                utf8(body),
+                point.ctypes.data,
+                direction.ctypes.data,
+                real_number("directivity", directivity),
+            )
+        )
+        self._remember("direct_source", body, place, axis, directivity)
+
     def set_material(self, body: str, material: str) -> None:
         """What a body of the model is made of, one of mimo.materials(): "copper", "hardwood", ..."""
         check(LIB.mimo_scene_set_material(self._handle, utf8(body), utf8(material)))

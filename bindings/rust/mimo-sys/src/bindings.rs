@@ -964,8 +964,11 @@ pub struct mimo_agent_config {
     pub growth: *const mimo_growth,
     #[doc = "MIMO_HEARING_ bits; 0 (default): it is deaf."]
     pub hearing: u32,
-    #[doc = "0."]
-    pub hearing_reserved: u32,
+    #[doc = "1: an infant's voice, four more actions after those of motors: \"voice:loudness\", 0"]
+    #[doc = "(silent) to 1 (a cry); \"voice:pitch\", -0.5 to 0.5 octaves; \"voice:opening\" and"]
+    #[doc = "\"voice:front\", 0.7 to 1.3 times the first and second formant of its age. Heard"]
+    #[doc = "where an agent hears, see docs/guide/hearing.md. 0 (default): none."]
+    pub voice: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
@@ -2700,9 +2703,25 @@ extern "C" {
     pub fn mimo_scene_set_sources(scene: *mut mimo_scene, count: usize, seconds: f64) -> mimo_status;
 }
 extern "C" {
+    #[doc = "Says from where and whereto a body plays, for environments made and senses attached from now on; without it from its"]
+    #[doc = "centre of mass, to all sides alike. At an angle a from the axis sound is 1 - directivity + directivity cos(a) times"]
+    #[doc = "as strong as along it: 0 alike everywhere, 0.25 half behind, 0.5 nothing behind (a cardioid), 1 a figure of eight."]
+    #[doc = "@param body        its name in the model, \"caregiver\", \"anna/head\"; unknown ones are refused when a world is made."]
+    #[doc = "@param place       in the body's frame, m."]
+    #[doc = "@param axis        in the body's frame, longer than 0; need not have length 1."]
+    #[doc = "@param directivity 0 to 1. Called again for a body: the last one counts."]
+    pub fn mimo_scene_direct_source(
+        scene: *mut mimo_scene,
+        body: *const std::os::raw::c_char,
+        place: *const f64,
+        axis: *const f64,
+        directivity: f64,
+    ) -> mimo_status;
+}
+extern "C" {
     #[doc = "Lets a body play samples, from the next physics step on. While it plays already they wait until that is over, so that"]
     #[doc = "a sound may be handed over in blocks, one each step. Sound goes out from the body's centre of mass, to all sides"]
-    #[doc = "alike, and takes its time to ears. A reset ends it."]
+    #[doc = "alike unless mimo_scene_direct_source says otherwise, and takes its time to ears. A reset ends it."]
     #[doc = "@param body    its name in the model, \"cup\", \"anna/head\"."]
     #[doc = "@param samples sound pressure at 1 m from the body, Pa; 0.02 is a conversation, 1 is 94 dB."]
     #[doc = "@param count   length of samples; 0 (samples may be NULL then): what the body plays ends."]

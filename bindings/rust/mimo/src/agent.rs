@@ -119,6 +119,12 @@ impl AgentConfig {
         self
     }
 
+    /// An infant's voice: four more actions after those of motors; at first none.
+    pub fn voice(&mut self, on: bool) -> &mut Self {
+        self.raw.voice = on.into();
+        self
+    }
+
     /// Of colour: the middle is shown L / ln(1 + L) times as large and the rim small; 0: as drawn.
     pub fn vision_foveation(&mut self, strength: f64) -> &mut Self {
         self.raw.vision_foveation = strength;

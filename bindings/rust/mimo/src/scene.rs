@@ -226,6 +226,26 @@ impl Scene {
         check(unsafe { sys::mimo_scene_set_sources(self.handle(), count, seconds) })
     }
 
+    /// From where a body plays and whereto, in its frame: 0 alike to all sides, 0.5 a cardioid, 1 a figure of eight.
+    pub fn direct_source(
+        &mut self,
+        body: &str,
+        place: [f64; 3],
+        axis: [f64; 3],
+        directivity: f64,
+    ) -> Result<()> {
+        let body = c_string(body)?;
+        check(unsafe {
+            sys::mimo_scene_direct_source(
+                self.handle(),
+                body.as_ptr(),
+                place.as_ptr(),
+                axis.as_ptr(),
+                directivity,
+            )
+        })
+    }
+
     /// The scene as one MJCF document, as MuJoCo will compile it.
     pub fn to_xml(&self) -> Result<String> {
         let mut length = 0;
