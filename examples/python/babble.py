@@ -55,12 +55,12 @@ def make_world() -> mimo.World:
 
 
 def write_wave(path: str, heard: np.ndarray, rate: float) -> None:
-    """16 bits, 1 Pa is full scale."""
+    """16 bits; the loudest is full scale, for one's own voice is far above 1 Pa."""
     with wave.open(path, "wb") as file:
         file.setnchannels(2)
         file.setsampwidth(2)
         file.setframerate(round(rate))
-        file.writeframes((np.clip(heard, -1, 1) * 32767).astype("<i2").T.tobytes())
+        file.writeframes((heard / np.abs(heard).max() * 32767).astype("<i2").T.tobytes())
 
 
 def main() -> None:
@@ -76,18 +76,9 @@ def main() -> None:
             seen = world.step(told).observation
             for babbler in babblers:
                 loudest = float(np.abs(seen[f"{babbler.name}/hearing/ear_left"]).max())
-                for part, value in babbler.act(
-                    i * ear.period, ear.period, loudest
-                ).items():
+                for part, value in babbler.act(i * ear.period, ear.period, loudest).items():
                     told[numbers[f"{babbler.name}/voice:{part}"]] = value
-            heard.append(
-                np.stack(
-                    [
-                        seen[f"{names[0]}/hearing/ear_{side}"]
-                        for side in ("left", "right")
-                    ]
-                )
-            )
+            heard.append(np.stack([seen[f"{names[0]}/hearing/ear_{side}"] for side in ("left", "right")]))
     both = np.concatenate(heard, axis=1)
     level = 20 * np.log10(np.sqrt(np.mean(np.square(both))) / 20e-6)
     print(f"{names[0]} hears {level:.0f} dB on average, mostly itself")

@@ -239,8 +239,8 @@ class Scene(Handle):
     def direct_source(self, body: str, place: Numbers, axis: Numbers, directivity: float) -> None:
         """From where a body plays and whereto, in its frame.
 
-        At an angle a from the axis sound is 1 - directivity + directivity cos(a) times as strong as along it: 0 alike to
-        all sides, 0.5 a cardioid, 1 a figure of eight.
+        At an angle a from the axis sound is 1 - directivity + directivity cos(a) times as strong as along it: 0 alike
+        to all sides, 0.5 a cardioid, 1 a figure of eight.
         """
         point, direction = vector("place", place, 3), vector("axis", axis, 3)
         check(
