@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/span.h"
 #include "sound/air.h"
 
 namespace mimo::hearing {
 namespace {
-
-using Complex = std::complex<float>;
 
 constexpr double kLowest = 100, kHighest = 7200;  // Hz
 constexpr double kPhaseLimit = 1500;              // Hz, above which the ears' phases are not compared
@@ -45,7 +44,7 @@ double bandwidth(double frequency) { return 24.7 * (4.37 * frequency / 1000 + 1)
 
 Bands::Bands(double rate, const Levels& thresholds) : rate_(rate) {
   const double bin = rate / static_cast<double>(kWindow);
-  low_bins_ = std::min(static_cast<std::size_t>(kPhaseLimit / bin), kWindow / 2 - 1);
+  low_bins_ = std::min(static_cast<std::size_t>(kPhaseLimit / bin), kBins - 1);
   for (std::size_t i = 0; i < kWindow; ++i) {
     window_[i] = static_cast<float>(0.5 - 0.5 * std::cos(2 * kPi * static_cast<double>(i) / kWindow));
   }
@@ -55,69 +54,79 @@ Bands::Bands(double rate, const Levels& thresholds) : rate_(rate) {
   for (std::size_t band = 0; band < kBands; ++band) {
     const double centre = centres[band], width = bandwidth(centre), reach = 3 * width + 2 * bin;
     const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil((centre - reach) / bin)));
-    const auto last = static_cast<std::size_t>(std::min(kWindow / 2 - 1.0, std::floor((centre + reach) / bin)));
+    const auto last = static_cast<std::size_t>(std::min(kBins - 1.0, std::floor((centre + reach) / bin)));
     double sum = 0;  // of what a sine in the middle of the band gives
-    Band made{first, {}, thresholds[band], centre < kPhaseLimit};
+    const double least = sound::kReference * sound::kReference * std::pow(10, thresholds[band] / 10);
+    Band made{first, {}, thresholds[band], static_cast<float>(least), centre < kPhaseLimit};
     for (std::size_t i = first; i <= last; ++i) {
       const double off = static_cast<double>(i) * bin - centre, weight = passed(off, width);
       made.weights.push_back(static_cast<float>(weight));
       sum += weight * leaked(off / bin);
     }
     for (float& weight : made.weights) weight *= static_cast<float>(0.5 / (sum * peak * peak));
+    made.weights.resize((made.weights.size() + kLanes - 1) / kLanes * kLanes);
     bands_.push_back(made);
   }
   for (std::size_t i = 1; i <= low_bins_; ++i) {
+    Turns turns;
     for (std::size_t lag = 0; lag < kLags; ++lag) {
       const double angle = 2 * kPi * static_cast<double>(i) * (static_cast<double>(lag) - (kLags - 1) / 2.0) /
                            static_cast<double>(kWindow);
-      turns_.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+      turns.cosines[lag] = static_cast<float>(std::cos(angle));
+      turns.sines[lag] = static_cast<float>(std::sin(angle));
     }
+    turns_.push_back(turns);
   }
 }
 
-Heard Bands::hear(const std::array<std::array<float, kWindow>, kEars>& samples) const {
-  // Both ears in one transform: one is the real part, the other the imaginary one.
-  std::array<Complex, kWindow> both;
-  for (std::size_t i = 0; i < kWindow; ++i) both[i] = {window_[i] * samples[0][i], window_[i] * samples[1][i]};
-  transform_(both);
-  Spectrum left, right;
-  left[0] = right[0] = 0;
-  for (std::size_t i = 1; i < kWindow / 2; ++i) {
-    const Complex a = both[i], b = std::conj(both[kWindow - i]);
-    left[i] = 0.5F * (a + b);
-    right[i] = Complex(0.5F * (a.imag() - b.imag()), -0.5F * (a.real() - b.real()));
+float Bands::sum_of(const Band& band, const Power& power) {
+  std::array<float, kLanes> lanes{};
+  for (std::size_t i = 0; i < band.weights.size(); i += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      lanes[lane] += band.weights[i + lane] * power[band.first + i + lane];
+    }
   }
+  return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
+}
+
+Heard Bands::hear(const std::array<std::array<float, kWindow>, kEars>& samples) const {
   Heard heard;
+  std::array<Complexes, kEars> spectra;
   bool low = false;
   for (std::size_t ear = 0; ear < kEars; ++ear) {
-    const Spectrum& spectrum = ear == 0 ? left : right;
-    std::array<float, kWindow / 2> power;
-    for (std::size_t i = 0; i < kWindow / 2; ++i) power[i] = std::norm(spectrum[i]);
+    std::array<float, kWindow> windowed;
+    for (std::size_t i = 0; i < kWindow; ++i) windowed[i] = window_[i] * samples[ear][i];
+    spectra[ear] = transform_(windowed);
+    const Complexes& spectrum = spectra[ear];
+    Power power{};
+    for (std::size_t i = 0; i < kBins; ++i) {
+      power[i] = spectrum.real[i] * spectrum.real[i] + spectrum.imag[i] * spectrum.imag[i];
+    }
     for (std::size_t band = 0; band < kBands; ++band) {
-      double sum = 0;
-      for (std::size_t i = 0; i < bands_[band].weights.size(); ++i) {
-        sum += bands_[band].weights[i] * power[bands_[band].first + i];
-      }
-      if (sum <= 0) continue;
-      const double level = 10 * std::log10(sum / (sound::kReference * sound::kReference));
+      const float sum = sum_of(bands_[band], power);
+      if (!(sum > bands_[band].least)) continue;
+      const double level = 10 * std::log10(static_cast<double>(sum) / (sound::kReference * sound::kReference));
       heard.levels[ear][band] = static_cast<float>(std::max(0.0, level - bands_[band].threshold));
       low = low || (heard.levels[ear][band] > 0 && bands_[band].low);
     }
   }
-  if (low) heard.time_difference = time_difference(left, right);
+  if (low) heard.time_difference = time_difference(spectra[0], spectra[1]);
   return heard;
 }
 
 // The peak of the ears' cross-correlation, between lags by a parabola.
-float Bands::time_difference(const Spectrum& left, const Spectrum& right) const {
-  std::array<float, kLags> sums{};
+float Bands::time_difference(const Complexes& left, const Complexes& right) const {
+  std::array<float, kLagsInRows> in_rows{};
   for (std::size_t i = 1; i <= low_bins_; ++i) {
-    const Complex a = left[i], b = right[i];
     // Right times the conjugate of left: its phase falls by as much as the right ear is late.
-    const float real = b.real() * a.real() + b.imag() * a.imag(), imag = b.imag() * a.real() - b.real() * a.imag();
-    const Complex* turns = turns_.data() + (i - 1) * kLags;
-    for (std::size_t lag = 0; lag < kLags; ++lag) sums[lag] += real * turns[lag].real() - imag * turns[lag].imag();
+    const float real = right.real[i] * left.real[i] + right.imag[i] * left.imag[i];
+    const float imag = right.imag[i] * left.real[i] - right.real[i] * left.imag[i];
+    const Turns& turns = turns_[i - 1];
+    for (std::size_t lag = 0; lag < kLagsInRows; ++lag) {
+      in_rows[lag] += real * turns.cosines[lag] - imag * turns.sines[lag];
+    }
   }
+  const Span<const float> sums(in_rows.data(), kLags);
   const auto best = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
   double at = static_cast<double>(best);
   if (best > 0 && best + 1 < kLags) {

@@ -30,25 +30,32 @@ class Bands {
   Heard hear(const std::array<std::array<float, kWindow>, kEars>& samples) const;
 
  private:
-  static constexpr std::size_t kLags = 21;  // -10 to 10 samples
-  using Spectrum = std::array<std::complex<float>, kWindow / 2>;
-
-  float time_difference(const Spectrum& left, const Spectrum& right) const;
+  static constexpr std::size_t kLags = 21;          // -10 to 10 samples
+  static constexpr std::size_t kLagsInRows = 24;    // whole vectors of a processor; what is beyond the lags is 0
+  static constexpr std::size_t kLanes = 8;          // sums of a band, side by side: their order is the same everywhere
+  using Power = std::array<float, kBins + kLanes>;  // of each bin, and nothing beyond them
 
   // Weights of the bins first, first + 1, ... of a spectrum's power.
   struct Band {
     std::size_t first;
-    std::vector<float> weights;
-    double threshold;
-    bool low;  // of those whose phases are compared
+    std::vector<float> weights;  // to whole lanes, with zeros
+    double threshold;            // dB
+    float least;                 // power at the threshold
+    bool low;                    // of those whose phases are compared
   };
+
+  static float sum_of(const Band& band, const Power& power);
+  float time_difference(const Complexes& left, const Complexes& right) const;
 
   double rate_;
   std::size_t low_bins_;  // bins below 1.5 kHz
   Transform transform_;
   std::array<float, kWindow> window_;
   std::vector<Band> bands_;
-  std::vector<std::complex<float>> turns_;  // lags of a bin, bin after bin
+  struct Turns {  // of a bin's phase, by lag
+    std::array<float, kLagsInRows> cosines{}, sines{};
+  };
+  std::vector<Turns> turns_;  // of the bins from 1 on
 };
 
 }  // namespace mimo::hearing
