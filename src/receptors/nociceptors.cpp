@@ -17,16 +17,6 @@ double contact_pressure(double force, double radius) {
   return force / (kPi * patch * patch);
 }
 
-double fast_pressure_rate(double over, double adapted) { return 20 * std::max(0.0, over - 1) * (1 - 0.6 * adapted); }
-
-double slow_pressure_rate(double over) { return 5 * std::max(0.0, over - 0.8); }
-
-double fast_heat_rate(double temperature) { return 5 * std::max(0.0, temperature - 46); }
-
-double slow_heat_rate(double temperature) {
-  return 2 * std::max(0.0, temperature - 43) + std::max(0.0, 18 - temperature);
-}
-
 double withdrawal_force(double months) { return 0.0118 * std::pow(45.1 / 11.8, std::clamp(months, 0.0, 12.0) / 12); }
 
 }  // namespace mimo::receptors

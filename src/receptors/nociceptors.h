@@ -4,6 +4,8 @@
 // infants, an estimate; thresholds of heat and cold are those of adult fibres. Slopes are estimates.
 #pragma once
 
+#include <algorithm>
+
 namespace mimo::receptors {
 
 // Pa, of infants.
@@ -13,12 +15,19 @@ constexpr double kPainfulPressure = 0.8 * 180e3;
 // tissue: Hertz, with 0.2 MPa.
 double contact_pressure(double force, double radius);
 
+// Degrees Celsius beyond which slow ones fire.
+constexpr double kPainfulHeat = 43, kPainfulCold = 18;
+
 // `over` is the pressure in units of the threshold, `adapted` 0 where it has just been crossed, 1 after long. Hz.
-double fast_pressure_rate(double over, double adapted);
-double slow_pressure_rate(double over);
+inline double fast_pressure_rate(double over, double adapted) {
+  return 20 * std::max(0.0, over - 1) * (1 - 0.6 * adapted);
+}
+inline double slow_pressure_rate(double over) { return 5 * std::max(0.0, over - 0.8); }
 // Of the skin's temperature in degrees Celsius. Hz.
-double fast_heat_rate(double temperature);
-double slow_heat_rate(double temperature);  // and of cold
+inline double fast_heat_rate(double temperature) { return 5 * std::max(0.0, temperature - 46); }
+inline double slow_heat_rate(double temperature) {  // and of cold
+  return 2 * std::max(0.0, temperature - kPainfulHeat) + std::max(0.0, kPainfulCold - temperature);
+}
 
 constexpr double kFastMost = 100, kSlowMost = 20;  // Hz
 constexpr double kFastAdapts = 1;                  // s

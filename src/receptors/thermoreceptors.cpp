@@ -1,22 +1,18 @@
 #include "receptors/thermoreceptors.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace mimo::receptors {
 namespace {
 
-// Many of these are worked out for each look; seven digits are enough.
-double bell(double x) { return static_cast<double>(std::exp(static_cast<float>(-x * x))); }
+Eight bell(const Eight& x) { return (-x * x).exp(); }
 
 }  // namespace
 
-double cold_rate(double temperature, double change) {
-  return std::max(0.0, 8 * bell((temperature - 30) / 6) - 20 * change);
+Eight cold_rates(const Eight& temperature, const Eight& change) {
+  return (8 * bell((temperature - 30) / 6) - 20 * change).max(0.0F);
 }
 
-double warm_rate(double temperature, double change) {
-  return std::max(0.0, 12 * bell((temperature - 41) / 5) + 10 * change);
+Eight warm_rates(const Eight& temperature, const Eight& change) {
+  return (12 * bell((temperature - 41) / 5) + 10 * change).max(0.0F);
 }
 
 }  // namespace mimo::receptors

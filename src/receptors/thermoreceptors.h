@@ -4,13 +4,18 @@
 // curves' widths and the answers to change are estimates; infants are not known.
 #pragma once
 
+#include <Eigen/Core>
+
 namespace mimo::receptors {
 
 // How fast they follow the surface: cold receptors lie 0.15 mm deep, warm ones 0.3 mm. s.
 constexpr double kColdLag = 0.36, kWarmLag = 1.44;
 
-// Temperature at the receptor, and its change in degrees a second. Hz.
-double cold_rate(double temperature, double change);
-double warm_rate(double temperature, double change);
+// Many are worked out for each look, so that they come in eights; seven digits are enough.
+using Eight = Eigen::Array<float, 8, 1>;
+
+// Temperature at the receptors, and its change in degrees a second. Hz.
+Eight cold_rates(const Eight& temperature, const Eight& change);
+Eight warm_rates(const Eight& temperature, const Eight& change);
 
 }  // namespace mimo::receptors

@@ -16,15 +16,19 @@ constexpr Threshold kRa[] = {{1, 1016}, {2, 517}, {5, 210},   {10, 107},  {20, 6
 constexpr Threshold kPc[] = {{2, 1995},   {5, 413},   {10, 263},  {20, 68},   {40, 17.7}, {60, 14.1},
                              {100, 14.1}, {150, 5.7}, {200, 3.7}, {300, 1.9}, {400, 4.6}};
 
-// Straight lines between the points' logarithms; beyond the table nothing is felt.
+// The amplitude's share of the threshold, from a half to 1. Straight lines between the points' logarithms; beyond the
+// table nothing is felt. What is clear from two points alone needs no logarithms.
 template <std::size_t kCount>
-double threshold(const Threshold (&table)[kCount], double frequency) {
-  if (frequency < table[0].frequency || frequency > table[kCount - 1].frequency) return HUGE_VAL;
+double over_threshold(const Threshold (&table)[kCount], double frequency, double amplitude) {
+  if (frequency < table[0].frequency || frequency > table[kCount - 1].frequency) return 0.5;
   std::size_t i = 1;
   while (table[i].frequency < frequency) ++i;
   const Threshold &low = table[i - 1], &high = table[i];
+  if (amplitude >= std::max(low.amplitude, high.amplitude)) return 1;
+  if (amplitude <= 0.5 * std::min(low.amplitude, high.amplitude)) return 0.5;
   const double share = std::log(frequency / low.frequency) / std::log(high.frequency / low.frequency);
-  return low.amplitude * std::pow(high.amplitude / low.amplitude, share);
+  const double threshold = low.amplitude * std::pow(high.amplitude / low.amplitude, share);
+  return std::clamp(amplitude / threshold, 0.5, 1.0);
 }
 
 // One spike a ridge above the threshold, none below half of it.
@@ -32,16 +36,10 @@ template <std::size_t kCount>
 double of_sliding(const Threshold (&table)[kCount], double speed, const Texture& texture) {
   if (!(texture.wavelength > 0)) return 0;
   const double frequency = speed / texture.wavelength;
-  const double over = texture.amplitude * 1e6 / threshold(table, frequency);
-  return frequency * std::clamp(2 * over - 1, 0.0, 1.0);
+  return frequency * (2 * over_threshold(table, frequency, texture.amplitude * 1e6) - 1);
 }
 
-double give(double force, double half_force) { return 3 * kMillimetre * force / (force + half_force); }
-
 }  // namespace
-
-double indentation(double force, double spacing) { return give(std::max(0.0, force), 300 * spacing); }
-double stretch(double force, double spacing) { return give(force, 150 * spacing); }
 
 double sa1_rate(double depth, double speed) {
   const double held = 48 * std::max(0.0, depth / kMillimetre - 0.08);
@@ -51,13 +49,6 @@ double sa1_rate(double depth, double speed) {
 double ra_rate(double speed) {
   const double over = std::max(0.0, std::abs(speed) / kMillimetre - 3);
   return 250 * over / (over + 60);
-}
-
-// TouchSim gives 1.8 spikes for a press and a release at 20 mm/s, which set the 56 Hz for skin whose jolts are those of
-// a first-order filter of 10 ms.
-double pc_rate(double acceleration) {
-  const double square = acceleration * acceleration;
-  return 56 * square / (1 + square);
 }
 
 double sa2_rate(double along, double all) {

@@ -19,98 +19,132 @@ Afferents::Afferents(const std::vector<Patch>& patches, double slip_threshold, d
       slip_threshold_(slip_threshold),
       tick_(tick),
       kept_(std::exp(-tick / kSmoothing)),
-      states_(patches.size()),
-      sa1_(patches.size()),
-      ra_(patches.size()),
-      pc_(patches.size()),
-      sa2_(2 * patches.size()),
-      restless_(patches.size()) {}
+      table_(patches.size()) {}
+
+void Afferents::add(int sensor) {
+  table_[kSpacing][table_.add(sensor)] = patches_[static_cast<std::size_t>(sensor)].spacing;
+}
 
 // What presses has pressed for ever: no onset.
 void Afferents::rest(const Felt& felt) {
-  std::fill(states_.begin(), states_.end(), State());
-  for (std::vector<float>* rates : {&sa1_, &ra_, &pc_, &sa2_}) std::fill(rates->begin(), rates->end(), 0.0F);
-  restless_.clear();
-  for (const int id : felt.sensors()) {
-    const auto sensor = static_cast<std::size_t>(id);
-    const Feeling& feeling = felt.of(id);
-    State& state = states_[sensor];
-    state.normal = feeling.normal;
-    state.along = feeling.tangent.x();
-    state.across = feeling.tangent.y();
-    state.depth = receptors::indentation(state.normal, patches_[sensor].spacing);
-    restless_.add(id);
-    tell(sensor, {}, {});
+  table_.clear();
+  take_in(felt);
+  for (std::size_t i = 0; i < table_.size(); ++i) {
+    table_[kNormal][i] = table_[kFeltNormal][i];
+    table_[kAlong][i] = table_[kFeltAlong][i];
+    table_[kAcross][i] = table_[kFeltAcross][i];
+    table_[kDepth][i] = receptors::indentation(table_[kNormal][i], table_[kSpacing][i]);
+    tell(i, {}, {});
   }
 }
 
 void Afferents::go_on(const Felt& felt) {
-  for (const int sensor : felt.sensors()) restless_.add(sensor);
-  restless_.each([&](std::size_t sensor) { return update(sensor, felt.of(static_cast<int>(sensor))); });
+  take_in(felt);
+  smooth();
+  for (std::size_t i = table_.size(); i-- > 0;) {
+    if (gone(i)) table_.remove(i);
+  }
+}
+
+void Afferents::take_in(const Felt& felt) {
+  for (const int sensor : felt.sensors()) add(sensor);
+  for (const std::size_t part : {kFeltNormal, kFeltAlong, kFeltAcross}) std::fill_n(table_[part], table_.size(), 0.0);
+  for (const int sensor : felt.sensors()) {
+    const auto place = static_cast<std::size_t>(table_.place(static_cast<std::size_t>(sensor)));
+    const Feeling& feeling = felt.of(sensor);
+    table_[kFeltNormal][place] = feeling.normal;
+    table_[kFeltAlong][place] = feeling.tangent.x();
+    table_[kFeltAcross][place] = feeling.tangent.y();
+  }
+}
+
+void Afferents::smooth() {
+  const auto smoothed = [this](const Row& before, const Row& now) -> Row { return now + kept_ * (before - now); };
+  for (std::size_t i = 0; i < table_.size(); i += kRow) {
+    for (const std::size_t part : {0, 1, 2}) {
+      table_.row(kNormal + part, i) = smoothed(table_.row(kNormal + part, i), table_.row(kFeltNormal + part, i));
+    }
+    const Row depth = receptors::indentation<Row>(table_.row(kNormal, i), table_.row(kSpacing, i));
+    const Row speed = (depth - table_.row(kDepth, i)) / tick_;
+    const Row jolt = receptors::pc_rate<Row>((speed - table_.row(kSpeed, i)) / tick_);
+    table_.row(kJolts, i) = smoothed(table_.row(kJolts, i), jolt);
+    table_.row(kDepth, i) = depth;
+    table_.row(kSpeed, i) = speed;
+  }
+  for (std::size_t i = 0; i < table_.size(); ++i) {
+    if (table_[kJolts][i] < receptors::kSilent) table_[kJolts][i] = 0;
+  }
+}
+
+bool Afferents::gone(std::size_t place) const {
+  return table_[kFeltNormal][place] == 0 && table_[kNormal][place] < kNoForce &&
+         std::abs(table_[kSpeed][place]) < kStill && table_[kJolts][place] == 0;
 }
 
 void Afferents::tell(const Felt& felt, const Things& things) {
-  for (const int sensor : restless_.all()) tell(static_cast<std::size_t>(sensor), felt.of(sensor), things);
+  for (std::size_t i = 0; i < table_.size(); ++i) tell(i, felt.of(table_.sensors()[i]), things);
 }
 
-bool Afferents::update(std::size_t sensor, const Feeling& feeling) {
-  State& state = states_[sensor];
-  const auto smooth = [this](double& value, double now) { value = now + kept_ * (value - now); };
-  smooth(state.normal, feeling.normal);
-  smooth(state.along, feeling.tangent.x());
-  smooth(state.across, feeling.tangent.y());
-  const double depth = receptors::indentation(state.normal, patches_[sensor].spacing);
-  const double speed = (depth - state.depth) / tick_;
-  smooth(state.jolts, receptors::pc_rate((speed - state.speed) / tick_));
-  if (state.jolts < receptors::kSilent) state.jolts = 0;
-  state.depth = depth;
-  state.speed = speed;
-  const bool gone = feeling.normal == 0 && state.normal < kNoForce && std::abs(speed) < kStill && state.jolts == 0;
-  if (!gone) return true;
-  state = {};
-  tell(sensor, {}, {});
-  return false;
-}
-
-void Afferents::tell(std::size_t sensor, const Feeling& feeling, const Things& things) {
-  const State& state = states_[sensor];
-  double ra = receptors::ra_rate(state.speed), pc = state.jolts;
+void Afferents::tell(std::size_t place, const Feeling& feeling, const Things& things) {
+  const auto value = [&](Column column) { return table_[column][place]; };
+  double ra = receptors::ra_rate(value(kSpeed)), pc = value(kJolts);
   const double sliding = feeling.normal > 0 ? feeling.sliding / feeling.normal : 0;
   if (sliding > slip_threshold_ && feeling.other >= 0) {
     const Thing& thing = things.by_geom[static_cast<std::size_t>(feeling.other)];
     ra += receptors::ra_of_sliding(sliding, {thing.wavelength, thing.amplitude});
     pc += receptors::pc_of_sliding(sliding, {thing.wavelength, thing.amplitude});
   }
-  sa1_[sensor] = static_cast<float>(receptors::sa1_rate(state.depth, state.speed));
-  ra_[sensor] = static_cast<float>(ra);
-  pc_[sensor] = static_cast<float>(pc);
-  const bool stretched = state.normal >= kNoForce && patches_[sensor].region != receptors::Region::kFinger;
-  const double force = std::sqrt(state.along * state.along + state.across * state.across);
-  const double all = receptors::stretch(force, patches_[sensor].spacing);
+  const auto put = [&](Rate rate, double hertz) { table_[kFirstRate + rate][place] = hertz; };
+  put(kSa1, receptors::sa1_rate(value(kDepth), value(kSpeed)));
+  put(kRa, ra);
+  put(kPc, pc);
+  const Patch& patch = patches_[static_cast<std::size_t>(table_.sensors()[place])];
+  const double along = value(kAlong), across = value(kAcross);
+  const bool stretched = value(kNormal) >= kNoForce && patch.region != receptors::Region::kFinger;
+  const double force = std::sqrt(along * along + across * across);
+  const double all = receptors::stretch(force, patch.spacing);
   const auto channel = [&](double part) {
-    return stretched ? static_cast<float>(receptors::sa2_rate(force > 0 ? all * part / force : 0, all)) : 0.0F;
+    return stretched ? receptors::sa2_rate(force > 0 ? all * part / force : 0, all) : 0;
   };
-  sa2_[2 * sensor] = channel(state.along);
-  sa2_[2 * sensor + 1] = channel(state.across);
+  put(kSa2Along, channel(along));
+  put(kSa2Across, channel(across));
 }
 
 void Afferents::save(ByteWriter& to) const {
-  for (const State& s : states_) {
-    for (const double number : {s.normal, s.along, s.across, s.depth, s.speed, s.jolts}) to.put(number);
+  for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
+    for (std::size_t column = 0; column < kStates; ++column) to.put(table_.number(column, sensor));
   }
-  for (const std::vector<float>* rates : {&sa1_, &ra_, &pc_, &sa2_}) to.put(Span<const float>(*rates));
+  const auto put = [&](std::size_t rate, std::size_t sensor) {
+    to.put(static_cast<float>(table_.number(kFirstRate + rate, sensor)));
+  };
+  for (const std::size_t rate : {kSa1, kRa, kPc}) {
+    for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) put(rate, sensor);
+  }
+  for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
+    for (const std::size_t rate : {kSa2Along, kSa2Across}) put(rate, sensor);
+  }
 }
 
 void Afferents::load(ByteReader& from) {
-  restless_.clear();
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    State& s = states_[i];
-    for (double* number : {&s.normal, &s.along, &s.across, &s.depth, &s.speed, &s.jolts}) {
-      *number = from.take_finite("a touch afferent");
-    }
-    if (s.normal != 0 || s.jolts != 0 || s.speed != 0) restless_.add(static_cast<int>(i));
+  table_.clear();
+  for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
+    std::array<double, kStates> state;
+    for (double& number : state) number = from.take_finite("a touch afferent");
+    if (state[kNormal] == 0 && state[kJolts] == 0 && state[kSpeed] == 0) continue;
+    add(static_cast<int>(sensor));
+    for (std::size_t column = 0; column < kStates; ++column) table_[column][table_.size() - 1] = state[column];
   }
-  for (std::vector<float>* rates : {&sa1_, &ra_, &pc_, &sa2_}) from.take(Span<float>(*rates));
+  const auto take = [&](std::size_t rate, std::size_t sensor) {
+    const float hertz = from.take<float>();
+    if (table_.place(sensor) == table_.kNone) return;
+    table_[kFirstRate + rate][static_cast<std::size_t>(table_.place(sensor))] = static_cast<double>(hertz);
+  };
+  for (const std::size_t rate : {kSa1, kRa, kPc}) {
+    for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) take(rate, sensor);
+  }
+  for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
+    for (const std::size_t rate : {kSa2Along, kSa2Across}) take(rate, sensor);
+  }
 }
 
 }  // namespace mimo::senses::touch

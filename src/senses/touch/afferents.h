@@ -12,6 +12,10 @@ namespace mimo::senses::touch {
 
 class Afferents {
  public:
+  // The rates of each sensor, Hz; two directions of SA2.
+  enum Rate : std::size_t { kSa1, kRa, kPc, kSa2Along, kSa2Across };
+  static constexpr std::size_t kRates = 5;
+
   Afferents(const std::vector<Patch>& patches, double slip_threshold, double tick);
 
   void rest(const Felt& felt);
@@ -19,32 +23,41 @@ class Afferents {
   // Brings the rates up to date; only who looks at them pays for it. What is felt is that of the last go_on.
   void tell(const Felt& felt, const Things& things);
 
-  // Hz, by sensor; two directions each of SA2.
-  const std::vector<float>& sa1() const { return sa1_; }
-  const std::vector<float>& ra() const { return ra_; }
-  const std::vector<float>& pc() const { return pc_; }
-  const std::vector<float>& sa2() const { return sa2_; }
+  // Fills a rate in at out[0], out[every] and so on, where a sensor is not at rest: there it is 0.
+  void fill_in(Rate rate, float* out, std::size_t every = 1) const { table_.spread(kFirstRate + rate, out, every); }
 
-  const std::vector<int>& restless() const { return restless_.all(); }
-  double force(std::size_t sensor) const { return states_[sensor].normal; }  // smoothed, N
+  const std::vector<int>& restless() const { return table_.sensors(); }
+  double force(std::size_t sensor) const { return table_.number(kNormal, sensor); }  // smoothed, N
 
   void save(ByteWriter& to) const;
   void load(ByteReader& from);
 
  private:
-  struct State {
-    double normal = 0, along = 0, across = 0;  // smoothed forces, N
-    double depth = 0, speed = 0;               // m, m/s
-    double jolts = 0;                          // envelope of PC, Hz
+  enum Column : std::size_t {
+    kNormal,  // smoothed forces, N
+    kAlong,
+    kAcross,
+    kDepth,                 // m
+    kSpeed,                 // m/s
+    kJolts,                 // envelope of PC, Hz
+    kStates,                // those above are remembered
+    kFeltNormal = kStates,  // forces of this tick, N
+    kFeltAlong,
+    kFeltAcross,
+    kSpacing,  // m
+    kFirstRate,
+    kColumns = kFirstRate + kRates
   };
-  bool update(std::size_t sensor, const Feeling& feeling);
-  void tell(std::size_t sensor, const Feeling& feeling, const Things& things);
+
+  void add(int sensor);
+  void take_in(const Felt& felt);
+  void smooth();
+  bool gone(std::size_t place) const;
+  void tell(std::size_t place, const Feeling& feeling, const Things& things);
 
   const std::vector<Patch>& patches_;
   double slip_threshold_, tick_, kept_;
-  std::vector<State> states_;
-  std::vector<float> sa1_, ra_, pc_, sa2_;
-  Restless restless_;
+  Restless<kColumns> table_;
 };
 
 }  // namespace mimo::senses::touch

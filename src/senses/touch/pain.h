@@ -7,26 +7,32 @@ namespace mimo::senses::touch {
 
 class Pain {
  public:
+  enum Rate : std::size_t { kFast, kSlow };  // Hz
+
   Pain(const std::vector<Patch>& patches, double tick);
 
-  void rest();
+  void rest() { table_.clear(); }
   void go_on(const Felt& felt, const Warmth& warmth);
 
-  const std::vector<float>& fast() const { return fast_; }  // Hz
-  const std::vector<float>& slow() const { return slow_; }
+  // Fills a rate in where a sensor is not at rest: there it is 0.
+  void fill_in(Rate rate, float* out) const { table_.spread(kFirstRate + rate, out); }
 
   void save(ByteWriter& to) const;
   void load(ByteReader& from);
 
  private:
-  bool update(std::size_t sensor, double temperature);
+  enum Column : std::size_t {
+    kOver,     // the greatest pressure of this step, in units of the threshold
+    kAdapted,  // of the fast ones to pressure, 0 to 1
+    kFirstRate,
+    kColumns = kFirstRate + 2
+  };
+  // Says whether the sensor goes on being restless.
+  bool update(std::size_t place, double temperature);
 
   const std::vector<Patch>& patches_;
   double kept_;
-  std::vector<double> over_;     // the greatest pressure of this step, in units of the threshold
-  std::vector<double> adapted_;  // of the fast ones to pressure, 0 to 1
-  std::vector<float> fast_, slow_;
-  Restless restless_;
+  Restless<kColumns> table_;
 };
 
 }  // namespace mimo::senses::touch

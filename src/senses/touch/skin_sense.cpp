@@ -1,6 +1,7 @@
 #include "senses/touch/skin_sense.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -28,7 +29,7 @@ class Nerves : public observation::Process {
         wants_rates_of_warmth_(options.receptors.cold || options.receptors.warm),
         felt_(*skin_, options.response, {options.receptors.ra || options.receptors.pc, wants_pain_}, *things_),
         afferents_(patches_, options.slip_threshold, tick),
-        warmth_(patches_, things_->air, tick),
+        warmth_(patches_, *things_, tick),
         pain_(patches_, tick) {}
 
   std::vector<Signal> signals(const SkinReceptorOptions& wanted) const;
@@ -45,7 +46,7 @@ class Nerves : public observation::Process {
     felt_.take_in(model, data);
     afferents_.go_on(felt_);
     stale_ = true;
-    if (wants_warmth_) warmth_.go_on(felt_, afferents_, *things_);
+    if (wants_warmth_) warmth_.go_on(felt_, afferents_);
     if (wants_pain_) pain_.go_on(felt_, warmth_);
   }
   void save(ByteWriter& to) const override {
@@ -65,11 +66,17 @@ class Nerves : public observation::Process {
   void tell() const {
     if (!stale_) return;
     afferents_.tell(felt_, *things_);
-    if (wants_rates_of_warmth_) warmth_.tell();
+    if (wants_warmth_) warmth_.tell(wants_rates_of_warmth_);
     stale_ = false;
   }
 
-  Signal signal(const char* name, const std::vector<float>& values, const char* unit = "Hz") const;
+  // Fills all of a field.
+  using Fill = std::function<void(float* out)>;
+  Signal signal(const char* name, std::size_t channels, Fill fill, const char* unit = "Hz") const;
+  Signal rate(const char* name, touch::Afferents::Rate rate) const;
+  Signal rate(const char* name, touch::Pain::Rate rate) const;
+  Signal stretch() const;
+  Signal told(const char* name, const std::vector<float>& values, const char* unit = "Hz") const;
   Signal units() const;
 
   std::shared_ptr<const touch::Skin> skin_;
@@ -83,21 +90,49 @@ class Nerves : public observation::Process {
   touch::Pain pain_;
 };
 
-Signal Nerves::signal(const char* name, const std::vector<float>& values, const char* unit) const {
+Signal Nerves::signal(const char* name, std::size_t channels, Fill fill, const char* unit) const {
   Field field;
   field.name = std::string("touch/") + name;
   field.shape = {skin_->sensors().size()};
-  if (values.size() > skin_->sensors().size()) {
-    field.shape.push_back(values.size() / skin_->sensors().size());
+  if (channels > 1) {
+    field.shape.push_back(channels);
     field.frame = "skin";
   }
   field.unit = unit;
   if (unit == std::string("Hz")) field.low = 0;
   field.receptors = skin_->sensors();
-  return {field, [this, &values](const mjModel&, const mjData&, float* out) {
+  return {field, [this, fill = std::move(fill)](const mjModel&, const mjData&, float* out) {
             tell();
-            std::copy(values.begin(), values.end(), out);
+            fill(out);
           }};
+}
+
+// Most sensors are silent.
+Signal Nerves::rate(const char* name, touch::Afferents::Rate rate) const {
+  return signal(name, 1, [this, rate](float* out) {
+    std::fill_n(out, patches_.size(), 0.0F);
+    afferents_.fill_in(rate, out);
+  });
+}
+
+Signal Nerves::rate(const char* name, touch::Pain::Rate rate) const {
+  return signal(name, 1, [this, rate](float* out) {
+    std::fill_n(out, patches_.size(), 0.0F);
+    pain_.fill_in(rate, out);
+  });
+}
+
+Signal Nerves::stretch() const {
+  return signal("sa2", 2, [this](float* out) {
+    std::fill_n(out, 2 * patches_.size(), 0.0F);
+    afferents_.fill_in(touch::Afferents::kSa2Along, out, 2);
+    afferents_.fill_in(touch::Afferents::kSa2Across, out + 1, 2);
+  });
+}
+
+Signal Nerves::told(const char* name, const std::vector<float>& values, const char* unit) const {
+  return signal(
+      name, 1, [&values](float* out) { std::copy(values.begin(), values.end(), out); }, unit);
 }
 
 // How many afferents of each kind a sensor stands for; on a regular grid of triangles it has 0.87 of its spacing's
@@ -110,10 +145,10 @@ Signal Nerves::units() const {
       counts.push_back(static_cast<float>(area * receptors::afferents_per_square_metre(patch.region, kind)));
     }
   }
-  Signal signal = this->signal("units", counts, "");
+  const auto fill = [counts](float* out) { std::copy(counts.begin(), counts.end(), out); };
+  Signal signal = this->signal("units", receptors::kTouchKinds, fill, "");
   signal.field.frame = "";
   signal.field.low = 0;
-  signal.write = [counts](const mjModel&, const mjData&, float* out) { std::copy(counts.begin(), counts.end(), out); };
   return signal;
 }
 
@@ -126,15 +161,15 @@ std::vector<Signal> Nerves::signals(const SkinReceptorOptions& wanted) const {
     signal.field.nerve_speed = speed;
     signals.push_back(std::move(signal));
   };
-  add(wanted.sa1, signal("sa1", afferents_.sa1()));
-  add(wanted.ra, signal("ra", afferents_.ra()));
-  add(wanted.pc, signal("pc", afferents_.pc()));
-  add(wanted.sa2, signal("sa2", afferents_.sa2()));
-  add(wanted.temperature, signal("temperature", warmth_.temperature(), "degC"));
-  add(wanted.cold, signal("cold", warmth_.cold()), 6.3 / 56);
-  add(wanted.warm, signal("warm", warmth_.warm()), 1, 0.7);
-  add(wanted.nociception_fast, signal("nociception_fast", pain_.fast()), receptors::kFastShare);
-  add(wanted.nociception_slow, signal("nociception_slow", pain_.slow()), 1, receptors::kSlowSpeed);
+  add(wanted.sa1, rate("sa1", touch::Afferents::kSa1));
+  add(wanted.ra, rate("ra", touch::Afferents::kRa));
+  add(wanted.pc, rate("pc", touch::Afferents::kPc));
+  add(wanted.sa2, stretch());
+  add(wanted.temperature, told("temperature", warmth_.temperature(), "degC"));
+  add(wanted.cold, told("cold", warmth_.cold()), 6.3 / 56);
+  add(wanted.warm, told("warm", warmth_.warm()), 1, 0.7);
+  add(wanted.nociception_fast, rate("nociception_fast", touch::Pain::kFast), receptors::kFastShare);
+  add(wanted.nociception_slow, rate("nociception_slow", touch::Pain::kSlow), 1, receptors::kSlowSpeed);
   add(wanted.units, units());
   return signals;
 }

@@ -1,6 +1,7 @@
 #include "senses/touch/warmth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "receptors/thermoreceptors.h"
@@ -8,103 +9,201 @@
 namespace mimo::senses::touch {
 namespace {
 
+using receptors::Eight;
+
 constexpr double kTouching = 1e-3;  // N, smoothed
 constexpr double kRested = 1e-4;    // degrees
+constexpr double kRounding = 1e-3;  // degrees, more than rounding makes
+
+// Of eight receptors: how warm they are, and how fast that changes.
+struct Eights {
+  Eights(const double* surface, const double* at, double lag) {
+    for (int i = 0; i < 8; ++i) {
+      temperature[i] = static_cast<float>(at[i]);
+      change[i] = static_cast<float>((surface[i] - at[i]) / lag);
+    }
+  }
+  Eight temperature, change;
+};
 
 }  // namespace
 
-Warmth::Warmth(const std::vector<Patch>& patches, double air, double tick)
-    : patches_(patches),
-      rest_(receptors::resting_temperature({37, air})),
+Warmth::Warmth(const std::vector<Patch>& patches, const Things& things, double tick)
+    : things_(things),
+      rest_(receptors::resting_temperature({37, things.air})),
       tick_(tick),
-      kept_(receptors::skin_kept({37, air}, tick)),
+      kept_(receptors::skin_kept({37, things.air}, tick)),
       kept_cold_(std::exp(-tick / receptors::kColdLag)),
       kept_warm_(std::exp(-tick / receptors::kWarmLag)),
-      states_(patches.size()),
+      cold_at_rest_(receptors::cold_rates(Eight::Constant(as_told(rest_)), Eight::Zero())[0]),
+      warm_at_rest_(receptors::warm_rates(Eight::Constant(as_told(rest_)), Eight::Zero())[0]),
+      touched_(patches.size()),
+      free_(patches.size()),
       temperature_(patches.size()),
       cold_(patches.size()),
-      warm_(patches.size()),
-      restless_(patches.size()) {
+      warm_(patches.size()) {
+  for (const Patch& patch : patches) factors_.push_back(static_cast<float>(receptors::thermal_factor(patch.region)));
   rest();
 }
 
 void Warmth::rest() {
-  restless_.clear();
-  std::fill(states_.begin(), states_.end(), State{rest_, rest_, rest_});
-  for (std::size_t i = 0; i < states_.size(); ++i) tell(i);
+  touched_.clear();
+  free_.clear();
+  coldest_ = warmest_ = rest_;
+  for (std::size_t i = 0; i < temperature_.size(); ++i) tell_rest(i);
 }
 
-void Warmth::go_on(const Felt& felt, const Afferents& afferents, const Things& things) {
+void Warmth::go_on(const Felt& felt, const Afferents& afferents) {
   for (const int sensor : afferents.restless()) {
-    if (afferents.force(static_cast<std::size_t>(sensor)) > kTouching) restless_.add(sensor);
+    if (afferents.force(static_cast<std::size_t>(sensor)) > kTouching) touch(sensor, felt.of(sensor).other);
   }
-  restless_.each([&](std::size_t sensor) {
-    const double force = afferents.force(sensor);
-    return update(sensor, force > kTouching ? felt.of(static_cast<int>(sensor)).other : -1, force, things);
-  });
+  // A contact that breaks for a step or two goes on: the smoothed force tells.
+  for (std::size_t i = touched_.size(); i-- > 0;) {
+    if (afferents.force(static_cast<std::size_t>(touched_.sensors()[i])) <= kTouching) let_go(i);
+  }
+  follow_things();
+  come_back();
 }
 
-// A contact that breaks for a step or two goes on: the smoothed force tells.
-bool Warmth::update(std::size_t sensor, int touching, double force, const Things& things) {
-  State& state = states_[sensor];
-  if (force <= kTouching) {
-    state.other = -1;
-  } else if (touching >= 0 && touching != state.other) {
-    state.before = state.surface;
-    state.since = 0;
-    state.other = touching;
+void Warmth::touch(int sensor, int other) {
+  if (other < 0) return;
+  const int known = touched_.place(static_cast<std::size_t>(sensor));
+  if (known != Touched::kNone) {
+    const auto place = static_cast<std::size_t>(known);
+    if (touched_[kOther][place] != other) begin(place, other, touched_[kSurface][place]);
+    return;
   }
-  if (state.other >= 0) {
-    const Thing& thing = things.by_geom[static_cast<std::size_t>(state.other)];
-    state.since += tick_;
-    state.surface = receptors::touched_temperature(state.before, thing.temperature, thing.effusivity, state.since);
-  } else {
-    state.surface = rest_ + kept_ * (state.surface - rest_);
+  const std::size_t place = touched_.add(sensor);
+  const int before = free_.place(static_cast<std::size_t>(sensor));
+  for (std::size_t column = 0; column < kFreeColumns; ++column) {
+    touched_[column][place] = before == Free::kNone ? rest_ : free_[column][static_cast<std::size_t>(before)];
   }
-  state.at_cold = state.surface + kept_cold_ * (state.at_cold - state.surface);
-  state.at_warm = state.surface + kept_warm_ * (state.at_warm - state.surface);
-  const auto off = [this](double degrees) { return std::abs(degrees - rest_) > kRested; };
-  const bool restless = state.other >= 0 || off(state.surface) || off(state.at_cold) || off(state.at_warm);
-  temperature_[sensor] = static_cast<float>(state.surface);
-  if (restless) return true;
-  state = {rest_, rest_, rest_};
-  tell(sensor);
-  return false;
+  if (before != Free::kNone) free_.remove(static_cast<std::size_t>(before));
+  begin(place, other, touched_[kSurface][place]);
 }
 
-void Warmth::tell() {
-  for (const int sensor : restless_.all()) tell(static_cast<std::size_t>(sensor));
+void Warmth::begin(std::size_t place, int other, double before) {
+  const Thing& thing = things_.by_geom[static_cast<std::size_t>(other)];
+  const receptors::Touching touching = receptors::touching(before, thing.temperature, thing.effusivity);
+  touched_[kBefore][place] = touching.before;
+  touched_[kSwing][place] = touching.swing;
+  touched_[kPace][place] = touching.pace;
+  touched_[kSince][place] = 0;
+  touched_[kOther][place] = other;
+  coldest_ = std::min({coldest_, before - kRounding, before + touching.swing - kRounding});
+  warmest_ = std::max({warmest_, before + kRounding, before + touching.swing + kRounding});
 }
 
-void Warmth::tell(std::size_t sensor) {
-  const State& state = states_[sensor];
-  const double factor = receptors::thermal_factor(patches_[sensor].region);
-  temperature_[sensor] = static_cast<float>(state.surface);
-  const double cooling = (state.surface - state.at_cold) / receptors::kColdLag;
-  const double warming = (state.surface - state.at_warm) / receptors::kWarmLag;
-  cold_[sensor] = static_cast<float>(factor * receptors::cold_rate(state.at_cold, cooling));
-  warm_[sensor] = static_cast<float>(factor * receptors::warm_rate(state.at_warm, warming));
+void Warmth::let_go(std::size_t place) {
+  const std::size_t to = free_.add(touched_.sensors()[place]);
+  for (std::size_t column = 0; column < kFreeColumns; ++column) free_[column][to] = touched_[column][place];
+  touched_.remove(place);
+}
+
+void Warmth::follow_things() {
+  for (std::size_t i = 0; i < touched_.size(); i += kRow) {
+    const Row since = touched_.row(kSince, i) + tick_;
+    const receptors::TouchingOf<Row> by = {touched_.row(kBefore, i), touched_.row(kSwing, i), touched_.row(kPace, i)};
+    const Row surface = receptors::touched_temperature(by, since);
+    touched_.row(kSince, i) = since;
+    touched_.row(kSurface, i) = surface;
+    touched_.row(kAtCold, i) = surface + kept_cold_ * (touched_.row(kAtCold, i) - surface);
+    touched_.row(kAtWarm, i) = surface + kept_warm_ * (touched_.row(kAtWarm, i) - surface);
+  }
+}
+
+void Warmth::come_back() {
+  free_.pad(kSurface, rest_ + 1);
+  Row least_off = Row::Constant(1);
+  for (std::size_t i = 0; i < free_.size(); i += kRow) {
+    const Row surface = rest_ + kept_ * (free_.row(kSurface, i) - rest_);
+    const Row at_cold = surface + kept_cold_ * (free_.row(kAtCold, i) - surface);
+    const Row at_warm = surface + kept_warm_ * (free_.row(kAtWarm, i) - surface);
+    free_.row(kSurface, i) = surface;
+    free_.row(kAtCold, i) = at_cold;
+    free_.row(kAtWarm, i) = at_warm;
+    least_off = least_off.min((surface - rest_).abs().max((at_cold - rest_).abs()).max((at_warm - rest_).abs()));
+  }
+  if (!(least_off.minCoeff() <= kRested)) return;
+  for (std::size_t i = free_.size(); i-- > 0;) {
+    const auto rested = [&](Column column) { return std::abs(free_[column][i] - rest_) <= kRested; };
+    if (!rested(kSurface) || !rested(kAtCold) || !rested(kAtWarm)) continue;
+    tell_rest(static_cast<std::size_t>(free_.sensors()[i]));
+    free_.remove(i);
+  }
+}
+
+float Warmth::now(std::size_t sensor) const {
+  if (touched_.place(sensor) != Touched::kNone) return as_told(touched_.number(kSurface, sensor));
+  return as_told(free_.place(sensor) == Free::kNone ? rest_ : free_.number(kSurface, sensor));
+}
+
+void Warmth::tell(bool rates) {
+  tell(touched_, rates);
+  tell(free_, rates);
+}
+
+template <typename Table>
+void Warmth::tell(const Table& table, bool rates) {
+  table.spread(kSurface, temperature_.data());
+  for (std::size_t first = 0; rates && first < table.size(); first += kRow) {
+    const double* const surface = table[kSurface] + first;
+    const Eights cold(surface, table[kAtCold] + first, receptors::kColdLag);
+    const Eights warm(surface, table[kAtWarm] + first, receptors::kWarmLag);
+    const Eight cold_rates = receptors::cold_rates(cold.temperature, cold.change);
+    const Eight warm_rates = receptors::warm_rates(warm.temperature, warm.change);
+    const std::size_t count = std::min(kRow, table.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto sensor = static_cast<std::size_t>(table.sensors()[first + i]);
+      cold_[sensor] = factors_[sensor] * cold_rates[static_cast<Eigen::Index>(i)];
+      warm_[sensor] = factors_[sensor] * warm_rates[static_cast<Eigen::Index>(i)];
+    }
+  }
+}
+
+void Warmth::tell_rest(std::size_t sensor) {
+  temperature_[sensor] = as_told(rest_);
+  cold_[sensor] = factors_[sensor] * cold_at_rest_;
+  warm_[sensor] = factors_[sensor] * warm_at_rest_;
 }
 
 void Warmth::save(ByteWriter& to) const {
-  for (const State& s : states_) {
-    for (const double number : {s.surface, s.at_cold, s.at_warm, s.before, s.since}) to.put(number);
-    to.put(std::int32_t{s.other});
+  for (std::size_t sensor = 0; sensor < temperature_.size(); ++sensor) {
+    const bool touched = touched_.place(sensor) != Touched::kNone, free = free_.place(sensor) != Free::kNone;
+    for (std::size_t column = 0; column < kFreeColumns; ++column) {
+      to.put(touched ? touched_.number(column, sensor) : free ? free_.number(column, sensor) : rest_);
+    }
+    to.put(touched_.number(kBefore, sensor));
+    to.put(touched_.number(kSince, sensor));
+    to.put(touched ? static_cast<std::int32_t>(touched_.number(kOther, sensor)) : std::int32_t{-1});
   }
 }
 
 void Warmth::load(ByteReader& from) {
-  restless_.clear();
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    State& s = states_[i];
-    for (double* number : {&s.surface, &s.at_cold, &s.at_warm, &s.before, &s.since}) {
-      *number = from.take_finite("skin's temperature");
+  rest();
+  for (std::size_t sensor = 0; sensor < temperature_.size(); ++sensor) {
+    std::array<double, 5> state;  // the columns that are free, before, since
+    for (double& number : state) number = from.take_finite("skin's temperature");
+    const auto other = from.take<std::int32_t>();
+    const auto geoms = static_cast<std::int64_t>(things_.by_geom.size());
+    require(other < geoms && state[4] >= 0, "the state holds skin that geom {} touches for {} s", other, state[4]);
+    const auto put = [&](auto& table) {
+      const std::size_t place = table.add(static_cast<int>(sensor));
+      for (std::size_t column = 0; column < kFreeColumns; ++column) table[column][place] = state[column];
+      coldest_ = std::min(coldest_, state[kSurface] - kRounding);
+      warmest_ = std::max(warmest_, state[kSurface] + kRounding);
+      return place;
+    };
+    const auto off = [this](double degrees) { return degrees != rest_; };
+    if (other >= 0) {
+      const std::size_t place = put(touched_);
+      begin(place, other, state[3]);
+      touched_[kSince][place] = state[4];
+    } else if (off(state[kSurface]) || off(state[kAtCold]) || off(state[kAtWarm])) {
+      put(free_);
     }
-    s.other = from.take<std::int32_t>();
-    const bool resting = s.other < 0 && s.surface == rest_ && s.at_cold == rest_ && s.at_warm == rest_;
-    if (!resting) restless_.add(static_cast<int>(i));
-    tell(i);
   }
+  tell(true);
 }
 
 }  // namespace mimo::senses::touch

@@ -38,7 +38,7 @@ TEST(TouchAfferents, RaTellsSpeed) {
     EXPECT_EQ(ra_rate(speed * 1e-3), ra_rate(-speed * 1e-3));
   }
   EXPECT_EQ(ra_rate(0), 0);
-  EXPECT_EQ(pc_rate(0), 0);
+  EXPECT_EQ(pc_rate<double>(0), 0);
 }
 
 // A ramp of 1 mm at 20 mm/s and back through a filter of 10 ms, in ticks of 5 ms: TouchSim's PC give 1.8 spikes.
@@ -51,7 +51,7 @@ TEST(TouchAfferents, PcTellsTransients) {
     const double wanted = at < 0.05 ? 0.02 * at : at < 0.5 ? 1e-3 : std::max(0.0, 1e-3 - 0.02 * (at - 0.5));
     const double now = wanted + kept * (depth - wanted);
     const double moving = (now - depth) / kTick;
-    spikes += pc_rate((moving - speed) / kTick) * kTick;
+    spikes += pc_rate<double>((moving - speed) / kTick) * kTick;
     depth = now;
     speed = moving;
   }
@@ -60,9 +60,9 @@ TEST(TouchAfferents, PcTellsTransients) {
 
 // 1 N and 0.25 N on a fingertip's 2 mm: 1.9 and 0.9 mm.
 TEST(TouchAfferents, SkinStiffens) {
-  EXPECT_NEAR(indentation(1, 0.002), 1.9e-3, 0.05e-3);
-  EXPECT_NEAR(indentation(0.25, 0.002), 0.9e-3, 0.05e-3);
-  EXPECT_LT(indentation(1e6, 0.002), 3e-3);
+  EXPECT_NEAR(indentation<double>(1, 0.002), 1.9e-3, 0.05e-3);
+  EXPECT_NEAR(indentation<double>(0.25, 0.002), 0.9e-3, 0.05e-3);
+  EXPECT_LT(indentation<double>(1e6, 0.002), 3e-3);
 }
 
 // 10 Hz at rest, 30 Hz more a millimetre along; threshold 0.3 mm (estimates).
@@ -107,13 +107,13 @@ TEST(SkinTemperature, FollowsWhatTouchesIt) {
     const double e = row.effusivity;
     EXPECT_NEAR(interface_temperature(33, 22, e), row.meets_cold, 0.01) << row.name;
     EXPECT_NEAR(interface_temperature(33, 60, e), row.meets_hot, 0.01) << row.name;
-    EXPECT_NEAR(touched_temperature(33, 22, e, 1), row.after_1, 0.01) << row.name;
-    EXPECT_NEAR(touched_temperature(33, 22, e, 10), row.after_10, 0.01) << row.name;
-    EXPECT_NEAR(touched_temperature(33, 60, e, 1), row.hot_1, 0.01) << row.name;
-    EXPECT_NEAR(touched_temperature(33, 60, e, 10), row.hot_10, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature<double>(touching(33, 22, e), 1), row.after_1, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature<double>(touching(33, 22, e), 10), row.after_10, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature<double>(touching(33, 60, e), 1), row.hot_1, 0.01) << row.name;
+    EXPECT_NEAR(touched_temperature<double>(touching(33, 60, e), 10), row.hot_10, 0.01) << row.name;
   }
   EXPECT_NEAR(interface_temperature(33, 25, kSkinEffusivity), 29, 1e-12);
-  EXPECT_EQ(touched_temperature(33, 22, 0, 1), 33);
+  EXPECT_EQ(touched_temperature<double>(touching(33, 22, 0), 1), 33);
 }
 
 // In still air naked: 33.0 degrees at 24, 30.2 at 15, 35.5 at 32; deviations fall to their e-th part in 116.5 s.
@@ -124,20 +124,44 @@ TEST(SkinTemperature, RestsBetweenBloodAndAir) {
   EXPECT_NEAR(skin_kept({}, 116.5), std::exp(-1), 1e-4);
 }
 
-// Abramowitz and Stegun, table 7.1 and 7.3: erfc(1) = 0.157299, and 0.0563 at x = 10.
+// Against the C library's erfc as far as its exponential goes, and the asymptote 1 / (x sqrt(pi)) beyond.
 TEST(SkinTemperature, ScaledErfc) {
-  EXPECT_NEAR(scaled_erfc(0), 1, 2e-7);
-  EXPECT_NEAR(scaled_erfc(1), 0.157299 * std::exp(1), 2e-6);
-  EXPECT_NEAR(scaled_erfc(10), 0.056140992743823, 2e-8);
-  EXPECT_NEAR(scaled_erfc(1e6) * 1e6, 1 / std::sqrt(3.14159265358979), 2e-7);
+  for (double x = 0; x < 5; x += 0.01) {
+    const double expected = std::exp(x * x) * std::erfc(x);
+    EXPECT_NEAR(scaled_erfc<double>(x), expected, 3e-8 * expected) << x;
+  }
+  EXPECT_NEAR(scaled_erfc<double>(10), 0.056140992743823, 2e-9);
+  EXPECT_NEAR(scaled_erfc<double>(1e6) * 1e6, 1 / std::sqrt(3.14159265358979), 2e-8);
+}
+
+float cold_rate(float temperature, float change) {
+  return cold_rates(Eight::Constant(temperature), Eight::Constant(change))[0];
+}
+float warm_rate(float temperature, float change) {
+  return warm_rates(Eight::Constant(temperature), Eight::Constant(change))[0];
 }
 
 // Hensel and Iggo 1971: cold fibres most at 30 degrees, warm ones 12 Hz at 41; opposite answers to one change.
 TEST(Thermoreceptors, AreMostActiveWhereTheirFibresAre) {
   EXPECT_NEAR(cold_rate(30, 0), 8, 1e-12);
   EXPECT_NEAR(warm_rate(41, 0), 12, 1e-12);
-  EXPECT_GT(cold_rate(33, -0.2), cold_rate(33, 0));
-  EXPECT_LT(warm_rate(35, -0.2), warm_rate(35, 0));
+  EXPECT_GT(cold_rate(33, -0.2F), cold_rate(33, 0));
+  EXPECT_LT(warm_rate(35, -0.2F), warm_rate(35, 0));
+  EXPECT_EQ(cold_rate(33, 10), 0);
+}
+
+// Each of the eight by itself, as the C library has it: from the cold of space to boiling water.
+TEST(Thermoreceptors, AreEightAtOnce) {
+  for (float degrees = -273; degrees < 100; degrees += 8 * 0.37F) {
+    Eight temperatures;
+    for (int i = 0; i < 8; ++i) temperatures[i] = degrees + 0.37F * static_cast<float>(i);
+    const Eight cold = cold_rates(temperatures, Eight::Zero()), warm = warm_rates(temperatures, Eight::Zero());
+    for (int i = 0; i < 8; ++i) {
+      const double at = temperatures[i], x = (at - 30) / 6, y = (at - 41) / 5;
+      EXPECT_NEAR(cold[i], 8 * std::exp(-x * x), 1e-5) << at;
+      EXPECT_NEAR(warm[i], 12 * std::exp(-y * y), 1e-5) << at;
+    }
+  }
 }
 
 // Hertz by hand: 1 N with 10 mm makes a patch of 3.35 mm and 28.4 kPa, with 0.5 mm 209 kPa; 10 N with 30 mm 29 kPa.
@@ -158,8 +182,8 @@ TEST(Nociceptors, HeatAndColdHurt) {
   EXPECT_NEAR(fast_heat_rate(48), 10, 1e-12);
   EXPECT_NEAR(slow_heat_rate(10), 8, 1e-12);
   // Wood of 60 degrees never brings skin to 43, copper does within 5 s.
-  EXPECT_LT(touched_temperature(33, 60, 380, 1e4), 43);
-  EXPECT_GT(touched_temperature(33, 60, 37048, 5), 43);
+  EXPECT_LT(touched_temperature<double>(touching(33, 60, 380), 1e4), 43);
+  EXPECT_GT(touched_temperature<double>(touching(33, 60, 37048), 5), 43);
 }
 
 // Kuhne et al. 2012: 11.8 mN at birth, 45.1 at a year.
