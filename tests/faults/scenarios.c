@@ -4,7 +4,7 @@
 
 #include "support/capi.h"
 
-enum { WORLDS = 3, ROOM = 1 << 20, PICTURE = 16 };
+enum { WORLDS = 3, ROOM = 1 << 22, PICTURE = 16 };
 
 /* A world of few allocations. */
 static const char* const kSmall =
@@ -42,6 +42,7 @@ static mimo_status add_infant(mimo_scene* to) {
   agent.touch |= kNervesOfSkin;
   agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
   agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
+  agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   agent.vision_width = agent.vision_height = PICTURE;
   agent.touch_scale = 0.3;
   return mimo_scene_add_agent(to, &agent, NULL);
@@ -227,6 +228,14 @@ static mimo_status clone_infant(void) { return mimo_env_clone(infant, &made_env)
 
 static mimo_status reset(void) { return mimo_env_reset(infant, SEED(3), block, block_bytes); }
 static mimo_status step(void) { return mimo_env_step(infant, NULL, 0, block, block_bytes, NULL); }
+/* What sounds: bands of silence are not worked out. */
+static void prepare_sound(void) {
+  float samples[1600];
+  size_t i;
+  for (i = 0; i < 1600; ++i) samples[i] = i % 32 < 16 ? 0.02F : -0.02F;
+  CHECK_OK(mimo_env_play(infant, "left_foot", samples, 1600, 16000));
+  CHECK_OK(step());
+}
 static mimo_status save(void) { return mimo_env_state_save(infant, block, sizeof block); }
 static mimo_status load(void) { return mimo_env_state_load(infant, state, state_bytes, NULL); }
 static mimo_status draw(void) {
@@ -286,6 +295,7 @@ const scenario all_scenarios[] = {
     {"env_clone", nothing, clone_infant, clean, 1, 0, 16},
     {"env_reset", nothing, reset, clean, 0, 0, 0},
     {"env_step", nothing, step, clean, 0, 0, 0},
+    {"env_step, sound", prepare_sound, step, clean, 0, 0, 0},
     {"env_state_save", nothing, save, clean, 0, 0, 0},
     {"env_state_load", nothing, load, clean, 0, 0, 0},
     {"env_render", prepare_picture, draw, clean, 0, 0, 0},

@@ -38,6 +38,28 @@ def test_a_sound_on_the_left_is_heard_on_the_left():
         assert left > right > 0
 
 
+def heard_in_batch(threads):
+    """What three infants hear, two of them the same, of their own falls and taps: each block of each step."""
+    with mimo.Batch(listening(), worlds=3, threads=threads) as batch:
+        batch.reset(seeds=[3, 4, 3])
+        blocks = []
+        for number in range(40):
+            wish = np.sin(np.arange(len(batch.action_names)) + number // 5).astype(np.float32)
+            batch.step(np.tile(wish, (3, 1)))
+            hearing = [name for name in batch.observation if name.startswith("hearing/")]
+            blocks.append({name: batch.observation[name].copy() for name in hearing})
+        return blocks
+
+
+def test_batches_hear_the_same_bytes_on_any_number_of_threads():
+    one, three = heard_in_batch(1), heard_in_batch(3)
+    assert any(block["hearing/bands"].any() for block in one)
+    for alone, shared in zip(one, three, strict=True):
+        for name, heard in alone.items():
+            assert heard.tobytes() == shared[name].tobytes(), name
+            assert heard[0].tobytes() == heard[2].tobytes(), name
+
+
 def test_bad_sounds_are_refused():
     scene = listening()
     scene.set_sources(1, 0.1)
