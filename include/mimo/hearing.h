@@ -25,12 +25,12 @@ MIMO_API mimo_status mimo_scene_set_sources(mimo_scene *scene, size_t count, dou
  * centre of mass, to all sides alike. At an angle a from the axis sound is 1 - directivity + directivity cos(a) times
  * as strong as along it: 0 alike everywhere, 0.25 half behind, 0.5 nothing behind (a cardioid), 1 a figure of eight.
  * @param body        its name in the model, "caregiver", "anna/head"; unknown ones are refused when a world is made.
- * @param place       in the body's frame, m.
- * @param axis        in the body's frame, longer than 0; need not have length 1.
+ * @param place       3 numbers in the body's frame, m.
+ * @param axis        3 numbers in the body's frame, longer than 0; need not have length 1.
  * @param directivity 0 to 1. Called again for a body: the last one counts.
  */
-MIMO_API mimo_status mimo_scene_direct_source(mimo_scene *scene, const char *body, const double place[3],
-                                              const double axis[3], double directivity) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_scene_direct_source(mimo_scene *scene, const char *body, const double *place,
+                                              const double *axis, double directivity) MIMO_NOEXCEPT;
 
 /**
  * Lets a body play samples, from the next physics step on. While it plays already they wait until that is over, so that

@@ -45,7 +45,7 @@ mimo_status mimo_scene_set_sources(mimo_scene* scene, size_t count, double secon
   });
 }
 
-mimo_status mimo_scene_direct_source(mimo_scene* scene, const char* body, const double place[3], const double axis[3],
+mimo_status mimo_scene_direct_source(mimo_scene* scene, const char* body, const double* place, const double* axis,
                                      double directivity) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;

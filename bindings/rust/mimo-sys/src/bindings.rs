@@ -2707,8 +2707,8 @@ extern "C" {
     #[doc = "centre of mass, to all sides alike. At an angle a from the axis sound is 1 - directivity + directivity cos(a) times"]
     #[doc = "as strong as along it: 0 alike everywhere, 0.25 half behind, 0.5 nothing behind (a cardioid), 1 a figure of eight."]
     #[doc = "@param body        its name in the model, \"caregiver\", \"anna/head\"; unknown ones are refused when a world is made."]
-    #[doc = "@param place       in the body's frame, m."]
-    #[doc = "@param axis        in the body's frame, longer than 0; need not have length 1."]
+    #[doc = "@param place       3 numbers in the body's frame, m."]
+    #[doc = "@param axis        3 numbers in the body's frame, longer than 0; need not have length 1."]
     #[doc = "@param directivity 0 to 1. Called again for a body: the last one counts."]
     pub fn mimo_scene_direct_source(
         scene: *mut mimo_scene,
