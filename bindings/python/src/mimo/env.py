@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
-from . import view
 from .ages import Age
 from .arguments import reset_options
 from .constants import Outcome
@@ -109,6 +108,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         if self.render_mode != "human":
             return self._painter.paint(self.world)
         if self._viewer is None:
+            from . import view  # only needed for people
+
             self._viewer = view.opened_for_people(self)
         self._viewer.show()
         return None

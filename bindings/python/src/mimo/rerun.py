@@ -19,10 +19,11 @@ from typing import Any, List, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from .constants import Kind, Quantity
-from .frames import after, inverse, placed, turned
+from .constants import Kind
+from .drawing import FLOOR, SEGMENTS, ages, faces, on_bodies
+from .frames import placed, turned
 from .layout import Field
-from .view.marks import WEAK, arrows, heat, strength
+from .view.marks import WEAK, contact_arrows, heat, strength
 from .view.shapes import brightness, lit
 from .world import World
 
@@ -34,7 +35,6 @@ except ImportError as error:
 TIMELINE = "world_time"  # s since the reset
 SENSOR = 0.004  # radius of a point of the skin, m
 MANY = 256  # numbers; fields with more are logged as tensors, not as lines
-FLOOR = 5.0  # half the size of endless planes, m
 
 _logged: weakref.WeakKeyDictionary[World, List[Any]] = weakref.WeakKeyDictionary()
 
@@ -47,7 +47,7 @@ def log(world: World, path: str = "world", recording: Optional[Any] = None) -> N
     if not isinstance(world, World):
         raise TypeError(f"world is {type(world).__name__}, expected a mimo.World; of an environment, env.world")
     sdk.set_time(TIMELINE, duration=world.time, recording=recording)
-    looks = [path, recording, *_looks(world)]
+    looks = [path, recording, *ages(world).tolist(), *faces(world).tolist()]
     if _logged.get(world) != looks:
         _shapes(world, path, recording)
         _names(world, path, recording)
@@ -58,26 +58,16 @@ def log(world: World, path: str = "world", recording: Optional[Any] = None) -> N
         _field(world, field, world.observation[name], path, recording)
 
 
-def _looks(world: World) -> List[Any]:
-    if not world.agents:
-        return []
-    return [*world.get(Quantity.AGENT_AGE).tolist(), *world.get(Quantity.AGENT_FACE).tolist()]
-
-
 def _shapes(world: World, path: str, recording: Any) -> None:
-    geoms, bodies = world.poses(Kind.GEOM), world.poses(Kind.BODY)
-    owners, light = world.geoms().body_ids, brightness(world)
-    back = inverse(bodies.rotations[owners])
-    places = turned(back, geoms.positions - bodies.positions[owners])
-    rotations = after(back, geoms.rotations)
+    (owners, places, rotations), light = on_bodies(world), brightness(world)
     sdk.log(path, sdk.ViewCoordinates.RIGHT_HAND_Z_UP, static=True, recording=recording)
     for geom, body in enumerate(owners):
         material = lit(world.material(geom), light)
         if not material.visible:
             continue
-        mesh, place = world.mesh(geom, segments=16, plane=FLOOR), f"{_of_body(path, int(body))}/{geom}"
+        mesh, place = world.mesh(geom, segments=SEGMENTS, plane=FLOOR), f"{_of_body(path, int(body))}/{geom}"
         shape = sdk.Mesh3D(
-            vertex_positions=turned(rotations[geom], mesh.positions) + places[geom],
+            vertex_positions=placed(places[geom], rotations[geom], mesh.positions),
             vertex_normals=turned(rotations[geom], mesh.normals),
             triangle_indices=mesh.triangles,
             vertex_texcoords=None if material.texture < 0 else mesh.texcoords,
@@ -107,8 +97,7 @@ def _poses(world: World, path: str, recording: Any) -> None:
 
 
 def _contacts(world: World, path: str, recording: Any) -> None:
-    contacts = world.contacts()
-    ends = arrows(contacts.position, np.einsum("nij,ni->nj", contacts.frame, contacts.force))
+    ends = contact_arrows(world)
     shown = sdk.Arrows3D(origins=ends[:, 0], vectors=ends[:, 1] - ends[:, 0], radii=0.002, colors=[40, 170, 60])
     sdk.log(f"{path}/contacts", shown, recording=recording)
 

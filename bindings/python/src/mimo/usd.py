@@ -13,8 +13,9 @@ from typing import Any, Dict, List, Union
 import numpy as np
 
 from .constants import Kind, TextureType
+from .drawing import on_bodies
 from .errors import UnsupportedError
-from .frames import after, inverse, turned
+from .frames import placed, turned
 from .geometry import Light, Material, Mesh
 from .view.glb import linear, roughness
 from .world import World
@@ -84,12 +85,8 @@ class _Writer:
         return paths
 
     def _add_geoms(self, segments: int, plane: float) -> None:
-        geoms, bodies = self._world.poses(Kind.GEOM), self._world.poses(Kind.BODY)
-        selection = self._world.geoms()
-        owners, names = selection.body_ids, selection.names
-        back = inverse(bodies.rotations[owners])
-        places = turned(back, geoms.positions - bodies.positions[owners])
-        rotations = after(back, geoms.rotations)
+        names = self._world.geoms().names
+        owners, places, rotations = on_bodies(self._world)
         for geom, owner in enumerate(owners):
             material = self._world.material(geom)
             if material.visible:
@@ -102,7 +99,7 @@ class _Writer:
         from pxr import Sdf, UsdGeom, Vt
 
         shape = UsdGeom.Mesh.Define(self._stage, path)
-        points = np.ascontiguousarray(turned(rotation, mesh.positions) + place, np.float32)
+        points = np.ascontiguousarray(placed(place, rotation, mesh.positions), np.float32)
         normals = np.ascontiguousarray(turned(rotation, mesh.normals), np.float32)
         texcoords = np.ascontiguousarray(np.stack([mesh.texcoords[:, 0], 1 - mesh.texcoords[:, 1]], axis=1), np.float32)
         shape.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))

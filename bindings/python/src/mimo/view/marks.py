@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..access import Selection
 from ..constants import Kind, Quantity
+from ..drawing import ages
 from ..frames import placed
 from ..layout import Receptors
 from ..world import World
@@ -67,21 +68,12 @@ class Skin(Layer):
         self._world = world
         self._fields = [name for name in world.layout.fields if name.endswith(("touch/force", "touch/normal_force"))]
         self._receptors: List[Receptors] = [world.layout.receptors(name) for name in self._fields]
-        self._ages = _ages(world)
-        super().__init__(
-            server.scene.add_point_cloud(
-                "/touch",
-                nowhere(1),
-                np.zeros((1, 3), np.uint8),
-                point_size=0.008,
-                point_shape="circle",
-                precision="float32",
-            )
-        )
+        self._ages = ages(world)
+        super().__init__(_points(server, "/touch", 0.008))
 
     def _draw(self) -> None:
-        if not np.array_equal(_ages(self._world), self._ages):
-            self._ages = _ages(self._world)
+        if not np.array_equal(ages(self._world), self._ages):
+            self._ages = ages(self._world)
             self._receptors = [self._world.layout.receptors(name) for name in self._fields]
         poses = self._world.poses(Kind.BODY)
         places, forces = [nowhere(1)], [np.zeros(1)]
@@ -106,9 +98,7 @@ class Contacts(Layer):
         super().__init__(_arrows(server, "/contacts", (40, 170, 60)))
 
     def _draw(self) -> None:
-        contacts = self._world.contacts()
-        forces = np.einsum("nij,ni->nj", contacts.frame, contacts.force)
-        self._handle.points = arrows(contacts.position, forces)
+        self._handle.points = contact_arrows(self._world)
 
 
 class Pulled(Layer):
@@ -136,14 +126,7 @@ class Bones(Layer):
         self._lines = server.scene.add_line_segments(
             "/bones/lines", nowhere(1, 2), (90, 90, 90), thickness=3.0, thickness_units="screen"
         )
-        self._points = server.scene.add_point_cloud(
-            "/bones/joints",
-            nowhere(1),
-            np.zeros((1, 3), np.uint8),
-            point_size=0.014,
-            point_shape="circle",
-            precision="float32",
-        )
+        self._points = _points(server, "/bones/joints", 0.014)
         super().__init__(server.scene.add_frame("/bones", show_axes=False, visible=False))
 
     def _draw(self) -> None:
@@ -179,14 +162,23 @@ def arrows(starts: Any, forces: Any) -> NDArray[np.float32]:
     return np.concatenate([nowhere(1, 2), drawn]).astype(np.float32)
 
 
+def contact_arrows(world: World) -> NDArray[np.float32]:
+    """Arrows for the forces on the second bodies of contacts."""
+    contacts = world.contacts()
+    return arrows(contacts.position, np.einsum("nij,ni->nj", contacts.frame, contacts.force))
+
+
 def nowhere(*shape: int) -> NDArray[np.float32]:
     """Places that nobody sees."""
     return np.full((*shape, 3), NOWHERE, np.float32)
 
 
+def _points(server: Any, name: str, size: float) -> Any:
+    black = np.zeros((1, 3), np.uint8)
+    return server.scene.add_point_cloud(
+        name, nowhere(1), black, point_size=size, point_shape="circle", precision="float32"
+    )
+
+
 def _arrows(server: Any, name: str, color: Any) -> Any:
     return server.scene.add_arrows(name, nowhere(1, 2), color, shaft_radius=0.003, head_radius=0.008, head_length=0.015)
-
-
-def _ages(world: World) -> Any:
-    return world.get(Quantity.AGENT_AGE) if world.agents else np.zeros(0)

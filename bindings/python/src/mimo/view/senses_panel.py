@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from html import escape
-from typing import Any, Dict, Iterator, List, Tuple
+from typing import Any, Dict, List, Tuple
 
 import numpy as np
 
+from ..drawing import prefixes
 from ..world import World
 
 EYES = ("left", "right")
@@ -23,10 +24,10 @@ class SensesPanel:
         self._pictures: Dict[str, Any] = {}
         self._bars: List[Tuple[str, Any]] = []
         with self._panel.add_tab("Senses"):
-            for name in _agents(world):
+            for name in prefixes(world):
                 self._add_eyes(server, name)
         with self._panel.add_tab("Muscles"):
-            for name in _agents(world):
+            for name in prefixes(world):
                 self._add_bars(server, name)
         self._panel.dock_left()
         self._panel.set_width(300)
@@ -61,11 +62,6 @@ class SensesPanel:
     def remove(self) -> None:
         """Takes it off the page."""
         self._panel.remove()
-
-
-def _agents(world: World) -> Iterator[str]:
-    for agent in world.agents:
-        yield f"{agent.name}/" if agent.name else ""
 
 
 def bars(names: Any, values: Any) -> str:

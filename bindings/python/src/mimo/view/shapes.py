@@ -7,14 +7,13 @@ from typing import Any, Callable, Dict, List, Optional
 
 import numpy as np
 
-from ..constants import Kind, Quantity
-from ..frames import after, inverse, turned
+from ..constants import Kind
+from ..drawing import FLOOR, SEGMENTS, ages, faces, on_bodies
+from ..frames import placed, turned
 from ..geometry import Material
 from ..world import World
 from .glb import binary
 
-SEGMENTS = 16  # pieces of a circle
-FLOOR = 5.0  # half the size of endless planes, m
 STILL = 1e-5  # m, and of quaternions; what moves by less is not sent
 
 Dragged = Callable[[str, Any], None]  # the body's name, viser's event
@@ -42,15 +41,9 @@ class Shapes:
             pose = self._sent[body]
             name = f"/bodies/{body}"
             self._bodies[body] = self._scene.add_frame(name, show_axes=False, position=pose[:3], wxyz=pose[3:])
-        self._ages, self._faces, self._looks = self._of_agents(), self._face_numbers(), self._own_looks()
+        self._ages, self._faces, self._looks = ages(self._world), faces(self._world), self._own_looks()
         self._textures = self._texture_numbers()
         self._draw(range(len(self._geoms)))
-
-    def _of_agents(self) -> Any:
-        return self._world.get(Quantity.AGENT_AGE) if self._world.agents else np.zeros(0)
-
-    def _face_numbers(self) -> Any:
-        return self._world.get(Quantity.AGENT_FACE) if self._world.agents else np.zeros(0)
 
     def _own_looks(self) -> Any:
         return np.hstack([self._geoms.color, self._geoms.size])
@@ -60,20 +53,17 @@ class Shapes:
 
     def _changed(self) -> Any:
         """Geoms that look otherwise than they did when this was last asked."""
-        ages, faces, looks, textures = self._of_agents(), self._face_numbers(), self._own_looks(), self._textures
-        if not np.array_equal(faces, self._faces):
+        aged, faced, looks, textures = ages(self._world), faces(self._world), self._own_looks(), self._textures
+        if not np.array_equal(faced, self._faces):
             textures = self._texture_numbers()
         changed = (looks != self._looks).any(axis=1) | (textures != self._textures)
-        if not np.array_equal(ages, self._ages):
+        if not np.array_equal(aged, self._ages):
             changed[:] = True
-        self._ages, self._faces, self._looks, self._textures = ages, faces, looks, textures
+        self._ages, self._faces, self._looks, self._textures = aged, faced, looks, textures
         return np.flatnonzero(changed)
 
     def _draw(self, geoms: Any) -> None:
-        poses, bodies = self._world.poses(Kind.GEOM), self._world.poses(Kind.BODY)
-        back = inverse(bodies.rotations[self._body_of])
-        places = turned(back, poses.positions - bodies.positions[self._body_of])
-        rotations = after(back, poses.rotations)
+        _, places, rotations = on_bodies(self._world)
         for geom in geoms:
             if self._shown[geom] is not None:
                 self._shown[geom].remove()
@@ -88,7 +78,7 @@ class Shapes:
             mesh,
             lit(material, self._brightness),
             self._picture(material.texture),
-            turned(rotation, mesh.positions) + place,
+            placed(place, rotation, mesh.positions),
             turned(rotation, mesh.normals),
         )
         body = int(self._body_of[geom])

@@ -9,6 +9,7 @@ import time
 from typing import Any, Callable, Optional
 
 from ..constants import Kind
+from ..drawing import prefixes
 from .clock import Clock
 from .page import Page
 from .server import silence, start
@@ -59,7 +60,7 @@ class Viewer:
         """Where the page looks from at first: at the first infant, from its front and a little above."""
         world = self._source.world
         bodies = world.bodies()
-        prefix = f"{world.agents[0].name}/" if world.agents and world.agents[0].name else ""
+        prefix = next(prefixes(world), "")
         at = bodies.names.index(f"{prefix}hip") if f"{prefix}hip" in bodies.names else 0
         x, y, z = world.poses(Kind.BODY).positions[at].tolist()
         camera = self._server.initial_camera
