@@ -1,5 +1,5 @@
-// Where MuJoCo 2.2 and 4.0 call a thing otherwise, or keep it elsewhere. Only the guard and the check of a host's model
-// also ask which of the two this is compiled for.
+// Where MuJoCo 2.2 and 4.0 call a thing otherwise, or keep it elsewhere. Only the guard, the fingerprint and the check
+// of a host's model also ask which of the two this is compiled for.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -19,9 +19,11 @@
 
 namespace mimo::engine::compat {
 
+// Where red (0), green or blue is in a pixel of a texture; of fewer channels the first is grey.
+inline int channel_of(int channels, int color) { return channels < 3 ? 0 : color; }
+
 #if MIMO_MUJOCO_4
 
-using Flag = mjtBool;
 inline constexpr auto kLockFlags = &mjModel::eq_active0;  // where resets lead to
 inline constexpr auto kPixels = &mjModel::tex_data;
 inline constexpr auto kPixelsName = "tex_data";
@@ -64,7 +66,7 @@ inline void give_stack(mjData& data, double* memory, int count) {
 }
 
 inline int& iterations(mjData& data) { return data.solver_niter[0]; }
-inline int iterations(const mjModel&, const mjData& data) {
+inline int iterations(const mjData& data) {
   return *std::max_element(data.solver_niter, data.solver_niter + std::max(1, std::min(data.nisland, +mjNISLAND)));
 }
 inline int& entries(mjData& data) { return data.solver_nnz[0]; }
@@ -106,7 +108,6 @@ inline double ray_shape(const mjModel& model, const mjData& data, int geom, cons
 
 #else
 
-using Flag = mjtByte;
 inline constexpr auto kLockFlags = &mjModel::eq_active;
 inline constexpr auto kPixels = &mjModel::tex_rgb;
 inline constexpr auto kPixelsName = "tex_rgb";
@@ -139,7 +140,7 @@ inline void give_stack(mjData& data, double* memory, int count) {
 }
 
 inline int& iterations(mjData& data) { return data.solver_iter; }
-inline int iterations(const mjModel&, const mjData& data) { return data.solver_iter; }
+inline int iterations(const mjData& data) { return data.solver_iter; }
 inline int& entries(mjData& data) { return data.solver_nnz; }
 
 template <typename Visit>

@@ -45,6 +45,18 @@ void on_warning(const char* text) {
   if (current->complaint->warnings++ == 0) copy_text(current->complaint->warning, text);
 }
 
+// The innermost call of this thread, as long as this lives.
+class Entered {
+ public:
+  explicit Entered(Frame& frame) {
+    frame.outer = current;
+    current = &frame;
+  }
+  ~Entered() { current = current->outer; }
+  Entered(const Entered&) = delete;
+  Entered& operator=(const Entered&) = delete;
+};
+
 #if MIMO_MUJOCO_4
 
 void on_message(const mjLogMessage* message) {
@@ -71,9 +83,7 @@ void install_global_handler() {
 // Puts our handler in place and gives the host's back, also when an exception passes.
 class Handlers {
  public:
-  explicit Handlers(Frame& frame) {
-    frame.outer = current;
-    current = &frame;
+  Handlers() {
     if (_mjPRIVATE_setTlsLogHandler != nullptr) {
       previous_ = _mjPRIVATE_setTlsLogHandler(on_message);
     } else {
@@ -82,7 +92,6 @@ class Handlers {
   }
 
   ~Handlers() {
-    current = current->outer;
     if (_mjPRIVATE_setTlsLogHandler != nullptr) _mjPRIVATE_setTlsLogHandler(previous_);
   }
 
@@ -127,9 +136,7 @@ void install_global_handlers() {
 // Puts our handlers in place and gives the host's back, also when an exception passes.
 class Handlers {
  public:
-  explicit Handlers(Frame& frame) {
-    frame.outer = current;
-    current = &frame;
+  Handlers() {
     if (!has_thread_handlers()) {
       install_global_handlers();
       return;
@@ -141,7 +148,6 @@ class Handlers {
   }
 
   ~Handlers() {
-    current = current->outer;
     if (!has_thread_handlers()) return;
     _mjPRIVATE__set_tls_error_fn(error_);
     _mjPRIVATE__set_tls_warning_fn(warning_);
@@ -169,7 +175,8 @@ bool run(Frame& frame, void (*call)(void*), void* argument) {
 void call_guarded(void (*call)(void*), void* argument, Complaint& complaint) {
   Frame frame;
   frame.complaint = &complaint;
-  const Handlers handlers(frame);
+  const Entered entered(frame);
+  const Handlers handlers;
   complaint.failed = !run(frame, call, argument);
 }
 

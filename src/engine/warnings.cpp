@@ -47,7 +47,7 @@ void WarningWatch::count(const mjModel& model, const mjData& data, WarningCounts
     const int now = data.warning[i].number;
     if (now != 0 && now != before_[i]) add(kind_of(static_cast<mjtWarning>(i)), counts);
   }
-  if (data.nefc > 0 && compat::iterations(model, data) >= model.opt.iterations) add(Warning::kNotConverged, counts);
+  if (data.nefc > 0 && compat::iterations(data) >= model.opt.iterations) add(Warning::kNotConverged, counts);
 }
 
 }  // namespace mimo::engine

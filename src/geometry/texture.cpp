@@ -203,7 +203,7 @@ void read_pixels(const mjModel& model, int texture, Span<std::uint8_t> rgba) {
   const std::size_t pixels = static_cast<std::size_t>(size.width) * size.height;
   for (std::size_t i = 0; i < pixels; ++i) {
     const unsigned char* from = stored_pixels + static_cast<std::size_t>(channels) * (i % stored);
-    for (int k = 0; k < 3; ++k) rgba[4 * i + k] = from[channels < 3 ? 0 : k];
+    for (int k = 0; k < 3; ++k) rgba[4 * i + k] = from[engine::compat::channel_of(channels, k)];
     rgba[4 * i + 3] = 255;
   }
 }

@@ -85,7 +85,7 @@ Textures::Textures(const mjModel& model) {
     const Texture& texture = textures_[i];
     const unsigned char* pixels = model.*engine::compat::kPixels + model.tex_adr[i];
     const int channels = engine::compat::channels(model, i);
-    const int green = channels < 3 ? 0 : 1, blue = channels < 3 ? 0 : 2;  // fewer are grey
+    const int green = engine::compat::channel_of(channels, 1), blue = engine::compat::channel_of(channels, 2);
     // A cube texture as high as wide is one picture for all six faces.
     const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
     for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
