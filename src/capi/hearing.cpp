@@ -1,6 +1,4 @@
 // Sounds that a host plays.
-#include <cmath>
-
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/objects.h"
@@ -16,9 +14,7 @@ std::string body_name(const char* body) {
 
 Eigen::Vector3d vector(const double* numbers, const char* what) {
   require(numbers != nullptr, "{} is NULL, expected three numbers", what);
-  for (int i = 0; i < 3; ++i) {
-    require(std::isfinite(numbers[i]), "{}[{}] is {}, expected a finite number", what, i, numbers[i]);
-  }
+  check_finite(numbers, 3, what);
   return Eigen::Vector3d(numbers);
 }
 

@@ -8,13 +8,6 @@
 namespace mimo::growth {
 namespace {
 
-// Straight lines through the points.
-template <std::size_t kCount>
-double between(const Point (&points)[kCount], double age) {
-  const Stretch at = stretch_at(points, age);
-  return at.left + (at.right - at.left) * at.share;
-}
-
 // m/s. One curve through measured medians of motor and sensory nerves of arms and legs (textbook tables up to 6 months;
 // Parano 1993 and Garcia 2000 later). A fit: single nerves lie within some 12 % of it.
 constexpr Point kSpeed[] = {{0, 24.5}, {1, 26}, {2, 32}, {5, 38}, {9, 43}, {18, 49}, {24, 51}};
@@ -45,12 +38,12 @@ double vision(double age) {
 
 Conduction conduction_at(double age) {
   Conduction at;
-  at.speed = between(kSpeed, age);
-  at.sensory = between(kSensory, age) * kMillisecond;
-  at.motor = between(kMotor, age) * kMillisecond;
+  at.speed = on_lines(kSpeed, age);
+  at.sensory = on_lines(kSensory, age) * kMillisecond;
+  at.motor = on_lines(kMotor, age) * kMillisecond;
   at.vision = vision(age);
-  at.vestibular = between(kVestibular, age) * kMillisecond;
-  at.hearing = between(kHearing, age) * kMillisecond;
+  at.vestibular = on_lines(kVestibular, age) * kMillisecond;
+  at.hearing = on_lines(kHearing, age) * kMillisecond;
   return at;
 }
 

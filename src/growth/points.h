@@ -25,4 +25,11 @@ Stretch stretch_at(const Point (&points)[kCount], double age) {
   return {points[kCount - 1].value, points[kCount - 1].value, 0};
 }
 
+// On straight lines through the points.
+template <std::size_t kCount>
+double on_lines(const Point (&points)[kCount], double age) {
+  const Stretch at = stretch_at(points, age);
+  return at.left + (at.right - at.left) * at.share;
+}
+
 }  // namespace mimo::growth

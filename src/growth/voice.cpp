@@ -5,8 +5,6 @@
 namespace mimo::growth {
 namespace {
 
-double between(const Stretch& at) { return at.left + (at.right - at.left) * at.share; }
-
 // Means of comfort sounds at 3, 6 and 9 months: Kent and Murray 1982. Before and after that they are held.
 constexpr Point kPitch[] = {{0, 445}, {3, 445}, {6, 450}, {9, 415}, {24, 415}};
 
@@ -16,10 +14,10 @@ constexpr double kWarmAir = 353;  // speed of sound in it, m/s
 
 }  // namespace
 
-double vocal_pitch(double age) { return between(stretch_at(kPitch, age)); }
+double vocal_pitch(double age) { return on_lines(kPitch, age); }
 
 std::array<double, kFormants> vocal_formants(double age) {
-  const double lowest = kWarmAir / (4 * between(stretch_at(kLength, age)));
+  const double lowest = kWarmAir / (4 * on_lines(kLength, age));
   return {lowest, 3 * lowest, 5 * lowest};
 }
 

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/fail.h"
@@ -38,6 +39,18 @@ sound::Ringing ringing_of(const sound::Strike& blow, const sound::Struck& body) 
   for (std::size_t i = 0; i < made.count; ++i) loudest = std::max(loudest, made.modes[i].gain);
   if (loudest < kLeast) made.count = 0;
   return made;
+}
+
+// The two that meet, the smaller number first; what is welded together is one. The same twice where that is all.
+std::array<int, 2> bodies_of(const mjModel& model, const mjContact& contact) {
+  const int one = model.body_weldid[model.geom_bodyid[contact.geom1]];
+  const int other = model.body_weldid[model.geom_bodyid[contact.geom2]];
+  return {std::min(one, other), std::max(one, other)};
+}
+
+std::array<sound::Struck, 2> sides_of(const mjModel& model, const Solids& solids, const mjContact& contact) {
+  return {struck(model, contact.geom1, solids[static_cast<std::size_t>(contact.geom1)]),
+          struck(model, contact.geom2, solids[static_cast<std::size_t>(contact.geom2)])};
 }
 
 void direct(Source& source, const mjData& data, int body, const Direction& direction) {
@@ -165,31 +178,29 @@ Soundscape::Pair* Soundscape::meet(int first, int second, std::int64_t at) {
 }
 
 void Soundscape::strike(const mjModel& model, const mjContact& contact, double approach, double onset) {
-  const int bodies[2] = {model.body_weldid[model.geom_bodyid[contact.geom1]],
-                         model.body_weldid[model.geom_bodyid[contact.geom2]]};
-  if (bodies[0] == bodies[1]) return;
+  const auto [first, second] = bodies_of(model, contact);
+  if (first == second) return;
   const auto at = static_cast<std::int64_t>(onset);
-  Pair* pair = meet(std::min(bodies[0], bodies[1]), std::max(bodies[0], bodies[1]), at);
+  Pair* pair = meet(first, second, at);
   if (pair == nullptr) return;
-  const sound::Struck sides[2] = {struck(model, contact.geom1, (*solids_)[static_cast<std::size_t>(contact.geom1)]),
-                                  struck(model, contact.geom2, (*solids_)[static_cast<std::size_t>(contact.geom2)])};
+  const auto sides = sides_of(model, *solids_, contact);
   const sound::Strike blow = sound::strike(sides[0], sides[1], approach);
   if (blow.mass <= 0) return;
   // Of the clicks the louder one: the two bodies' are opposite.
   const sound::Click clicks[2] = {click_of(blow, sides[0]), click_of(blow, sides[1])};
-  const bool second = clicks[1].peak() > clicks[0].peak();
+  const bool of_second = clicks[1].peak() > clicks[0].peak();
   bool sounds = false;
   for (int side = 0; side < 2; ++side) {
     Blow made;
     made.place = Eigen::Vector3d(contact.pos);
     made.onset = onset;
-    if ((side == 1) == second) made.click = clicks[side];
+    if ((side == 1) == of_second) made.click = clicks[side];
     made.ringing = ringing_of(blow, sides[side]);
     if (made.click.scale <= 0 && made.ringing.count == 0) continue;
     add_blow(made);
     sounds = true;
   }
-  if (sounds) *pair = {std::min(bodies[0], bodies[1]), std::max(bodies[0], bodies[1]), at};
+  if (sounds) *pair = {first, second, at};
 }
 
 void Soundscape::add_blow(const Blow& blow) {
@@ -215,14 +226,12 @@ void Soundscape::slide(const mjModel& model, const mjData& data, int number) {
   const mjContact& contact = data.contact[number];
   const sound::Sliding found = sliding(model, data, number);
   if (found.speed <= sound::kSlowestScrape) return;
-  const int a = model.body_weldid[model.geom_bodyid[contact.geom1]];
-  const int b = model.body_weldid[model.geom_bodyid[contact.geom2]];
-  if (a == b) return;
-  const sound::ScrapeLevel level =
-      sound::scrape_level(struck(model, contact.geom1, (*solids_)[static_cast<std::size_t>(contact.geom1)]),
-                          struck(model, contact.geom2, (*solids_)[static_cast<std::size_t>(contact.geom2)]), found);
+  const auto [first, second] = bodies_of(model, contact);
+  if (first == second) return;
+  const auto sides = sides_of(model, *solids_, contact);
+  const sound::ScrapeLevel level = sound::scrape_level(sides[0], sides[1], found);
   if (level.pressure <= 0) return;
-  Scrape* scrape = scrape_of(std::min(a, b), std::max(a, b));
+  Scrape* scrape = scrape_of(first, second);
   if (scrape == nullptr || level.pressure <= scrape->level.pressure) return;
   scrape->level = level;
   scrape->speed = found.speed;
