@@ -2,7 +2,9 @@
 // without the library. Numbers and types are those of HDF5 1.10 and later, where handles have 64 bits.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace cli::hdf5 {
 
@@ -63,5 +65,22 @@ struct Library {
 
 // Throws a Failure in one line where there is no such library.
 const Library& library();
+
+// Calls transfer(memory, place) with the spaces of `count` rows of a dataset from `first` on; `extents` are its sizes.
+// Returns what that returns.
+template <typename Transfer>
+int with_rows(Id dataset, std::vector<Size> extents, Size first, Size count, Transfer&& transfer) {
+  const Library& h5 = library();
+  std::vector<Size> start(extents.size());
+  start[0] = first;
+  extents[0] = count;
+  const Id memory = h5.CreateSimpleSpace(static_cast<int>(extents.size()), extents.data(), nullptr);
+  const Id place = h5.DatasetSpace(dataset);
+  h5.SelectHyperslab(place, kSelectSet, start.data(), nullptr, extents.data(), nullptr);
+  const int result = transfer(memory, place);
+  h5.CloseSpace(place);
+  h5.CloseSpace(memory);
+  return result;
+}
 
 }  // namespace cli::hdf5

@@ -1,7 +1,5 @@
 // mimo record: random movements, kept in a file that can be played again.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -32,7 +30,7 @@ void record(const RecordOptions& options, const std::string& configuration) {
   mimo::Block block = env.make_block();
   mimo::Results results = env.make_results();
   const double dt = env.timestep() * env.frame_skip();
-  const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(options.seconds / dt)));
+  const auto steps = steps_in(options.seconds, dt);
   env.reset(options.world.seed, block);
   RandomActions actions(env, options.world.seed);
   const Interrupt interrupt;
@@ -61,10 +59,7 @@ void add_record(CLI::App& program) {
   CLI::App* command = program.add_subcommand("record", "Move at random, and keep the run in a file to play again");
   add_recorded_options(*command, options->world);
   add_seed_option(*command, options->world);
-  command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
-      ->type_name("S")
-      ->check(number(0.01, 1e6))
-      ->capture_default_str();
+  add_seconds_option(*command, options->seconds);
   add_recorder_options(*command, options->recorder)->required();
   command->footer(
       "Writes an HDF5 file, which MATLAB, Python, R and Julia read: actions, joints, rewards and the chosen fields of\n"

@@ -13,8 +13,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kNoVision[] = "off";
 
-// Options and their values, of all that `known` has.
-void collect(const CLI::App& known, const CLI::App& given, Json& json) {
+// Options and their values, of all that `add_options` knows.
+void collect(void (*add_options)(CLI::App&, WorldOptions&), const CLI::App& given, Json& json) {
+  WorldOptions options;
+  CLI::App known;
+  add_options(known, options);
   for (const CLI::Option* option : known.get_options()) {
     const std::string name = option->get_single_name();
     const CLI::Option* found = given.get_option_no_throw("--" + name);
@@ -71,30 +74,21 @@ void add_recorded_options(CLI::App& command, WorldOptions& options) {
 }
 
 std::string configuration_of(const CLI::App& command) {
-  WorldOptions options;
-  CLI::App known;
-  add_recorded_options(known, options);
   Json json = Json::object();
-  collect(known, command, json);
+  collect(add_recorded_options, command, json);
   make_scene_absolute(json);
   return json.dump();
 }
 
 bool senses_changed(const CLI::App& command) {
-  WorldOptions options;
-  CLI::App known;
-  add_sense_options(known, options);
   Json json = Json::object();
-  collect(known, command, json);
+  collect(add_sense_options, command, json);
   return !json.empty();
 }
 
 std::string changed_configuration(const std::string& file, const std::string& configuration, const CLI::App& changes) {
-  WorldOptions options;
-  CLI::App known;
-  add_recorded_options(known, options);
   Json json = parse_configuration(file, configuration);
-  collect(known, changes, json);
+  collect(add_recorded_options, changes, json);
   return json.dump();
 }
 

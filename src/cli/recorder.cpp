@@ -2,13 +2,12 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include "facts.h"
 #include "failure.h"
 #include "text.h"
+#include "world.h"
 
 namespace cli {
 namespace {
@@ -43,9 +42,7 @@ std::vector<mimo_field> choose(const mimo::Env& env, const std::string& list) {
   std::vector<mimo_field> chosen;
   if (list == "none") return chosen;
   std::vector<bool> taken(fields.size());
-  for (std::size_t start = 0; start <= list.size();) {
-    const std::size_t end = std::min(list.find(',', start), list.size());
-    const std::string word = list.substr(start, end - start);
+  for (const std::string& word : parts_of(list)) {
     bool any = false;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (!fits(fields[i].name, word)) continue;
@@ -53,7 +50,6 @@ std::vector<mimo_field> choose(const mimo::Env& env, const std::string& list) {
     }
     if (!any && list != RecorderOptions().keep)
       throw Failure("--keep: this world has no sense or field '" + word + "'");
-    start = end + 1;
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (taken[i]) chosen.push_back(fields[i]);
@@ -98,10 +94,6 @@ std::string joint_columns(const mimo::Env& env, std::int32_t quantity) {
     for (std::size_t i = env.width(quantity, {joint}); i > 0; --i) names += env.name(MIMO_JOINT, joint) + "\n";
   }
   return names;
-}
-
-std::size_t steps_in(double seconds, double step) {
-  return static_cast<std::size_t>(std::max(1.0, std::round(seconds / step)));
 }
 
 }  // namespace

@@ -103,17 +103,10 @@ std::size_t RecordingReader::row_bytes(const std::string& table) const { return 
 std::vector<std::uint8_t> RecordingReader::row(const std::string& name, std::size_t index) const {
   const Table& table = open(name);
   if (index >= table.extents[0]) damaged("'" + name + "' ends before row " + std::to_string(index));
-  auto start = table.extents, count = table.extents;
-  for (hdf5::Size& at : start) at = 0;
-  start[0] = index;
-  count[0] = 1;
   std::vector<std::uint8_t> bytes(table.row_bytes);
-  const hdf5::Id memory = h5_.CreateSimpleSpace(static_cast<int>(count.size()), count.data(), nullptr);
-  const hdf5::Id place = h5_.DatasetSpace(table.dataset);
-  h5_.SelectHyperslab(place, hdf5::kSelectSet, start.data(), nullptr, count.data(), nullptr);
-  const int result = h5_.Read(table.dataset, table.type, memory, place, hdf5::kDefault, bytes.data());
-  h5_.CloseSpace(place);
-  h5_.CloseSpace(memory);
+  const int result = hdf5::with_rows(table.dataset, table.extents, index, 1, [&](hdf5::Id memory, hdf5::Id place) {
+    return h5_.Read(table.dataset, table.type, memory, place, hdf5::kDefault, bytes.data());
+  });
   if (result < 0) damaged("row " + std::to_string(index) + " of '" + name + "' cannot be read");
   return bytes;
 }

@@ -103,19 +103,12 @@ void RecordingWriter::append(const std::string& name, const void* row) {
 
 void RecordingWriter::write_waiting(Table& table) const {
   if (table.waiting.empty()) return;
-  auto start = table.extents, count = table.extents;
-  for (hdf5::Size& at : start) at = 0;
-  start[0] = table.extents[0];
-  count[0] = table.waiting.size() / table.row_bytes;
-  table.extents[0] += count[0];
+  const hdf5::Size first = table.extents[0], count = table.waiting.size() / table.row_bytes;
+  table.extents[0] += count;
   check(h5_.SetExtent(table.dataset, table.extents.data()));
-  const hdf5::Id memory = h5_.CreateSimpleSpace(static_cast<int>(count.size()), count.data(), nullptr);
-  const hdf5::Id place = h5_.DatasetSpace(table.dataset);
-  h5_.SelectHyperslab(place, hdf5::kSelectSet, start.data(), nullptr, count.data(), nullptr);
-  const int written = h5_.Write(table.dataset, table.type, memory, place, hdf5::kDefault, table.waiting.data());
-  h5_.CloseSpace(place);
-  h5_.CloseSpace(memory);
-  check(written);
+  check(hdf5::with_rows(table.dataset, table.extents, first, count, [&](hdf5::Id memory, hdf5::Id place) {
+    return h5_.Write(table.dataset, table.type, memory, place, hdf5::kDefault, table.waiting.data());
+  }));
   table.waiting.clear();
 }
 

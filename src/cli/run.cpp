@@ -1,7 +1,6 @@
 // mimo run: random movements, all senses, pictures, and a table of what each sense gave.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -77,7 +76,7 @@ Run::Run(const RunOptions& options)
 
 void Run::simulate() {
   const double dt = env_.timestep() * env_.frame_skip();
-  const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(options_.seconds / dt)));
+  const auto steps = steps_in(options_.seconds, dt);
   const Interrupt interrupt;
   RandomActions actions(env_, options_.world.seed);
   env_.reset(options_.world.seed, block_);
@@ -194,10 +193,7 @@ void add_run(CLI::App& program) {
   add_maturity_options(*command, options->world.age);
   add_actuation_option(*command, options->world);
   add_reflexes_option(*command, options->world);
-  command->add_option("--seconds", options->seconds, "Simulated time, at 100 steps a second")
-      ->type_name("S")
-      ->check(number(0.01, 1e6))
-      ->capture_default_str();
+  add_seconds_option(*command, options->seconds);
   add_vision_options(*command, options->world);
   add_foveation_option(*command, options->world);
   add_touch_option(*command, options->world);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -134,12 +135,10 @@ template <std::size_t kCount>
 std::optional<std::uint32_t> bits_of(const Word (&words)[kCount], const std::string& list) {
   std::uint32_t bits = 0;
   if (list == "none") return bits;
-  for (std::size_t start = 0; start <= list.size();) {
-    const std::size_t end = std::min(list.find(',', start), list.size());
-    const std::uint32_t bit = bit_of(words, list.substr(start, end - start));
+  for (const std::string& part : parts_of(list)) {
+    const std::uint32_t bit = bit_of(words, part);
     if (bit == 0) return std::nullopt;
     bits |= bit;
-    start = end + 1;
   }
   return bits;
 }
@@ -201,6 +200,20 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
 }
 
 }  // namespace
+
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    parts.push_back(list.substr(start, end - start));
+    start = end + 1;
+  }
+  return parts;
+}
+
+std::size_t steps_in(double seconds, double step) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(seconds / step)));
+}
 
 CLI::Validator number(double low, double high) {
   const auto check = [low, high](const std::string& text) {
@@ -290,6 +303,13 @@ void add_senses_option(CLI::App& command, WorldOptions& options) {
           "Default: usual")
       ->type_name("WHICH")
       ->check(CLI::IsMember({"usual", "hearing", "all"}).description(""));
+}
+
+void add_seconds_option(CLI::App& command, double& seconds) {
+  command.add_option("--seconds", seconds, "Simulated time, at 100 steps a second")
+      ->type_name("S")
+      ->check(number(0.01, 1e6))
+      ->capture_default_str();
 }
 
 void add_voice_option(CLI::App& command, WorldOptions& options) {

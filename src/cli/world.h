@@ -31,6 +31,12 @@ struct WorldOptions {
   std::uint64_t seed = 0;
 };
 
+// The parts of a list with commas between.
+std::vector<std::string> parts_of(const std::string& list);
+
+// How many steps of so many seconds that is, at least one.
+std::size_t steps_in(double seconds, double step);
+
 // Accepts finite numbers of a range; CLI::Range takes "nan" for one.
 CLI::Validator number(double low, double high);
 
@@ -48,6 +54,7 @@ void add_senses_option(CLI::App& command, WorldOptions& options);
 void add_reflexes_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
+void add_seconds_option(CLI::App& command, double& seconds);  // how long a world moves
 
 enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: what the scene gives its infants by itself
 

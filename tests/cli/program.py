@@ -18,8 +18,9 @@ GOLDEN = SOURCES / "tests/golden"
 COUNTS = {"nq": 68, "nv": 65, "nu": 44, "bodies": 26, "joints": 50, "geoms": 39, "cameras": 2}
 
 
-def can_draw():
-    for name in ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+def can_load(*names):
+    """Whether one of these libraries is there."""
+    for name in names:
         try:
             ctypes.CDLL(name)
             return True
@@ -28,7 +29,8 @@ def can_draw():
     return False
 
 
-needs_renderer = unittest.skipUnless(can_draw(), "OSMesa is not installed")
+needs_renderer = unittest.skipUnless(can_load("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"),
+                                     "OSMesa is not installed")
 
 
 def read_png(path):

@@ -1,5 +1,4 @@
 """`mimo record` and `mimo replay`: a run is kept, played again, and compared."""
-import ctypes
 import json
 import os
 import pathlib
@@ -8,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Case
+from program import PROGRAM, Case, can_load
 
 try:
     import h5py
@@ -17,21 +16,13 @@ except ImportError:
     h5py = None
 
 
-def can_record():
-    for name in ("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310", "libhdf5.so.200",
-                 "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"):
-        try:
-            ctypes.CDLL(name)
-            return True
-        except OSError:
-            pass
-    return False
-
-
 needs_h5py = unittest.skipUnless(h5py, "h5py is not installed")
 
 
-@unittest.skipUnless(can_record(), "HDF5 is not installed")
+# As src/cli/hdf5.cpp looks for it.
+@unittest.skipUnless(can_load("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310",
+                              "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"),
+                     "HDF5 is not installed")
 class Record(Case):
     def record(self, *arguments):
         return self.mimo("record", "--out", "run.h5", "--touch", "off", *arguments)
