@@ -8,8 +8,8 @@ import mimo
 RATE = 16000
 
 
-def listening(**options):
-    scene = mimo.Scene("benchmark")
+def listening(name="benchmark", **options):
+    scene = mimo.Scene(name)
     scene.add_agent(vision=False, touch=False, hearing=True, **options)
     return scene
 
@@ -38,9 +38,29 @@ def test_a_sound_on_the_left_is_heard_on_the_left():
         assert left > right > 0
 
 
+def level(pressure):
+    """In dB, of which 0 are 20 micropascals."""
+    return 10 * np.log10(np.mean(np.square(pressure, dtype=np.float64)) / 4e-10)
+
+
+def test_infants_hear_their_own_voice():
+    """A cry is 82 dB at 1 m, 99 at the own ears: docs/guide/hearing.md."""
+    with mimo.World(listening("free", voice=True)) as world:  # nothing is touched there
+        names = list(world.action_names)
+        assert names[-4:] == ["voice:loudness", "voice:pitch", "voice:opening", "voice:front"]
+        cry = np.zeros(len(names), np.float32)
+        cry[-4:] = 1, 0, 1, 1
+        world.reset(seed=0)
+        heard = [world.step(cry).observation["hearing/ear_left"].copy() for _ in range(50)]
+        assert abs(level(heard[25:]) - 99) < 1
+        cry[-4] = 0.5  # pressure grows with its square: 12 dB less
+        heard = [world.step(cry).observation["hearing/ear_left"].copy() for _ in range(50)]
+        assert abs(level(heard[25:]) - 87) < 1
+
+
 def heard_in_batch(threads):
-    """What three infants hear, two of them the same, of their own falls and taps: each block of each step."""
-    with mimo.Batch(listening(), worlds=3, threads=threads) as batch:
+    """What three infants hear, two of them the same, of their voices, falls and taps: each block of each step."""
+    with mimo.Batch(listening(voice=True), worlds=3, threads=threads) as batch:
         batch.reset(seeds=[3, 4, 3])
         blocks = []
         for number in range(40):
