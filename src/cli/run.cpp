@@ -28,6 +28,7 @@ struct RunOptions {
   double seconds = 10;
   std::string out = "mimo_run";
   std::string sound;  // a file, or "" for none
+  double full_scale = 1;
 };
 
 class Run {
@@ -95,7 +96,7 @@ void Run::simulate() {
     } while (steps_ < steps && !Interrupt::requested());
   }
   save_pictures("", "at the end");
-  if (wave_) wave_->write(options_.sound);
+  if (wave_) wave_->write(options_.sound, options_.full_scale);
 }
 
 void Run::save(const std::string& name, const ColorPicture& picture, const std::string& what) {
@@ -177,8 +178,10 @@ void Run::report() const {
   senses.print(std::cout);
 
   if (wave_) {
-    std::cout << text("\nsound of both ears of the first infant: %s, peak %.3g Pa; 1 Pa is full scale\n",
-                      options_.sound.c_str(), static_cast<double>(wave_->peak()));
+    const auto peak = static_cast<double>(wave_->peak());
+    std::cout << text("\nsound of both ears of the first infant: %s, peak %.3g Pa; full scale is %g Pa%s\n",
+                      options_.sound.c_str(), peak, options_.full_scale,
+                      peak > options_.full_scale ? ", what is louder is cut: --full-scale" : "");
   }
   std::cout << "\npictures\n";
   pictures_.print(std::cout);
@@ -207,6 +210,10 @@ void add_run(CLI::App& program) {
   command->add_option("--sound", options->sound, "Also write what both ears of the first infant hear, as a WAV file")
       ->type_name("FILE")
       ->check(CLI::Validator(check_wav, ""));
+  command->add_option("--full-scale", options->full_scale, "Sound pressure that is the largest number of that file")
+      ->type_name("PA")
+      ->check(number(1e-4, 1000))
+      ->capture_default_str();
   command->footer(
       "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png and touch.png (where\n"
       "most is felt: sensors as points, forces as arrows) as things are at the end, and the same with start_ before\n"

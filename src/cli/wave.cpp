@@ -11,7 +11,7 @@
 namespace cli {
 namespace {
 
-constexpr float kFullScale = 32767;
+constexpr float kLargest = 32767;
 constexpr std::uint16_t kChannels = 2, kBytes = 2;
 
 // Numbers of WAV files have their lowest byte first.
@@ -43,7 +43,7 @@ void Wave::add(const mimo::Block& block) {
   }
 }
 
-void Wave::write(const std::string& path) const {
+void Wave::write(const std::string& path, double full_scale) const {
   const auto rate = static_cast<std::uint32_t>(std::lround(left_.sample_rate));
   const auto bytes = static_cast<std::uint32_t>(samples_.size() * kBytes);
   std::ofstream file(path, std::ios::binary);
@@ -60,7 +60,7 @@ void Wave::write(const std::string& path) const {
   file << "data";
   put(file, bytes);
   for (const float sample : samples_) {
-    const float level = std::clamp(sample, -1.0F, 1.0F) * kFullScale;
+    const float level = std::clamp(sample / static_cast<float>(full_scale), -1.0F, 1.0F) * kLargest;
     put(file, static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(level))));
   }
   file.close();

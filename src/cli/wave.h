@@ -1,4 +1,4 @@
-// Sound of two ears as a WAV file: 16 bits, full scale 1 Pa.
+// Sound of two ears as a WAV file of 16 bits.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class Wave {
   Wave(const mimo::Layout& layout, const std::string& prefix);
   // What a step gave.
   void add(const mimo::Block& block);
-  // Throws a Failure where that cannot be written. What is louder than full scale is cut.
-  void write(const std::string& path) const;
+  // Throws a Failure where that cannot be written. What is louder than `full_scale` Pa is cut.
+  void write(const std::string& path, double full_scale) const;
   // The loudest sample, Pa.
   float peak() const { return peak_; }
 

@@ -1,9 +1,11 @@
 """`mimo run`: an infant's random movements, and pictures of them."""
+import array
 import re
 import signal
 import subprocess
 import time
 import unittest
+import wave
 
 from program import PROGRAM, Case, needs_renderer, read_png
 
@@ -49,6 +51,29 @@ class Run(Case):
         a, b, c = ((self.folder / out / "left.png").read_bytes() for out in "abc")
         self.assertEqual(a, b)
         self.assertNotEqual(a, c)
+
+    def heard(self, *arguments):
+        """A second of both ears: numbers of 16 bits, left and right in turns; and the report."""
+        text = self.mimo("run", "--scene", "showroom", "--seconds", "1", "--vision", "off", "--touch", "off", "--out", "p",
+                         "--sound", "ears.wav", *arguments)
+        with wave.open(str(self.folder / "ears.wav")) as file:
+            self.assertEqual(file.getparams()[:4], (2, 2, 16000, 16000))
+            return array.array("h", file.readframes(16000)), text
+
+    @needs_renderer
+    def test_sound_is_written(self):
+        whole, text = self.heard("--full-scale", "20")
+        self.assertIn("full scale is 20 Pa\n", text)
+        peak = float(re.search(r"peak ([\d.e-]+) Pa", text).group(1))
+        self.assertAlmostEqual(max(abs(value) for value in whole) / 32767 * 20, peak, delta=0.005 * peak)
+        self.assertNotEqual(whole[0::2], whole[1::2])
+        cut, text = self.heard()
+        self.assertIn("full scale is 1 Pa, what is louder is cut: --full-scale", text)
+        self.assertTrue(all(abs(large) == 32767 or abs(large - 20 * small) <= 20 for large, small in zip(cut, whole)))
+
+    @needs_renderer
+    def test_a_voice_is_heard(self):
+        self.assertNotEqual(self.heard("--voice")[0], self.heard()[0])
 
     def interrupted(self, *arguments, times):
         """Runs until pictures of the start are there, then sends interrupts."""

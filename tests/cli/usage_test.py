@@ -17,7 +17,7 @@ class Usage(Case):
         self.assertEqual(self.files(), [])
 
     def test_version(self):
-        self.assertRegex(self.mimo("--version"), r"^mimo \d+\.\d+\.\d+ \(MuJoCo \d+\.\d+\.\d+\)\n$")
+        self.assertRegex(self.mimo("--version"), r"^mimo \d+\.\d+\.\d+(-rc\d+)? \(MuJoCo \d+\.\d+\.\d+\)\n$")
 
     def test_wrong_usage(self):
         for arguments in ([], ["walk"], ["run", "--fast"], ["run", "--seconds", "-1"], ["run", "--seconds", "soon"],
@@ -30,6 +30,7 @@ class Usage(Case):
                           ["run", "--vision", "0"], ["run", "--vision", "5000"], ["run", "--vision", "on"],
                           ["run", "--touch", "0"], ["run", "--touch", "-1"], ["run", "--touch", "many"],
                           ["run", "--touch", "nan"], ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
+                          ["run", "--sound", "a.mp3"], ["run", "--full-scale", "0"],
                           ["bench", "--steps", "0"], ["bench", "--worlds", "0"], ["bench", "--threads", "0"],
                           ["render"], ["render", "--out", "a.png", "--width", "0"],
                           ["render", "--out", "a.png", "--camera", "eye_left", "--distance", "1"],
