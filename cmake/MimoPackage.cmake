@@ -1,6 +1,7 @@
 # `cpack` makes a Debian package of what `cmake --install` installs; ./dev package also makes the source tarball.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME libmimo)
+string(REPLACE "-" "~" CPACK_PACKAGE_VERSION ${PROJECT_VERSION}${MIMO_VERSION_LABEL})  # 1.0.0~rc1 comes before 1.0.0
 set(CPACK_PACKAGE_CONTACT "libmimo contributors")
 set(CPACK_PACKAGE_DESCRIPTION_FILE ${PROJECT_SOURCE_DIR}/cmake/description.txt)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -1,5 +1,5 @@
-# mimo_read_version(<header>): sets MIMO_VERSION ("0.1.0") and MIMO_ABI_VERSION (0) from the header's macros,
-# so that header, SONAME and packages cannot disagree.
+# mimo_read_version(<header>): sets MIMO_VERSION ("0.1.0"), MIMO_VERSION_LABEL ("", or "-rc1" of a candidate) and
+# MIMO_ABI_VERSION (0) from the header's macros, so that header, SONAME and packages cannot disagree.
 function(mimo_read_version header)
   foreach(part VERSION_MAJOR VERSION_MINOR VERSION_PATCH ABI_VERSION)
     file(STRINGS ${header} line REGEX "^#define MIMO_${part} [0-9]+")
@@ -8,6 +8,11 @@ function(mimo_read_version header)
     endif()
     set(${part} ${CMAKE_MATCH_1})
   endforeach()
+  file(STRINGS ${header} line REGEX "^#define MIMO_VERSION_LABEL ")
+  if(NOT line MATCHES "MIMO_VERSION_LABEL \"([-.a-z0-9]*)\"")
+    message(FATAL_ERROR "${header} does not define MIMO_VERSION_LABEL as a text")
+  endif()
+  set(MIMO_VERSION_LABEL "${CMAKE_MATCH_1}" PARENT_SCOPE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
   set(MIMO_VERSION ${VERSION_MAJOR}.${VERSION_MINOR}.${VERSION_PATCH} PARENT_SCOPE)
   set(MIMO_ABI_VERSION ${ABI_VERSION} PARENT_SCOPE)

@@ -52,7 +52,7 @@ void check_names() {
 // "0.1.0" is 0, 1 and 0; the versions of headers and library are those of one build.
 void check_versions() {
   CHECK(mimo::version() == std::to_string(MIMO_VERSION_MAJOR) + "." + std::to_string(MIMO_VERSION_MINOR) + "." +
-                               std::to_string(MIMO_VERSION_PATCH));
+                               std::to_string(MIMO_VERSION_PATCH) + MIMO_VERSION_LABEL);
   CHECK(mimo::abi_version() == MIMO_ABI_VERSION);
   CHECK(mimo::mujoco_version() == "2.2.2");
   CHECK_TEXT("MIMO_E_NOT_FOUND", mimo::status_name(MIMO_E_NOT_FOUND));

@@ -6,7 +6,7 @@ int main(void) {
   CHECK_TEXT("", mimo_last_error());
   CHECK(mimo_abi_version() == MIMO_ABI_VERSION);
   CHECK(mimo_api_version() == MIMO_API_MAJOR * 1000 + MIMO_API_MINOR);
-  sprintf(version, "%d.%d.%d", MIMO_VERSION_MAJOR, MIMO_VERSION_MINOR, MIMO_VERSION_PATCH);
+  sprintf(version, "%d.%d.%d%s", MIMO_VERSION_MAJOR, MIMO_VERSION_MINOR, MIMO_VERSION_PATCH, MIMO_VERSION_LABEL);
   CHECK_TEXT(version, mimo_version());
   CHECK(strncmp(mimo_mujoco_version(), "2.2.", 4) == 0);
   CHECK_TEXT("MIMO_OK", mimo_status_name(MIMO_OK));

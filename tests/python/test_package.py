@@ -124,7 +124,8 @@ def test_a_missing_library_is_named(tmp_path):
 def test_version_and_scenes(root):
     header = (root / "include/mimo/status.h").read_text()
     numbers = re.findall(r"#define MIMO_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header)
-    assert mimo.__version__ == ".".join(numbers)
+    label = re.search(r'#define MIMO_VERSION_LABEL "(.*?)"', header).group(1)
+    assert mimo.__version__ == ".".join(numbers) + label
     assert mimo.mujoco_version() == "2.2.2"
     assert {"reach", "standup", "selfbody", "catch", "rollover", "benchmark", "free", "showroom"} <= set(mimo.scenes())
     assert {"none", "reach", "standup", "selfbody", "catch", "rollover"} <= set(mimo.tasks())

@@ -11,7 +11,8 @@ internal static partial class Tests
     {
         var header = File.ReadAllText(headerFile);
         var numbers = new[] { "MAJOR", "MINOR", "PATCH" }.Select(part => Regex.Match(header, "MIMO_VERSION_" + part + @" (\d+)").Groups[1].Value);
-        Check(Library.Version == string.Join(".", numbers), Library.Version);
+        var label = Regex.Match(header, "MIMO_VERSION_LABEL \"(.*?)\"").Groups[1].Value;
+        Check(Library.Version == string.Join(".", numbers) + label, Library.Version);
         Func<string, uint> number = name => uint.Parse(Regex.Match(header, name + @" (\d+)").Groups[1].Value);
         Check(Library.ApiVersion == number("MIMO_API_MAJOR") * 1000 + number("MIMO_API_MINOR"), "API " + Library.ApiVersion);
         Check(Regex.IsMatch(Library.MuJoCoVersion, @"^2\.2\.\d+$"), Library.MuJoCoVersion); // the one that is built against
