@@ -183,6 +183,28 @@ static void observe(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_observe(all->batch, NULL, 0, all->blocks, all->count * all->sizes.block_bytes));
 }
 
+/* forces = follow(number, positions): a step of a known movement; a column for each physics step, in one world */
+static void follow(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  size_t degrees = 0;
+  mimo_env* env = NULL;
+  mimo_movement movement = {0};
+  (void)nout;
+  mimo_need(nin == 2, "expected a world and positions");
+  all = mimo_worlds_of(in[0]);
+  if (all->count != 1) mimo_refuse("a known movement is for one world, and there are %.0f", (double)all->count);
+  if (!mxIsDouble(in[1]) || mxIsComplex(in[1])) mimo_refuse("positions is not an array of real doubles");
+  mimo_check(mimo_batch_world(all->batch, 0, &env));
+  mimo_check(mimo_env_width(env, MIMO_JOINT_VELOCITY, NULL, 0, &degrees));
+  out[0] = mxCreateDoubleMatrix(degrees, mxGetN(in[1]), mxREAL);
+  movement.struct_size = sizeof movement;
+  movement.positions = mxGetPr(in[1]);
+  movement.position_count = mxGetNumberOfElements(in[1]);
+  movement.forces = mxGetPr(out[0]);
+  movement.force_count = mxGetNumberOfElements(out[0]);
+  mimo_check(mimo_env_follow(env, &movement, all->blocks, all->sizes.block_bytes));
+}
+
 /* physics(number, steps): bare physics, in all worlds */
 static void physics(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
@@ -257,6 +279,7 @@ const mimo_command mimo_world_commands[] = {{"create", create},
                                             {"send", send},
                                             {"receive", receive},
                                             {"observe", observe},
+                                            {"follow", follow},
                                             {"physics", physics},
                                             {"random", random_numbers},
                                             {"play", play},

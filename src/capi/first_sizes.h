@@ -13,6 +13,7 @@ MIMO_FIRST_SIZE(mimo_env_config, 72);
 MIMO_FIRST_SIZE(mimo_agent_info, 40);
 MIMO_FIRST_SIZE(mimo_reset_config, 32);
 MIMO_FIRST_SIZE(mimo_env_results, 64);
+MIMO_FIRST_SIZE(mimo_movement, 40);
 MIMO_FIRST_SIZE(mimo_layout_info, 48);
 MIMO_FIRST_SIZE(mimo_field, 112);
 MIMO_FIRST_SIZE(mimo_action, 48);

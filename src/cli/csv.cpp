@@ -51,10 +51,10 @@ class Reader {
   std::size_t number_ = 0;
 };
 
-std::vector<std::string> read_header(Reader& reader, const std::string& line) {
+std::vector<std::string> read_header(Reader& reader, const std::string& line, const std::string& named) {
   std::vector<std::string> names;
   for (const std::string_view cell : split(line)) {
-    if (cell.empty()) reader.fail("column " + std::to_string(names.size() + 1) + " has no actuator's name");
+    if (cell.empty()) reader.fail("column " + std::to_string(names.size() + 1) + " has no " + named + "'s name");
     if (std::find(names.begin(), names.end(), cell) != names.end()) {
       reader.fail("there are two columns '" + std::string(cell) + "'");
     }
@@ -88,13 +88,13 @@ std::vector<double> read_row(Reader& reader, const std::string& line, const std:
 
 }  // namespace
 
-ControlTable read_controls(const std::string& path) {
+NumberTable read_numbers(const std::string& path, const std::string& named) {
   Reader reader(path);
   std::string line;
-  if (!reader.next(line) || trim(line).empty()) reader.fail("expected a header of actuator names");
+  if (!reader.next(line) || trim(line).empty()) reader.fail("expected a header of " + named + " names");
   if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // the mark that some spreadsheets put first
-  ControlTable table;
-  table.names = read_header(reader, line);
+  NumberTable table;
+  table.names = read_header(reader, line, named);
   bool ended = false;
   while (reader.next(line)) {
     if (trim(line).empty()) {
@@ -104,7 +104,7 @@ ControlTable read_controls(const std::string& path) {
     if (ended) reader.fail("there is an empty line before this one");
     table.rows.push_back(read_row(reader, line, table.names));
   }
-  if (table.rows.empty()) throw Failure(path + ": no rows of controls follow the header");
+  if (table.rows.empty()) throw Failure(path + ": no rows of numbers follow the header");
   return table;
 }
 

@@ -1,4 +1,4 @@
-// Control sequences: a header of names, then one row of numbers a physics step.
+// Tables of numbers: a header of names, then rows.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace cli {
 
-struct ControlTable {
+struct NumberTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;  // each as long as names
 };
 
-// Throws a Failure that names the file, and the line where there is one.
-ControlTable read_controls(const std::string& path);
+// `named` says what the columns are, "actuator". Throws a Failure that names the file, and the line where there is one.
+NumberTable read_numbers(const std::string& path, const std::string& named);
 
 }  // namespace cli

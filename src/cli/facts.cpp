@@ -29,6 +29,14 @@ std::size_t touch_sensors(const mimo::Env& env) {
   return sum;
 }
 
+std::string joint_label(const mimo::Env& env, std::int32_t joint) {
+  const std::string name = env.name(MIMO_JOINT, joint);
+  if (!name.empty()) return name;
+  const bool free = env.width(MIMO_JOINT_POSITION, {joint}) == 7;
+  const std::string body = env.name(MIMO_BODY, env.body_of(MIMO_JOINT, joint));
+  return free && !body.empty() ? "free:" + body : "joint:" + std::to_string(joint);
+}
+
 const char* dtype_name(const mimo_field& field) {
   switch (field.dtype) {
     case MIMO_U8: return "uint8";

@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
+#include "follow.h"
 #include "interrupt.h"
 #include "progress.h"
 #include "recorded_world.h"
@@ -23,7 +24,7 @@ namespace cli {
 namespace {
 
 struct ReplayOptions {
-  WorldOptions changes;
+  FollowOptions follow;  // with the options that change what is sensed
   RecorderOptions recorder;
   std::string file;
   double from = 0;
@@ -232,7 +233,7 @@ void replay(const ReplayOptions& options, const CLI::App& command) {
 void add_replay(CLI::App& program) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = program.add_subcommand("replay", "Play a recording again, and compare");
-  command->add_option("file", options->file, "The recording")->type_name("FILE.h5")->required();
+  CLI::Option* file = command->add_option("file", options->file, "The recording")->type_name("FILE.h5");
   command->add_option("--from", options->from, "Where to start: at the last kept state that is not later")
       ->type_name("S")
       ->check(number(0, 1e9))
@@ -240,8 +241,13 @@ void add_replay(CLI::App& program) {
   command->add_option("--seconds", options->seconds, "How much to play from there. Default: all")
       ->type_name("S")
       ->check(number(0, 1e9));
-  add_sense_options(*command, options->changes);
-  add_recorder_options(*command, options->recorder);
+  options->follow.world.vision = "off";
+  add_sense_options(*command, options->follow.world);
+  CLI::Option* out = add_recorder_options(*command, options->recorder);
+  CLI::Option* motion = add_follow_options(*command, options->follow);
+  for (CLI::Option* other : {file, out, command->get_option("--from"), command->get_option("--seconds")}) {
+    motion->excludes(other);
+  }
   command->add_flag("--json", options->json, "Report in JSON");
   command->footer(
       "The world is that of the recording; options of senses change what it senses. With --out what is sensed now "
@@ -249,8 +255,14 @@ void add_replay(CLI::App& program) {
       "into a new recording, from --from on. Results are the same to the last bit on the same build.\n"
       "Examples:\n"
       "  mimo replay run.h5 --json\n"
-      "  mimo replay run.h5 --from 30 --seconds 5 --vision 128 --keep vision --out eyes.h5");
-  command->callback([options, command] { replay(*options, *command); });
+      "  mimo replay run.h5 --from 30 --seconds 5 --vision 128 --keep vision --out eyes.h5\n"
+      "  mimo replay --motion motion.csv --scene benchmark --forces torques.csv");
+  command->callback([options, command] {
+    options->follow.json = options->json;
+    if (!options->follow.motion.empty()) return follow(options->follow);
+    if (options->file.empty()) throw CLI::RequiredError("FILE.h5 or --motion");
+    replay(*options, *command);
+  });
 }
 
 }  // namespace cli

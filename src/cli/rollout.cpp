@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "csv.h"
+#include "facts.h"
 #include "failure.h"
 #include "files.h"
 #include "progress.h"
@@ -35,15 +36,6 @@ mimo_env_config config_of(const RolloutOptions& options) {
   config.frame_skip = 1;                                          // a row of controls each
   if (options.world.actuation != "torque") config.task = "none";  // which such a step would evaluate
   return config;
-}
-
-// How the model calls a joint; "free:<body>" for one that moves a whole body and has no name.
-std::string joint_label(const mimo::Env& env, std::int32_t joint) {
-  const std::string name = env.name(MIMO_JOINT, joint);
-  if (!name.empty()) return name;
-  const bool free = env.width(MIMO_JOINT_POSITION, {joint}) == 7;
-  const std::string body = env.name(MIMO_BODY, env.body_of(MIMO_JOINT, joint));
-  return free && !body.empty() ? "free:" + body : "joint:" + std::to_string(joint);
 }
 
 std::string body_label(const mimo::Env& env, std::int32_t body) {
@@ -124,7 +116,7 @@ class Recording {
 
 // What the columns of a file are for.
 template <typename Find>
-auto find_columns(const ControlTable& controls, const std::string& path, Find&& find) {
+auto find_columns(const NumberTable& controls, const std::string& path, Find&& find) {
   std::vector<decltype(find(controls.names[0]))> columns;
   for (const std::string& name : controls.names) {
     try {
@@ -139,7 +131,7 @@ auto find_columns(const ControlTable& controls, const std::string& path, Find&& 
 // Control inputs as they are, of any actuator.
 class Motors {
  public:
-  Motors(const mimo::Env& env, const ControlTable& controls, const std::string& path)
+  Motors(const mimo::Env& env, const NumberTable& controls, const std::string& path)
       : actuators_(find_columns(controls, path, [&](const auto& name) { return env.find(MIMO_ACTUATOR, name); })) {}
 
   void step(mimo::Env& env, const std::vector<double>& row) {
@@ -154,7 +146,7 @@ class Motors {
 // Targets of joints or activations of muscles, clipped to their bounds.
 class Actions {
  public:
-  Actions(const mimo::Env& env, const ControlTable& controls, const std::string& path)
+  Actions(const mimo::Env& env, const NumberTable& controls, const std::string& path)
       : actions_(env.layout().actions()),
         columns_(find_columns(controls, path, [&](const auto& name) { return index(name); })),
         action_(actions_.size()) {}
@@ -181,7 +173,7 @@ class Actions {
 
 template <typename Controls>
 void roll_out(const RolloutOptions& options) {
-  const ControlTable table = read_controls(options.controls);
+  const NumberTable table = read_numbers(options.controls, "actuator");
   require_writable(options.out);
   mimo::Env env = open_bare_world(options.world, config_of(options));
   Controls controls(env, table, options.controls);

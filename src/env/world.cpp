@@ -228,9 +228,14 @@ void World::follow(Span<const double> positions, Span<double> forces, std::uint8
   require_outside_task();
   physics_.require_usable();
   physics_.require_undisturbed();
+  if (model().opt.integrator != mjINT_EULER) {
+    fail(Status::kUnsupported, "movements are followed in models with MuJoCo's integrator Euler only");
+  }
+  const Stopwatch total(options_.timing, timing_.total);
   const auto nq = static_cast<std::size_t>(model().nq), nv = static_cast<std::size_t>(model().nv);
   advance([&](int done, bool sensors) {
     const auto number = static_cast<std::size_t>(done);
+    const Stopwatch watch(options_.timing, timing_.physics);
     physics_.follow(positions.data() + number * nq, forces.empty() ? nullptr : forces.data() + number * nv, sensors);
     if (step_contacts_.wanted()) step_contacts_.add(physics_);
   });

@@ -199,6 +199,14 @@ int main(void) {
   FIELD(mimo_reset_config, growth);
   FIELD(mimo_reset_config, growth_count);
 
+  BEGIN(mimo_movement);
+  FIELD(mimo_movement, struct_size);
+  FIELD(mimo_movement, reserved);
+  FIELD(mimo_movement, positions);
+  FIELD(mimo_movement, position_count);
+  FIELD(mimo_movement, forces);
+  FIELD(mimo_movement, force_count);
+
   BEGIN(mimo_env_results);
   FIELD(mimo_env_results, struct_size);
   FIELD(mimo_env_results, reserved);

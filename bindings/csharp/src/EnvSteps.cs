@@ -92,6 +92,31 @@ namespace Mimo
             MimoException.Check(Native.mimo_env_physics_step(handle, (UIntPtr)checked((uint)count)));
         }
 
+        /// <summary>One step of a movement that is known: FrameSkip x positions of all joints, at the end of each physics step.
+        /// The senses answer; gives FrameSkip x the forces that it takes, one for each degree of freedom, N or Nm.</summary>
+        public double[] Follow(double[] positions)
+        {
+            var forces = new double[FrameSkip * Width(Quantity.JointVelocity, null)];
+            var from = GCHandle.Alloc(positions, GCHandleType.Pinned);
+            var to = GCHandle.Alloc(forces, GCHandleType.Pinned);
+            try
+            {
+                var movement = new MovementStruct
+                {
+                    struct_size = (uint)Structs.Size<MovementStruct>(),
+                    positions = from.AddrOfPinnedObject(), position_count = (UIntPtr)positions.Length,
+                    forces = to.AddrOfPinnedObject(), force_count = (UIntPtr)forces.Length
+                };
+                MimoException.Check(Native.mimo_env_follow(handle, ref movement, Block, (UIntPtr)Block.Length));
+            }
+            finally
+            {
+                from.Free();
+                to.Free();
+            }
+            return forces;
+        }
+
         /// <summary>Lets a body play samples, Pa at 1 m, from the next physics step on, after what it plays already; without
         /// any it ends. The rate is Field.SampleRate of the ears.</summary>
         public void Play(string body, float[] samples, double rate)

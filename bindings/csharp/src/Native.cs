@@ -106,6 +106,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_frame_skip(EnvHandle env, out uint steps);
         [DllImport(File)] internal static extern int mimo_env_timestep(EnvHandle env, out double seconds);
         [DllImport(File)] internal static extern int mimo_env_physics_step(EnvHandle env, Size count);
+        [DllImport(File)] internal static extern int mimo_env_follow(EnvHandle env, ref MovementStruct movement, byte[] block, Size bytes);
         [DllImport(File)] internal static extern int mimo_env_play(EnvHandle env, byte[] body, float[] samples, Size count, double rate);
         [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
         [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);

@@ -97,6 +97,16 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct MovementStruct
+    {
+        internal uint struct_size, reserved;
+        internal IntPtr positions;
+        internal UIntPtr position_count;
+        internal IntPtr forces;
+        internal UIntPtr force_count;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct ResetConfigStruct
     {
         internal uint struct_size, seeded;

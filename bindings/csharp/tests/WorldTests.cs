@@ -398,4 +398,23 @@ internal static partial class Tests
         Check(env.jacobian == (int)world.Jacobian && env.disable == (uint)world.Disable, "physics");
         Check(env.frame_skip == 0 && env.max_steps == 0 && env.samples == 0 && env.render_threads == world.RenderThreads, "env");
     }
+
+    /// <summary>Who is held still is held with its weight: at the third degree of freedom of its free joint.</summary>
+    private static void MovementsAreFollowed()
+    {
+        using (var scene = MimoScene.Builtin("free"))
+        {
+            var agent = scene.DefaultAgent();
+            agent.vision = 0;
+            agent.touch = 0;
+            scene.AddAgent(agent);
+            using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
+            {
+                var still = env.Get(Quantity.JointPosition);
+                env.Follow(still);
+                Near(9.81 * env.Agents[0].Mass, env.Follow(still)[2], 1e-6, "the force that holds it");
+                Check(Refused(() => env.Follow(new double[3])).Message.Contains("position_count"), "another message");
+            }
+        }
+    }
 }

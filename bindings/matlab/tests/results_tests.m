@@ -1,7 +1,7 @@
 % Tests of what steps and resets give beside observations, and of messages.
 function all_of_them = results_tests()
   all_of_them = {@outcomes_and_terms, @failures_are_outcomes, @episodes_end_and_start, @seeds_and_masks, @goals_are_read, ...
-                 @messages_wait};
+                 @messages_wait, @movements_are_followed};
 end
 
 % Reaching, of docs/tasks.md: 100 for the hand at the ball, else minus the distance.
@@ -119,4 +119,17 @@ function messages_wait()
   said = mimo_messages();
   assert(isequal([said.number], scene), mat2str([said.number]));
   mimo_close(scene);
+end
+
+% Who is held still is held with its weight: at the third degree of freedom of its free joint.
+function movements_are_followed()
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'frame_skip', 1);
+  mimo_reset(world, 1);
+  positions = mimo_get(world, 'joint_position');
+  [seen, forces] = mimo_follow(world, positions(:));
+  [seen, forces] = mimo_follow(world, positions(:));
+  info = mimo_info(world);
+  assert(abs(forces(3) - 9.81 * info.agents(1).mass) < 1e-6 && abs(norm(seen.vestibular_acceleration) - 9.81) < 1e-4);
+  refused(@() mimo_follow(world, positions(2:end)), 'mimo:INVALID_ARGUMENT');
+  mimo_close(world);
 end

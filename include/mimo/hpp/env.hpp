@@ -102,6 +102,19 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return results;
   }
 
+  /// One step of a movement that is known: frame_skip x positions of all joints. Gives frame_skip x the forces that it
+  /// takes, one for each degree of freedom.
+  std::vector<double> follow(const std::vector<double> &positions, Block &block) {
+    std::vector<double> forces(frame_skip() * get_values(MIMO_JOINT_VELOCITY, ids(MIMO_JOINT)).size());
+    mimo_movement movement = {};
+    movement.struct_size = sizeof movement;
+    movement.positions = positions.data();
+    movement.position_count = positions.size();
+    movement.forces = forces.data();
+    movement.force_count = forces.size();
+    check(mimo_env_follow(get(), &movement, block.data(), block.bytes()));
+    return forces;
+  }
   /// Physics alone: no senses and no task.
   void physics_step(std::size_t count = 1) { check(mimo_env_physics_step(get(), count)); }
   /// Lets a body play samples, Pa at 1 m, from the next physics step on; none: what it plays ends.

@@ -315,6 +315,17 @@ class ResetConfig(Struct):
     ]
 
 
+class Movement(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("positions", _Array),
+        ("position_count", c_size_t),
+        ("forces", _Array),
+        ("force_count", c_size_t),
+    ]
+
+
 class EnvResults(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -664,6 +675,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         _status,
         [_Handle, _Array, c_size_t, c_void_p, c_size_t, _config(EnvResults)],
     ),
+    "mimo_env_follow": (_status, [_Handle, _config(Movement), c_void_p, c_size_t]),
     "mimo_env_observe": (_status, [_Handle, c_void_p, c_size_t]),
     "mimo_env_physics_step": (_status, [_Handle, c_size_t]),
     "mimo_env_time": (_status, [_Handle, _Out_f64]),

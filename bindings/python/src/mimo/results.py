@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict
+from typing import Any, Dict, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,13 @@ class StepResult:
     truncated: NDArray[np.bool_]
     outcome: NDArray[np.int32]  # one an infant, of mimo.Outcome, also where that does not end the episode
     terms: Numbers  # what the rewards are the sums of, in the order of layout.terms
+
+
+class Followed(NamedTuple):
+    """What a step of a known movement gave."""
+
+    observation: Observation
+    forces: Numbers  # physics steps x degrees of freedom: what the movement takes, N or Nm
 
 
 class Results:

@@ -21,7 +21,7 @@ from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
 from .geometry import Geometry
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
-from .results import Numbers, Results, StepResult
+from .results import Followed, Numbers, Results, StepResult
 from .scene import Scene, prepare
 from .sounds import play
 from .states import LoadReport, reported, saved
@@ -178,6 +178,26 @@ class World(Geometry):
         status = _step(self._handle, *self._prepared(action), address, size, self._results_place)
         if status != 0:
             raise_error(status)
+
+    def follow(self, positions: ArrayLike) -> Followed:
+        """One step of a movement that is known: joints go where they are told, and senses answer.
+
+        positions: frame_skip x the positions of all joints, as get(Quantity.JOINT_POSITION) has them one after the other,
+        at the end of each physics step. Gives the observation, and the forces that it takes: frame_skip x one for each
+        degree of freedom, N or Nm, beside contacts, limits, springs and dampers.
+        """
+        told = np.ascontiguousarray(positions, np.float64)
+        forces = np.empty((self.frame_skip, len(self.get(Quantity.JOINT_VELOCITY).ravel())))
+        movement = _abi.Movement(
+            struct_size=ctypes.sizeof(_abi.Movement),
+            positions=told.ctypes.data,
+            position_count=told.size,
+            forces=forces.ctypes.data,
+            force_count=forces.size,
+        )
+        check(LIB.mimo_env_follow(self._handle, movement, *self._place(self.block)))
+        self.observation = self._views
+        return Followed(self.observation, forces)
 
     def observe(self) -> Observation:
         """What the senses give for the current state, without changing the trajectory."""

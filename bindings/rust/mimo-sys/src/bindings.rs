@@ -1604,6 +1604,45 @@ extern "C" {
         results: *const mimo_env_results,
     ) -> mimo_status;
 }
+#[doc = "Where joints go in a step."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_movement {
+    #[doc = "sizeof(mimo_movement), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "frame_skip x the positions of all joints, as MIMO_JOINT_POSITION has them one after the"]
+    #[doc = "other: at the end of each physics step. Quaternions are normalised."]
+    pub positions: *const f64,
+    #[doc = "Length of positions."]
+    pub position_count: usize,
+    #[doc = "Receives frame_skip x one for each degree of freedom: N, or Nm; or NULL."]
+    pub forces: *mut f64,
+    #[doc = "Length of forces."]
+    pub force_count: usize,
+}
+extern "C" {
+    #[doc = "One step of a movement that is known, from video or motion capture: joints go where they are told, whatever stands in"]
+    #[doc = "their way, and all senses answer as if they had gone there by themselves. Velocities and accelerations follow from"]
+    #[doc = "positions as in a step of physics: velocity at the end is the difference over a physics step, so whoever starts a"]
+    #[doc = "movement sets MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY first. Contacts give way, and are felt, as they would with"]
+    #[doc = "these accelerations. Motors pull as their controls are, which changes nothing; no task judges,"]
+    #[doc = "no reflex acts, and no late action arrives."]
+    #[doc = ""]
+    #[doc = "The forces are those of inverse dynamics: what has to act beside gravity, contacts, limits, locks, springs and dampers"]
+    #[doc = "of the joints, at the start of each physics step. Of an infant lying there these are its muscles; those of the"]
+    #[doc = "first six degrees of freedom, its free joint, are what is missing from its contacts."]
+    #[doc = "@param block receives the observation; NULL with block_bytes 0 skips the senses."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);"]
+    #[doc = "        MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step."]
+    pub fn mimo_env_follow(
+        env: *mut mimo_env,
+        movement: *const mimo_movement,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+    ) -> mimo_status;
+}
 extern "C" {
     #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
     #[doc = "state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next"]

@@ -85,6 +85,24 @@ impl World {
         check(unsafe { sys::mimo_env_physics_step(self.handle(), count) })
     }
 
+    /// One step of a movement that is known: frame_skip x positions of all joints, at the end of each physics step. The
+    /// senses answer; gives frame_skip x the forces that it takes, one for each degree of freedom, N or Nm.
+    pub fn follow(&mut self, positions: &[f64], block: Option<&mut Block>) -> Result<Vec<f64>> {
+        let degrees = self.get_all(sys::MIMO_JOINT_VELOCITY)?.len();
+        let mut forces = vec![0.0; self.frame_skip()? as usize * degrees];
+        let movement = sys::mimo_movement {
+            struct_size: std::mem::size_of::<sys::mimo_movement>() as u32,
+            reserved: 0,
+            positions: positions.as_ptr(),
+            position_count: positions.len(),
+            forces: forces.as_mut_ptr(),
+            force_count: forces.len(),
+        };
+        let (place, bytes) = memory(block);
+        check(unsafe { sys::mimo_env_follow(self.handle(), &movement, place, bytes) })?;
+        Ok(forces)
+    }
+
     /// Lets a body play samples, Pa at 1 m, from the next physics step on, after what it plays already; without any it
     /// ends. The rate is [`Field::sample_rate`](crate::Field::sample_rate) of the ears.
     pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {

@@ -144,3 +144,20 @@ fn tasks_and_parameters_are_listed() {
     let success = all.iter().find(|one| one.name == "reach/success_reward").unwrap();
     assert_eq!(success.standard, 100.0);
 }
+
+/// Who is held still is held with its weight: at the third degree of freedom of its free joint.
+#[test]
+fn movements_are_followed() {
+    let mut scene = Scene::builtin("free").unwrap();
+    let mut agent = scene.default_agent().unwrap();
+    scene.add_agent(agent.vision(0, 8, 8).touch(0, 1.0)).unwrap();
+    let mut env = Env::new(&scene, EnvConfig::new().unwrap().frame_skip(1)).unwrap();
+    let still = env.get_all(MIMO_JOINT_POSITION).unwrap();
+    let mut block = env.new_block().unwrap();
+    env.follow(&still, None).unwrap();
+    let forces = env.follow(&still, Some(&mut block)).unwrap();
+    let mass = env.agents().unwrap()[0].mass;
+    assert!((forces[2] - 9.81 * mass).abs() < 1e-6, "{}", forces[2]);
+    let error = env.follow(&still[1..], None).unwrap_err();
+    assert!(error.kind() == Kind::InvalidArgument && error.message().contains("position_count"), "{}", error);
+}

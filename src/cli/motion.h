@@ -1,0 +1,44 @@
+// A movement that is known: a table of joint positions at any rate, followed by a world.
+#pragma once
+
+#include <cstdint>
+#include <mimo/mimo.hpp>
+#include <string>
+#include <vector>
+
+#include "spline.h"
+
+namespace cli {
+
+class Motion {
+ public:
+  // A column `time` in s, then one for each hinge, by its joint's name with or without "robot:", rad; of a joint that
+  // moves freely NAME:x, y, z, m, and NAME:qw, qx, qy, qz; the first infant's is also called "root". Joints without a
+  // column stay where the world has them. Throws a Failure that names file and column.
+  Motion(const std::string& path, bool degrees, const mimo::Env& env);
+
+  double seconds() const { return last_ - first_; }
+  std::size_t rows() const { return rows_; }
+  // Of all joints, so many seconds after the first row.
+  std::vector<double> positions(double seconds) const;
+  // Of all degrees of freedom, with which a step of physics ends there.
+  std::vector<double> velocities(const mimo::Env& env, double seconds) const;
+  // Names of joints that are told to go beyond their limits.
+  std::vector<std::string> beyond_limits(const mimo::Env& env) const;
+
+ private:
+  struct Track {
+    std::size_t place;  // among the positions
+    Spline curve;
+    double low, high;  // of all rows
+    std::int32_t joint;
+  };
+
+  std::vector<double> still_;             // positions of what is not told
+  std::vector<std::size_t> quaternions_;  // places of their first numbers
+  std::vector<Track> tracks_;
+  double first_ = 0, last_ = 0;
+  std::size_t rows_ = 0;
+};
+
+}  // namespace cli
