@@ -55,7 +55,7 @@ def test_what_is_no_recording(tmp_path):
         Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as newer:
         newer.attrs["format"], newer.attrs["format_version"] = "mimo recording", 99
-    with pytest.raises(mimo.UnsupportedError, match="has format version 99, and this package reads up to 1"):
+    with pytest.raises(mimo.UnsupportedError, match="has format version 99, and this package reads up to 2"):
         Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as poor:
         poor.attrs["format_version"], poor.attrs["step_seconds"] = 1, 0.01

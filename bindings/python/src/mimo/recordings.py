@@ -14,7 +14,7 @@ from .errors import NotFoundError, UnsupportedError
 from .scene import Scene, scenes
 from .world import World
 
-FORMAT, VERSION = "mimo recording", 1
+FORMAT, VERSION = "mimo recording", 2
 NUMBERS = ("age", "physiological-age", "percentile", "z-length", "z-weight", "z-head")
 ACTUATIONS = ("torque", "position", "muscle", "mujoco-muscle")  # in the order of their constants
 EYES = 128  # pixels to each side
@@ -33,6 +33,10 @@ class Recording:
             if "actions" in self.file:
                 self.steps = min(self.steps, len(self.file["actions"]))
             self._states: NDArray[np.int64] = self.file["states/step"][: len(self.file["states/state"])]
+            self._given = np.zeros(len(self._states), bool)  # states by which something else than a step changed it
+            if "states/given" in self.file:  # since version 2
+                given = self.file["states/given"][: len(self._states)] != 0
+                self._given[: len(given)] = given
         except (KeyError, OSError) as error:
             self.file.close()
             raise ValueError(f"{self.path} is not a whole recording: {error}") from None
@@ -73,6 +77,7 @@ class Recording:
         before = np.flatnonzero(self._states <= step)
         if len(before) == 0:
             raise ValueError(f"{self.path} has no state to start from: it was cut off before its first flush")
+        world.reset(0)  # senses of other sizes begin fresh
         return self._load(world, int(before[-1]))
 
     def _load(self, world: World, number: int) -> int:
@@ -81,10 +86,12 @@ class Recording:
 
     def step(self, world: World, step: int, senses: bool = True) -> None:
         """Makes a recorded step in a world that has come as far."""
-        kept = np.flatnonzero(self._states == step)
-        if len(kept) > 0:
-            self._load(world, int(kept[-1]))  # what changed the world between two steps is in it
+        given = np.flatnonzero((self._states == step) & self._given)
+        if len(given) > 0 and step > 0:
+            self._load(world, int(given[-1]))
         action = self.file["actions"][step] if "actions" in self.file else None
+        if action is not None and np.isnan(action).all():  # motors stayed as they were
+            action = None
         world.step_into(world.block if senses else None, action)
 
     def seek(self, world: World, step: int) -> None:
