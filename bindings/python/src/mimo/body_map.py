@@ -36,7 +36,7 @@ class BodyMap:
         height = max(float(np.ptp(up)), 1e-6)
         half = float(np.abs(across).max()) / height
         middle = np.where(self.front, half, 3 * half + GAP)
-        x = middle - np.where(self.front, 1, -1) * across / height
+        x = middle + np.where(self.front, 1, -1) * across / height
         self.places: NDArray[np.float64] = np.column_stack([x, (up - up.min()) / height])
         self.middles = (half, 3 * half + GAP)
         self.width = 4 * half + GAP

@@ -12,6 +12,7 @@ from .constants import Kind, Quantity
 from .drawing import prefixes
 from .frames import inverse, turned
 from .recordings import Recording
+from .view.marks import limited
 from .world import World
 
 EARS = ("hearing/ear_left", "hearing/ear_right")
@@ -35,17 +36,11 @@ class Traces(NamedTuple):
     rewards: Numbers
 
 
-def hinges(world: World, prefix: str) -> Selection:
-    """An infant's joints of one number that has limits."""
-    names = world.joints().names
-    own = [number for number, name in enumerate(names) if name.startswith(f"{prefix}robot:")]
-    joints = world.joints(*[names[number] for number in own]) if own else world.joints()
-    widths = [joints._width(Quantity.JOINT_POSITION, np.array([joint])) for joint in joints.ids]
-    one = joints.ids[np.array(widths) == 1]
-    ranges = world.get(Quantity.JOINT_RANGE, [int(joint) for joint in one]).reshape(-1, 2)
-    bounded = np.isfinite(ranges).all(axis=1) & (ranges[:, 0] < ranges[:, 1])
-    chosen = Selection(world, one[bounded])
-    chosen.kind = Kind.JOINT
+def _own(world: World, prefix: str) -> Selection:
+    """An infant's joints that have limits."""
+    joints = limited(world)
+    chosen = Selection(world, joints.ids[[name.startswith(f"{prefix}robot:") for name in joints.names]])
+    chosen.kind = joints.kind
     return chosen
 
 
@@ -55,13 +50,14 @@ class Listener:
     def __init__(self, world: World, agent: int) -> None:
         self._world, self._agent = world, agent
         self._prefix = list(prefixes(world))[agent]
-        self.joints = hinges(world, self._prefix)
+        self.joints = _own(world, self._prefix)
         self._low, self._high = self.joints._get(Quantity.JOINT_RANGE).reshape(-1, 2).T
         fields = world.layout.fields
         kinds = ("touch/force", "touch/normal_force")
         self._touch = next((self._prefix + kind for kind in kinds if self._prefix + kind in fields), None)
         self._owners = world.layout.receptors(self._touch).bodies if self._touch else np.zeros(0, np.int32)
-        self._head = f"{self._prefix}head" if f"{self._prefix}head" in world.bodies().names else None
+        head = f"{self._prefix}head"
+        self._head = world.bodies(head) if head in world.bodies().names else None
         self.hears = self._prefix + EARS[0] in fields
         self.rows: Dict[str, List[Any]] = {"bends": [], "forces": [], "gaze": [], "levels": [], "rewards": []}
 
@@ -87,7 +83,7 @@ class Listener:
     def _gaze(self) -> Numbers:
         if self._head is None:
             return np.full(4, np.nan)
-        back = inverse(self._world.bodies(self._head).orientation)
+        back = inverse(self._head.orientation)  # of the moment that the eyes' poses are of
         gaze = self._world.gaze(self._agent)
         ahead, left, up = turned(back, [gaze.left.direction, gaze.right.direction]).T
         sides, heights = np.arctan2(left, ahead), np.arctan2(up, np.hypot(ahead, left))
