@@ -28,7 +28,7 @@ class Run(Case):
     def test_each_infant_sees(self):
         text = self.mimo("run", "--scene", "playdate", "--seconds", "0.1", "--vision", "32", "--touch", "0.3", "--out", "p")
         eyes = ["p/%s%s_%s.png" % (when, infant, what) for when in ("", "start_") for infant in ("anna", "ben")
-                for what in ("anaglyph", "left", "right")]
+                for what in ("anaglyph", "left", "right", "touch_map")]
         others = ["p/%s%s.png" % (when, what) for when in ("", "start_") for what in ("outside", "touch")]
         self.assertEqual(self.files(), sorted(eyes + others))
         self.assertIn("ben/touch/force", text)
