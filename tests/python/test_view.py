@@ -186,6 +186,7 @@ def test_every_scene_is_shown(shown):
         assert world._scene.source == scene
         assert len(shown._page._senses._pictures) == len(world.agents)
         assert len(shown._page.infants._world.agents) == len(world.agents)
+        assert shown._page.sound._switch is not None  # its infants hear
         assert sum(handle is not None for handle in shown._page.shapes._shown) > 20
 
 
