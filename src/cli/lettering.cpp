@@ -123,7 +123,8 @@ void write(ColorPicture& picture, const std::string& text, Spot left_middle, dou
     const auto* letter =
         std::find_if(std::begin(kLetters), std::end(kLetters), [name](const Letter& one) { return one.name == name; });
     for (int i = 0; letter != std::end(kLetters) && i < kColumns * kRows; ++i) {
-      const Spot middle{left + (i % kColumns + 0.5) * dot, top + (i / kColumns + 0.5) * dot};
+      const int column = i % kColumns, row = i / kColumns;
+      const Spot middle{left + (column + 0.5) * dot, top + (row + 0.5) * dot};
       if (letter->dots[i] == '#') stroke(picture, middle, middle, dot / 2, {color, 1});
     }
     left += kAdvance * dot;

@@ -46,28 +46,6 @@ Scenery take(mimo::Env& env, const mimo_picture_config& config) {
   return {std::move(pictures.color), std::move(pictures.depth.pixels), std::move(pictures.segmentation.pixels)};
 }
 
-// Geoms that are not drawn, as long as this lives.
-class Unseen {
- public:
-  explicit Unseen(mimo::Env& env) : env_(env) {}
-  ~Unseen() {
-    for (const auto& [geom, color] : colors_) env_.set_values(MIMO_GEOM_COLOR, {geom}, color);
-  }
-  Unseen(const Unseen&) = delete;
-  Unseen& operator=(const Unseen&) = delete;
-
-  void add(std::int32_t geom) {
-    colors_.emplace_back(geom, env_.get_values(MIMO_GEOM_COLOR, {geom}));
-    std::vector<double> clear = colors_.back().second;
-    clear[3] = 0;
-    env_.set_values(MIMO_GEOM_COLOR, {geom}, clear);
-  }
-
- private:
-  mimo::Env& env_;
-  std::vector<std::pair<std::int32_t, std::vector<double>>> colors_;
-};
-
 // What of the world itself stands between the camera and what is felt.
 std::vector<std::int32_t> in_the_way(const mimo::Env& env, const Scenery& scenery, const std::vector<Vector>& pixels,
                                      const Feelings& felt) {
@@ -86,14 +64,17 @@ std::vector<std::int32_t> in_the_way(const mimo::Env& env, const Scenery& scener
 Scenery take_free(mimo::Env& env, const mimo_picture_config& config, const std::vector<Vector>& pixels,
                   const Feelings& felt) {
   constexpr int kLayers = 4;
-  Unseen unseen(env);
   Scenery scenery = take(env, config);
+  const std::vector<double> colors = env.get_values(MIMO_GEOM_COLOR);
+  std::vector<double> thinned = colors;
   for (int layer = 0; layer < kLayers; ++layer) {
     const auto geoms = in_the_way(env, scenery, pixels, felt);
     if (geoms.empty()) break;
-    for (const std::int32_t geom : geoms) unseen.add(geom);
+    for (const std::int32_t geom : geoms) thinned[4 * static_cast<std::size_t>(geom) + 3] = 0;
+    env.set_values(MIMO_GEOM_COLOR, thinned);
     scenery = take(env, config);
   }
+  if (thinned != colors) env.set_values(MIMO_GEOM_COLOR, colors);
   return scenery;
 }
 
