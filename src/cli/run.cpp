@@ -145,9 +145,10 @@ void Run::save_touch(const std::string& prefix, const std::string& when) {
   save(prefix + "touch", touch.draw(env_, touch.close_up(env_, block_), block_), "what " + sensors + " feel " + when);
   for (const mimo_agent_info& agent : env_.agents()) {
     const TouchMap map(env_, agent.name);
-    const std::string name = agent.name;
-    if (map.possible())
-      save(prefix + (name.empty() ? "" : name + "_") + "touch_map", map.draw(block_), "all skin, unfolded");
+    if (!map.possible()) continue;
+    std::string name = prefix;
+    if (*agent.name != '\0') name.append(agent.name).append("_");
+    save(name.append("touch_map"), map.draw(block_), "all skin, unfolded");
   }
 }
 
