@@ -30,6 +30,8 @@ def test_a_run_is_played_again(options, tmp_path):
             for step in (20, 115):  # back, and past the second kept state
                 recording.seek(world, step)
                 np.testing.assert_array_equal(world.get(mimo.Quantity.JOINT_POSITION), table[step - 1])
+            with pytest.raises(ValueError, match="step is 131, expected 0 to 130, where"):
+                recording.seek(world, 131)
 
 
 def test_what_is_felt_and_heard_is_what_was_recorded(tmp_path):

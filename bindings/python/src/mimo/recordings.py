@@ -96,6 +96,8 @@ class Recording:
 
     def seek(self, world: World, step: int) -> None:
         """Brings a world to where it was after so many steps."""
+        if not 0 <= step <= self.steps:
+            raise ValueError(f"step is {step}, expected 0 to {self.steps}, where {self.path} ends")
         at = self.start(world, step)
         for passed in range(at, step):
             self.step(world, passed, senses=False)
