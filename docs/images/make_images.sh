@@ -43,6 +43,11 @@ pair renderers-close --scene free --look-at 0.02 -0.06 0 --distance 0.4 --azimut
 # A model that is no infant, after it has fallen, and what it feels where it feels most.
 "$mimo" run --scene ../../tests/models/humanoid.xml --seconds 2 --seed 1 --out "$work/own" >/dev/null
 montage "$work/own/outside.png" "$work/own/touch.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 own-model.png
+
+# What an infant feels after ten seconds, from its side, and its whole skin unfolded.
+"$mimo" run --seconds 10 --vision off --seed 1 --out "$work/felt" >/dev/null
+montage "$work/felt/touch.png" "$work/felt/touch_map.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 touch_run.png
+
 # Two infants, and both smile.
 "$mimo" render --scene playdate --touch off --face enjoyment --look-at 0 0 0.2 --distance 1.05 --azimuth 65 \
   --elevation -14 --width 1600 --height 1040 --out "$work/playdate.png"

@@ -44,14 +44,15 @@ void stroke(ColorPicture& picture, Spot from, Spot to, double radius, const Ink&
   }
 }
 
-void arrow(ColorPicture& picture, Spot from, Spot to, double radius, const Ink& ink) {
-  stroke(picture, from, to, radius, ink);
+void arrow(ColorPicture& picture, Spot from, Spot to, double radius, const Ink& ink, double rim) {
+  stroke(picture, from, to, radius + rim, ink);
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   if (length < 1) return;
   const double head = std::min(6 * radius, 0.5 * length);
   const double along = std::atan2(from.y - to.y, from.x - to.x);
   for (const double turn : {-0.45, 0.45}) {
-    stroke(picture, to, {to.x + head * std::cos(along + turn), to.y + head * std::sin(along + turn)}, radius, ink);
+    stroke(picture, to, {to.x + head * std::cos(along + turn), to.y + head * std::sin(along + turn)}, radius + rim,
+           ink);
   }
 }
 

@@ -18,7 +18,7 @@ struct Ink {
 // A line of a given half width with round ends; a disc where both ends are the same.
 void stroke(ColorPicture& picture, Spot from, Spot to, double radius, const Ink& ink);
 
-// A stroke with a head at its end.
-void arrow(ColorPicture& picture, Spot from, Spot to, double radius, const Ink& ink);
+// A stroke with a head at its end, wider by `rim` on all sides: drawn first with another ink it is an outline.
+void arrow(ColorPicture& picture, Spot from, Spot to, double radius, const Ink& ink, double rim = 0);
 
 }  // namespace cli

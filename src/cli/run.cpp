@@ -16,6 +16,7 @@
 #include "statistics.h"
 #include "text.h"
 #include "timing.h"
+#include "touch_map.h"
 #include "touch_picture.h"
 #include "wave.h"
 #include "world.h"
@@ -141,8 +142,14 @@ void Run::save_touch(const std::string& prefix, const std::string& when) {
   TouchPicture touch(env_);
   if (!touch.possible()) return;
   const std::string sensors = std::to_string(touch.sensors()) + " sensors";
-  save(prefix + "touch", touch.draw(env_, touch.close_up(env_, block_), block_),
-       "what " + sensors + " feel most " + when);
+  save(prefix + "touch", touch.draw(env_, touch.close_up(env_, block_), block_), "what " + sensors + " feel " + when);
+  for (const mimo_agent_info& agent : env_.agents()) {
+    const TouchMap map(env_, agent.name);
+    if (!map.possible()) continue;
+    std::string name = prefix;
+    if (*agent.name != '\0') name.append(agent.name).append("_");
+    save(name.append("touch_map"), map.draw(block_), "all skin, unfolded");
+  }
 }
 
 void Run::save_pictures(const std::string& prefix, const std::string& when) {
@@ -215,9 +222,11 @@ void add_run(CLI::App& program) {
       ->check(number(1e-4, 1000))
       ->capture_default_str();
   command->footer(
-      "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png and touch.png (where\n"
-      "most is felt: sensors as points, forces as arrows) as things are at the end, and the same with start_ before\n"
-      "the name as they were at the start. In a scene with several infants the eyes' pictures are called after them,\n"
+      "Writes left.png, right.png, anaglyph.png (both eyes, for red-cyan glasses), outside.png, touch.png (what is\n"
+      "felt, from its side: sensors as points, forces as arrows) and touch_map.png (all skin, unfolded) as things are\n"
+      "at the end, and the same with start_ before the name as they were at the start. In a scene with several "
+      "infants\n"
+      "pictures of eyes and of all skin are called after them,\n"
       "anna_left.png. Ctrl-C ends the movements early and keeps pictures and report; a second one ends at once.\n"
       "Examples:\n"
       "  mimo run\n"

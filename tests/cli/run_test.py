@@ -12,7 +12,7 @@ from program import PROGRAM, Case, needs_renderer, read_png
 
 class Run(Case):
     PICTURES = ["pictures/%s%s.png" % (when, what) for when in ("", "start_")
-                for what in ("anaglyph", "left", "outside", "right", "touch")]
+                for what in ("anaglyph", "left", "outside", "right", "touch", "touch_map")]
 
     @needs_renderer
     def test_writes_pictures_and_a_report(self):
@@ -28,7 +28,7 @@ class Run(Case):
     def test_each_infant_sees(self):
         text = self.mimo("run", "--scene", "playdate", "--seconds", "0.1", "--vision", "32", "--touch", "0.3", "--out", "p")
         eyes = ["p/%s%s_%s.png" % (when, infant, what) for when in ("", "start_") for infant in ("anna", "ben")
-                for what in ("anaglyph", "left", "right")]
+                for what in ("anaglyph", "left", "right", "touch_map")]
         others = ["p/%s%s.png" % (when, what) for when in ("", "start_") for what in ("outside", "touch")]
         self.assertEqual(self.files(), sorted(eyes + others))
         self.assertIn("ben/touch/force", text)
@@ -97,6 +97,27 @@ class Run(Case):
         for word in ("real time", "proprioception/position", "p/touch.png"):
             self.assertIn(word, text)
         self.assertIn("p/outside.png", self.files())
+
+    @needs_renderer
+    def test_touch_is_seen_through_the_floor(self):
+        """A box on a green floor feels it from below: there the floor is not drawn, from outside it is."""
+        self.write("floor.xml", """<mujoco><worldbody><light pos="0 0 3"/><light pos="0 0 -3" dir="0 0 1"/>
+            <geom type="plane" size="3 3 .1" rgba="0 1 0 1"/><body pos="0 0 .099"><freejoint/>
+            <geom type="box" size=".1 .1 .1" rgba=".5 .5 .5 1"/></body></worldbody></mujoco>""")
+        self.mimo("run", "--scene", "floor.xml", "--seconds", "0.5", "--out", "p")
+        share = {}
+        for name in ("outside", "touch", "touch_map"):
+            pixels = b"".join(read_png(self.folder / "p" / (name + ".png"))[4][:400])  # without the scale
+            colours = list(zip(pixels[0::3], pixels[1::3], pixels[2::3]))
+            share[name] = [sum(map(like, colours)) / len(colours) for like in (
+                lambda c: c[1] > 2 * c[0] + 20 and c[1] > 2 * c[2] + 20,  # the floor
+                lambda c: c[0] > 1.5 * c[2] + 40)]  # what is felt
+        four_dots = 4 * 32 / (400 * 640)
+        self.assertGreater(share["outside"][0], 0.2)
+        self.assertEqual(share["touch"][0], 0)
+        self.assertGreater(share["touch"][1], four_dots)  # beside the scale
+        self.assertGreater(share["touch_map"][1], four_dots)
+        self.assertLess(share["outside"][1], 0.0001)
 
     def test_who_ignores_interrupts_goes_on(self):
         done = subprocess.Popen([PROGRAM, "run", "--seconds", "2", "--vision", "off", "--touch", "off", "--out", "p"],

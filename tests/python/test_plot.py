@@ -7,9 +7,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from recorded import record
 
 import mimo
 from mimo import plot
+from mimo.body_map import BodyMap
+from mimo.frames import inverse, turned
+from mimo.recordings import Recording
+from mimo.traces import traces
 
 
 @pytest.fixture(autouse=True)
@@ -36,18 +41,93 @@ def test_eyes():
 def test_touch_map(tmp_path):
     world = mimo.World("benchmark", vision=False, touch_scale=0.5)
     world.reset(seed=1)
-    for _ in range(60):  # falls to the floor
+    for _ in range(200):  # falls to the floor, and over
         world.step()
     figure = plot.touch_map(world)
     every, felt = figure.axes[0].collections
     force = np.linalg.norm(world.observation["touch/force"], axis=1)
     assert len(every.get_offsets()) == world.layout.fields["touch/force"].receptors
     assert len(felt.get_offsets()) == np.count_nonzero(force) > 0
-    # The floor is at height 0: what feels is near it.
-    assert np.abs(np.asarray(felt.get_offsets())[:, 1]).max() < 0.05
+    # It lies on its back: of what its head and trunk feel, nearly all is on the right, where the back is drawn.
+    body = BodyMap(world)
+    sensors = world.layout.receptors("touch/force")
+    names = np.array(world.bodies().names)[sensors.bodies]
+    trunk = np.isin(names, ["head", "upper_body", "lower_body"])
+    assert np.average(body.places[trunk, 0] > body.width / 2, weights=force[trunk]) > 0.9
     figure.savefig(tmp_path / "touch.png")
     with pytest.raises(ValueError, match="touch"):
         plot.touch_map(mimo.World("reach"))
+
+
+def test_the_skin_unfolded():
+    """Every sensor on its side of the body, left and right as on a doctor's sheet."""
+    with mimo.World("benchmark", vision=False) as world:
+        world.reset(seed=1)
+        body, sensors = BodyMap(world), world.layout.receptors("touch/force")
+        names = np.array(world.bodies().names)[sensors.bodies]
+        left, right = (np.char.startswith(names, side) for side in ("left_", "right_"))
+        on_front = body.places[:, 0] < body.width / 2
+        np.testing.assert_array_equal(on_front, body.front)
+        for side, sign in ((left, 1), (right, -1)):
+            assert (sign * (body.places[side & body.front, 0] - body.middles[0]) > 0).all()
+            assert (sign * (body.places[side & ~body.front, 0] - body.middles[1]) < 0).all()
+        assert (body.places.min(axis=0) >= 0).all()
+        assert (body.places.max(axis=0) <= [body.width + 1e-9, 1]).all()
+        heights = [np.median(body.places[names == part, 1]) for part in ("head", "upper_body", "left_foot")]
+        assert heights == sorted(heights, reverse=True)
+        before = world.save()
+        BodyMap(world)
+        assert world.save() == before  # the world itself does not move
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    options = ["--scene", "showroom", "--senses", "hearing", "--keep", "hearing,touch", "--seconds", "0.8"]
+    return record(tmp_path_factory.mktemp("plot") / "run.h5", *options)
+
+
+def test_a_recording_over_time(run):
+    with Recording(run) as recording, recording.world(eyes=0) as world:
+        seen = traces(recording)
+        file, columns = recording.file, recording.names("joints/position")
+        elbow = file["joints/position"][:, columns.index("robot:left_elbow")]
+        low, high = world.joints("robot:left_elbow").range.ravel()
+        np.testing.assert_allclose(seen.bends[:, seen.joints.index("left elbow")], 2 * (elbow - low) / (high - low) - 1)
+        force = np.linalg.norm(file["fields/touch/force"], axis=2)
+        np.testing.assert_allclose(seen.forces.sum(axis=1), force.sum(axis=1), rtol=1e-5)
+        hand = world.layout.receptors("touch/force").bodies == world.find("body", "left_hand")
+        np.testing.assert_allclose(seen.forces[:, seen.parts.index("left hand")], force[:, hand].sum(axis=1), rtol=1e-5)
+        heard = np.sqrt((file["fields/hearing/ear_right"][()].astype(float) ** 2).mean(axis=1))
+        np.testing.assert_allclose(10 ** (seen.levels[:, 1] / 20) * 20e-6, np.maximum(heard, 20e-6), rtol=1e-4)
+        assert heard.max() > 1e-3
+        recording.start(world, 0)
+        for step in range(recording.steps):
+            recording.step(world, step)
+        gaze, head = world.gaze(), world.bodies("head").orientation
+        ahead, left, up = turned(inverse(head), gaze.left.direction)[0]
+        np.testing.assert_allclose(seen.gaze[-1, :2], np.degrees([np.arctan2(left, ahead), np.arcsin(up)]), atol=1e-6)
+
+
+def test_a_recording_at_a_glance(run, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["mimo.plot", str(run), "--out", str(tmp_path / "run.png")])
+    assert plot.main() == 0
+    assert plt.imread(tmp_path / "run.png").shape[2] == 4
+    with Recording(run) as recording:
+        seen = traces(recording)
+    titles = [axes.get_title(loc="left") for axes in plot.run(seen).axes if axes.get_title(loc="left")]
+    assert [title.split(",")[0] for title in titles] == ["joints", "touch", "gaze", "sound at the ears"]
+    quiet = seen._replace(levels=None, rewards=np.ones(len(seen.time)))
+    titles = [axes.get_title(loc="left") for axes in plot.run(quiet).axes if axes.get_title(loc="left")]
+    assert titles[-1] == "reward"
+    capsys.readouterr()
+    for options, told in (
+        ([str(run), "--infant", "2"], "infant is 2, expected 0 to 0"),
+        (["no.h5"], "there is no file"),
+    ):
+        monkeypatch.setattr("sys.argv", ["mimo.plot", *options, "--out", str(tmp_path / "no.png")])
+        assert plot.main() == 1
+        assert told in capsys.readouterr().err
+    assert not (tmp_path / "no.png").exists()
 
 
 def test_joint_angles_lie_between_their_limits():

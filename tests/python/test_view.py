@@ -11,6 +11,7 @@ import urllib.request
 
 import numpy as np
 import pytest
+from recorded import record
 
 import mimo
 from mimo import view
@@ -185,6 +186,7 @@ def test_every_scene_is_shown(shown):
         assert world._scene.source == scene
         assert len(shown._page._senses._pictures) == len(world.agents)
         assert len(shown._page.infants._world.agents) == len(world.agents)
+        assert shown._page.sound._switch is not None  # its infants hear
         assert sum(handle is not None for handle in shown._page.shapes._shown) > 20
 
 
@@ -217,6 +219,49 @@ def test_an_environment_for_people(monkeypatch, capsys):
     there = env.world.poses("body").positions[env.world.find("body", "right_lower_arm")]
     np.testing.assert_allclose(elbow.position, there, atol=2e-5)
     env.close()
+
+
+# ---- Recordings and sound --------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """1.5 s of the showroom, in which things fall and knock."""
+    options = ["--scene", "showroom", "--senses", "hearing", "--keep", "hearing", "--seconds", "1.5", "--seed", "3"]
+    return record(tmp_path_factory.mktemp("view") / "run.h5", *options)
+
+
+def test_a_recording_is_played(run):
+    with viewer_or_skip(view.Recorded(run, eyes=16)) as viewer:
+        source, clock = viewer._source, viewer.clock
+        table = source._recording.file["joints/position"]
+        clock.paused = True
+        advance(viewer, 0.1)
+        assert source.at == 10
+        np.testing.assert_array_equal(source.world.get(mimo.Quantity.JOINT_POSITION), table[9])
+        viewer._page.time.update()
+        assert viewer._page.time._place.value == pytest.approx(0.1)
+        viewer.ask(lambda: source.seek(140))
+        viewer.frame()
+        np.testing.assert_array_equal(source.world.get(mimo.Quantity.JOINT_POSITION), table[139])
+        clock.paused = False
+        clock._due = 100
+        for _ in range(400):
+            if clock.paused:
+                break
+            viewer.frame()
+            time.sleep(0.01)
+        assert (source.at, clock.paused) == (150, True)  # the end
+        advance(viewer, 0.01)
+        assert source.at == 1  # and from the start again
+
+
+def test_a_recording_has_no_handles(run):
+    """What was recorded cannot be pulled at, reset or put elsewhere."""
+    with viewer_or_skip(view.Recorded(run, eyes=0)) as viewer:
+        assert viewer._page._handle is None
+        assert viewer._page.time.seed is None
+        assert all(slider.disabled for slider in viewer._page._joints._sliders)
 
 
 # ---- The program ----------------------------------------------------------------------------------------------------
@@ -314,4 +359,45 @@ def test_in_a_browser(served, tmp_path):
         eventually(lambda: "left_elbow" in page.inner_text("body"))
         page.get_by_role("tab", name="Actions").click()
         eventually(lambda: "head_swivel" in page.inner_text("body"))
+    assert wrong == []
+
+
+# What the page hands to its loudspeaker: when, and which samples of the left ear.
+LISTEN = """
+window.heard = [];
+const start = AudioBufferSourceNode.prototype.start;
+AudioBufferSourceNode.prototype.start = function (at) {
+  const ears = [0, 1].map((ear) => Array.from(this.buffer.getChannelData(ear)));
+  window.heard.push([at, this.buffer.sampleRate, ...ears]);
+  return start.call(this, at);
+};
+"""
+
+
+def test_the_page_plays_what_ears_hear(run):
+    """All samples of both ears, none twice, one piece right after the other."""
+    browser = pytest.importorskip("browser")
+    viewer = viewer_or_skip(view.Recorded(run, eyes=0))
+    viewer.clock.paused, viewer.clock.speed = True, 0.5  # software draws pages slowly
+    viewer.run_beside()
+    with browser.page(500, 400) as (page, wrong):
+        page.add_init_script(LISTEN)
+        page.goto(viewer.url)
+        eventually(lambda: STATUS.search(page.inner_text("body")))
+        page.get_by_label("sound").check()
+        eventually(lambda: viewer._page.sound.on)
+        page.get_by_role("button", name="Go on").click()
+        eventually(lambda: viewer.clock.paused and viewer._source.at == 150)
+        eventually(lambda: sum(len(piece[2]) for piece in page.evaluate("window.heard")) >= 150 * 160)
+        pieces = page.evaluate("window.heard")
+    table = viewer._source._recording.file["fields/hearing"]
+    for ear, name in ((2, "ear_left"), (3, "ear_right")):
+        played = np.concatenate([piece[ear] for piece in pieces])
+        expected = np.clip(10 * table[name][()].ravel(), -1, 1)  # 20 dB above 1 Pa full scale
+        assert abs(expected).max() > 0.001
+        np.testing.assert_allclose(played, expected, atol=1e-4)
+    for one, next_one in zip(pieces, pieces[1:]):
+        assert one[1] == 16000
+        assert next_one[0] >= one[0] + len(one[2]) / 16000 / 0.5 - 1e-6
+    viewer.close()
     assert wrong == []

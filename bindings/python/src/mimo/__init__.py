@@ -82,7 +82,15 @@ def __getattr__(name: str) -> Any:
         from .parallel import ParallelEnv
 
         return ParallelEnv
-    if name in ("classic", "babybench", "rerun", "usd", "view"):  # some need what is not everybody's
+    if name in (
+        "classic",
+        "babybench",
+        "recordings",
+        "rerun",
+        "usd",
+        "video",
+        "view",
+    ):  # some need what is not everybody's
         return importlib.import_module(f"mimo.{name}")
     raise AttributeError(f"module 'mimo' has no attribute {name!r}")
 

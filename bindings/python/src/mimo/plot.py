@@ -5,29 +5,40 @@
     mimo.plot.touch_map(world)
     mimo.plot.joint_angles(times, angles, world.joints(...))
 
+    python -m mimo.plot run.h5 --out run.png       # a recording at a glance
+
 Each function draws into `axes` (or a figure of its own) and returns the figure, to be shown or saved.
 """
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+import argparse
+import os
+import sys
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .access import Joints
+from .body_map import BodyMap
 from .display import has_display
-from .errors import UnsupportedError
-from .frames import placed
+from .errors import Error, UnsupportedError
 from .layout import Observation
+from .recordings import Recording
+from .traces import Traces, traces
+from .view.marks import STOPS, STRONG, WEAK
 from .world import World
 
 try:
     import matplotlib
     import matplotlib.pyplot as plt
+    from matplotlib.colors import LinearSegmentedColormap, LogNorm
     from matplotlib.figure import Figure
 except ImportError as error:
     raise ImportError("pictures need matplotlib: pip install 'mimo[plot]'") from error
+
+HEAT = LinearSegmentedColormap.from_list("heat", STOPS / 255)  # the viewer's
 
 
 def anaglyph(left: NDArray[np.uint8], right: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -52,23 +63,23 @@ def eyes(observation: Observation, agent: str = "") -> Figure:
 
 
 def touch_map(world: World, observation: Optional[Observation] = None, agent: int = 0) -> Figure:
-    """The sensors of the whole skin, seen from the front and from the side; coloured by the force that each feels."""
-    name = world.agents[agent].name
-    field = f"{name}/touch/force" if name else "touch/force"
-    if field not in world.layout.fields:
-        raise ValueError("the infant has no touch; make the world with touch=mimo.Touch.FORCE")
-    shown = world.observation if observation is None else observation
-    force, sensors = np.linalg.norm(shown[field], axis=-1), world.layout.receptors(field)
-    bodies = world.bodies()
-    places = placed(bodies.position[sensors.bodies], bodies.orientation[sensors.bodies], sensors.position)
-    felt = force > 0
-    figure, axes = plt.subplots(1, 2, figsize=(8, 5), layout="constrained")
-    for axis, across, title in zip(axes, (1, 0), ("from the front", "from the right")):
-        axis.scatter(places[:, across], places[:, 2], s=1, color="0.8")
-        points = axis.scatter(places[felt, across], places[felt, 2], s=8, c=force[felt], cmap="viridis")
-        axis.set(title=title, xlabel=f"{'xy'[across]} (m)", aspect="equal", adjustable="datalim")
-    axes[0].set_ylabel("z (m)")
-    figure.colorbar(points, ax=axes, label="force (N)")
+    """The sensors of the whole skin, unfolded: from the front and from the back; coloured by the force on each."""
+    body = BodyMap(world, agent)
+    force = body.force if observation is None else body.force_in(observation)
+    felt = np.flatnonzero(force > 0)
+    felt = felt[np.argsort(force[felt])]
+    figure, axes = plt.subplots(figsize=(2.4 + 4.6 * body.width, 5.4), layout="constrained")
+    axes.scatter(body.places[:, 0], body.places[:, 1], s=1.5, color="0.8", linewidths=0)
+    scale = LogNorm(WEAK, STRONG)
+    points = axes.scatter(
+        body.places[felt, 0], body.places[felt, 1], s=14, c=force[felt], cmap=HEAT, norm=scale, linewidths=0
+    )
+    for middle, side in zip(body.middles, ("front", "back")):
+        axes.text(middle, -0.05, side, ha="center", va="top")
+    axes.set(aspect="equal", xlim=(-0.02, body.width + 0.02), ylim=(-0.12, 1.04))
+    axes.set_axis_off()
+    bar = figure.colorbar(points, ax=axes, label="force on a sensor (N)", extend="both", shrink=0.8)
+    bar.set_ticks([0.1, 0.3, 1, 3, 10], labels=["0.1", "0.3", "1", "3", "10"])
     return figure
 
 
@@ -90,6 +101,92 @@ def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
     figure.supxlabel("time (s)")
     figure.supylabel("angle (rad)")
     return figure
+
+
+def run(traces: Traces, title: str = "") -> Figure:
+    """A recording at a glance: joints, touch by part, gaze, sound and rewards over time."""
+    shown = [part for part in _PARTS if part.has(traces)]
+    heights = [part.height(traces) for part in shown]
+    size = (10, sum(heights) + 0.9)
+    figure, axes = plt.subplots(
+        len(shown), 1, figsize=size, height_ratios=heights, sharex=True, squeeze=False, layout="constrained"
+    )
+    for part, place in zip(shown, axes[:, 0]):
+        part.draw(traces, place)
+        place.set_title(part.title, loc="left", fontsize=10)
+    axes[-1, 0].set_xlabel("time (s)")
+    axes[-1, 0].set_xlim(0, float(traces.time[-1]))
+    if title:
+        figure.suptitle(title, fontsize=11)
+    return figure
+
+
+class _Part(NamedTuple):
+    title: str
+    has: Callable[[Traces], bool]
+    height: Callable[[Traces], float]  # inches
+    draw: Callable[[Traces, Any], None]
+
+
+def _rows(axes: Any, time: NDArray[np.float64], values: NDArray[np.float64], names: List[str], **how: Any) -> Any:
+    """Rows of colours over time."""
+    step = float(time[0]) if len(time) == 1 else float(time[1] - time[0])
+    extent = (float(time[0]) - step, float(time[-1]), len(names) - 0.5, -0.5)
+    picture = axes.imshow(values.T, aspect="auto", extent=extent, interpolation="nearest", **how)
+    axes.set_yticks(range(len(names)), names, fontsize=6)
+    axes.tick_params(axis="y", length=0)
+    return picture
+
+
+def _draw_joints(traces: Traces, axes: Any) -> None:
+    picture = _rows(axes, traces.time, traces.bends, traces.joints, cmap="RdBu_r", vmin=-1, vmax=1)
+    bar = axes.figure.colorbar(picture, ax=axes, pad=0.01)
+    bar.set_ticks([-1, 0, 1], labels=["lower limit", "middle", "upper limit"])
+
+
+def _draw_touch(traces: Traces, axes: Any) -> None:
+    forces = np.ma.masked_less_equal(traces.forces, 0)
+    picture = _rows(axes, traces.time, forces, traces.parts, cmap=HEAT, norm=LogNorm(WEAK, 10 * STRONG))
+    axes.set_facecolor("0.95")
+    axes.figure.colorbar(picture, ax=axes, pad=0.01, label="N")
+
+
+def _draw_gaze(traces: Traces, axes: Any) -> None:
+    styles = (("left eye", "tab:blue"), ("right eye", "tab:red"))
+    for (eye, color), (side, up) in zip(styles, ((0, 1), (2, 3))):
+        axes.plot(traces.time, traces.gaze[:, side], color=color, linewidth=1, label=f"{eye}, to the left")
+        axes.plot(traces.time, traces.gaze[:, up], color=color, linewidth=1, linestyle=":", label=f"{eye}, up")
+    axes.axhline(0, color="0.8", linewidth=0.8, zorder=0)
+    axes.set_ylabel("degrees")
+    axes.legend(ncols=4, fontsize=7, loc="upper right", framealpha=0.8)
+
+
+def _draw_sound(traces: Traces, axes: Any) -> None:
+    if traces.levels is not None:
+        axes.plot(traces.time, traces.levels[:, 0], color="tab:blue", linewidth=0.8, label="left ear")
+        axes.plot(traces.time, traces.levels[:, 1], color="tab:red", linewidth=0.8, label="right ear")
+    axes.set_ylabel("dB of 20 µPa")
+    axes.legend(ncols=2, fontsize=7, loc="upper right", framealpha=0.8)
+
+
+def _draw_rewards(traces: Traces, axes: Any) -> None:
+    axes.plot(traces.time, traces.rewards, color="tab:green", linewidth=1)
+
+
+_PARTS = (
+    _Part(
+        "joints, in their ranges", lambda it: len(it.joints) > 0, lambda it: 0.1 * len(it.joints) + 0.3, _draw_joints
+    ),
+    _Part(
+        "touch, force by part of the body",
+        lambda it: len(it.parts) > 0,
+        lambda it: max(0.11 * len(it.parts), 1.0) + 0.3,
+        _draw_touch,
+    ),
+    _Part("gaze, from the head", lambda it: bool(np.isfinite(it.gaze).any()), lambda it: 1.6, _draw_gaze),
+    _Part("sound at the ears", lambda it: it.levels is not None, lambda it: 1.6, _draw_sound),
+    _Part("reward", lambda it: bool(it.rewards.any()), lambda it: 1.3, _draw_rewards),
+)
 
 
 class Window:
@@ -121,3 +218,26 @@ class Window:
     def close(self) -> None:
         """Closes the window."""
         plt.close(self._figure)
+
+
+def main() -> int:
+    """Draws a recording: python -m mimo.plot run.h5 --out run.png."""
+    parser = argparse.ArgumentParser(prog="python -m mimo.plot", description="Draws what happened in a recording.")
+    parser.add_argument("recording", metavar="FILE.h5", help="the recording")
+    parser.add_argument("--out", required=True, metavar="FILE.png", help="the picture; .pdf and .svg as well")
+    parser.add_argument("--infant", type=int, default=0, help="which one: 0, the first")
+    asked = parser.parse_args()
+    plt.switch_backend("Agg")
+    try:
+        with Recording(asked.recording) as recording:
+            figure = run(traces(recording, asked.infant), os.path.basename(asked.recording))
+        figure.savefig(asked.out, dpi=130)
+    except (Error, OSError, ValueError) as error:
+        print(f"python -m mimo.plot: {error}", file=sys.stderr)
+        return 1
+    print(f"{asked.out}: {recording.steps * recording.step_seconds:g} s")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

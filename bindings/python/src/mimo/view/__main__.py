@@ -9,6 +9,7 @@ from typing import Any, Dict, List, Optional
 
 from ..errors import Error
 from ..scene import scenes, tasks
+from .recorded import Recorded
 from .source import EYES, Live
 from .viewer import LOCAL, Viewer
 
@@ -17,6 +18,11 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
     """What was asked for."""
     parser = argparse.ArgumentParser(prog="python -m mimo.view", description="Shows an infant in the browser.")
     parser.add_argument("--scene", default="benchmark", help=f"one of {', '.join(scenes())}")
+    parser.add_argument(
+        "--recording",
+        metavar="FILE.h5",
+        help="plays this run, with its own scene, task, age and actions",
+    )
     parser.add_argument("--task", default="", help=f"instead of the scene's own, one of {', '.join(tasks())}")
     parser.add_argument("--seed", type=int, default=1, help="of the first episode (1)")
     parser.add_argument("--age", type=float, help="of the infants, months")
@@ -29,6 +35,10 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
 
 def made(asked: argparse.Namespace) -> Viewer:
     """The viewer."""
+    if asked.recording is not None:
+        viewer = Viewer(Recorded(asked.recording, asked.eyes), asked.host, asked.port)
+        viewer.clock.paused = asked.paused
+        return viewer
     options: Dict[str, Any] = {"vision": False} if asked.eyes == 0 else {}
     if asked.eyes != 0:
         options = {"vision_width": asked.eyes, "vision_height": asked.eyes}

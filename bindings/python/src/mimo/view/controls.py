@@ -30,9 +30,19 @@ class TimeControls:
         speed = gui.add_slider("speed", min=0.1, max=4.0, step=0.1, initial_value=clock.speed)
         speed.on_update(lambda event: setattr(clock, "speed", float(event.target.value)))
         self.seed: Any = None
+        self._place: Any = None
+        if source.length is not None:
+            end = max(source.length * source.step_seconds, source.step_seconds)
+            self._place = gui.add_slider("time (s)", min=0.0, max=end, step=source.step_seconds, initial_value=0.0)
+            self._place.on_update(lambda event: self._chosen(event, ask))
         if source.drives:
             self.seed = gui.add_number("seed", 1, min=0, max=SEEDS, step=1)
             gui.add_button("Reset").on_click(lambda _: ask(restart))
+
+    def _chosen(self, event: Any, ask: Ask) -> None:
+        if event.client is not None:  # not ours, of update()
+            step = round(float(event.target.value) / self._source.step_seconds)
+            ask(lambda: self._source.seek(min(step, self._source.length or 0)))
 
     def _toggle(self) -> None:
         self._clock.paused = not self._clock.paused
@@ -43,7 +53,12 @@ class TimeControls:
         state = "paused" if clock.paused else f"{clock.reached:.2f} x real time"
         reward = ", ".join(f"{value:.3g}" for value in world.reward)
         told = f", reward {reward}" if world.layout.terms else ""
-        self._status.content = f"**{world.time:.2f} s** ({state}), task {world.task}{told}"
+        seconds = world.time
+        if self._place is not None:
+            seconds = self._source.at * self._source.step_seconds
+            if abs(self._place.value - seconds) > self._source.step_seconds / 2:
+                self._place.value = seconds
+        self._status.content = f"**{seconds:.2f} s** ({state}), task {world.task}{told}"
         self._pause.label = "Go on" if clock.paused else "Pause"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict
+from typing import Any, Callable, Dict, Optional
 
 from .clock import Clock
 from .controls import InfantControls, MotorControls, SceneControls, TimeControls, layer_switches
@@ -14,9 +14,11 @@ from .pull_handle import PullHandle
 from .senses_panel import SensesPanel
 from .shapes import Shapes
 from .sliders import ActionSliders, JointSliders
+from .sound import Sound
 from .source import Source
 
 SLOW = 6  # frames between two updates of bars and sliders
+SOUND = 8  # and of sound
 
 
 class Page:
@@ -27,9 +29,8 @@ class Page:
         self._frames = 0
         self.pull, self.motors = Pull(source.world), Motors(source.world, source.step_seconds)
         self._build_controls(clock, task)
-        dragged = self._handle.body_dragged
         add_lights(server)
-        self.shapes = Shapes(server, source.world, dragged)
+        self.shapes = Shapes(server, source.world, self._handle.body_dragged if self._handle else None)
         marks: Dict[str, Layer] = {
             "touch": Skin(server, source.world),
             "contacts": Contacts(server, source.world),
@@ -45,14 +46,17 @@ class Page:
         server, source, ask = self._server, self._source, self.commands.ask
         restart: Callable[[], None] = self.commands.restart
         self.time = TimeControls(server, source, clock, restart, ask)
+        self.sound = Sound(server, source.world, clock)
         tabs = server.gui.add_tab_group()
-        with tabs.add_tab("World"):
-            if source.drives:
-                self.scene = SceneControls(server, source, task, self.commands.change, ask)
-            self.infants = InfantControls(server, source, restart, ask)
-            self._handle = PullHandle(server, source.world, self.pull, ask)
+        self._handle: Optional[PullHandle] = None
+        if source.length is None:  # what was recorded stays as it was
+            with tabs.add_tab("World"):
+                if source.drives:
+                    self.scene = SceneControls(server, source, task, self.commands.change, ask)
+                self.infants = InfantControls(server, source, restart, ask)
+                self._handle = PullHandle(server, source.world, self.pull, ask)
         with tabs.add_tab("Joints"):
-            self._joints = JointSliders(server, source.world, ask)
+            self._joints = JointSliders(server, source.world, ask, fixed=source.length is not None)
         if source.drives:
             with tabs.add_tab("Actions"):
                 choice = MotorControls(server, self.motors)
@@ -65,9 +69,12 @@ class Page:
             self.shapes.update()
             for marks in self._marks:
                 marks.update()
-            self._handle.update()
+            if self._handle is not None:
+                self._handle.update()
         if self._frames % 2 == 0:
             self._senses.update_pictures()
+        if self._frames % SOUND == 0:
+            self.sound.update()
         if self._frames % SLOW == 0:
             self.time.update()
             self._senses.update_bars()

@@ -37,7 +37,9 @@ def _slider(gui: Any, name: str, low: float, high: float, value: float) -> Any:
 class JointSliders:
     """Show where joints are, and put them elsewhere at once."""
 
-    def __init__(self, server: Any, world: World, ask: Callable[[Callable[[], None]], None]) -> None:
+    def __init__(
+        self, server: Any, world: World, ask: Callable[[Callable[[], None]], None], fixed: bool = False
+    ) -> None:
         self._world, self._joints, self._ask = world, limited(world), ask
         self._sliders: List[Any] = [None] * len(self._joints)
         names, ranges = self._joints.names, self._ranges()
@@ -46,6 +48,7 @@ class JointSliders:
             with folder:
                 for i in indices:
                     self._sliders[i] = _slider(server.gui, names[i], ranges[i][0], ranges[i][1], values[i])
+                    self._sliders[i].disabled = fixed
                     self._sliders[i].on_update(self._moved(i))
 
     def _ranges(self) -> Any:

@@ -21,6 +21,8 @@ class Source:
 
     drives = False  # whether the viewer moves it on, resets it and chooses its actions
     scenes = False  # whether it can change to another built-in scene
+    length: Optional[int] = None  # steps of a recording, which plays from a time that is chosen
+    at = 0  # steps of it that were played
     world: World
     scene = ""
 
@@ -39,6 +41,10 @@ class Source:
 
     def change(self, scene: str, task: str) -> None:
         """Another world, of another scene; "" is the scene's own task."""
+        raise NotImplementedError
+
+    def seek(self, step: int) -> None:
+        """The moment after so many steps of a recording."""
         raise NotImplementedError
 
     def close(self) -> None:
@@ -66,7 +72,7 @@ class Live(Source):
     @staticmethod
     def _usual() -> Dict[str, Any]:
         """What there is to see of an infant, also in scenes whose tasks do without."""
-        return {"vision": True, "vision_width": EYES, "vision_height": EYES, "touch": True}
+        return {"vision": True, "vision_width": EYES, "vision_height": EYES, "touch": True, "hearing": True}
 
     def _made(self, scene: Union[str, Scene], task: str) -> World:
         return World(scene, **{**self._options, **({"task": task} if task else {})})

@@ -118,11 +118,15 @@ class Viewer:
         behind = False
         while done < count and not behind:
             behind = time.perf_counter() - started > BUDGET
-            last = done == count - 1 or behind
+            last = done == count - 1 or behind or self._page.sound.on
             self._page.pull.apply(self._source.step_seconds)
             done += 1
             if self._source.advance(self._page.motors.next(), last):
                 self._source.restart(None)
+            self._page.sound.hear()
+            if self._source.at == self._source.length:  # the end of a recording
+                self.clock.paused = True
+                break
         self.clock.done(done, behind)
 
     def frame(self) -> None:
@@ -151,6 +155,7 @@ class Viewer:
             self._draw_in_time()
         self.clock.done(1, self.clock.late)
         self._page.pull.apply(self._source.step_seconds)
+        self._page.sound.hear()
         self._draw_in_time()
 
     def _draw_in_time(self) -> None:

@@ -1,0 +1,51 @@
+"""A recording as the viewer's source."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..recordings import EYES, Recording
+from .source import Source
+
+
+class Recorded(Source):
+    """A run that was recorded, which the viewer plays."""
+
+    def __init__(self, path: Any, eyes: int = EYES) -> None:
+        self._recording = Recording(path)
+        try:
+            self.world = self._recording.world(eyes)
+        except BaseException:
+            self._recording.close()
+            raise
+        self.scene, self.length, self.at = self._recording.path, self._recording.steps, 0
+        try:
+            self.seek(0)
+        except BaseException:
+            self.close()
+            raise
+
+    def advance(self, action: Optional[NDArray[np.float32]], senses: bool) -> bool:
+        """The next recorded step; behind the last one the first."""
+        if self.at == self.length:
+            self.seek(0)
+        self._recording.step(self.world, self.at, senses)
+        self.at += 1
+        return False
+
+    def restart(self, seed: Optional[int], ages: Any = None) -> None:
+        """Back to the start."""
+        self.seek(0)
+
+    def seek(self, step: int) -> None:
+        """To the moment after so many steps."""
+        self._recording.seek(self.world, step)
+        self.at = step
+
+    def close(self) -> None:
+        """Closes the world and the file."""
+        self.world.close()
+        self._recording.close()
