@@ -82,7 +82,7 @@ def __getattr__(name: str) -> Any:
         from .parallel import ParallelEnv
 
         return ParallelEnv
-    if name in ("classic", "babybench", "rerun", "usd", "view"):  # some need what is not everybody's
+    if name in ("classic", "babybench", "ray", "rerun", "usd", "view"):  # some need what is not everybody's
         return importlib.import_module(f"mimo.{name}")
     raise AttributeError(f"module 'mimo' has no attribute {name!r}")
 
