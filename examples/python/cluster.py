@@ -110,7 +110,9 @@ def parse():
     parser.add_argument("--steps", type=int, default=200_000, help="of all worlds of a seed together")
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--worlds", type=int, default=16, help="of a seed")
-    parser.add_argument("--runners", type=int, default=None, help="processes with worlds and policy: 2 without --actors")
+    parser.add_argument(
+        "--runners", type=int, default=None, help="processes with worlds and policy: 2 without --actors"
+    )
     parser.add_argument("--actors", type=int, default=0, help="processes with worlds; results do not depend on them")
     parser.add_argument("--rollout", type=int, default=2048, help="steps between updates")
     parser.add_argument("--max-steps", type=int, default=0, help="of an episode; 0: the task's own")

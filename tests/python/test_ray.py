@@ -44,7 +44,7 @@ def assert_same(one, two):
         assert one.keys() == two.keys()
         for name in one:
             assert_same(one[name], two[name])
-    elif isinstance(one, (list, tuple)) or getattr(one, "dtype", None) == object:
+    elif isinstance(one, (list, tuple)) or (isinstance(one, np.ndarray) and one.dtype.hasobject):
         assert len(one) == len(two)
         for a, b in zip(one, two):
             assert_same(a, b)
@@ -106,13 +106,16 @@ def test_what_cannot_be_is_refused_in_one_line(cluster, other, monkeypatch):
                 mimo.ray.configure(rllib.PPOConfig(), **{"scene": "reach", "num_envs": 4, **options}).build_algo()
     envs = mimo.ray.make_vec("reach", 2, actors=2)
     envs.reset(seed=0)
-    for actions, message in ((np.zeros((3, 8)), "have the shape"), (np.full((2, 8), np.nan), "world 0 is not a number")):
+    for actions, message in (
+        (np.zeros((3, 8)), "have the shape"),
+        (np.full((2, 8), np.nan), "world 0 is not a number"),
+    ):
         with pytest.raises(ValueError, match=message):
             envs.step(actions)
     with pytest.raises(RuntimeError, match="no step was sent"):
         envs.receive()
     monkeypatch.setattr(mimo.ray, "PATIENCE", 2.0)
-    with pytest.raises(RuntimeError, match="no room in the cluster for worlds 0 to 1 .* asks for 64 CPUs"):
+    with pytest.raises(RuntimeError, match=r"no room in the cluster for worlds 0 to 1 .* asks for 64 CPUs"):
         mimo.ray.make_vec("reach", 2, cpus=64)
     envs.close()
 
@@ -243,4 +246,6 @@ def test_the_example_says_in_one_line_what_is_wrong(root, tmp_path):
         process = cluster_py(root, tmp_path, *arguments)
         told = process.communicate(timeout=60)[0]
         assert process.returncode == 1
-        assert [line for line in told.splitlines() if line.startswith("cluster.py: " + message)] == told.splitlines()[-1:]
+        assert [line for line in told.splitlines() if line.startswith("cluster.py: " + message)] == told.splitlines()[
+            -1:
+        ]

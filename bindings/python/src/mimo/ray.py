@@ -162,7 +162,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._sent = False
         observations, rewards, terminated, truncated, infos = zip(*self._answers())
         whole = (np.concatenate(rows) for rows in (rewards, terminated, truncated))
-        return (joined(observations), *whole, self._infos(infos))  # type: ignore[return-value]
+        return (joined(observations), *whole, self._infos(infos))
 
     def close_extras(self, **kwargs: Any) -> None:
         """Ends the actors."""
@@ -334,7 +334,9 @@ def joined_infos(parts: Sequence[Mapping[str, Any]], sizes: Sequence[int]) -> Di
         if isinstance(first, Mapping):
             whole[name] = joined_infos([part.get(name, {}) for part in parts], sizes)
         else:
-            blanks = [np.full((size, *first.shape[1:]), None if first.dtype == object else 0, first.dtype) for size in sizes]
+            blanks = [
+                np.full((size, *first.shape[1:]), None if first.dtype == object else 0, first.dtype) for size in sizes
+            ]
             whole[name] = np.concatenate([part.get(name, blank) for part, blank in zip(parts, blanks)])
     return whole
 
@@ -353,11 +355,11 @@ def configure(
     seed: Any = 0,
     **options: Any,
 ) -> Any:
-    """An RLlib AlgorithmConfig (PPOConfig(), SACConfig() ...) with `num_envs` worlds of a scene, by either of two ways.
+    """An RLlib AlgorithmConfig (PPOConfig(), SACConfig() ...) with `num_envs` worlds of a scene, in either of two ways.
 
-    `runners`: so many of RLlib's environment runners have their share of worlds, and a copy of the policy each. Fastest.
-    `actors`: one runner has the policy, and so many actors have the worlds (mimo.ray.VectorEnv): the same seed gives the
-    same results with any number of them, also if some are lost. Neither: all in one process.
+    `runners`: so many of RLlib's environment runners have their share of worlds, and a copy of the policy each.
+    `actors`: one runner has the policy, and so many actors have the worlds (mimo.ray.VectorEnv): the same seed gives
+    the same results with any number of them, also if some are lost. Neither: all in one process.
 
     Observations are one row of numbers, actions -1 to 1; all else as in mimo.make_vec. `seed` may be Tune's to choose.
     """
@@ -386,7 +388,7 @@ def configure(
 
 
 def register() -> None:
-    """Tells RLlib how to make our worlds; `configure` does. A program that only restores a checkpoint calls it before."""
+    """Tells RLlib how to make our worlds, as `configure` does; for programs that only restore a checkpoint."""
     from ray.tune.registry import register_env  # takes seconds, and more than plain Ray
 
     register_env(RLLIB_NAME, rllib_env)
@@ -409,7 +411,7 @@ def rllib_env(given: Any) -> Any:
 
 
 class _Seeds(gymnasium.vector.VectorWrapper):
-    """Worlds of a seed have the same seeds with any number of runners: RLlib's own overlap, s + 1, s + 2 ... in each."""
+    """Worlds of a seed are the same with any number of runners; RLlib's own overlap, s + 1, s + 2 ... in each."""
 
     def __init__(self, envs: Any, runner: int) -> None:
         super().__init__(envs)
