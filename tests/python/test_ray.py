@@ -18,7 +18,7 @@ from ray.cluster_utils import Cluster  # noqa: E402
 from ray.rllib.env.env_context import EnvContext  # noqa: E402
 
 import mimo  # noqa: E402
-import mimo.ray  # noqa: E402
+import mimo.ray.actors  # noqa: E402
 
 for own in (test_tasks, sys.modules[__name__]):
     cloudpickle.register_pickle_by_value(own)  # actors cannot import what lies with the tests
@@ -130,7 +130,7 @@ def test_what_cannot_be_is_refused_in_one_line(cluster, other, monkeypatch):
             envs.step(actions)
     with pytest.raises(RuntimeError, match="no step was sent"):
         envs.receive()
-    monkeypatch.setattr(mimo.ray, "PATIENCE", 2.0)
+    monkeypatch.setattr(mimo.ray.actors, "PATIENCE", 2.0)
     with pytest.raises(RuntimeError, match=r"no room in the cluster for worlds 0 to 1 .* asks for 64 CPUs"):
         mimo.ray.make_vec("reach", 2, cpus=64)
     envs.close()
@@ -163,7 +163,7 @@ def test_worlds_of_a_seed_are_the_same_with_any_number_of_runners():
 
     def first(runner, runners):
         context = EnvContext({**given, "num_envs": 4 // max(runners, 1)}, worker_index=runner, num_workers=runners)
-        return mimo.ray.rllib_env(context).reset(seed=5 + runner)[0]  # what RLlib gives for the seed 5
+        return mimo.ray.rllib.rllib_env(context).reset(seed=5 + runner)[0]  # what RLlib gives for the seed 5
 
     whole = first(0, 0)
     np.testing.assert_array_equal(np.concatenate([first(1, 2), first(2, 2)]), whole)
