@@ -158,6 +158,34 @@ typedef struct mimo_env_results {
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;
 
+/** Where joints go in a step. */
+typedef struct mimo_movement {
+  uint32_t struct_size;    /**< sizeof(mimo_movement), set by the caller. */
+  uint32_t reserved;       /**< 0. */
+  const double *positions; /**< frame_skip x the positions of all joints, as MIMO_JOINT_POSITION has them one after the
+                                other: at the end of each physics step. Quaternions are normalised. */
+  size_t position_count;   /**< Length of positions. */
+  double *forces;          /**< Receives frame_skip x one for each degree of freedom: N, or Nm; or NULL. */
+  size_t force_count;      /**< Length of forces. */
+} mimo_movement;
+
+/**
+ * One step of a movement that is known, from video or motion capture: joints go where they are told, whatever stands in
+ * their way, and all senses answer as if they had gone there by themselves. Velocities and accelerations follow from
+ * positions as in a step of physics: velocity at the end is the difference over a physics step, so whoever starts a
+ * movement sets MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY first. Contacts give way, and are felt, as they would with
+ * these accelerations. Motors pull as their controls are, which changes nothing; no task judges, no reflex acts.
+ *
+ * The forces are those of inverse dynamics: what has to act beside gravity, contacts, limits, locks, springs and dampers
+ * of the joints, at the start of each physics step. Of an infant lying there these are its muscles; those of the
+ * first six degrees of freedom, its free joint, are what is missing from its contacts.
+ * @param block receives the observation; NULL with block_bytes 0 skips the senses.
+ * Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);
+ *         MIMO_E_SIMULATION as mimo_env_step.
+ */
+MIMO_API mimo_status mimo_env_follow(mimo_env *env, const mimo_movement *movement, void *block,
+                                     size_t block_bytes) MIMO_NOEXCEPT;
+
 /**
  * The observation of the current state, without changing the trajectory. All its fields belong to the current
  * state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next

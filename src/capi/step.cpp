@@ -1,4 +1,8 @@
 // Stepping and observations.
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+
 #include "capi/block.h"
 #include "capi/check.h"
 #include "capi/growth.h"
@@ -32,6 +36,42 @@ env::Results results_of(const env::World& world, const mimo_env_results* results
           optional(theirs.outcome, agents), optional(theirs.terms, terms)};
 }
 
+// Of all physics steps of a step.
+std::size_t degrees(const env::World& world) {
+  return static_cast<std::size_t>(world.frame_skip()) * static_cast<std::size_t>(world.model().nv);
+}
+
+bool has_length(const double* quaternion) {
+  return Eigen::Map<const Eigen::Vector4d>(quaternion).squaredNorm() > 1e-20;
+}
+
+// Numbers among the positions of one moment at which a quaternion starts.
+template <typename Visit>
+void each_quaternion(const mjModel& model, Visit&& visit) {
+  for (int joint = 0; joint < model.njnt; ++joint) {
+    if (model.jnt_type[joint] == mjJNT_FREE) visit(model.jnt_qposadr[joint] + 3);
+    if (model.jnt_type[joint] == mjJNT_BALL) visit(model.jnt_qposadr[joint]);
+  }
+}
+
+void check_movement(const env::World& world, const mimo_movement& movement) {
+  check_reserved(movement.reserved, "movement: reserved");
+  const auto moments = static_cast<std::size_t>(world.frame_skip()), nq = static_cast<std::size_t>(world.model().nq);
+  require(movement.positions != nullptr, "movement: positions is NULL");
+  require(movement.position_count == moments * nq,
+          "movement: position_count is {}, expected {}: {} for each of {} physics steps", movement.position_count,
+          moments * nq, nq, moments);
+  check_finite(movement.positions, movement.position_count, "movement: positions");
+  check_buffer(movement.forces, movement.force_count, degrees(world), "movement: forces");
+  for (std::size_t i = 0; i < moments; ++i) {
+    each_quaternion(world.model(), [&](int at) {
+      const std::size_t first = i * nq + static_cast<std::size_t>(at);
+      require(has_length(movement.positions + first),
+              "movement: positions[{}] is the first of a quaternion of length 0", first);
+    });
+  }
+}
+
 }  // namespace
 }  // namespace mimo::capi
 
@@ -58,6 +98,18 @@ mimo_status mimo_env_step(mimo_env* env, const float* action, size_t action_coun
     check_actions(world, actions);
     const env::Results to = results_of(world, results);
     world.step(actions, block_of(world.layout(), block, block_bytes), to);
+  });
+}
+
+mimo_status mimo_env_follow(mimo_env* env, const mimo_movement* movement, void* block, size_t block_bytes) noexcept {
+  return guard(env, [&] {
+    env::World& world = open(env).world();
+    require(movement != nullptr, "movement is NULL");
+    const mimo_movement ours = read_struct(movement, "movement");
+    check_movement(world, ours);
+    const std::size_t forces = ours.forces == nullptr ? 0 : degrees(world);
+    world.follow({ours.positions, ours.position_count}, {ours.forces, forces},
+                 block_of(world.layout(), block, block_bytes));
   });
 }
 

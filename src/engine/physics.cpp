@@ -91,6 +91,49 @@ void Physics::step(int count, bool sensors) {
   check_divergence();
 }
 
+namespace {
+
+// The accelerations that end a step with these velocities. Those of joints with damping are damped at its end: what
+// they had before is M a = (M + h B) (v' - v) / h.
+void set_accelerations(const mjModel& model, mjData& data, const double* velocities) {
+  const double step = model.opt.timestep;
+  for (int i = 0; i < model.nv; ++i) {
+    data.qacc[i] = (velocities[i] - data.qvel[i]) / step;
+    data.qfrc_inverse[i] = step * model.dof_damping[i] * data.qacc[i];
+  }
+  mj_solveM(&model, &data, data.qfrc_inverse, data.qfrc_inverse, 1);
+  for (int i = 0; i < model.nv; ++i) data.qacc[i] += data.qfrc_inverse[i];
+}
+
+}  // namespace
+
+void Physics::follow(const double* positions, double* forces, bool sensors) {
+  require_usable();
+  require_undisturbed();
+  mjData* const data = data_.get();
+  const mjModel* const model = &model_;
+  velocities_.resize(static_cast<std::size_t>(model_.nv));
+  step_time_ = data->time;
+  run([&] {
+    mj_fwdPosition(model, data);
+    if (sensors) mj_sensorPos(model, data);
+    mj_fwdVelocity(model, data);
+    if (sensors) mj_sensorVel(model, data);
+    mj_fwdActuation(model, data);
+    mj_differentiatePos(model, velocities_.data(), model->opt.timestep, data->qpos, positions);
+    set_accelerations(*model, *data, velocities_.data());
+    mj_inverseSkip(model, data, mjSTAGE_VEL, 1);
+    compat::expect_accelerations(*data);
+    if (sensors) mj_sensorAcc(model, data);
+  });
+  if (forces != nullptr) std::copy_n(data->qfrc_inverse, model_.nv, forces);
+  std::copy_n(positions, model_.nq, data->qpos);
+  mj_normalizeQuat(model, data->qpos);
+  std::copy_n(velocities_.data(), model_.nv, data->qvel);
+  data->time += model_.opt.timestep;
+  check_divergence();
+}
+
 void Physics::forward() {
   require_usable();
   require_undisturbed();

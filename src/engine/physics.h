@@ -47,6 +47,11 @@ class Physics {
   // Sensors are worth a few percent of a step: they are those of the last step, or stay as they are without `sensors`.
   void step(int count, bool sensors = true);
 
+  // A physics step in which joints go where they are told, by inverse dynamics: all that a step computes is that of its
+  // start, with the accelerations that lead there. `forces` receives what else than contacts, limits, springs and
+  // dampers had to act on each degree of freedom; it may be null.
+  void follow(const double* positions, double* forces, bool sensors);
+
   // Recomputes everything that follows from the state, without changing the trajectory.
   void forward();
 
@@ -146,6 +151,7 @@ class Physics {
   std::array<int, mjNWARNING> warned_{};
   WarningCounts counts_{};
   std::vector<double> positions_, warmstart_;  // room to keep what a look at the world changes
+  std::vector<double> velocities_;             // room for those at the end of a step that follows
   double step_time_ = 0;  // when the step in progress started; MuJoCo sets a diverged world's time back
   void (*step_)(const mjModel*, mjData*);  // mj_step, or the same with our own solver
   bool failed_ = false;

@@ -189,33 +189,52 @@ void World::check_actions(Span<const float> actions) const {
   }
 }
 
-void World::step(Span<const float> actions, std::uint8_t* block, const Results& results) {
-  require_outside_task();
-  physics_.require_usable();
-  physics_.require_undisturbed();
-  const Stopwatch total(options_.timing, timing_.total);
-  act(actions);
+template <typename Move>
+void World::advance(Move&& move) {
   step_contacts_.begin();
   for (int i = 1; i <= options_.frame_skip; ++i) {
     const std::uint64_t tick = ticks() + static_cast<std::uint64_t>(i);
     const bool last = i == options_.frame_skip, sensed = !last && limits_.wants(tick);
-    let_arrive(tick - 1);
-    {
-      const Stopwatch watch(options_.timing, timing_.physics);
-      step_once(last || sensed);
-    }
+    move(i - 1, last || sensed);
     observer_.advance(model(), data(), options_.timing ? &timing_.senses : nullptr);
     for (const Agent& agent : agents_) agent.task->watch(physics_);
     if (sensed) limits_.pass(model(), data(), tick, options_.timing ? &timing_.senses : nullptr);
   }
   ++episode_.step;
   if (options_.timing) ++timing_.steps;
+}
+
+void World::step(Span<const float> actions, std::uint8_t* block, const Results& results) {
+  require_outside_task();
+  physics_.require_usable();
+  physics_.require_undisturbed();
+  const Stopwatch total(options_.timing, timing_.total);
+  act(actions);
+  advance([this](int done, bool sensors) {
+    let_arrive(ticks() + static_cast<std::uint64_t>(done));
+    const Stopwatch watch(options_.timing, timing_.physics);
+    step_once(sensors);
+  });
   const bool senses_first = judges_senses();
   if (senses_first) sense(block, Moment::kStep);
   evaluate(actions, block);
   if (!senses_first) sense(block, Moment::kStep);
   if (senses_first && block != nullptr) observer_.observe_share(observation::Share::kTask, model(), data(), block);
   report(results);
+  report_warnings();
+}
+
+void World::follow(Span<const double> positions, Span<double> forces, std::uint8_t* block) {
+  require_outside_task();
+  physics_.require_usable();
+  physics_.require_undisturbed();
+  const auto nq = static_cast<std::size_t>(model().nq), nv = static_cast<std::size_t>(model().nv);
+  advance([&](int done, bool sensors) {
+    const auto number = static_cast<std::size_t>(done);
+    physics_.follow(positions.data() + number * nq, forces.empty() ? nullptr : forces.data() + number * nv, sensors);
+    if (step_contacts_.wanted()) step_contacts_.add(physics_);
+  });
+  sense(block, Moment::kStep);
   report_warnings();
 }
 

@@ -73,6 +73,9 @@ class World {
   void check_actions(Span<const float> actions) const;
   // Without actions the controls stay as they are. Actions are checked.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
+  // A step in which joints go where they are told: positions of all joints at the end of each physics step, and room
+  // for the forces that it takes, or none. Motors and tasks have no part in it.
+  void follow(Span<const double> positions, Span<double> forces, std::uint8_t* block);
   // Physics alone, with the controls as they are.
   void step_physics(int count);
   void observe(std::uint8_t* block);
@@ -104,6 +107,9 @@ class World {
                  render::Renderer* eyes);
   TaskMaker task_maker(const Identity& identity) const;
   void start();
+  // All physics steps of a step; move(i, sensors) makes the one after the first i.
+  template <typename Move>
+  void advance(Move&& move);
   void step_once(bool sensors);
   enum class Moment { kStart, kStep, kBetween };
   // Without a block only where senses are late, and what they give now is for later.
