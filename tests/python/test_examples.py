@@ -20,6 +20,7 @@ EXAMPLES = {
     "reflexes.py": [],
     "receptors.py": [],
     "tutorial.py": [],
+    "two_infants.py": ["--steps", "20"],
     "zero_copy.py": [],
 }
 
@@ -38,7 +39,8 @@ def test_example(name, root, tmp_path):
 
 def test_no_example_is_forgotten(root):
     in_test_sb3 = {"train.py", "learning_curves.py", "profile_ppo.py", "single_file_ppo.py"}
-    assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | in_test_sb3
+    elsewhere = in_test_sb3 | {"cluster.py", "torchrl_ppo.py"}  # in test_ray and test_torchrl
+    assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | elsewhere
 
 
 @pytest.mark.parametrize(

@@ -85,6 +85,7 @@ def __getattr__(name: str) -> Any:
     if name in (
         "classic",
         "babybench",
+        "ray",
         "recordings",
         "rerun",
         "usd",

@@ -1,0 +1,41 @@
+"""The connection to a Ray cluster."""
+
+from __future__ import annotations
+
+import os
+import socket
+from typing import Any, Optional
+
+import ray
+
+ANSWER_WITHIN = 5.0  # seconds, of a cluster that is there
+
+
+def connect(address: Optional[str] = None, **options: Any) -> None:
+    """Connects to a Ray cluster: to that at `address`, else to the one around (RAY_ADDRESS), else to a new one here.
+
+    `address` is HOST:PORT, ray://HOST:PORT or "auto", which is never a new one; options are those of ray.init.
+    """
+    if ray.is_initialized():
+        return
+    given = address or os.environ.get("RAY_ADDRESS")
+    if given and given not in ("auto", "local"):
+        _check_there(given)
+    try:
+        ray.init(address=address, **{"log_to_driver": False, **options})
+    except ConnectionError:
+        raise ConnectionError(f"address is {given!r}: {NOBODY}") from None
+
+
+NOBODY = "no Ray cluster is there; start one with `ray start --head`, or leave the address out"
+
+
+def _check_there(address: str) -> None:
+    """Ray itself would try for a minute, and then end the process."""
+    host, _, port = address.rpartition("://")[2].rpartition(":")
+    if not host or not port.isdigit():
+        raise ValueError(f"address is {address!r}, expected HOST:PORT, ray://HOST:PORT or auto")
+    try:
+        socket.create_connection((host, int(port)), ANSWER_WITHIN).close()
+    except (OSError, OverflowError):
+        raise ConnectionError(f"address is {address!r}: {NOBODY}") from None
