@@ -1,7 +1,8 @@
 # What `cmake --install` puts where, and the packages by which other projects find it.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS mimo EXPORT mimoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS mimo EXPORT mimoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET mimo_program)
   install(TARGETS mimo_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
