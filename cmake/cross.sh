@@ -48,7 +48,7 @@ fetch_dependencies() {
   rm -rf "$cross/sources"
   new_venv cross/python
   "$cross/python/bin/pip" install -q ziglang==0.13.0 || fail "zig cannot be fetched"
-  ln -s python/lib/python3.*/site-packages/ziglang/zig "$cross/zig"
+  (cd "$cross" && ln -s python/lib/python3.*/site-packages/ziglang/zig zig)
   touch "$cross/complete"
 }
 
@@ -67,6 +67,7 @@ fetch_cross_mujoco() {
   [[ $1 != windows ]] || (cd build/cross/mujoco/new && gendef mujoco.dll >/dev/null 2>&1 &&
     x86_64-w64-mingw32-dlltool -d mujoco.def -l libmujoco.dll.a -D mujoco.dll)
   mv build/cross/mujoco/new "$folder"
+  rm -rf build/cross/wheel
 }
 
 # build_for SYSTEM [TARGET...]: by the CMake preset of that name.
