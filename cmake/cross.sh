@@ -3,16 +3,11 @@
 
 cross_packages=(dpkg-dev libeigen3-dev libfmt-dev libosmesa6-dev libcli11-dev nlohmann-json3-dev python3-venv ninja-build cmake ccache)
 windows_packages=(g++-mingw-w64-x86-64-posix mingw-w64-tools llvm wine64)
-arm_packages=(qemu-user libc6-arm64-cross)
 
 # Systems, by the tags of MuJoCo's packages for them, and what the library inside is called and must be.
 cross_mujoco() {
   case $1 in
     windows) echo win_amd64 mujoco.dll 64ce148d1bca62e18d49aac75226d2159722cacbb1ebcc8d73607e08be10cffe ;;
-    linux-x86_64) echo manylinux2014_x86_64 libmujoco.so.2.2.2 63bb16223b4ef9b86485aea53a9c83d61506ed3131dfd4b62c001f24809d4d61 ;;
-    linux-aarch64) echo manylinux2014_aarch64 libmujoco.so.2.2.2 9ac8aeeaa52be799378730b7bf74e05251ba79ce52304e737c56777486ee4a60 ;;
-    macos-arm64) echo macosx_11_0_arm64 libmujoco.2.2.2.dylib 26123970e75c4a9232e0fe94a785dc0bdad117ba38ece1ed2789a2e6401f914b ;;
-    macos-x86_64) echo macosx_10_16_x86_64 libmujoco.2.2.2.dylib 26a88e2629e433ce24303ba367706bbf3fc343ea55ac7e25d7f0aa0feb237d67 ;;
     *) fail "no system '$1'" ;;
   esac
 }
@@ -31,7 +26,7 @@ fetch_sources() {
 }
 
 # What builds for all other systems need, in build/cross: headers of the system's that know no system, sources of the rest.
-# Highway is newer than Debian 12's, which needs ARM's cryptography.
+# Highway is newer than Debian 12's.
 fetch_dependencies() {
   [[ ! -f build/cross/complete ]] || return 0
   need "${cross_packages[@]}"
@@ -47,8 +42,6 @@ fetch_dependencies() {
   cp "$cross/libpng/scripts/pnglibconf.h.prebuilt" "$cross/libpng/pnglibconf.h"
   rm -rf "$cross/sources"
   new_venv cross/python
-  "$cross/python/bin/pip" install -q ziglang==0.13.0 || fail "zig cannot be fetched"
-  (cd "$cross" && ln -s python/lib/python3.*/site-packages/ziglang/zig zig)
   touch "$cross/complete"
 }
 
@@ -100,15 +93,4 @@ test_windows() {
   use_mujoco
   diff -r "$pictures/here" "$pictures/windows" || fail "Windows draws other pictures"
   echo "The same pictures on Windows"
-}
-
-# The C tests by qemu, and the same bytes as on x86-64: both compiled by zig, on MuJoCo's own builds.
-test_arm() {
-  need "${arm_packages[@]}"
-  build_for linux-x86_64 capi_same
-  build_for linux-aarch64
-  ctest --preset linux-aarch64 --parallel "$(nproc)"
-  echo "The same bytes on ARM"
-  diff <(build-linux-x86_64/bin/capi_same) <(qemu-aarch64 -L /usr/aarch64-linux-gnu build-linux-aarch64/bin/capi_same) ||
-    fail "ARM gives other bytes"
 }
