@@ -1,20 +1,24 @@
 # Finds MuJoCo and makes the target mujoco::mujoco; sets mujoco_FOUND and mujoco_VERSION.
 #
 # Without mujoco_ROOT it is the system's CMake package (Debian: libmujoco-dev). mujoco_ROOT may name an installed
-# package, the folder of a release archive (include/, lib/) or the folder of the Python wheel (include/, libmujoco.so.*):
-# the last two bring no CMake package, so their files are looked up here.
+# package, the folder of a release archive (include/, lib/) or the folder of the Python wheel (include/ and the library, for
+# Windows also libmujoco.dll.a, which ./dev makes): the last two bring no CMake package, so their files are looked up here.
 if(NOT mujoco_ROOT AND DEFINED ENV{mujoco_ROOT})
   set(mujoco_ROOT $ENV{mujoco_ROOT})
 endif()
 
 if(mujoco_ROOT)
-  file(GLOB mujoco_files ${mujoco_ROOT}/libmujoco.so* ${mujoco_ROOT}/lib/libmujoco.so*)
+  file(GLOB mujoco_files ${mujoco_ROOT}/libmujoco.so* ${mujoco_ROOT}/lib/libmujoco.so* ${mujoco_ROOT}/libmujoco.*dylib
+       ${mujoco_ROOT}/mujoco.dll)
   find_path(mujoco_INCLUDE_DIR mujoco/mujoco.h PATHS ${mujoco_ROOT}/include NO_DEFAULT_PATH)
   if(mujoco_files AND mujoco_INCLUDE_DIR AND NOT TARGET mujoco::mujoco)
     list(GET mujoco_files 0 mujoco_library)
     add_library(mujoco::mujoco SHARED IMPORTED)
     set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_LOCATION ${mujoco_library}
                           INTERFACE_INCLUDE_DIRECTORIES ${mujoco_INCLUDE_DIR})
+    if(WIN32)
+      set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_IMPLIB ${mujoco_ROOT}/libmujoco.dll.a)
+    endif()
   elseif(NOT TARGET mujoco::mujoco)
     find_package(mujoco CONFIG QUIET PATHS ${mujoco_ROOT} NO_DEFAULT_PATH)
   endif()

@@ -2,9 +2,18 @@
 set(mimo_missing "")
 set(mimo_missing_packages "")
 
+# Builds for other systems bring their own.
+set(mimo_from_sources "")
+set(MIMO_DEPENDENCIES "" CACHE PATH "Folder of what ./dev fetches for builds for other systems; empty: the system's")
+if(MIMO_DEPENDENCIES)
+  include(MimoSources)
+endif()
+
 # mimo_find(<what people call it> <Debian package> <arguments of find_package...>)
 macro(mimo_find title debian package)
-  find_package(${package} ${ARGN} QUIET)
+  if(NOT ${package} IN_LIST mimo_from_sources)
+    find_package(${package} ${ARGN} QUIET)
+  endif()
   if(NOT ${package}_FOUND)
     list(APPEND mimo_missing ${title})
     list(APPEND mimo_missing_packages ${debian})
@@ -26,7 +35,7 @@ endif()
 if(MIMO_PROGRAM OR MIMO_TESTS)
   mimo_find("nlohmann_json" nlohmann-json3-dev nlohmann_json)
 endif()
-if(MIMO_TESTS)
+if(MIMO_TESTS AND NOT CMAKE_CROSSCOMPILING)
   mimo_find("GoogleTest" libgtest-dev GTest)
 endif()
 

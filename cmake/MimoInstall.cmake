@@ -1,7 +1,8 @@
 # What `cmake --install` puts where, and the packages by which other projects find it.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS mimo EXPORT mimoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS mimo EXPORT mimoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET mimo_program)
   install(TARGETS mimo_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
@@ -13,7 +14,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
 endif()
 
 # Articles and examples, beside each other as in the repository: they refer to each other (tests/readme/check_links).
-set(articles abi benchmark bindings coming-from-mimo differences engines learning python tasks vision zoo)
+set(articles abi benchmark bindings coming-from-mimo differences engines learning platforms python tasks vision zoo)
 list(TRANSFORM articles REPLACE ".+" "docs/\\0.md")
 install(FILES ${articles} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents)
 install(DIRECTORY docs/guide docs/adr DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents

@@ -10,11 +10,20 @@ add_library(mimo::mimo ALIAS mimo)
 mimo_link_room(mimo capi)
 target_include_directories(mimo PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-# Bound when loaded: else a MuJoCo that the host loads later, of another version, could be given to us in the middle.
-target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed -Wl,-z,now)
-# A MuJoCo beside libmimo.so comes before the system's, wherever the two are: ./dev build --avx, and copies in a host's folder.
-# The build folder's file is linked like the installed one: CMake would else reserve room in its RUNPATH by empty entries,
-# and these stand for the current folder.
+# A MuJoCo beside the library comes before the system's, wherever the two are: ./dev build --avx, and copies in a host's
+# folder.
 set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
-                      SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION}
-                      BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH $ORIGIN INSTALL_RPATH_USE_LINK_PATH ON)
+                      SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION})
+if(WIN32)
+  include(MimoWindows)
+elseif(APPLE)
+  target_link_options(mimo PRIVATE -Wl,-dead_strip)
+  set_target_properties(mimo PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH @loader_path
+                        INSTALL_NAME_DIR @rpath MACHO_CURRENT_VERSION ${MIMO_VERSION})
+else()
+  # Bound when loaded: else a MuJoCo that the host loads later, of another version, could be given to us in the middle.
+  target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed -Wl,-z,now)
+  # The build folder's file is linked like the installed one: CMake would else reserve room in its RUNPATH by empty
+  # entries, and these stand for the current folder.
+  set_target_properties(mimo PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH $ORIGIN INSTALL_RPATH_USE_LINK_PATH ON)
+endif()

@@ -33,8 +33,9 @@ if(MIMO_SANITIZE)
                       $<$<COMPILE_LANGUAGE:C,CXX>:-fno-sanitize-recover=all>
                       $<$<COMPILE_LANGUAGE:C,CXX>:-fno-omit-frame-pointer>)
   add_link_options(-fsanitize=${MIMO_SANITIZE})
-else()
-  # A symbol that nobody defines is an error here, not at a user's dlopen. (Sanitizers resolve theirs at load.)
+elseif(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+  # A symbol that nobody defines is an error here, not at a user's dlopen. (Sanitizers resolve theirs at load; the
+  # linkers of other systems refuse by themselves.)
   string(APPEND CMAKE_SHARED_LINKER_FLAGS " -Wl,-z,defs")
 endif()
 

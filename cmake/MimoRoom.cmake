@@ -9,17 +9,36 @@
 set(MIMO_ROOMS ${PROJECT_BINARY_DIR}/rooms CACHE PATH "Folder of links to the rooms")
 mark_as_advanced(MIMO_ROOMS)
 
-# mimo_room(<name> ABOUT <text> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>])
+# mimo_on_this_platform(<variable>): leaves out of a list of sources what is for another system: *_windows.cpp is for
+# Windows, *_posix.cpp for all others.
+function(mimo_on_this_platform variable)
+  if(WIN32)
+    list(FILTER ${variable} EXCLUDE REGEX "_posix\\.cpp$")
+  else()
+    list(FILTER ${variable} EXCLUDE REGEX "_windows\\.cpp$")
+  endif()
+  set(${variable} ${${variable}} PARENT_SCOPE)
+endfunction()
+
+# mimo_room(<name> ABOUT <text> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
+#           [LINUX_ELSE <file>])
 # Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only. ABOUT says in a
-# line what the room does. Whoever sees a room's headers sees those of its LIBRARIES as well.
+# line what the room does. Whoever sees a room's headers sees those of its LIBRARIES as well. The file of LINUX_ELSE is
+# all that the room has on other systems than Linux, and is left out there.
 function(mimo_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "ABOUT" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "ABOUT;LINUX_ELSE" "DEPENDS;LIBRARIES;SOURCES")
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
   set(include_dir ${MIMO_ROOMS}/${name})
   file(MAKE_DIRECTORY ${include_dir})
   file(CREATE_LINK ${folder} ${include_dir}/${name} SYMBOLIC)
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  mimo_on_this_platform(sources)
+  if(room_LINUX_ELSE AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    list(REMOVE_ITEM sources ${folder}/${room_LINUX_ELSE})
+  elseif(room_LINUX_ELSE)
+    set(sources ${folder}/${room_LINUX_ELSE})
+  endif()
   list(APPEND sources ${room_SOURCES})
   list(TRANSFORM room_DEPENDS PREPEND mimo_ OUTPUT_VARIABLE dependencies)
   if(sources)

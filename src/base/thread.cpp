@@ -1,38 +1,16 @@
 #include "base/thread.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <system_error>
 
 #include "base/fail.h"
+#include "base/signals.h"
 
 namespace mimo {
 namespace {
 
 constexpr std::size_t kLeastStack = 512 * 1024;
-
-// A new thread inherits the mask of the one that starts it. Faults are not blocked: they are errors of this thread's
-// own. Nor are signals by which managed runtimes stop each thread that has run their code, as tasks of the user's own
-// may be: Mono and .NET take real-time ones, older collectors SIGPWR and SIGXCPU.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t signals;
-    sigfillset(&signals);
-    for (int runtimes = SIGRTMIN; runtimes <= SIGRTMAX; ++runtimes) sigdelset(&signals, runtimes);
-    for (const int runtimes : {SIGPWR, SIGXCPU}) sigdelset(&signals, runtimes);
-    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&signals, fault);
-    pthread_sigmask(SIG_BLOCK, &signals, &before_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 // The default is the limit of the shell that the host was started from, which may be anything.
 class Attributes {
@@ -57,7 +35,7 @@ class Attributes {
 
 Thread::Thread(Run run, void* argument) {
   const Attributes attributes;
-  const SignalsBlocked signals;
+  const SignalsBlocked signals;  // a new thread inherits the mask of the one that starts it
   const int error = pthread_create(&thread_, attributes.get(), run, argument);
   if (error == 0) return;
   fail(Status::kOutOfMemory, "the system gives no thread: {}", std::generic_category().message(error));

@@ -8,6 +8,8 @@
 #include <new>
 #include <utility>
 
+#include "base/fork.h"
+
 namespace mimo::capi {
 namespace {
 
@@ -69,7 +71,7 @@ void* room_for_control() {
 // Counts forks on the child's side: handles of the parent have an older number.
 std::atomic<unsigned> fork_generation{0};
 
-[[maybe_unused]] const int watching = pthread_atfork(nullptr, nullptr, [] { fork_generation.fetch_add(1); });
+[[maybe_unused]] const int watching = watch_forks(nullptr, nullptr, [] { fork_generation.fetch_add(1); });
 
 const char* word(HandleType type) {
   switch (type) {

@@ -1,11 +1,10 @@
 #include "hdf5.h"
 
-#include <dlfcn.h>
-
 #include <cstring>
 #include <string>
 
 #include "failure.h"
+#include "libraries.h"
 
 namespace cli::hdf5 {
 namespace {
@@ -13,15 +12,16 @@ namespace {
 constexpr int kDeflateFilter = 1;
 
 void* open_first() {
-  for (const char* name : {"libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310",
-                           "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"}) {
-    if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return handle;
+  for (const char* name :
+       {"libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310", "libhdf5.so.200",
+        "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so", "hdf5.dll", "libhdf5.dylib"}) {
+    if (void* handle = open_library(name)) return handle;
   }
   throw Failure("recordings need the library HDF5 1.10 or later (Debian package libhdf5-103-1), which was not found");
 }
 
 void* address(void* handle, const char* name) {
-  void* const found = dlsym(handle, name);
+  void* const found = find_symbol(handle, name);
   if (found == nullptr) throw Failure(std::string("the library HDF5 that was found has no ") + name);
   return found;
 }

@@ -1,11 +1,10 @@
 #include "recorder.h"
 
-#include <dlfcn.h>
-
 #include <fstream>
 
 #include "facts.h"
 #include "failure.h"
+#include "libraries.h"
 #include "text.h"
 #include "world.h"
 
@@ -16,11 +15,11 @@ constexpr std::size_t kMostNamed = 1000;  // elements of a field that are listed
 
 // FNV-1a of the library's file: two builds of one version are two builds.
 std::uint64_t fingerprint() {
-  Dl_info info = {};
   const auto function = &mimo_version;
   std::uint64_t hash = 14695981039346656037u;
-  if (dladdr(reinterpret_cast<const void*>(function), &info) == 0) return 0;
-  std::ifstream file(info.dli_fname, std::ios::binary);
+  const std::string path = library_of(reinterpret_cast<const void*>(function));
+  if (path.empty()) return 0;
+  std::ifstream file(path, std::ios::binary);
   std::vector<char> piece(1 << 16);
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())), file.gcount() > 0) {
     for (std::streamsize i = 0; i < file.gcount(); ++i) {

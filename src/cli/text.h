@@ -7,7 +7,9 @@
 
 namespace cli {
 
-#if defined(__GNUC__)
+#if defined(__MINGW32__)  // whose formats are those of Windows, unless one asks for the standard's
+__attribute__((format(gnu_printf, 1, 2)))
+#elif defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
 std::string

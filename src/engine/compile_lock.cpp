@@ -1,13 +1,12 @@
 #include "engine/compile_lock.h"
 
-#include <pthread.h>
-
 #include <atomic>
 #include <chrono>
 #include <mutex>
 #include <thread>
 
 #include "base/fail.h"
+#include "base/fork.h"
 
 namespace mimo::engine {
 namespace {
@@ -41,7 +40,7 @@ void after_fork_in_child() {
   forks = 0;
 }
 
-[[maybe_unused]] const int watching = pthread_atfork(before_fork, after_fork_in_parent, after_fork_in_child);
+[[maybe_unused]] const int watching = watch_forks(before_fork, after_fork_in_parent, after_fork_in_child);
 
 }  // namespace
 

@@ -6,17 +6,23 @@
 
 #include "engine/compat.h"
 
-// Exported by MuJoCo but not declared in its headers. Weak: a build of MuJoCo may lack them.
+// Exported by MuJoCo but not declared in its headers. Weak: a build of MuJoCo may lack them. Windows has no such imports,
+// and all of MuJoCo's builds for it export them.
+#ifdef _WIN32
+#define MIMO_MAYBE
+#else
+#define MIMO_MAYBE __attribute__((weak))
+#endif
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): the names are MuJoCo's
 extern "C" {
 #if MIMO_MUJOCO_4
-__attribute__((weak)) mjfLogHandler _mjPRIVATE_setTlsLogHandler(mjfLogHandler handler);
+MIMO_MAYBE mjfLogHandler _mjPRIVATE_setTlsLogHandler(mjfLogHandler handler);
 #else
 using mimo_mujoco_handler = void (*)(const char*);
-__attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_error_fn();
-__attribute__((weak)) mimo_mujoco_handler _mjPRIVATE__get_tls_warning_fn();
-__attribute__((weak)) void _mjPRIVATE__set_tls_error_fn(mimo_mujoco_handler handler);
-__attribute__((weak)) void _mjPRIVATE__set_tls_warning_fn(mimo_mujoco_handler handler);
+MIMO_MAYBE mimo_mujoco_handler _mjPRIVATE__get_tls_error_fn();
+MIMO_MAYBE mimo_mujoco_handler _mjPRIVATE__get_tls_warning_fn();
+MIMO_MAYBE void _mjPRIVATE__set_tls_error_fn(mimo_mujoco_handler handler);
+MIMO_MAYBE void _mjPRIVATE__set_tls_warning_fn(mimo_mujoco_handler handler);
 #endif
 }
 // NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
@@ -104,7 +110,11 @@ class Handlers {
 
 #else
 
+#ifdef _WIN32
+bool has_thread_handlers() { return true; }
+#else
 bool has_thread_handlers() { return _mjPRIVATE__set_tls_error_fn != nullptr; }
+#endif
 
 // Fallback for a MuJoCo without thread-local handlers: process-wide ones that chain to what the host had set.
 mimo_mujoco_handler host_error = nullptr;

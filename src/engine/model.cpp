@@ -1,6 +1,5 @@
 #include "engine/model.h"
 
-#include <locale.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/plain_numbers.h"
 #include "base/utf8.h"
 #include "engine/callbacks.h"
 #include "engine/compat.h"
@@ -38,22 +38,6 @@ class VirtualFiles {
 
  private:
   std::unique_ptr<mjVFS> vfs_;
-};
-
-// Numbers in XML have a decimal point whatever the host's locale says. Only this thread is affected.
-class PlainNumbers {
- public:
-  PlainNumbers() : plain_(newlocale(LC_ALL_MASK, "C", nullptr)), previous_(uselocale(plain_)) {}
-  ~PlainNumbers() {
-    uselocale(previous_);
-    if (plain_ != nullptr) freelocale(plain_);
-  }
-  PlainNumbers(const PlainNumbers&) = delete;
-  PlainNumbers& operator=(const PlainNumbers&) = delete;
-
- private:
-  locale_t plain_;
-  locale_t previous_;
 };
 
 // C++ streams, by which MuJoCo reads numbers, have a locale that belongs to the whole process. Where it has a decimal

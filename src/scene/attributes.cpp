@@ -1,8 +1,9 @@
 #include "scene/attributes.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
+
+#include "base/read_double.h"
 
 namespace mimo::scene {
 namespace {
@@ -15,7 +16,7 @@ std::optional<double> take_number(const char*& at, const char* end) {
   while (at != end && is_space(*at)) ++at;
   const char* const begin = at != end && *at == '+' ? at + 1 : at;
   double value = 0;
-  const auto result = std::from_chars(begin, end, value);
+  const auto result = read_double(begin, end, value);
   if (result.ec == std::errc::result_out_of_range) {
     const bool tiny = std::string(begin, result.ptr).find_first_of("eE") != std::string::npos &&
                       std::string(begin, result.ptr).find('-', 1) != std::string::npos;

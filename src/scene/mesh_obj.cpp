@@ -11,7 +11,7 @@ namespace mimo::scene {
 namespace {
 
 // A corner of a face: numbers of a vertex, a point of a texture and a normal; 0 where it does not say.
-using Corner = std::array<long, 3>;
+using Corner = std::array<std::int64_t, 3>;
 
 const char* const kKinds[3] = {"vertex", "texture point", "normal"};
 
@@ -57,7 +57,9 @@ class Reader {
   }
 
   // Numbers below 0 count back from what there is so far.
-  long resolved(long given, std::size_t kind) const { return given < 0 ? counts_[kind] + given + 1 : given; }
+  std::int64_t resolved(std::int64_t given, std::size_t kind) const {
+    return given < 0 ? counts_[kind] + given + 1 : given;
+  }
 
   void face(const char* at, const char* end) {
     require_few(file_, static_cast<double>(++faces_), "faces", limits_);
@@ -109,14 +111,14 @@ class Reader {
     return data;
   }
 
-  static constexpr long kBeyond = 1L << 40;
+  static constexpr std::int64_t kBeyond = INT64_C(1) << 40;
 
   const LoadedFile& file_;
   const Limits& limits_;
   std::vector<std::array<double, 3>> vertices_;
   std::vector<Corner> corners_;  // of the first object, the only one that MuJoCo takes
   Corner counts_{};
-  long faces_ = 0;
+  std::int64_t faces_ = 0;
   bool has_object_ = false, first_is_over_ = false;
 };
 

@@ -1,12 +1,12 @@
 #include "scene/xml.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <sstream>
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/read_double.h"
 
 namespace mimo::scene {
 namespace {
@@ -130,7 +130,7 @@ std::vector<double> numbers(pugi::xml_attribute attribute) {
     while (at != end && (*at == ' ' || *at == '\t' || *at == '\n' || *at == '\r' || *at == '+')) ++at;
     if (at == end) return values;
     double value = 0;
-    const auto result = std::from_chars(at, end, value);
+    const auto result = read_double(at, end, value);
     if (result.ec != std::errc()) fail(Status::kModel, "{}=\"{}\": expected numbers", attribute.name(), text);
     values.push_back(value);
     at = result.ptr;

@@ -1,7 +1,5 @@
 /* Batches, as seen from outside: arguments, views of worlds, handles. What they compute is tested in unit/batch. */
 #include <pthread.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "support/capi.h"
 
@@ -177,18 +175,6 @@ static void check_failures(mimo_batch* batch) {
   CHECK_OK(mimo_batch_reset(batch, NULL, NULL, 0));
 }
 
-static void check_fork(mimo_batch* batch) {
-  const pid_t child = fork();
-  int result = 0;
-  if (child == 0) {
-    const int forked = mimo_batch_step(batch, NULL, 0, NULL, 0, NULL) == MIMO_E_FORKED;
-    mimo_batch_destroy(batch);
-    _exit(forked ? 0 : 1);
-  }
-  CHECK(waitpid(child, &result, 0) == child && WIFEXITED(result) && WEXITSTATUS(result) == 0);
-  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
-}
-
 /* Batches of their own in several threads. */
 static void* use_one(void* unused) {
   mimo_batch* batch = make(MIMO_AUTORESET_SAME_STEP, 3);
@@ -216,7 +202,6 @@ int main(void) {
   check_states(batch);
   check_sending(batch);
   check_failures(batch);
-  check_fork(batch);
   check_side_by_side();
   CHECK_OK(mimo_batch_world(batch, 0, &view));
   CHECK_OK(mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));

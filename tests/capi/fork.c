@@ -132,6 +132,28 @@ static void check_while_compiling(void) {
   CHECK(pthread_join(maker, NULL) == 0);
 }
 
+/* A batch has threads, which the child has not. */
+static void check_batch(void) {
+  mimo_scene* scene = blind_scene("free");
+  mimo_batch_config config;
+  mimo_batch* batch = NULL;
+  pid_t child;
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = config.threads = 2;
+  CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  child = fork();
+  if (child == 0) {
+    const int forked = mimo_batch_step(batch, NULL, 0, NULL, 0, NULL) == MIMO_E_FORKED;
+    mimo_batch_destroy(batch);
+    _exit(forked ? 0 : 1);
+  }
+  CHECK(status_of(child) == 0);
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  mimo_batch_destroy(batch);
+  mimo_scene_destroy(scene);
+}
+
 static int at_exit_calls = 0;
 
 static void at_exit_of_the_host(void) { ++at_exit_calls; }
@@ -186,6 +208,7 @@ static void check_exit_after_osmesa(void) {
 int main(void) {
   check_first_use(); /* which is over with the next check */
   check_handles();
+  check_batch();
   check_while_compiling();
   check_exit_after_osmesa();
   return failures();

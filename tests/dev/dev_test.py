@@ -20,7 +20,9 @@ class Dev(unittest.TestCase):
         self.clone = Path(self.temporary.name) / "a folder" / "libmimo"
         (self.clone / "bindings").mkdir(parents=True)
         shutil.copy(REPOSITORY / "dev", self.clone)
+        (self.clone / "cmake").mkdir()
         shutil.copy(REPOSITORY / "bindings/check.sh", self.clone / "bindings")
+        shutil.copy(REPOSITORY / "cmake/cross.sh", self.clone / "cmake")
         self.stub("dpkg-query", INSTALLED)
 
     def stub(self, program, script):
@@ -60,6 +62,26 @@ class Dev(unittest.TestCase):
             self.assertIn(f"--preset {preset} ", self.calls("ctest")[-1])
         self.dev("test", "--asan")
         self.assertIn("--preset asan ", self.calls("ctest")[-1])
+
+    def test_other_systems_have_presets_and_what_stands_in_for_them(self):
+        (self.clone / "build/cross/mujoco/windows").mkdir(parents=True)
+        (self.clone / "build/cross/complete").touch()
+        self.stub("cmake", "exit 0")
+        self.assertEqual(self.dev("build", "--windows").returncode, 0)
+        self.assertEqual(self.calls("cmake"), ["--preset windows", "--build --preset windows --target mimo mimo_program"])
+
+    def test_another_mujoco_than_expected_is_refused(self):
+        (self.clone / "build/cross/python/bin").mkdir(parents=True)
+        (self.clone / "build/cross/complete").touch()
+        made = self.clone / "build/cross/python/bin/pip"
+        made.write_text('#!/bin/bash\nmkdir -p build/cross/wheel/mujoco; touch build/cross/wheel/mujoco/mujoco.dll\n')
+        (made.parent / "python").write_text("#!/bin/bash\n")
+        for program in (made, made.parent / "python"):
+            program.chmod(0o755)
+        self.stub("cmake", "exit 0")
+        done = self.dev("build", "--windows")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("mujoco.dll is not the one that is expected", done.stderr)
 
     def test_an_unknown_part_is_named(self):
         done = self.dev("test", "--quick", "--slow")

@@ -1,5 +1,3 @@
-#include "reference.h"
-
 #include <link.h>
 #include <spawn.h>
 #include <sys/socket.h>
@@ -10,6 +8,7 @@
 #include <filesystem>
 
 #include "failure.h"
+#include "reference.h"
 
 namespace cli {
 namespace {
