@@ -45,11 +45,16 @@ class BufferWalk {
   bool sound_;
 };
 
-// Sizes from which MuJoCo's own formulas for the lengths of arrays do not overflow. The buffer itself may be larger.
+// Sizes from which MuJoCo's own formulas for the lengths of arrays do not overflow. What counts bytes may be larger.
 template <typename Size>
 bool is_size(const mjModel& model, const Size& size) {
   constexpr int kMost = (1 << 29) - 1;
-  return size >= 0 && (size <= kMost || static_cast<const void*>(&size) == &model.nbuffer);
+  const void* at = &size;
+  bool bytes = at == &model.nbuffer;
+#if MIMO_MUJOCO_4
+  bytes = bytes || at == &model.narena;
+#endif
+  return size >= 0 && (bytes || size <= kMost);
 }
 
 bool is_sound(const mjModel& model) {
