@@ -80,3 +80,9 @@ add_library(mimo_highway_header INTERFACE)
 target_include_directories(mimo_highway_header SYSTEM INTERFACE ${MIMO_HIGHWAY_INCLUDE_DIR})
 
 message(STATUS "MuJoCo ${mujoco_VERSION}")
+
+# MuJoCo 4 counts in 64 bits what 2.2 counted in 32, and a model that could not be counted in 32 is refused by engine.
+# Fractions that become whole numbers are still warned of, and the build on 2.2 warns of the rest of the same lines.
+if(mujoco_VERSION VERSION_GREATER_EQUAL 4)
+  target_compile_options(mujoco::mujoco INTERFACE "$<$<COMPILE_LANGUAGE:C,CXX>:-Wno-conversion;-Wfloat-conversion>")
+endif()

@@ -2,9 +2,11 @@
 // of a host's model also ask which of the two this is compiled for.
 #pragma once
 
+#include <mujoco/mjxmacro.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <climits>
 #include <cstddef>
 #include <cstring>
 
@@ -27,6 +29,18 @@ inline int channel_of(int channels, int color) { return channels < 3 ? 0 : color
 inline constexpr auto kLockFlags = &mjModel::eq_active0;  // where resets lead to
 inline constexpr auto kPixels = &mjModel::tex_data;
 inline constexpr auto kPixelsName = "tex_data";
+
+// The name of a size that is more than an int holds, in which sizes are counted here; NULL where none is. The arena and
+// the buffer are counted in bytes, by MuJoCo only.
+inline const char* too_large(const mjModel& model) {
+#define X(name)                                                                                 \
+  if (static_cast<const void*>(&model.name) != &model.narena &&                                 \
+      static_cast<const void*>(&model.name) != &model.nbuffer && model.name > mjtSize{INT_MAX}) \
+    return #name;
+  MIMO_MODEL_SIZES
+#undef X
+  return nullptr;
+}
 
 // The flags by which a step goes.
 inline void apply_locks(const mjModel& model, mjData& data) {
@@ -111,6 +125,8 @@ inline double ray_shape(const mjModel& model, const mjData& data, int geom, cons
 inline constexpr auto kLockFlags = &mjModel::eq_active;
 inline constexpr auto kPixels = &mjModel::tex_rgb;
 inline constexpr auto kPixelsName = "tex_rgb";
+
+inline const char* too_large(const mjModel&) { return nullptr; }  // they are ints
 
 inline void apply_locks(const mjModel&, mjData&) {}
 

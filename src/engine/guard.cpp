@@ -1,7 +1,8 @@
 #include "engine/guard.h"
 
+#include <algorithm>
 #include <csetjmp>
-#include <cstdio>
+#include <cstring>
 #include <mutex>
 
 #include "engine/compat.h"
@@ -39,7 +40,9 @@ struct Frame {
 thread_local Frame* current = nullptr;
 
 void copy_text(std::array<char, 512>& to, const char* from) {
-  std::snprintf(to.data(), to.size(), "%s", from == nullptr ? "" : from);
+  const std::size_t length = from == nullptr ? 0 : std::min(std::strlen(from), to.size() - 1);
+  std::copy_n(from, length, to.data());
+  to[length] = '\0';
 }
 
 void on_error(const char* text) {

@@ -45,11 +45,19 @@ class BufferWalk {
   bool sound_;
 };
 
-// Sizes from which MuJoCo's own formulas for the lengths of arrays do not overflow. The buffer itself may be larger.
+// Sizes from which MuJoCo's own formulas for the lengths of arrays do not overflow. What counts bytes may be larger,
+// and limits of contacts and constraints are -1 where MuJoCo 4 has none.
 template <typename Size>
 bool is_size(const mjModel& model, const Size& size) {
   constexpr int kMost = (1 << 29) - 1;
-  return size >= 0 && (size <= kMost || static_cast<const void*>(&size) == &model.nbuffer);
+  const void* at = &size;
+  bool bytes = at == &model.nbuffer;
+  int least = 0;
+#if MIMO_MUJOCO_4
+  bytes = bytes || at == &model.narena;
+  if (at == &model.nconmax || at == &model.njmax) least = -1;
+#endif
+  return size >= least && (bytes || size <= kMost);
 }
 
 bool is_sound(const mjModel& model) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cstring>
 #include <locale>
 
@@ -121,6 +122,9 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
   if (complaint.failed) fail_compile(complaint.error.data());
   if (model == nullptr) fail_compile(text.data());
   ModelPtr owned(model, [](const mjModel* m) { mj_deleteModel(const_cast<mjModel*>(m)); });
+  if (const char* size = compat::too_large(*model)) {
+    fail(Status::kUnsupported, "the model's {} is more than {}", size, INT_MAX);
+  }
   if (text[0] != '\0') log(LogLevel::kWarning, one_line(text.data()));
   if (complaint.warnings > 0) log(LogLevel::kWarning, one_line(complaint.warning.data()));
   return owned;

@@ -88,6 +88,28 @@ class Dev(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("'--slow'", done.stderr)
 
+    def test_another_mujoco_is_used_until_the_next_build(self):
+        self.stub("cmake", "exit 0")
+        fetched = self.clone / "build/mujoco4/mujoco"
+        fetched.mkdir(parents=True)
+        (fetched / "libmujoco.so.4.0.1").touch()
+        for file in ("lib/libmimo.so.0", "bin/mimo"):
+            for folder, text in (("build", "2.2"), ("build-mujoco4", "4.0")):
+                (self.clone / folder / file).parent.mkdir(parents=True, exist_ok=True)
+                (self.clone / folder / file).write_text(text)
+        done = self.dev("build", "--mujoco", "4")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--build --preset mujoco4 --target mimo mimo_program", self.calls("cmake"))
+        ours = [self.clone / "build/lib/libmimo.so.0", self.clone / "build/bin/mimo"]
+        self.assertEqual([file.read_text() for file in ours], ["4.0", "4.0"])
+        self.assertEqual(self.dev("build").returncode, 0)
+        self.assertEqual([file.exists() for file in ours], [False, False])  # so that they are made again
+
+    def test_an_unknown_mujoco_is_named(self):
+        done = self.dev("build", "--mujoco", "3")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'--mujoco 3'", done.stderr)
+
     @unittest.skipIf(os.geteuid() != 0, "only root installs packages")
     def test_another_apt_is_waited_for(self):
         self.stub("dpkg-query", "exit 1")

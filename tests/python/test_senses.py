@@ -13,7 +13,7 @@ class Host:
     """A simulation in MuJoCo's own C library, as any other program would run it."""
 
     def __init__(self, path):
-        lib = ctypes.CDLL("libmujoco.so.2.2.2")
+        lib = ctypes.CDLL(f"libmujoco.so.{mimo.mujoco_version()}")  # the one that libmimo has loaded
         lib.mj_loadXML.restype = lib.mj_makeData.restype = ctypes.c_void_p
         for name in ("mj_makeData", "mj_deleteModel", "mj_deleteData"):
             getattr(lib, name).argtypes = [ctypes.c_void_p]
