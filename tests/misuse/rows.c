@@ -153,6 +153,7 @@ static void become(args* a, size_t count) {
 static void too_old(args* a) { become(a, 1), a->growth->age = 25; }
 static void too_many_ages(args* a) { become(a, 16); }
 static void no_ages(args* a) { a->reset_config->growth_count = a->batch_config->cohort_count = 1; }
+static void no_positions(args* a) { a->movement->positions = NULL; }
 static void taken_agent(args* a) { CHECK_OK(mimo_scene_add_agent(a->room, NULL, NULL)); }
 static void unknown_part(args* a) { a->part = "tail"; }
 static void bad_model_name(args* a) { a->model_config->name = "te/a"; }

@@ -21,6 +21,12 @@ ROW(mimo_env_step, ON_ENV | SIMULATES,
     UNKNOWN_FIELD(env_results, mimo_env_results, reserved, 1, "reserved"),
     SHORT_FIELD(env_results, mimo_env_results, agents, "agents"),
     SHORT_FIELD(env_results, mimo_env_results, term_count, "term_count"))
+ROW(mimo_env_follow, ON_ENV | SIMULATES, mimo_env_follow(a->env, a->movement, a->block, a->block_bytes),
+    NO_NULL(movement, "movement"), CONFIG(movement, mimo_movement, "movement"),
+    UNKNOWN_FIELD(movement, mimo_movement, reserved, 1, "reserved"),
+    BAD_FIELD(movement, mimo_movement, position_count, 1, "position_count is 1"),
+    DO(no_positions, E_ARG, "positions is NULL"), SHORT_FIELD(movement, mimo_movement, force_count, "forces"),
+    NO_NULL(block, "block"), SHORT(block_bytes, "block"))
 ROW(mimo_env_observe, ON_ENV | SIMULATES, mimo_env_observe(a->env, a->block, a->block_bytes), NO_NULL(block, "block"),
     SHORT(block_bytes, "block"), DO(no_block, E_ARG, "block"))
 ROW(mimo_env_physics_step, ON_ENV | SIMULATES, mimo_env_physics_step(a->env, a->steps), BAD_SIZE(steps, -1, "count"),

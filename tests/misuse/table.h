@@ -25,6 +25,7 @@ typedef struct args {
   mimo_task_field* task_field;
   mimo_batch_results* results;
   mimo_env_results* env_results;
+  mimo_movement* movement;
   mimo_reset_config* reset_config;
   mimo_batch_reset_config* batch_reset;
   mimo_picture* picture;

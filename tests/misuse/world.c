@@ -259,6 +259,17 @@ static void make_single_results(void) {
   good.layout_out = region(sizeof(mimo_layout*));
 }
 
+/* The world's own positions, for a step of one physics step: selfbody's. */
+static double own_positions[200], own_forces[200];
+static size_t own_position_count, own_force_count;
+
+static void make_movement(void) {
+  CHECK_OK(mimo_env_width(good.env, MIMO_JOINT_POSITION, NULL, 0, &own_position_count));
+  CHECK_OK(mimo_env_width(good.env, MIMO_JOINT_VELOCITY, NULL, 0, &own_force_count));
+  CHECK(own_position_count <= 200 && own_force_count <= 200);
+  CHECK_OK(mimo_env_get(good.env, MIMO_JOINT_POSITION, NULL, 0, own_positions, own_position_count));
+}
+
 static void make_structs(void) {
   good.scene_config = region(sizeof *good.scene_config + TAIL);
   good.agent_config = region(sizeof *good.agent_config + TAIL);
@@ -270,6 +281,7 @@ static void make_structs(void) {
   good.task_field = region(sizeof *good.task_field + TAIL);
   good.results = region(sizeof *good.results + TAIL);
   good.env_results = region(sizeof *good.env_results + TAIL);
+  good.movement = region(sizeof *good.movement + TAIL);
   good.reset_config = region(sizeof *good.reset_config + TAIL);
   good.batch_reset = region(sizeof *good.batch_reset + TAIL);
   good.picture = region(sizeof *good.picture + TAIL);
@@ -311,6 +323,7 @@ void make_everything(void) {
   make_arrays();
   make_single_results();
   make_structs();
+  make_movement();
   CHECK(good.state_bytes <= sizeof first_state);
   CHECK_OK(mimo_env_state_save(good.env, first_state, sizeof first_state));
   CHECK_OK(mimo_senses_state_save(good.senses, first_memory, sizeof first_memory));
@@ -420,6 +433,15 @@ static void fill_env_results(void) {
   results->term_count = good.term_count;
 }
 
+static void fill_movement(void) {
+  memset(good.movement, 0, sizeof *good.movement);
+  good.movement->struct_size = sizeof *good.movement;
+  good.movement->positions = own_positions;
+  good.movement->position_count = own_position_count;
+  good.movement->forces = own_forces;
+  good.movement->force_count = own_force_count;
+}
+
 static void fill_resets(void) {
   memset(good.reset_config, 0, sizeof *good.reset_config);
   good.reset_config->struct_size = sizeof *good.reset_config;
@@ -491,6 +513,7 @@ args good_args(int uses) {
   fill_configs();
   fill_results();
   fill_env_results();
+  fill_movement();
   fill_resets();
   fill_picture();
   fill_geometry();

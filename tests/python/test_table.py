@@ -42,6 +42,7 @@ STRUCTS = {
     "mimo_agent_info": _abi.AgentInfo,
     "mimo_field_config": _abi.FieldConfig,
     "mimo_layout_info": _abi.LayoutInfo,
+    "mimo_movement": _abi.Movement,
     "mimo_field": _abi.Field,
     "mimo_action": _abi.Action,
     "mimo_term": _abi.Term,

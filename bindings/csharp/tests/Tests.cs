@@ -48,6 +48,7 @@ internal static partial class Tests
         { "mimo_env_config", typeof(EnvConfigStruct) },
         { "mimo_agent_info", typeof(AgentInfoStruct) },
         { "mimo_reset_config", typeof(ResetConfigStruct) },
+        { "mimo_movement", typeof(MovementStruct) },
         { "mimo_env_results", typeof(EnvResultsStruct) },
         { "mimo_timing", typeof(TimingStruct) },
         { "mimo_gaze", typeof(GazeStruct) },

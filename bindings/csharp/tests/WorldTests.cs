@@ -412,7 +412,7 @@ internal static partial class Tests
             {
                 var still = env.Get(Quantity.JointPosition);
                 env.Follow(still);
-                Near(9.81 * env.Agents[0].Mass, env.Follow(still)[2], 1e-6, "the force that holds it");
+                Near(9.81 * env.Agent().Mass, env.Follow(still)[2], 1e-6, "the force that holds it");
                 Check(Refused(() => env.Follow(new double[3])).Message.Contains("position_count"), "another message");
             }
         }

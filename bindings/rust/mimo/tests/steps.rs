@@ -156,7 +156,7 @@ fn movements_are_followed() {
     let mut block = env.new_block().unwrap();
     env.follow(&still, None).unwrap();
     let forces = env.follow(&still, Some(&mut block)).unwrap();
-    let mass = env.agents().unwrap()[0].mass;
+    let mass = env.agent(0).unwrap().mass;
     assert!((forces[2] - 9.81 * mass).abs() < 1e-6, "{}", forces[2]);
     let error = env.follow(&still[1..], None).unwrap_err();
     assert!(error.kind() == Kind::InvalidArgument && error.message().contains("position_count"), "{}", error);
