@@ -183,8 +183,8 @@ class World(Geometry):
         """One step of a movement that is known: joints go where they are told, and senses answer.
 
         positions: frame_skip x the positions of all joints, as get(Quantity.JOINT_POSITION) has them one after the
-        other, at the end of each physics step. Gives the observation, and the forces that it takes: frame_skip x one for
-        each degree of freedom, N or Nm, beside contacts, limits, springs and dampers.
+        other, at the end of each physics step. Gives the observation, and the forces that it takes: frame_skip x one
+        for each degree of freedom, N or Nm, beside contacts, limits, springs and dampers.
         """
         told = np.ascontiguousarray(positions, np.float64)
         forces = np.empty((self.frame_skip, len(self.get(Quantity.JOINT_VELOCITY).ravel())))
