@@ -272,15 +272,7 @@ static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[
   }
 }
 
-const mimo_command mimo_world_commands[] = {{"create", create},
-                                            {"close", close_number},
-                                            {"reset", reset},
-                                            {"step", step},
-                                            {"send", send},
-                                            {"receive", receive},
-                                            {"observe", observe},
-                                            {"follow", follow},
-                                            {"physics", physics},
-                                            {"random", random_numbers},
-                                            {"play", play},
-                                            {NULL, NULL}};
+const mimo_command mimo_world_commands[] = {
+    {"create", create},   {"close", close_number},    {"reset", reset},     {"step", step},
+    {"send", send},       {"receive", receive},       {"observe", observe}, {"follow", follow},
+    {"physics", physics}, {"random", random_numbers}, {"play", play},       {NULL, NULL}};
