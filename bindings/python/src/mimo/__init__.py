@@ -61,6 +61,7 @@ from .geometry import convert_directions, convert_points
 from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_task import Moment, WorldTask
+from .recorder import Recorder, Replay, ReplayReport
 from .results import StepResult
 from .scene import Scene, faces, materials, rooms, scenes, tasks
 from .senses import Senses
@@ -135,7 +136,10 @@ __all__ = [
     "Place",
     "Proprioception",
     "Quantity",
+    "Recorder",
     "Reflex",
+    "Replay",
+    "ReplayReport",
     "Receptors",
     "Render",
     "RenderError",

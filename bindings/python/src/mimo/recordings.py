@@ -81,6 +81,8 @@ class Recording:
         return self._load(world, int(before[-1]))
 
     def _load(self, world: World, number: int) -> int:
+        if "bodies/growth" in self.file and len(self.file["bodies/growth"]) > 1:
+            raise UnsupportedError(f"infants grow in {self.path}: mimo.Replay plays it in a world of your own")
         world.load(self.file["states/state"][number].tobytes())
         return int(self._states[number])
 
