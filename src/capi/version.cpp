@@ -19,7 +19,8 @@ int32_t mimo_supports(const char* name) noexcept {
 }
 
 const char* mimo_version(void) noexcept {
-  return MIMO_TEXT(MIMO_VERSION_MAJOR) "." MIMO_TEXT(MIMO_VERSION_MINOR) "." MIMO_TEXT(MIMO_VERSION_PATCH) MIMO_VERSION_LABEL;
+  return MIMO_TEXT(MIMO_VERSION_MAJOR) "." MIMO_TEXT(MIMO_VERSION_MINOR) "." MIMO_TEXT(MIMO_VERSION_PATCH)
+      MIMO_VERSION_LABEL;
 }
 
 const char* mimo_mujoco_version(void) noexcept { return mimo::engine::mujoco_version(); }

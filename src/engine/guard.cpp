@@ -7,8 +7,8 @@
 
 #include "engine/compat.h"
 
-// Exported by MuJoCo but not declared in its headers. Weak: a build of MuJoCo may lack them. Windows has no such imports,
-// and all of MuJoCo's builds for it export them.
+// Exported by MuJoCo but not declared in its headers. Weak: a build of MuJoCo may lack them. Windows has no such
+// imports, and all of MuJoCo's builds for it export them.
 #ifdef _WIN32
 #define MIMO_MAYBE
 #else

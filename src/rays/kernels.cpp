@@ -10,8 +10,8 @@
 #include <cstring>
 
 #define HWY_IS_DEBUG_BUILD 0
-// The vectors below are members of structs, which scalable vectors cannot be; of the x86 sets, these are enough. Sets that
-// are better than AVX3 have lower bits.
+// The vectors below are members of structs, which scalable vectors cannot be; of the x86 sets, these are enough. Sets
+// that are better than AVX3 have lower bits.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | (HWY_AVX3 - 1))
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rays/kernels.cpp"
