@@ -174,12 +174,12 @@ typedef struct mimo_movement {
  * their way, and all senses answer as if they had gone there by themselves. Velocities and accelerations follow from
  * positions as in a step of physics: velocity at the end is the difference over a physics step, so whoever starts a
  * movement sets MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY first. Contacts give way, and are felt, as they would with
- * these accelerations. Motors pull as their controls are, which changes nothing; no task judges,
- * no reflex acts, and no late action arrives.
+ * these accelerations. Motors pull as their controls are, which changes nothing; no task
+ * judges, no reflex acts, and no late action arrives.
  *
- * The forces are those of inverse dynamics: what has to act beside gravity, contacts, limits, locks, springs and dampers
- * of the joints, at the start of each physics step. Of an infant lying there these are its muscles; those of the
- * first six degrees of freedom, its free joint, are what is missing from its contacts.
+ * The forces are those of inverse dynamics: what has to act beside gravity, contacts, limits, locks, springs and
+ * dampers of the joints, at the start of each physics step. Of an infant lying there these are its muscles; those of
+ * the first six degrees of freedom, its free joint, are what is missing from its contacts.
  * @param block receives the observation; NULL with block_bytes 0 skips the senses.
  * Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);
  *         MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step.
