@@ -13,10 +13,10 @@ template <typename T>
 double largest(Span<const std::uint8_t> a, Span<const std::uint8_t> b) {
   double largest = 0;
   for (std::size_t at = 0; at < a.size(); at += sizeof(T)) {
+    if (std::memcmp(a.data() + at, b.data() + at, sizeof(T)) == 0) continue;
     T one, other;
     std::memcpy(&one, a.data() + at, sizeof one);
     std::memcpy(&other, b.data() + at, sizeof other);
-    if (std::memcmp(&one, &other, sizeof one) == 0) continue;
     const double difference = std::abs(static_cast<double>(one) - static_cast<double>(other));
     largest = std::max(largest, std::isfinite(difference) ? difference : std::numeric_limits<double>::max());
   }

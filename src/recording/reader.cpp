@@ -68,7 +68,7 @@ std::string Reader::text(const std::string& name) const {
   h5_.CloseType(stored);
   h5_.CloseAttribute(attribute);
   if (result < 0) damaged("its attribute '" + name + "' is not a text");
-  return value.c_str();
+  return value.substr(0, value.find('\0'));
 }
 
 std::int64_t Reader::integer(const std::string& name) const {

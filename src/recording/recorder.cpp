@@ -91,7 +91,7 @@ void save(const env::World& world, std::vector<std::uint8_t>& state) {
 std::shared_ptr<Recorder> Recorder::follow(env::World& world, const Options& options) {
   require(!world.in_task(), "env is within a step or a reset, where no recording can begin");
   require(world.listener() == nullptr, "env is being recorded already");
-  const std::shared_ptr<Recorder> recorder(new Recorder(world, options));
+  std::shared_ptr<Recorder> recorder(new Recorder(world, options));
   world.tell(recorder);
   return recorder;
 }

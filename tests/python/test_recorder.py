@@ -41,7 +41,8 @@ def test_a_program_is_played_again(run):
         touch = world.observation["touch/force"].copy()
     with mimo.Replay(run) as replay, mimo.World("benchmark", vision=False, touch_scale=0.5) as world:
         assert (replay.steps, replay.configuration, replay.seed) == (18, "{}", 2**64 - 1)
-        assert replay.same_build and replay.format_version == 2
+        assert replay.same_build
+        assert replay.format_version == 2
         for step in (0, 11, 18):
             report = replay.play(world, step)
             assert report == (True, 18, report.steps, 0, 0.0, "")
@@ -78,10 +79,9 @@ def test_hearing_is_recorded(run):
     scene = mimo.Scene("benchmark")
     scene.add_agents(vision=False, touch=False, hearing=mimo.Hearing.EARS)
     scene.set_sources(1, 0.05)
-    with mimo.World(scene) as world:
-        with mimo.Recorder(world, run, keep="hearing/ear_left"):
-            world.play("head", 0.1 * np.sin(2 * np.pi * 500 / 16000 * np.arange(640)))
-            heard = [world.step(None).observation["hearing/ear_left"].copy() for _ in range(4)]
+    with mimo.World(scene) as world, mimo.Recorder(world, run, keep="hearing/ear_left"):
+        world.play("head", 0.1 * np.sin(2 * np.pi * 500 / 16000 * np.arange(640)))
+        heard = [world.step(None).observation["hearing/ear_left"].copy() for _ in range(4)]
     with mimo.Replay(run) as replay:
         kept = replay.read("fields/hearing/ear_left", np.float32)
     np.testing.assert_array_equal(kept, heard)
@@ -94,7 +94,7 @@ def test_what_is_refused(run, tmp_path):
             mimo.Recorder(world, tmp_path / "new.h5", keep="wings")
         with pytest.raises(TypeError, match="wings"):
             mimo.Recorder(world, tmp_path / "new.h5", wings=2)
-        with pytest.raises(TypeError, match="expected a mimo.World"):
+        with pytest.raises(TypeError, match=r"expected a mimo\.World"):
             mimo.Recorder(3, tmp_path / "new.h5")
         assert not (tmp_path / "new.h5").exists()
         with mimo.Recorder(world, run):
