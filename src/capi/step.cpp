@@ -1,8 +1,4 @@
 // Stepping and observations.
-#include <mujoco/mujoco.h>
-
-#include <Eigen/Core>
-
 #include "capi/block.h"
 #include "capi/check.h"
 #include "capi/growth.h"
@@ -36,40 +32,11 @@ env::Results results_of(const env::World& world, const mimo_env_results* results
           optional(theirs.outcome, agents), optional(theirs.terms, terms)};
 }
 
-// Of all physics steps of a step.
-std::size_t degrees(const env::World& world) {
-  return static_cast<std::size_t>(world.frame_skip()) * static_cast<std::size_t>(world.model().nv);
-}
-
-bool has_length(const double* quaternion) {
-  return Eigen::Map<const Eigen::Vector4d>(quaternion).squaredNorm() > 1e-20;
-}
-
-// Numbers among the positions of one moment at which a quaternion starts.
-template <typename Visit>
-void each_quaternion(const mjModel& model, Visit&& visit) {
-  for (int joint = 0; joint < model.njnt; ++joint) {
-    if (model.jnt_type[joint] == mjJNT_FREE) visit(model.jnt_qposadr[joint] + 3);
-    if (model.jnt_type[joint] == mjJNT_BALL) visit(model.jnt_qposadr[joint]);
-  }
-}
-
-void check_movement(const env::World& world, const mimo_movement& movement) {
-  check_reserved(movement.reserved, "movement: reserved");
-  const auto moments = static_cast<std::size_t>(world.frame_skip()), nq = static_cast<std::size_t>(world.model().nq);
-  require(movement.positions != nullptr, "movement: positions is NULL");
-  require(movement.position_count == moments * nq,
-          "movement: position_count is {}, expected {}: {} for each of {} physics steps", movement.position_count,
-          moments * nq, nq, moments);
-  check_finite(movement.positions, movement.position_count, "movement: positions");
-  check_buffer(movement.forces, movement.force_count, degrees(world), "movement: forces");
-  for (std::size_t i = 0; i < moments; ++i) {
-    each_quaternion(world.model(), [&](int at) {
-      const std::size_t first = i * nq + static_cast<std::size_t>(at);
-      require(has_length(movement.positions + first),
-              "movement: positions[{}] is the first of a quaternion of length 0", first);
-    });
-  }
+// Room for the forces of a movement; none where the caller wants none.
+Span<double> forces_of(const env::World& world, const mimo_movement& movement) {
+  const auto needed = static_cast<std::size_t>(world.frame_skip()) * static_cast<std::size_t>(world.model().nv);
+  check_buffer(movement.forces, movement.force_count, needed, "movement: forces");
+  return optional(movement.forces, needed);
 }
 
 }  // namespace
@@ -106,10 +73,12 @@ mimo_status mimo_env_follow(mimo_env* env, const mimo_movement* movement, void* 
     env::World& world = open(env).world();
     require(movement != nullptr, "movement is NULL");
     const mimo_movement ours = read_struct(movement, "movement");
-    check_movement(world, ours);
-    const std::size_t forces = ours.forces == nullptr ? 0 : degrees(world);
-    world.follow({ours.positions, ours.position_count}, {ours.forces, forces},
-                 block_of(world.layout(), block, block_bytes));
+    check_reserved(ours.reserved, "movement: reserved");
+    require(ours.positions != nullptr, "movement: positions is NULL");
+    const Span<const double> positions(ours.positions, ours.position_count);
+    world.check_movement(positions);
+    const Span<double> forces = forces_of(world, ours);
+    world.follow(positions, forces, block_of(world.layout(), block, block_bytes));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "angles.h"
 #include "csv.h"
 #include "facts.h"
 #include "failure.h"
@@ -14,14 +15,12 @@ namespace {
 
 constexpr char kTime[] = "time";
 constexpr char kPrefix[] = "robot:";  // of an infant's joints
-constexpr double kDegree = 3.14159265358979323846 / 180;
 const std::vector<std::string> kFreeParts = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 
-// Where a column's numbers go, and whether they are an angle.
+// Where a column's numbers go, and of which hinge they are the angle; -1 for none.
 struct Target {
   std::size_t place;
-  std::int32_t joint;
-  bool hinge;
+  std::int32_t hinge;
 };
 
 struct Joint {
@@ -48,11 +47,11 @@ std::map<std::string, Target> targets_of(const mimo::Env& env) {
   for (const Joint& joint : joints_of(env)) {
     std::string name = joint_label(env, joint.id);
     if (name.compare(0, sizeof kPrefix - 1, kPrefix) == 0) name.erase(0, sizeof kPrefix - 1);
-    if (joint.width == 1) targets[name] = {joint.place, joint.id, true};
+    if (joint.width == 1) targets[name] = {joint.place, joint.id};
     if (joint.width != 7) continue;
     const bool first = env.body_of(MIMO_JOINT, joint.id) == root;
     for (std::size_t i = 0; i < 7; ++i) {
-      const Target target = {joint.place + i, joint.id, false};
+      const Target target = {joint.place + i, -1};
       targets[name + ":" + kFreeParts[i]] = target;
       if (first) targets["root:" + kFreeParts[i]] = target;
     }
@@ -86,15 +85,40 @@ void require_increasing(const std::string& path, const std::vector<double>& time
   }
 }
 
-using Quaternion = std::array<double, 4>;
+// What a table tells of the positions, by their places.
+struct Column {
+  std::int32_t hinge;  // the joint whose angle that is, -1 where it is none
+  std::vector<double> values;
+};
+using Columns = std::map<std::size_t, Column>;
 
-// Half a turn and its opposite are one orientation: neighbours are told on one side.
-void unwind(std::array<std::vector<double>, 4>& parts) {
-  for (std::size_t row = 1; row < parts[0].size(); ++row) {
+Columns columns_of(const std::string& path, const NumberTable& table, bool degrees, const mimo::Env& env) {
+  const auto targets = targets_of(env);
+  Columns columns;
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    if (table.names[i] == kTime) continue;
+    const Target target = target_of(path, targets, table.names[i]);
+    const bool turns = target.hinge >= 0;
+    columns[target.place] = {target.hinge, column_of(table, i, turns && degrees ? kDegree : 1)};
+  }
+  return columns;
+}
+
+// A quaternion and its opposite are one orientation: neighbours of the one that starts at `place` are told on one side.
+void unwind(const std::string& path, Columns& columns, std::size_t place) {
+  std::vector<std::vector<double>*> parts;
+  for (std::size_t i = place; i < place + 4; ++i) {
+    if (const auto found = columns.find(i); found != columns.end()) parts.push_back(&found->second.values);
+  }
+  if (parts.empty()) return;
+  if (parts.size() != 4) {
+    throw Failure(path + ": an orientation has four columns, qw, qx, qy and qz, not " + std::to_string(parts.size()));
+  }
+  for (std::size_t row = 1; row < parts[0]->size(); ++row) {
     double along = 0;
-    for (const auto& part : parts) along += part[row] * part[row - 1];
+    for (const auto* part : parts) along += (*part)[row] * (*part)[row - 1];
     if (along >= 0) continue;
-    for (auto& part : parts) part[row] = -part[row];
+    for (auto* part : parts) (*part)[row] = -(*part)[row];
   }
 }
 
@@ -105,57 +129,39 @@ void normalize(double* q) {
 
 // The turn that leads from one to the other, seen from the first, as an axis times its angle.
 std::array<double, 3> turn_between(const double* from, const double* to) {
+  using Quaternion = std::array<double, 4>;
   const Quaternion c = {from[0], -from[1], -from[2], -from[3]};
-  Quaternion d = {c[0] * to[0] - c[1] * to[1] - c[2] * to[2] - c[3] * to[3],
-                  c[0] * to[1] + c[1] * to[0] + c[2] * to[3] - c[3] * to[2],
-                  c[0] * to[2] - c[1] * to[3] + c[2] * to[0] + c[3] * to[1],
-                  c[0] * to[3] + c[1] * to[2] - c[2] * to[1] + c[3] * to[0]};
+  const Quaternion d = {c[0] * to[0] - c[1] * to[1] - c[2] * to[2] - c[3] * to[3],
+                        c[0] * to[1] + c[1] * to[0] + c[2] * to[3] - c[3] * to[2],
+                        c[0] * to[2] - c[1] * to[3] + c[2] * to[0] + c[3] * to[1],
+                        c[0] * to[3] + c[1] * to[2] - c[2] * to[1] + c[3] * to[0]};
   const double sine = std::sqrt(d[1] * d[1] + d[2] * d[2] + d[3] * d[3]);
   const double angle = 2 * std::atan2(sine, d[0]);
-  const double scale =
-      sine < 1e-12 ? 2 : (angle > 3.14159265358979323846 ? angle - 2 * 3.14159265358979323846 : angle) / sine;
+  const double scale = sine < 1e-12 ? 2 : (angle > kPi ? angle - 2 * kPi : angle) / sine;
   return {scale * d[1], scale * d[2], scale * d[3]};
 }
 
 }  // namespace
 
-Motion::Motion(const std::string& path, bool degrees, const mimo::Env& env) {
+Motion::Motion(const std::string& path, bool degrees, const mimo::Env& env)
+    : still_(env.get_values(MIMO_JOINT_POSITION, env.ids(MIMO_JOINT))) {
   const NumberTable table = read_numbers(path, "joint");
   const auto found = std::find(table.names.begin(), table.names.end(), kTime);
   if (found == table.names.end()) throw Failure(path + " has no column 'time'");
-  const auto time_column = static_cast<std::size_t>(found - table.names.begin());
-  const std::vector<double> times = column_of(table, time_column, 1);
+  const std::vector<double> times = column_of(table, static_cast<std::size_t>(found - table.names.begin()), 1);
   require_increasing(path, times);
   first_ = times.front();
   last_ = times.back();
   rows_ = times.size();
-  still_ = env.get_values(MIMO_JOINT_POSITION, env.ids(MIMO_JOINT));
-
-  const auto targets = targets_of(env);
-  std::map<std::size_t, std::vector<double>> columns;
-  std::map<std::size_t, Target> told;
-  for (std::size_t i = 0; i < table.names.size(); ++i) {
-    if (i == time_column) continue;
-    const Target target = target_of(path, targets, table.names[i]);
-    columns[target.place] = column_of(table, i, target.hinge && degrees ? kDegree : 1);
-    told[target.place] = target;
-  }
+  Columns columns = columns_of(path, table, degrees, env);
   for (const Joint& joint : joints_of(env)) {
     if (joint.width != 7) continue;
     quaternions_.push_back(joint.place + 3);
-    std::array<std::vector<double>, 4> parts;
-    std::size_t given = 0;
-    for (std::size_t i = 0; i < 4; ++i) given += columns.count(joint.place + 3 + i);
-    if (given == 0) continue;
-    if (given != 4)
-      throw Failure(path + ": an orientation has four columns, qw, qx, qy and qz, not " + std::to_string(given));
-    for (std::size_t i = 0; i < 4; ++i) parts[i] = columns[joint.place + 3 + i];
-    unwind(parts);
-    for (std::size_t i = 0; i < 4; ++i) columns[joint.place + 3 + i] = parts[i];
+    unwind(path, columns, joint.place + 3);
   }
-  for (const auto& [place, values] : columns) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    tracks_.push_back({place, Spline(times, values), *low, *high, told[place].hinge ? told[place].joint : -1});
+  for (const auto& [place, column] : columns) {
+    const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+    tracks_.push_back({place, Spline(times, column.values), *low, *high, column.hinge});
   }
 }
 
@@ -186,10 +192,10 @@ std::vector<std::string> Motion::beyond_limits(const mimo::Env& env) const {
   constexpr double kRounding = 1e-6;
   std::vector<std::string> names;
   for (const Track& track : tracks_) {
-    if (track.joint < 0) continue;
-    const auto range = env.get_values(MIMO_JOINT_RANGE, {track.joint});
+    if (track.hinge < 0) continue;
+    const auto range = env.get_values(MIMO_JOINT_RANGE, {track.hinge});
     if (track.low < range[0] - kRounding || track.high > range[1] + kRounding) {
-      names.push_back(env.name(MIMO_JOINT, track.joint));
+      names.push_back(env.name(MIMO_JOINT, track.hinge));
     }
   }
   return names;

@@ -30,8 +30,8 @@ class Motion {
   struct Track {
     std::size_t place;  // among the positions
     Spline curve;
-    double low, high;  // of all rows
-    std::int32_t joint;
+    double low, high;    // of all rows
+    std::int32_t hinge;  // the joint whose angle that is, -1 where it is none
   };
 
   std::vector<double> still_;             // positions of what is not told

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "angles.h"
 #include "facts.h"
 #include "picture.h"
 
@@ -88,7 +89,6 @@ double distance_to_see(const std::vector<Ball>& balls, const Vector& look_at, co
 
 // A camera that has all balls in its picture.
 mimo_picture_config view_of(const std::vector<Ball>& balls, mimo_picture_config config) {
-  constexpr double kDegree = 3.14159265358979323846 / 180;
   const double azimuth = config.azimuth * kDegree, elevation = config.elevation * kDegree;
   const Vector forward{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                        std::sin(elevation)};

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "angles.h"
 #include "canvas.h"
 #include "heat.h"
 
@@ -16,7 +17,6 @@ using Feelings = std::vector<Skin::Feeling>;
 
 constexpr Rgb kSkin{40, 70, 160};  // of a sensor that feels nothing
 constexpr Rgb kOutline{30, 30, 30};
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 Spot spot(const Vector& pixel) { return {pixel[0], pixel[1]}; }
 bool is_felt(const Skin::Feeling& sensor) { return norm(sensor.force) > kNothing; }

@@ -12,6 +12,8 @@ int position_count(int joint_type) { return joint_type == mjJNT_FREE ? 7 : joint
 
 int velocity_count(int joint_type) { return joint_type == mjJNT_FREE ? 6 : joint_type == mjJNT_BALL ? 3 : 1; }
 
+int quaternion_place(int joint_type) { return joint_type == mjJNT_FREE ? 3 : joint_type == mjJNT_BALL ? 0 : -1; }
+
 int free_joint_address(const mjModel& model, int body) {
   const int joint = model.body_jntadr[body];
   if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {

@@ -12,6 +12,9 @@ bool has_one_axis(const mjModel& model, int joint);
 int position_count(int joint_type);
 int velocity_count(int joint_type);
 
+// Where the quaternion starts among the numbers of its position; -1 if it has none.
+int quaternion_place(int joint_type);
+
 // Where the position of a body with a free joint starts in qpos. Throws Status::kModel for a body without.
 int free_joint_address(const mjModel& model, int body);
 

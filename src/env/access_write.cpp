@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "engine/joints.h"
 #include "engine/overrides.h"
 #include "env/access.h"
 #include "senses/fusimotor_drives.h"
@@ -46,9 +47,7 @@ void normalise(double* numbers, int count) {
 int quaternion_at(const mjModel& model, Quantity quantity, int id) {
   if (quantity == Quantity::kBodyOrientation) return 0;
   if (quantity == Quantity::kBodyPose) return 3;
-  if (quantity != Quantity::kJointPosition) return -1;
-  const int type = model.jnt_type[id];
-  return type == mjJNT_BALL ? 0 : type == mjJNT_FREE ? 3 : -1;
+  return quantity == Quantity::kJointPosition ? engine::quaternion_place(model.jnt_type[id]) : -1;
 }
 
 void check_place(const mjModel& model, int body) {

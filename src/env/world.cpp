@@ -8,6 +8,7 @@
 #include "body/stored_pose.h"
 #include "engine/custom.h"
 #include "engine/fingerprint.h"
+#include "engine/joints.h"
 #include "env/nerves.h"
 #include "env/reflexes.h"
 #include "env/requested_fields.h"
@@ -222,6 +223,24 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   if (senses_first && block != nullptr) observer_.observe_share(observation::Share::kTask, model(), data(), block);
   report(results);
   report_warnings();
+}
+
+void World::check_movement(Span<const double> positions) const {
+  const auto nq = static_cast<std::size_t>(model().nq), skip = static_cast<std::size_t>(options_.frame_skip);
+  require(positions.size() == skip * nq, "movement: position_count is {}, expected {}: {} for each of {} physics steps",
+          positions.size(), skip * nq, nq, skip);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    require(std::isfinite(positions[i]), "movement: positions[{}] is {}, expected a finite number", i, positions[i]);
+  }
+  for (std::size_t moment = 0; moment < positions.size(); moment += nq) {
+    for (int joint = 0; joint < model().njnt; ++joint) {
+      const int place = engine::quaternion_place(model().jnt_type[joint]);
+      if (place < 0) continue;
+      const std::size_t first = moment + static_cast<std::size_t>(model().jnt_qposadr[joint] + place);
+      require(Eigen::Map<const Eigen::Vector4d>(&positions[first]).squaredNorm() > 1e-20,
+              "movement: positions[{}] is the first of a quaternion of length 0", first);
+    }
+  }
 }
 
 void World::follow(Span<const double> positions, Span<double> forces, std::uint8_t* block) {

@@ -73,8 +73,10 @@ class World {
   void check_actions(Span<const float> actions) const;
   // Without actions the controls stay as they are. Actions are checked.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
+  // Throws for positions of a movement that are too few or too many, not finite, or no orientations.
+  void check_movement(Span<const double> positions) const;
   // A step in which joints go where they are told: positions of all joints at the end of each physics step, and room
-  // for the forces that it takes, or none. Motors and tasks have no part in it.
+  // for the forces that it takes, or none. Motors and tasks have no part in it. Positions are checked.
   void follow(Span<const double> positions, Span<double> forces, std::uint8_t* block);
   // Physics alone, with the controls as they are.
   void step_physics(int count);

@@ -53,14 +53,6 @@ static unsigned char* block_of(const mimo_env* env, size_t* bytes) {
   return calloc(1, info.block_bytes);
 }
 
-static mimo_field field(const mimo_env* env, const char* name) {
-  mimo_field found = {.struct_size = sizeof found};
-  size_t index = 0;
-  CHECK_OK(mimo_layout_find(layout_of(env), name, &index));
-  CHECK_OK(mimo_layout_field(layout_of(env), index, &found));
-  return found;
-}
-
 static double length(const float* vector) {
   return sqrt((double)vector[0] * (double)vector[0] + (double)vector[1] * (double)vector[1] +
               (double)vector[2] * (double)vector[2]);
@@ -73,7 +65,7 @@ static void falling_and_hanging(void) {
   size_t bytes = 0;
   mimo_env* env = make("free");
   unsigned char* block = block_of(env, &bytes);
-  const float* felt = (const float*)(block + field(env, "vestibular/acceleration").offset);
+  const float* felt = (const float*)(block + field_of(env, "vestibular/acceleration").offset);
   mimo_agent_info infant = {.struct_size = sizeof infant};
   double speed = 0;
   CHECK_OK(mimo_env_agent(env, 0, &infant));
@@ -119,7 +111,7 @@ static size_t degree(const mimo_env* env, const char* joint) {
 
 static void same_senses(const mimo_env* env, const char* name, const unsigned char* then, const unsigned char* now,
                         double tolerance) {
-  const mimo_field it = field(env, name);
+  const mimo_field it = field_of(env, name);
   const float *a = (const float*)(then + it.offset), *b = (const float*)(now + it.offset);
   double worst = 0;
   for (size_t i = 0; i < it.bytes / sizeof *a; ++i) worst = fmax(worst, fabs((double)a[i] - (double)b[i]));

@@ -8,14 +8,6 @@ enum { kStep = 160 }; /* samples of a step of two physics steps, 5 ms each */
 
 static float beep[801]; /* one more than a world of these steps takes */
 
-static mimo_field field(const mimo_env* env, const char* name) {
-  mimo_field found = {.struct_size = sizeof found};
-  size_t index;
-  CHECK_OK(mimo_layout_find(layout_of(env), name, &index));
-  CHECK_OK(mimo_layout_field(layout_of(env), index, &found));
-  return found;
-}
-
 static mimo_scene* empty_with_ears(uint32_t hearing) {
   mimo_scene* scene = NULL;
   mimo_agent_config agent;
@@ -31,12 +23,12 @@ static void the_layout_tells_rate_and_interval(void) {
   mimo_scene* scene = empty_with_ears(MIMO_HEARING_EARS | MIMO_HEARING_BANDS);
   mimo_env* env = NULL;
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  const mimo_field left = field(env, "hearing/ear_left"), bands = field(env, "hearing/bands");
+  const mimo_field left = field_of(env, "hearing/ear_left"), bands = field_of(env, "hearing/bands");
   CHECK(left.dtype == MIMO_F32 && left.shape[0] == kStep && left.ndim == 1);
   CHECK(left.sample_rate == RATE && fabs(left.period - 0.01) < 1e-12);
   CHECK(strcmp(left.unit, "Pa") == 0 && strcmp(bands.unit, "dB") == 0);
   CHECK(bands.shape[0] == 2 && bands.shape[1] == 24 && bands.sample_rate == 0);
-  CHECK(strcmp(field(env, "hearing/time_difference").unit, "s") == 0);
+  CHECK(strcmp(field_of(env, "hearing/time_difference").unit, "s") == 0);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 }
@@ -46,7 +38,7 @@ static void bodies_play(void) {
   mimo_env *env = NULL, *deaf = NULL;
   CHECK_OK(mimo_scene_set_sources(scene, 1, 0.05));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
-  const mimo_field left = field(env, "hearing/ear_left");
+  const mimo_field left = field_of(env, "hearing/ear_left");
   mimo_layout_info info = {.struct_size = sizeof info};
   CHECK_OK(mimo_layout_describe(layout_of(env), &info));
   unsigned char* block = malloc(info.block_bytes);
@@ -95,7 +87,7 @@ static void infants_cry(void) {
   CHECK_OK(mimo_layout_action(layout_of(env), info.actions - 4, &first));
   CHECK(strcmp(first.name, "voice:loudness") == 0 && first.low == 0 && first.high == 1);
   cry[info.actions - 4] = cry[info.actions - 2] = cry[info.actions - 1] = 1;
-  const mimo_field left = field(env, "hearing/ear_left");
+  const mimo_field left = field_of(env, "hearing/ear_left");
   unsigned char* block = malloc(info.block_bytes);
   for (int step = 0; step < 50; ++step) {
     CHECK_OK(mimo_env_step(env, cry, info.actions, block, info.block_bytes, NULL));

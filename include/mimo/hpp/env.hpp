@@ -105,7 +105,7 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   /// One step of a movement that is known: frame_skip x positions of all joints. Gives frame_skip x the forces that it
   /// takes, one for each degree of freedom.
   std::vector<double> follow(const std::vector<double> &positions, Block &block) {
-    std::vector<double> forces(frame_skip() * get_values(MIMO_JOINT_VELOCITY, ids(MIMO_JOINT)).size());
+    std::vector<double> forces(frame_skip() * get_values(MIMO_JOINT_VELOCITY).size());
     mimo_movement movement = {};
     movement.struct_size = sizeof movement;
     movement.positions = positions.data();
