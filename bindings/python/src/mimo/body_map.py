@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .constants import Kind, Quantity
+from .drawing import prefixes, touch_field
 from .frames import placed, turned
 from .layout import Observation
 from .world import World
@@ -23,13 +24,11 @@ class BodyMap:
 
     def __init__(self, world: World, agent: int = 0) -> None:
         self._world = world
-        name = world.agents[agent].name
-        prefix = f"{name}/" if name else ""
-        fields = [f"{prefix}touch/{kind}" for kind in ("force", "normal_force")]
-        found = [field for field in fields if field in world.layout.fields]
-        if not found:
+        prefix = list(prefixes(world))[agent]
+        field = touch_field(world, prefix)
+        if field is None:
             raise ValueError("the infant has no touch; make the world with touch=mimo.Touch.FORCE")
-        self.field = found[0]
+        self.field = field
         places, normals = self._straight(prefix)
         across, up = places[:, 1], places[:, 2]
         self.front: NDArray[np.bool_] = normals[:, 0] >= 0

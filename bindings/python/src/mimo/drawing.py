@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator, NamedTuple
+from typing import Any, Iterator, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .access import Selection
 from .constants import Kind, Quantity
 from .frames import after, inverse, turned
 from .world import World
 
 SEGMENTS = 16  # pieces of a circle, of what moves
+EARS = ("hearing/ear_left", "hearing/ear_right")  # fields
+WEAK, STRONG = 0.1, 10.0  # N that have the first and the last colour; between them it goes by the logarithm
+STOPS = np.array([[255, 235, 130], [250, 140, 40], [215, 25, 30], [110, 0, 60]], np.float64)
 FLOOR = 5.0  # half the size of endless planes, m
 
 
@@ -45,3 +49,33 @@ def prefixes(world: World) -> Iterator[str]:
     """How the names of each infant's fields and parts begin: "anna/", or "" for a sole one."""
     for agent in world.agents:
         yield f"{agent.name}/" if agent.name else ""
+
+
+def touch_field(world: World, prefix: str) -> Optional[str]:
+    """The field that tells forces on an infant's skin; None: it has no such sense."""
+    fields = (f"{prefix}touch/{kind}" for kind in ("force", "normal_force"))
+    return next((field for field in fields if field in world.layout.fields), None)
+
+
+def limited(world: World) -> Selection:
+    """Joints of one number that has limits."""
+    joints = world.joints()
+    one = [number for number in joints.ids if joints._width(Quantity.JOINT_POSITION, np.array([number], np.int32)) == 1]
+    ranges = world.get(Quantity.JOINT_RANGE, [int(number) for number in one]).reshape(-1, 2)
+    bounded = np.isfinite(ranges).all(axis=1) & (ranges[:, 0] < ranges[:, 1])
+    chosen = Selection(world, np.array(one, np.int32)[bounded])
+    chosen.kind = Kind.JOINT
+    return chosen
+
+
+def heat(share: Any) -> NDArray[np.uint8]:
+    """Colours from pale yellow (0) over red to dark (1)."""
+    at = np.clip(np.asarray(share, np.float64), 0, 1) * (len(STOPS) - 1)
+    below = np.minimum(at.astype(int), len(STOPS) - 2)
+    rest = (at - below)[:, None]
+    return np.asarray(STOPS[below] * (1 - rest) + STOPS[below + 1] * rest, np.uint8)
+
+
+def strength(force: Any) -> NDArray[np.float64]:
+    """Where forces (N) lie between WEAK (0) and STRONG (1)."""
+    return np.asarray(np.log(np.maximum(force, 1e-9) / WEAK) / np.log(STRONG / WEAK))

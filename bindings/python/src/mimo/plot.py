@@ -23,11 +23,11 @@ from numpy.typing import ArrayLike, NDArray
 from .access import Joints
 from .body_map import BodyMap
 from .display import has_display
+from .drawing import STOPS, STRONG, WEAK
 from .errors import Error, UnsupportedError
 from .layout import Observation
 from .recordings import Recording
 from .traces import Traces, traces
-from .view.marks import STOPS, STRONG, WEAK
 from .world import World
 
 try:

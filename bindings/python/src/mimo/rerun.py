@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .constants import Kind
-from .drawing import FLOOR, SEGMENTS, ages, faces, on_bodies
+from .drawing import FLOOR, SEGMENTS, WEAK, ages, faces, heat, on_bodies, strength
 from .frames import placed, turned
 from .layout import Field
-from .view.marks import WEAK, contact_arrows, heat, strength
+from .view.marks import contact_arrows
 from .view.shapes import brightness, lit
 from .world import World
 

@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 
 from .access import Selection
 from .constants import Kind, Quantity
-from .drawing import prefixes
+from .drawing import EARS, limited, prefixes, touch_field
 from .frames import inverse, turned
 from .recordings import Recording
-from .view.marks import limited
 from .world import World
 
-EARS = ("hearing/ear_left", "hearing/ear_right")
 REFERENCE = 20e-6  # Pa
 QUIET = 0.0  # dB; silence, and what is weaker
 Numbers = NDArray[np.float64]
@@ -53,8 +51,7 @@ class Listener:
         self.joints = _own(world, self._prefix)
         self._low, self._high = self.joints._get(Quantity.JOINT_RANGE).reshape(-1, 2).T
         fields = world.layout.fields
-        kinds = ("touch/force", "touch/normal_force")
-        self._touch = next((self._prefix + kind for kind in kinds if self._prefix + kind in fields), None)
+        self._touch = touch_field(world, self._prefix)
         self._owners = world.layout.receptors(self._touch).bodies if self._touch else np.zeros(0, np.int32)
         head = f"{self._prefix}head"
         self._head = world.bodies(head) if head in world.bodies().names else None

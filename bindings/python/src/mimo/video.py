@@ -18,11 +18,10 @@ from numpy.typing import NDArray
 
 from .body_map import BodyMap
 from .constants import Kind
-from .drawing import prefixes
+from .drawing import EARS, heat, prefixes, strength, touch_field
 from .errors import Error, UnsupportedError
 from .frames import placed
 from .scene import scenes
-from .view.marks import heat, strength
 from .view.motors import Motors
 from .view.recorded import Recorded
 from .view.source import EYES, Live, Source
@@ -36,7 +35,6 @@ FOLLOW = 0.2  # how much of its way to the infant the camera goes in a frame
 RATE = 25  # pictures a second
 FULL_SCALE = 1.0  # Pa, 94 dB, as in the program's sound files
 GREY, SKIN, PAPER = (110, 110, 110), (205, 205, 205), (255, 255, 255)
-EARS = ("hearing/ear_left", "hearing/ear_right")
 
 
 class Frame:
@@ -47,8 +45,7 @@ class Frame:
         self._prefix = list(prefixes(world))[agent]
         fields = world.layout.fields
         self._eyes = [name for side in ("left", "right") if (name := f"{self._prefix}vision/eye_{side}") in fields]
-        touches = f"{self._prefix}touch/force" in fields
-        self._map = BodyMap(world, agent) if touches else None
+        self._map = BodyMap(world, agent) if touch_field(world, self._prefix) else None
         names = world.bodies().names
         self._hip = names.index(f"{self._prefix}hip") if f"{self._prefix}hip" in names else 1
         self._at = world.poses(Kind.BODY).positions[self._hip].copy()

@@ -7,34 +7,18 @@ from typing import Any, List
 import numpy as np
 from numpy.typing import NDArray
 
-from ..access import Selection
 from ..constants import Kind, Quantity
-from ..drawing import ages
+from ..drawing import ages, heat, limited, strength
 from ..frames import placed
 from ..layout import Receptors
 from ..world import World
 from .pull import Pull
 
 LIFT = 0.002  # m above the skin, so that marks are not inside it
-WEAK, STRONG = 0.1, 10.0  # N that have the first and the last colour; between them it goes by the logarithm
 NOWHERE = -1000.0  # m below the floor: of one mark at least, as the page takes no empty lists
 CONTACT_SCALE = 0.003  # m for a newton
 LONGEST = 0.5  # m
-STOPS = np.array([[255, 235, 130], [250, 140, 40], [215, 25, 30], [110, 0, 60]], np.float64)
 CALM, STRAINED = np.array([70, 130, 220]), np.array([230, 40, 40])
-
-
-def heat(share: Any) -> NDArray[np.uint8]:
-    """Colours from pale yellow (0) over red to dark (1)."""
-    at = np.clip(np.asarray(share, np.float64), 0, 1) * (len(STOPS) - 1)
-    below = np.minimum(at.astype(int), len(STOPS) - 2)
-    rest = (at - below)[:, None]
-    return np.asarray(STOPS[below] * (1 - rest) + STOPS[below + 1] * rest, np.uint8)
-
-
-def strength(force: Any) -> NDArray[np.float64]:
-    """Where forces (N) lie between WEAK (0) and STRONG (1)."""
-    return np.asarray(np.log(np.maximum(force, 1e-9) / WEAK) / np.log(STRONG / WEAK))
 
 
 class Layer:
@@ -140,17 +124,6 @@ class Bones(Layer):
             self._points.colors = (CALM * (1 - share) + STRAINED * share).astype(np.uint8)
         if len(self._links) > 0:
             self._lines.points = positions[self._links]
-
-
-def limited(world: World) -> Selection:
-    """Joints of one number that has limits."""
-    joints = world.joints()
-    one = [number for number in joints.ids if joints._width(Quantity.JOINT_POSITION, np.array([number], np.int32)) == 1]
-    ranges = world.get(Quantity.JOINT_RANGE, [int(number) for number in one]).reshape(-1, 2)
-    bounded = np.isfinite(ranges).all(axis=1) & (ranges[:, 0] < ranges[:, 1])
-    chosen = Selection(world, np.array(one, np.int32)[bounded])
-    chosen.kind = Kind.JOINT
-    return chosen
 
 
 def arrows(starts: Any, forces: Any) -> NDArray[np.float32]:

@@ -8,8 +8,8 @@ from typing import Any, Callable, Dict, List, Tuple
 import numpy as np
 
 from ..constants import Quantity
+from ..drawing import limited
 from ..world import World
-from .marks import limited
 from .motors import SLIDERS, Motors
 from .senses_panel import short
 

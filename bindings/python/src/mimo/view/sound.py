@@ -12,13 +12,12 @@ from typing import Any, List
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawing import prefixes
+from ..drawing import EARS, prefixes
 from ..world import World
 from .clock import Clock
 
 OVERLAP = 1.0  # s that are sent again, as messages to a slow page replace each other
 USUAL, LOUDEST = 20, 60  # dB by which sound is louder than at 1 Pa full scale
-EARS = ("hearing/ear_left", "hearing/ear_right")
 PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
 # `at` is when the next samples are to be heard, `done` the number of the first one that was not handed over yet.
 PLAYER = (
