@@ -197,6 +197,7 @@ void mimo_add_numbers(mxArray* to, const char* name, const double* values, size_
 
 static void free_worlds(worlds* all) {
   mimo_batch_destroy(all->batch);
+  mimo_recorder_close(all->recorder);
   free(all->blocks);
   free(all->finals);
   free(all->actions);

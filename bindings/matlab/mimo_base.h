@@ -7,6 +7,7 @@
  *   mimo_scenes.c      make what they are made of, and that mimo_options.c read names and values;
  *   mimo_layout.c      what worlds observe, act with and are rewarded for;
  *   mimo_access.c      names and values of a world's things, states;
+ *   mimo_recordings.c  runs in files;
  *   mimo_sight.c       where infants look, and pictures;
  *   mimo_engines.c     shapes, materials, textures, lights and poses for programs that draw themselves;
  *   mimo_report.c      what is to be known of a world, and of the library.
@@ -32,6 +33,7 @@ typedef struct worlds {
   int sent;              /* whether a step was sent, which then has all that follows */
   char *blocks, *finals; /* the last observations; those of episodes that ended, where steps start the next one */
   float* actions;
+  mimo_recorder* recorder; /* of one of them; NULL: none is recorded */
   mimo_batch_results results; /* of the last step */
 } worlds;
 

@@ -114,6 +114,17 @@ const option mimo_camera_options[] = {
     OPTION(mimo_camera_config, look_at, kThree),    {NULL, kText, 0},
 };
 
+const option mimo_recorder_options[] = {
+    OPTION(mimo_recorder_config, keep, kText),
+    OPTION(mimo_recorder_config, state_seconds, kNumber),
+    OPTION(mimo_recorder_config, flush_seconds, kNumber),
+    OPTION(mimo_recorder_config, compression, kUnsigned),
+    OPTION(mimo_recorder_config, configuration, kText),
+    OPTION(mimo_recorder_config, seed, kWide),
+    OPTION(mimo_recorder_config, hdf5, kText),
+    {NULL, kText, 0},
+};
+
 const option mimo_field_options[] = {
     OPTION(mimo_field_config, name, kText),
     OPTION(mimo_field_config, relative_to, kText),

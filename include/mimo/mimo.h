@@ -14,6 +14,7 @@
  *     access.h       joints, bodies, contacts by name; what differs from world to world
  *     sight.h        where infants look; pictures for people
  *     state.h        save, load, clone
+ *     recording.h    runs in files: written while they happen, played again
  *     batch.h        many worlds on several threads
  *     task.h         tasks, their parameters, and tasks of your own
  *     senses.h       senses on your own simulation
@@ -23,8 +24,8 @@
  *     Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
  *               mimo_last_error() then holds one line that names the argument, its value and what was
  *               expected. When an argument is refused, nothing is written anywhere.
- *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses are opaque, and so is mimo_layout, which belongs to
- *               one of them. Destroy accepts NULL; a destroyed handle is refused by every function
+ *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder, mimo_recording are opaque, and so is
+ *               mimo_layout, which belongs to one of them. Destroy accepts NULL; a destroyed handle is refused by every function
  *               (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before fork() answers
  *               MIMO_E_FORKED in the child.
  *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
@@ -63,6 +64,7 @@
 #include "geometry.h"
 #include "sight.h"
 #include "state.h"
+#include "recording.h"
 #include "batch.h"
 #include "task.h"
 #include "senses.h"

@@ -22,6 +22,7 @@
 #include "hpp/handles.hpp"
 #include "hpp/layout.hpp"
 #include "hpp/observation.hpp"
+#include "hpp/recording.hpp"
 #include "hpp/results.hpp"
 #include "hpp/scene.hpp"
 #include "hpp/senses.hpp"

@@ -82,7 +82,7 @@ MIMO_API const char *mimo_last_error(void) MIMO_NOEXCEPT;
  * to thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their
  * scene. mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and
  * mimo_last_error.
- * @param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses.
+ * @param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder or mimo_recording.
  * @param text     receives the message, zero-terminated, "" if nothing failed yet; NULL with capacity 0 asks for its
  *                 length only.
  * @param capacity 1024 bytes are enough for any message.

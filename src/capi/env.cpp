@@ -96,6 +96,17 @@ void EnvObject::reset(const blueprint::Ages& ages, const std::uint64_t* seed, st
   next == kit() ? world().reset(seed, block) : become(next, seed, block);
 }
 
+void EnvObject::grow(const std::vector<growth::Growth>& growths) {
+  const std::vector<env::AgentOptions>& agents = kit()->agents;
+  blueprint::Ages ages(agents.size());
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (agents[i].root.empty() && growths.at(i) != agents[i].growth) ages[i] = growths[i];
+  }
+  world().require_ready_to_reset();
+  const env::KitPtr next = family->grown(*kit(), ages);
+  if (next != kit()) become(next, nullptr, nullptr);
+}
+
 void EnvObject::become(const env::KitPtr& next, const std::uint64_t* seed, std::uint8_t* block) {
   if (batch != nullptr) return batch->reset_world(number, next, seed, block);
   auto successor = env::make_world(*next, next->services, identity());

@@ -80,6 +80,8 @@ const char* word(HandleType type) {
     case HandleType::kBatch: return "mimo_batch";
     case HandleType::kSenses: return "mimo_senses";
     case HandleType::kLayout: return "mimo_layout";
+    case HandleType::kRecorder: return "mimo_recorder";
+    case HandleType::kRecording: return "mimo_recording";
   }
   return "handle";
 }

@@ -10,7 +10,15 @@
 
 namespace mimo::capi {
 
-enum class HandleType : unsigned { kScene = 1, kEnv = 2, kBatch = 3, kSenses = 4, kLayout = 5 };
+enum class HandleType : unsigned {
+  kScene = 1,
+  kEnv = 2,
+  kBatch = 3,
+  kSenses = 4,
+  kLayout = 5,
+  kRecorder = 6,
+  kRecording = 7
+};
 
 // Makes a handle that owns the object.
 void* make_handle(HandleType type, void* object);

@@ -14,6 +14,8 @@
 #include "env/description.h"
 #include "env/world.h"
 #include "mimo/mimo.h"
+#include "recording/recorder.h"
+#include "recording/recording.h"
 
 namespace mimo::capi {
 
@@ -44,6 +46,8 @@ struct EnvObject {
   env::World& world() const { return batch == nullptr ? *owned : batch->world(number); }
   const env::KitPtr& kit() const { return batch == nullptr ? own_kit : batch->kit(number); }
   void reset(const blueprint::Ages& ages, const std::uint64_t* seed, std::uint8_t* block);
+  // Its agents become these; an episode starts where they are others than now.
+  void grow(const std::vector<growth::Growth>& growths);
 
   blueprint::FamilyPtr family;
   mimo_env* handle = nullptr;
@@ -105,6 +109,17 @@ struct SensesObject {
   env::LoadReport loaded;
 };
 
+struct RecorderObject {
+  std::shared_ptr<recording::Recorder> recorder;  // which its world has as well
+};
+
+struct RecordingObject {
+  RecordingObject(const std::string& path, std::string here) : recording(path), build(std::move(here)) {}
+
+  recording::Recording recording;
+  std::string build;  // of this library
+};
+
 // Whether a handle may be used by this thread now.
 inline void require_access(const SceneObject&) {}
 inline void require_access(const EnvObject& env) {
@@ -112,6 +127,8 @@ inline void require_access(const EnvObject& env) {
 }
 inline void require_access(const BatchObject&) {}  // the batch itself knows which calls it takes
 inline void require_access(const SensesObject&) {}
+inline void require_access(const RecorderObject&) {}
+inline void require_access(const RecordingObject&) {}
 inline void require_access(const LayoutObject&) {}  // it never changes
 
 // Views belong to their batch; a task must not pull away the world that it is at work in.
@@ -119,6 +136,8 @@ inline bool is_destructible(const SceneObject&) { return true; }
 inline bool is_destructible(const EnvObject& env) { return env.batch == nullptr && !env.world().in_task(); }
 inline bool is_destructible(const BatchObject& object) { return !object.batch.works_on_this_thread(); }
 inline bool is_destructible(const SensesObject&) { return true; }
+inline bool is_destructible(const RecorderObject&) { return true; }
+inline bool is_destructible(const RecordingObject&) { return true; }
 
 template <>
 struct HandleTraits<mimo_scene> {
@@ -139,6 +158,20 @@ struct HandleTraits<mimo_senses> {
   using Type = SensesObject;
   static constexpr HandleType kType = HandleType::kSenses;
   static constexpr const char* kName = "senses";
+};
+
+template <>
+struct HandleTraits<mimo_recorder> {
+  using Type = RecorderObject;
+  static constexpr HandleType kType = HandleType::kRecorder;
+  static constexpr const char* kName = "recorder";
+};
+
+template <>
+struct HandleTraits<mimo_recording> {
+  using Type = RecordingObject;
+  static constexpr HandleType kType = HandleType::kRecording;
+  static constexpr const char* kName = "recording";
 };
 
 template <>

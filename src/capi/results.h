@@ -2,6 +2,8 @@
 #pragma once
 
 #include "capi/check.h"
+#include "capi/structs.h"
+#include "env/world.h"
 
 namespace mimo::capi {
 
@@ -20,6 +22,21 @@ void check_results(const Theirs& theirs, std::size_t agents, std::size_t terms) 
   if (theirs.terms != nullptr && theirs.term_count < terms) {
     fail(Status::kBufferTooSmall, "results: term_count is {}, but terms needs {}", theirs.term_count, terms);
   }
+}
+
+// None where the caller wants none.
+template <typename T>
+Span<T> optional(T* values, std::size_t count) {
+  return values == nullptr ? Span<T>() : Span<T>(values, count);
+}
+
+inline env::Results results_of(const env::World& world, const mimo_env_results* results) {
+  if (results == nullptr) return {};
+  const mimo_env_results theirs = read_struct(results, "results");
+  const std::size_t agents = world.agents().size(), terms = world.term_count();
+  check_results(theirs, agents, terms);
+  return {optional(theirs.reward, agents), optional(theirs.terminated, agents), optional(theirs.truncated, agents),
+          optional(theirs.outcome, agents), optional(theirs.terms, terms)};
 }
 
 }  // namespace mimo::capi

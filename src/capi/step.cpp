@@ -17,21 +17,6 @@ void check_actions(const env::World& world, Span<const float> actions) {
   world.check_actions(actions);
 }
 
-// None where the caller wants none.
-template <typename T>
-Span<T> optional(T* values, std::size_t count) {
-  return values == nullptr ? Span<T>() : Span<T>(values, count);
-}
-
-env::Results results_of(const env::World& world, const mimo_env_results* results) {
-  if (results == nullptr) return {};
-  const mimo_env_results theirs = read_struct(results, "results");
-  const std::size_t agents = world.agents().size(), terms = world.term_count();
-  check_results(theirs, agents, terms);
-  return {optional(theirs.reward, agents), optional(theirs.terminated, agents), optional(theirs.truncated, agents),
-          optional(theirs.outcome, agents), optional(theirs.terms, terms)};
-}
-
 // Room for the forces of a movement; none where the caller wants none.
 Span<double> forces_of(const env::World& world, const mimo_movement& movement) {
   const auto needed = static_cast<std::size_t>(world.frame_skip()) * static_cast<std::size_t>(world.model().nv);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "failure.h"
 #include "files.h"
 #include "glb.h"
 #include "random_actions.h"
@@ -21,7 +22,7 @@ using Json = Glb::Json;
 
 struct ExportOptions {
   WorldOptions world;
-  std::string gltf;
+  std::string gltf, usd;
   double seconds = 0;
   std::uint32_t segments = 24;
 };
@@ -191,6 +192,12 @@ class GltfScene {
 };
 
 void export_scene(const ExportOptions& options) {
+  if (!options.usd.empty()) {
+    throw Failure(
+        "USD files are written by the Python package: pip install 'mimo[usd]', then python -m mimo.export --usd FILE "
+        "--scene SCENE");
+  }
+  if (options.gltf.empty()) throw CLI::RequiredError("--gltf");
   require_writable(options.gltf);
   mimo::Env env = open_bare_world(options.world, make_env_config());
   mimo::Block block = env.make_block();
@@ -227,8 +234,8 @@ void add_export(CLI::App& program) {
   add_seed_option(*command, options->world);
   command->add_option("--gltf", options->gltf, "glTF 2.0, with textures inside: Blender, Unity, Godot, three.js")
       ->type_name("FILE.glb")
-      ->check(CLI::Validator(check_glb, ""))
-      ->required();
+      ->check(CLI::Validator(check_glb, ""));
+  command->add_option("--usd", options->usd, "USD: tells how the Python package writes it")->type_name("FILE");
   command->add_option("--seconds", options->seconds, "With an animation: so long random movement; default: none")
       ->check(number(0, 3600))
       ->option_text("S");

@@ -10,7 +10,6 @@
 #include "progress.h"
 #include "random_actions.h"
 #include "recorded_world.h"
-#include "recorder.h"
 #include "recorder_options.h"
 #include "text.h"
 
@@ -25,7 +24,6 @@ struct RecordOptions {
 
 void record(const RecordOptions& options, const std::string& configuration) {
   require_writable(options.recorder.out);
-  hdf5::library();  // complains before any work
   mimo::Env env = open_world(options.world, make_env_config());
   mimo::Block block = env.make_block();
   mimo::Results results = env.make_results();
@@ -34,19 +32,16 @@ void record(const RecordOptions& options, const std::string& configuration) {
   env.reset(options.world.seed, block);
   RandomActions actions(env, options.world.seed);
   const Interrupt interrupt;
-  Recorder recorder(options.recorder, env, configuration, options.world.seed);
+  mimo::Recorder recorder = open_recorder(env, options.recorder, configuration, options.world.seed);
   std::size_t done = 0;
   {
     Progress progress(steps);
     while (done < steps && !Interrupt::requested()) {
-      const auto action = actions.draw();
-      recorder.before_step(env);
-      env.step(action, block, results);
-      recorder.after_step(env, action, block, results);
+      env.step(actions.draw(), block, results);
       progress.show(++done);
     }
   }
-  recorder.finish(env);
+  recorder.close();
   std::cout << text("%g s in %zu steps: %s\n", dt * static_cast<double>(done), done, options.recorder.out.c_str());
   std::cout.flush();
   if (Interrupt::requested()) Interrupt::pass_on();

@@ -39,6 +39,9 @@ Failure not_a_configuration(const std::string& file) {
 }
 
 Json parse_configuration(const std::string& file, const std::string& configuration) {
+  if (configuration.empty()) {
+    throw Failure(file + " does not say of which world it is; the program that recorded it can replay it");
+  }
   Json json = Json::parse(configuration, nullptr, false);
   if (!json.is_object()) throw not_a_configuration(file);
   return json;

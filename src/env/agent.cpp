@@ -45,6 +45,7 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
     const growth::Growth grown = options.growth.body ? options.growth : growth::Growth{};
     agent.age = Age{grown.age, grown.physiological_age};
   }
+  agent.growth = options.growth;
   agent.mode = options.actuation.mode;
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);

@@ -33,6 +33,7 @@ struct Agent : Perception {
   double mass = 0;
   double height = 0;
   std::optional<Age> age{};  // of an infant
+  growth::Growth growth{};   // likewise: what it was asked to be
 };
 
 // Makes the task of one agent, by its number.

@@ -17,6 +17,7 @@ void take_over(std::unique_ptr<World>& place, std::unique_ptr<World> next, const
     place.swap(next);
     throw;
   }
+  place->take_listener(*next);
 }
 
 }  // namespace mimo::env

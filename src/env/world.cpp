@@ -75,6 +75,19 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   report_warnings();
 }
 
+World::~World() {
+  if (listener_ != nullptr) listener_->ends(*this);
+}
+
+void World::take_listener(World& before) {
+  listener_ = std::move(before.listener_);
+  if (listener_ != nullptr) listener_->goes_on_in(*this);
+}
+
+void World::warn(const std::string& text) const {
+  services_.log({LogLevel::kWarning, text, 0, true, number_, data().time});
+}
+
 void World::add_agent(const AgentOptions& options, const Setting& setting, const TaskMaker& make_task,
                       render::Renderer* eyes) {
   const std::size_t number = agents_.size();
@@ -209,6 +222,19 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   require_outside_task();
   physics_.require_usable();
   physics_.require_undisturbed();
+  if (listener_ == nullptr) return go(actions, block, results);
+  const std::shared_ptr<Listener> listener = listener_;  // a task or the log may let it go
+  std::uint8_t* const filled = listener->step_begins(*this, block);
+  try {
+    go(actions, filled, results);
+  } catch (...) {
+    listener->step_failed();
+    throw;
+  }
+  listener->step_ends(*this, actions, filled);
+}
+
+void World::go(Span<const float> actions, std::uint8_t* block, const Results& results) {
   const Stopwatch total(options_.timing, timing_.total);
   act(actions);
   advance([this](int done, bool sensors) {

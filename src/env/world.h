@@ -10,6 +10,7 @@
 #include "env/agent.h"
 #include "env/episode.h"
 #include "env/kit.h"
+#include "env/listener.h"
 #include "env/state.h"
 #include "env/step_contacts.h"
 #include "env/timing.h"
@@ -35,6 +36,9 @@ class World {
  public:
   World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options,
         const Services& services = {}, const Identity& identity = {});
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   const mjModel& model() const { return physics_.model(); }
   const mjData& data() const { return physics_.data(); }
@@ -96,6 +100,14 @@ class World {
   void show_face(std::size_t agent, int face);
   int face(std::size_t agent) const;  // -1 for an agent that shows none of them
 
+  // Who is told of each step; null: nobody.
+  const std::shared_ptr<Listener>& listener() const { return listener_; }
+  void tell(std::shared_ptr<Listener> listener) { listener_ = std::move(listener); }
+  // The listener of a world whose place this one has taken.
+  void take_listener(World& before);
+  // Tells the user.
+  void warn(const std::string& text) const;
+
   // What touched what in the last step.
   const StepContacts& step_contacts() const { return step_contacts_; }
 
@@ -109,6 +121,7 @@ class World {
                  render::Renderer* eyes);
   TaskMaker task_maker(const Identity& identity) const;
   void start();
+  void go(Span<const float> actions, std::uint8_t* block, const Results& results);
   // All physics steps of a step; move(i, sensors) makes the one after the first i.
   template <typename Move>
   void advance(Move&& move);
@@ -153,6 +166,7 @@ class World {
   bool in_task_ = false;  // a task is at work, and must not start or step the world that it is part of
   Timing timing_;
   Archive archive_;
+  std::shared_ptr<Listener> listener_;
 };
 
 }  // namespace mimo::env

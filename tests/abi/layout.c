@@ -357,6 +357,41 @@ int main(void) {
   FIELD(mimo_load_report, fresh_names);
   FIELD(mimo_load_report, ignored_names);
 
+  BEGIN(mimo_recorder_config);
+  FIELD(mimo_recorder_config, struct_size);
+  FIELD(mimo_recorder_config, compression);
+  FIELD(mimo_recorder_config, keep);
+  FIELD(mimo_recorder_config, state_seconds);
+  FIELD(mimo_recorder_config, flush_seconds);
+  FIELD(mimo_recorder_config, configuration);
+  FIELD(mimo_recorder_config, seed);
+  FIELD(mimo_recorder_config, hdf5);
+
+  BEGIN(mimo_recording_info);
+  FIELD(mimo_recording_info, struct_size);
+  FIELD(mimo_recording_info, format_version);
+  FIELD(mimo_recording_info, same_build);
+  FIELD(mimo_recording_info, reserved);
+  FIELD(mimo_recording_info, steps);
+  FIELD(mimo_recording_info, states);
+  FIELD(mimo_recording_info, actions);
+  FIELD(mimo_recording_info, agents);
+  FIELD(mimo_recording_info, bodies);
+  FIELD(mimo_recording_info, step_seconds);
+  FIELD(mimo_recording_info, build);
+  FIELD(mimo_recording_info, this_build);
+  FIELD(mimo_recording_info, configuration);
+  FIELD(mimo_recording_info, seed);
+
+  BEGIN(mimo_replay_report);
+  FIELD(mimo_replay_report, struct_size);
+  FIELD(mimo_replay_report, identical);
+  FIELD(mimo_replay_report, next);
+  FIELD(mimo_replay_report, steps);
+  FIELD(mimo_replay_report, first_difference);
+  FIELD(mimo_replay_report, largest_difference);
+  FIELD(mimo_replay_report, differs_most_in);
+
   BEGIN(mimo_senses_config);
   FIELD(mimo_senses_config, struct_size);
   FIELD(mimo_senses_config, mujoco_version);

@@ -8,7 +8,9 @@
 //   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
 //   bench_extras voice [STEPS]      the same with a voice that speaks, against ears without one
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
-//   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
+//   bench_extras recording [STEPS]  steps are recorded as usual: joints, proprioception, vestibular sense, a state a
+//   second bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move
+//   nothing
 #include <mimo/mimo.h>
 
 #include <algorithm>
@@ -34,7 +36,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes, kHearing, kVoice };
+enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes, kHearing, kVoice, kRecording };
 
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
@@ -120,6 +122,7 @@ int main(int argc, char** argv) {
                       : what == "voice"     ? Extra::kVoice
                       : what == "receptors" ? Extra::kReceptors
                       : what == "reflexes"  ? Extra::kReflexes
+                      : what == "recording" ? Extra::kRecording
                                             : Extra::kContacts;
   const int usual_steps = extra == Extra::kEyes ? 200 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
@@ -131,6 +134,10 @@ int main(int argc, char** argv) {
   check(mimo_layout_describe(layout, &info));
   std::vector<std::uint8_t> block(extra == Extra::kContacts ? 0 : info.block_bytes);
   for (mimo_env* env : {having, usual}) check(mimo_env_reset(env, nullptr, nullptr, 0));
+
+  const char* const file = "bench_recording.h5";
+  mimo_recorder* recorder = nullptr;
+  if (extra == Extra::kRecording) check(mimo_recorder_open(having, file, nullptr, &recorder));
 
   std::vector<double> with, without, shares;
   for (int step = 0; step < steps; ++step) {
@@ -145,6 +152,8 @@ int main(int argc, char** argv) {
   }
   std::printf("a step takes %.1f us, with %s %.1f us: %.4f of a step more (median)\n", median(without) * 1e6,
               what.c_str(), median(with) * 1e6, median(shares));
+  check(mimo_recorder_close(recorder));
+  if (recorder != nullptr) std::remove(file);
   mimo_env_destroy(having);
   mimo_env_destroy(usual);
 }

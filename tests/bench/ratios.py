@@ -54,6 +54,7 @@ SKIN = ["bench_extras", "skin", "1500"]
 REFLEXES = ["bench_extras", "reflexes", "1500"]
 VOICE = ["bench_extras", "voice", "1500"]
 HEARING = ["bench_extras", "hearing", "1500"]
+RECORDING = ["bench_extras", "recording", "1500"]
 RECEPTORS = ["bench_extras", "receptors", "1500"]
 
 
@@ -118,6 +119,7 @@ RATIOS = [
     ("hearing, over the step without eyes", HEARING, in_text(r"(-?[\d.]+) of a step more")),
     ("a voice, over the step without eyes that hears", VOICE, in_text(r"(-?[\d.]+) of a step more")),
     ("all receptors, over the step without eyes", RECEPTORS, in_text(r"(-?[\d.]+) of a step more")),
+    ("recorded, over the step without eyes", RECORDING, in_text(r"(-?[\d.]+) of a step more")),
     ("reflexes, over the step without eyes", REFLEXES, in_text(r"(-?[\d.]+) of a step more")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),
     ("MuJoCo's muscles, over a physics step", MUSCLE, muscles("mitten", "MuJoCo")),

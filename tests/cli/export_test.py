@@ -132,6 +132,13 @@ class Export(Case):
         report = json.loads(subprocess.run([node, "-e", VALIDATE, path], capture_output=True, check=True).stdout)
         self.assertEqual((report["numErrors"], report["numWarnings"]), (0, 0), report["messages"][:5])
 
+    def test_usd_is_the_python_package_s(self):
+        told = self.mimo("export", "--usd", "infant.usda", code=1)
+        self.assertIn("USD files are written by the Python package: pip install 'mimo[usd]', then "
+                      "python -m mimo.export --usd FILE --scene SCENE", told)
+        self.assertIn("--gltf", self.mimo("export", code=2))
+        self.assertEqual(self.files(), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -19,7 +19,7 @@ except ImportError:
 needs_h5py = unittest.skipUnless(h5py, "h5py is not installed")
 
 
-# As src/cli/hdf5.cpp looks for it.
+# As src/recording/hdf5.cpp looks for it.
 @unittest.skipUnless(can_load("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310",
                               "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"),
                      "HDF5 is not installed")
@@ -62,7 +62,7 @@ class Record(Case):
         self.record("--seconds", "0.4", "--seed", "18446744073709551615")
         with h5py.File(self.folder / "run.h5") as file:
             self.assertEqual(file.attrs["format"], b"mimo recording")
-            self.assertEqual(file.attrs["format_version"], 1)
+            self.assertEqual(file.attrs["format_version"], 2)
             self.assertEqual(file.attrs["seed"], b"18446744073709551615")
             self.assertEqual(json.loads(file.attrs["configuration"])["touch"], ["off"])
             self.assertEqual(file["actions"].shape, (40, 44))
@@ -137,7 +137,7 @@ class Record(Case):
             self.assertIn(word, self.mimo("replay", "run.h5", "--out", "new.h5", code=1))
             self.assertEqual(self.files(), ["run.h5"])
 
-        refused("version 2", format_version=2)
+        refused("version 3", format_version=3)
         refused("format", format="another")
         refused("joints", joint_names="nose\n")
         refused("configuration", configuration="{")

@@ -4,5 +4,6 @@
 #include "misuse/rows_env.h"
 #include "misuse/rows_geometry.h"
 #include "misuse/rows_layout.h"
+#include "misuse/rows_recording.h"
 #include "misuse/rows_scene.h"
 #include "misuse/rows_senses.h"

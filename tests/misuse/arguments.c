@@ -157,6 +157,8 @@ static void check_handles(const row* r) {
   if (r->uses & ON_ENV) bad_handles(r, offsetof(args, env), retired_env(), a.batch, retired_scene());
   if (r->uses & ON_BATCH) bad_handles(r, offsetof(args, batch), retired_batch(), a.env, retired_scene());
   if (r->uses & ON_SENSES) bad_handles(r, offsetof(args, senses), retired_senses(), a.env, retired_scene());
+  if (r->uses & ON_RECORDER) bad_handles(r, offsetof(args, recorder), retired_recorder(), a.env, a.batch);
+  if (r->uses & ON_RECORDING) bad_handles(r, offsetof(args, recording), retired_recording(), a.env, a.batch);
   if (r->uses & ON_LAYOUT) bad_handles(r, offsetof(args, layout), retired_layout(), a.env, a.batch);
 }
 

@@ -59,7 +59,9 @@ static void in_the_child(const args* parents) {
   for (i = 0; i < row_count; ++i) {
     const row* r = &all_rows[i];
     args a = good_args(0);
-    if (!(r->uses & (ON_SCENE | ON_ROOM | ON_EMPTY | ON_CART | ON_ENV | ON_BATCH | ON_SENSES | ON_LAYOUT))) continue;
+    if (!(r->uses & (ON_SCENE | ON_ROOM | ON_EMPTY | ON_CART | ON_ENV | ON_BATCH | ON_SENSES | ON_LAYOUT | ON_RECORDER |
+                     ON_RECORDING)))
+      continue;
     a.scene = parents->scene;
     a.room = parents->room;
     remember_memory();
@@ -69,6 +71,8 @@ static void in_the_child(const args* parents) {
   mimo_env_destroy(parents->env);
   mimo_batch_destroy(parents->batch);
   mimo_senses_destroy(parents->senses);
+  CHECK_OK(mimo_recorder_close(parents->recorder));
+  mimo_recording_destroy(parents->recording);
 }
 
 static void after_fork(void) {

@@ -93,6 +93,34 @@ static mimo_status check_destroy_senses(args* a) {
   return CHECKED(strcmp(before, mimo_last_error()) == 0 && mimo_senses_state_size(a->senses, &count) == MIMO_OK);
 }
 
+static mimo_status check_close_recorder(args* a) {
+  char before[512];
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  CHECK_OK(mimo_recorder_close(NULL));
+  CHECK_OK(mimo_recorder_close(retired_recorder()));
+  CHECK_OK(mimo_recorder_close((mimo_recorder*)a->env));
+  CHECK_OK(mimo_recorder_close(no_handle()));
+  return CHECKED(strcmp(before, mimo_last_error()) == 0 && mimo_recorder_flush(a->recorder) == MIMO_OK);
+}
+
+static mimo_status check_destroy_recording(args* a) {
+  char before[512];
+  size_t count = 0;
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  mimo_recording_destroy(NULL);
+  mimo_recording_destroy(retired_recording());
+  mimo_recording_destroy((mimo_recording*)a->env);
+  mimo_recording_destroy(no_handle());
+  return CHECKED(strcmp(before, mimo_last_error()) == 0 &&
+                 mimo_recording_size(a->recording, "time", &count, NULL) == MIMO_OK);
+}
+
+static mimo_status seek_and_step(args* a) {
+  const mimo_status status = mimo_recording_seek(a->recording, a->env, 0, 0, NULL);
+  return status != MIMO_OK ? status
+                           : mimo_recording_step(a->recording, a->env, a->block, a->block_bytes, a->env_results);
+}
+
 static int send_first = 1;
 
 static mimo_status send_and_receive(args* a) {
@@ -110,6 +138,10 @@ static mimo_status send_and_receive(args* a) {
 
 static void nothing_sent(args* a) { (void)a, send_first = 0; }
 static void nothing_to_receive_from(args* a) { a->batch = retired_batch(), send_first = 0; }
+
+static void keeps_wings(args* a) { a->recorder_config->keep = "wings"; }
+static void no_run(args* a) { a->run = "/no_such_run.h5"; }
+static void no_dataset(args* a) { a->dataset = "wings"; }
 
 static void unknown_scene(args* a) { a->scene_config->name = "nowhere"; }
 static void two_sources(args* a) { a->scene_config->xml = "<mujoco/>"; }

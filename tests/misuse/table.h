@@ -13,6 +13,8 @@ typedef struct args {
   mimo_env* env;
   mimo_batch* batch;
   mimo_senses* senses;
+  mimo_recorder* recorder;
+  mimo_recording* recording; /* of the environment */
   const mimo_layout* layout;
   /* structs, each in memory with room for a later version's tail */
   mimo_scene_config* scene_config;
@@ -49,14 +51,17 @@ typedef struct args {
   mimo_maturity* maturity;
   mimo_senses_config* senses_config;
   mimo_load_report* report;
+  mimo_recorder_config* recorder_config;
+  mimo_recording_info* recording_info;
+  mimo_replay_report* replay_report;
   size_t more_bytes;
   /* numbers */
-  int32_t kind, id, quantity, receptor_quantity, body_id, how, version, axes, geom;
+  int32_t kind, id, quantity, receptor_quantity, body_id, how, version, axes, geom, compare;
   size_t index, field_index, element, agent_index, world, steps;
   double angle, value, spacing, rate;
   /* strings */
   const char *name, *scene_name, *part, *parameter_name, *path, *room_name, *motor_path, *joint_name, *other, *folder,
-      *field_name, *cart;
+      *field_name, *cart, *run, *new_run, *dataset;
   /* arrays that are read */
   const uint64_t* seeds;
   const uint8_t* mask;
@@ -77,7 +82,7 @@ typedef struct args {
   int32_t *outcome, *segmentation, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, rgb_bytes, depth_count, segmentation_count;
   size_t receptor_count, look_capacity, number_count, term_count, delay_count, direction_count, picture_index,
-      pose_count, texture_bytes;
+      pose_count, texture_bytes, row_index, row_count, rows_bytes;
   /* single results */
   size_t *count, *count2;
   int32_t* id_out;
@@ -91,6 +96,8 @@ typedef struct args {
   mimo_env** made_env;
   mimo_batch** made_batch;
   mimo_senses** made_senses;
+  mimo_recorder** made_recorder;
+  mimo_recording** made_recording;
   /* which its owner keeps */
   const mimo_layout** layout_out;
 } args;
@@ -137,7 +144,9 @@ enum {
   ON_SENSES = 256,
   ON_CART = 512,
   ON_EMPTY = 1024, /* a room that is none */
-  ON_LAYOUT = 2048
+  ON_LAYOUT = 2048,
+  ON_RECORDER = 4096,
+  ON_RECORDING = 8192
 };
 
 typedef struct row {

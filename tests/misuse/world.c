@@ -17,6 +17,9 @@ static mimo_scene *dead_scene, *spare_scene;
 static mimo_env* dead_env;
 static mimo_batch* dead_batch;
 static mimo_senses* dead_senses;
+static mimo_recorder* dead_recorder;
+static mimo_recording* dead_recording;
+static mimo_env* recorded; /* by the recorder */
 static const mimo_layout* dead_layout;
 static mjModel* host_model;
 static mjData* host_data;
@@ -270,6 +273,25 @@ static void make_movement(void) {
   CHECK_OK(mimo_env_get(good.env, MIMO_JOINT_POSITION, NULL, 0, own_positions, own_position_count));
 }
 
+/* A recording of two steps of the environment, and a recorder of a world of its own. */
+static void make_recordings(void) {
+  good.run = "misuse_run.h5";
+  good.new_run = "misuse_new_run.h5";
+  CHECK_OK(mimo_recorder_open(good.env, good.run, NULL, &dead_recorder));
+  for (int i = 0; i < 2; ++i) CHECK_OK(mimo_env_step(good.env, NULL, 0, NULL, 0, NULL));
+  CHECK_OK(mimo_recorder_close(dead_recorder));
+  CHECK_OK(mimo_recording_open(good.run, NULL, &dead_recording));
+  mimo_recording_destroy(dead_recording);
+  CHECK_OK(mimo_recording_open(good.run, NULL, &good.recording));
+  CHECK_OK(mimo_env_make("free", &recorded));
+  CHECK_OK(mimo_recorder_open(recorded, "misuse_recorded.h5", NULL, &good.recorder));
+  good.made_recorder = region(sizeof(mimo_recorder*));
+  good.made_recording = region(sizeof(mimo_recording*));
+  good.recorder_config = region(sizeof *good.recorder_config + TAIL);
+  good.recording_info = region(sizeof *good.recording_info + TAIL);
+  good.replay_report = region(sizeof *good.replay_report + TAIL);
+}
+
 static void make_structs(void) {
   good.scene_config = region(sizeof *good.scene_config + TAIL);
   good.agent_config = region(sizeof *good.agent_config + TAIL);
@@ -324,6 +346,7 @@ void make_everything(void) {
   make_single_results();
   make_structs();
   make_movement();
+  make_recordings();
   CHECK(good.state_bytes <= sizeof first_state);
   CHECK_OK(mimo_env_state_save(good.env, first_state, sizeof first_state));
   CHECK_OK(mimo_senses_state_save(good.senses, first_memory, sizeof first_memory));
@@ -336,6 +359,9 @@ void destroy_everything(void) {
   mimo_env_destroy(good.env);
   mimo_batch_destroy(good.batch);
   mimo_senses_destroy(good.senses);
+  CHECK_OK(mimo_recorder_close(good.recorder));
+  mimo_recording_destroy(good.recording);
+  mimo_env_destroy(recorded);
   mj_deleteData(host_data);
   mj_deleteModel(host_model);
   for (i = 0; i < region_count; ++i) {
@@ -523,6 +549,16 @@ args good_args(int uses) {
   *good.made_env = NULL;
   *good.made_batch = NULL;
   *good.made_senses = NULL;
+  *good.made_recorder = NULL;
+  *good.made_recording = NULL;
+  CHECK_OK(mimo_recorder_config_init(good.recorder_config, sizeof *good.recorder_config));
+  memset(good.recording_info, 0, sizeof *good.recording_info);
+  good.recording_info->struct_size = sizeof *good.recording_info;
+  memset(good.replay_report, 0, sizeof *good.replay_report);
+  good.replay_report->struct_size = sizeof *good.replay_report;
+  good.dataset = "time";
+  good.row_count = 2;
+  good.rows_bytes = 2 * sizeof(double);
   good.kind = MIMO_BODY;
   good.quantity = MIMO_JOINT_POSITION;
   good.receptor_quantity = MIMO_RECEPTOR_FRAME;
@@ -568,12 +604,14 @@ int memory_changed(void) {
 }
 
 int destroy_made(args* a) {
-  int made =
-      *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL || *good.made_senses != NULL;
+  int made = *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL ||
+             *good.made_senses != NULL || *good.made_recorder != NULL || *good.made_recording != NULL;
   mimo_scene_destroy(*good.made_scene);
   mimo_env_destroy(*good.made_env);
   mimo_batch_destroy(*good.made_batch);
   mimo_senses_destroy(*good.made_senses);
+  CHECK_OK(mimo_recorder_close(*good.made_recorder));
+  mimo_recording_destroy(*good.made_recording);
   mimo_scene_destroy(a->room);
   if (a->scene != spare_scene) mimo_scene_destroy(a->scene);
   return made;
@@ -583,6 +621,8 @@ mimo_scene* retired_scene(void) { return dead_scene; }
 mimo_env* retired_env(void) { return dead_env; }
 mimo_batch* retired_batch(void) { return dead_batch; }
 mimo_senses* retired_senses(void) { return dead_senses; }
+mimo_recorder* retired_recorder(void) { return dead_recorder; }
+mimo_recording* retired_recording(void) { return dead_recording; }
 mimo_layout* retired_layout(void) { return (mimo_layout*)dead_layout; }
 void* no_handle(void) { return not_a_handle; }
 const void* foreign_state(void) { return foreign; }

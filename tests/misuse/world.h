@@ -26,6 +26,8 @@ mimo_scene* retired_scene(void);
 mimo_env* retired_env(void);
 mimo_batch* retired_batch(void);
 mimo_senses* retired_senses(void);
+mimo_recorder* retired_recorder(void);
+mimo_recording* retired_recording(void);
 mimo_layout* retired_layout(void);
 void* no_handle(void);
 

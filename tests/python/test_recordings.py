@@ -7,7 +7,15 @@ import pytest
 from recorded import record
 
 import mimo
-from mimo.recordings import Recording
+
+ROOM = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><light pos="0 0 3"/></worldbody></mujoco>"""
+
+
+def recorder_or_skip(world, path, **options):
+    try:
+        return mimo.Recorder(world, path, **options)
+    except mimo.UnsupportedError as error:
+        pytest.skip(str(error))
 
 
 @pytest.mark.parametrize(
@@ -20,46 +28,125 @@ from mimo.recordings import Recording
     ],
 )
 def test_a_run_is_played_again(options, tmp_path):
-    with Recording(record(tmp_path / "run.h5", "--seconds", "1.3", "--seed", "7", *options)) as recording:
-        table = recording.file["joints/position"][()]
-        with recording.world(eyes=0) as world:
-            assert recording.start(world, 0) == 0
-            for step in range(recording.steps):
-                recording.step(world, step)
-                np.testing.assert_array_equal(world.get(mimo.Quantity.JOINT_POSITION), table[step])
-            for step in (20, 115):  # back, and past the second kept state
-                recording.seek(world, step)
-                np.testing.assert_array_equal(world.get(mimo.Quantity.JOINT_POSITION), table[step - 1])
-            with pytest.raises(ValueError, match="step is 131, expected 0 to 130, where"):
-                recording.seek(world, 131)
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    run = record(tmp_path / "run.h5", "--seconds", "1.3", "--seed", "7", *options)
+    with h5py.File(run) as file:
+        table = file["joints/position"][()]
+    with mimo.Recording(run) as recording, recording.world(eyes=0) as world:
+        assert recording.seek(world, 0, compare_fields=False) == 0
+        for step in range(recording.steps):
+            recording.step(world)
+            np.testing.assert_array_equal(world.get(mimo.Quantity.JOINT_POSITION), table[step])
+        assert recording.report().identical
+        for step in (20, 115):  # back, and past the second kept state
+            recording.move_to(world, step)
+            np.testing.assert_array_equal(world.get(mimo.Quantity.JOINT_POSITION), table[step - 1])
+        with pytest.raises(mimo.ArgumentError, match=r"step is 131, but .*run.h5 ends at step 130"):
+            recording.move_to(world, 131)
 
 
 def test_what_is_felt_and_heard_is_what_was_recorded(tmp_path):
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
     options = ["--scene", "showroom", "--senses", "hearing", "--seconds", "0.6", "--keep", "touch,hearing"]
-    with Recording(record(tmp_path / "run.h5", *options)) as recording, recording.world(eyes=0) as world:
-        recording.start(world, 0)
+    run = record(tmp_path / "run.h5", *options)
+    with mimo.Recording(run) as recording, recording.world(eyes=0) as world, h5py.File(run) as file:
+        recording.seek(world, 0, compare_fields=False)
         for step in range(recording.steps):
-            recording.step(world, step)
+            seen = recording.step(world).observation
             for name in ("touch/force", "hearing/ear_left", "hearing/ear_right"):
-                np.testing.assert_array_equal(world.observation[name], recording.file[f"fields/{name}"][step])
+                np.testing.assert_array_equal(seen[name], file[f"fields/{name}"][step])
+
+
+def own_scene():
+    scene = mimo.Scene(xml=ROOM)
+    scene.add_agent(vision=False, touch=mimo.Touch.NORMAL_FORCE, touch_scale=0.5, position=[0, 0, 0.4])
+    scene.add_object("brick", mass=0.2, size=np.array([0.05, 0.05, 0.05]), position=(0.1, 0, 0.9))
+    scene.limit_sense("proprioception", delay=0.03)
+    return scene
+
+
+def test_a_program_s_own_scene_is_made_anew(tmp_path):
+    path = tmp_path / "own.h5"
+    generator = np.random.default_rng(4)
+    with mimo.World(own_scene(), frame_skip=3) as world, recorder_or_skip(world, path, keep="all"):
+        for _ in range(20):
+            last = world.step(generator.uniform(-1, 1, len(world.layout.actions))).observation.copy()
+    with mimo.Recording(path) as recording:
+        with recording.world(eyes=16) as world:
+            assert world.observation["vision/eye_left"].shape == (16, 16, 3)
+            assert recording.play(world, compare_fields=False).identical
+            felt = world.observation["touch/force"]
+            np.testing.assert_array_equal(felt, last["touch/force"])
+            assert felt.any()
+        with recording.world(eyes=0) as world:
+            assert recording.play(world).identical  # fields, too
+
+
+def test_a_recording_that_does_not_tell_its_world(tmp_path):
+    path = tmp_path / "bare.h5"
+    with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, configuration=""):
+        world.step(np.full(len(world.layout.actions), 0.3))
+    with mimo.Recording(path) as recording:
+        with pytest.raises(
+            ValueError, match=r"bare.h5 has a configuration that cannot be made anew: it is empty; name"
+        ):
+            recording.world()
+        with recording.world(0, "reach") as world:
+            assert recording.play(world, compare_fields=False).identical
+
+
+class Quiet(mimo.WorldTask):
+    """A task that JSON cannot tell."""
+
+    def evaluate(self, world, moment):
+        return mimo.Judgement(0.0)
+
+
+@pytest.mark.parametrize(
+    ("configuration", "told"),
+    [
+        ("[]", "it is not an object"),
+        ("no JSON", "Expecting value"),
+        ('{"python": {"scene": {}, "calls": [["save", ["/tmp"], {}]], "options": {}}}', "call is 'save', expected one"),
+        ('{"python": {"scene": {"wings": 2}, "calls": [], "options": {}}}', "wings"),
+        ('{"python": 3}', "has a configuration that cannot be made anew"),
+        ('{"age": ["old"]}', "could not convert string to float: 'old'"),
+    ],
+)
+def test_a_configuration_that_is_none(configuration, told, tmp_path):
+    path = tmp_path / "run.h5"
+    with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, configuration=configuration):
+        pass
+    with mimo.Recording(path) as recording, pytest.raises(ValueError, match=told):
+        recording.world()
+
+
+def test_a_task_of_one_s_own_is_not_kept(tmp_path):
+    path = tmp_path / "run.h5"
+    scene = own_scene()
+    scene.set_task(Quiet())
+    with mimo.World(scene) as world, recorder_or_skip(world, path):
+        world.step()
+    with mimo.Recording(path) as recording:
+        assert recording.configuration == ""
 
 
 def test_what_is_no_recording(tmp_path):
     h5py = pytest.importorskip("h5py", reason="h5py is not installed")
-    with pytest.raises(mimo.NotFoundError, match=re.escape(f"there is no file {tmp_path}/none.h5")):
-        Recording(tmp_path / "none.h5")
+    with pytest.raises(mimo.NotFoundError, match=re.escape(f"cannot read {tmp_path}/none.h5: there is no such file")):
+        mimo.Recording(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("no HDF5")
-    with pytest.raises(ValueError, match=r"text.h5 is not a recording, or was cut off"):
-        Recording(tmp_path / "text.h5")
+    with pytest.raises(mimo.ArgumentError, match=r"text.h5 is not a recording, or was cut off"):
+        mimo.Recording(tmp_path / "text.h5")
     with h5py.File(tmp_path / "other.h5", "w") as other:
         other["x"] = [1]
-    with pytest.raises(ValueError, match=r"other.h5 is an HDF5 file, but not a recording"):
-        Recording(tmp_path / "other.h5")
+    with pytest.raises(mimo.ArgumentError, match=r"other.h5 is an HDF5 file, but not a recording"):
+        mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as newer:
-        newer.attrs["format"], newer.attrs["format_version"] = "mimo recording", 99
-    with pytest.raises(mimo.UnsupportedError, match="has format version 99, and this package reads up to 2"):
-        Recording(tmp_path / "other.h5")
+        newer.attrs["format"], newer.attrs["format_version"] = np.bytes_("mimo recording"), 99
+    with pytest.raises(mimo.UnsupportedError, match="has format version 99, and this library reads up to 2"):
+        mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as poor:
         poor.attrs["format_version"], poor.attrs["step_seconds"] = 1, 0.01
-    with pytest.raises(ValueError, match=r"other.h5 is not a whole recording"):
-        Recording(tmp_path / "other.h5")
+    with pytest.raises(mimo.ArgumentError, match=r"other.h5 is not a whole recording"):
+        mimo.Recording(tmp_path / "other.h5")

@@ -107,6 +107,17 @@ namespace Mimo
             return Layout.Agents > 0 ? StepOf(0) : new Step();
         }
 
+        internal delegate int Move(EnvHandle env, byte[] block, ref EnvResultsStruct results);
+
+        /// <summary>A step that another function of the library makes.</summary>
+        internal Step Take(Move move)
+        {
+            MimoException.Check(move(handle, Block, ref places));
+            return Layout.Agents > 0 ? StepOf(0) : new Step();
+        }
+
+        internal EnvHandle Handle => handle;
+
         /// <summary>What an agent got in the last step.</summary>
         public Step StepOf(int agent) { return results.Of(agent); }
 

@@ -115,6 +115,37 @@ namespace Mimo
         }
     }
 
+    /// <summary>Owns a mimo_recorder.</summary>
+    internal sealed class RecorderHandle : SafeHandle
+    {
+        internal RecorderHandle() : base(IntPtr.Zero, true) { }
+
+        // Alive as long as this is: it would be closed by its world otherwise, on the thread of the collector.
+        internal EnvHandle World;
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_recorder_close(handle);
+            return true;
+        }
+    }
+
+    /// <summary>Owns a mimo_recording.</summary>
+    internal sealed class RecordingHandle : SafeHandle
+    {
+        internal RecordingHandle() : base(IntPtr.Zero, true) { }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_recording_destroy(handle);
+            return true;
+        }
+    }
+
     /// <summary>The mimo_layout of a world, a batch or senses, which are alive as long as it is in use.</summary>
     internal sealed class LayoutHandle : SafeHandle
     {

@@ -143,6 +143,20 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, Size bytes, ref LoadReportStruct report);
         [DllImport(File)] internal static extern int mimo_env_clone(EnvHandle env, out EnvHandle clone);
 
+        [DllImport(File)] internal static extern int mimo_recorder_config_init(out RecorderConfigStruct config, Size size);
+        [DllImport(File)] internal static extern int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder);
+        [DllImport(File)] internal static extern int mimo_recorder_flush(RecorderHandle recorder);
+        [DllImport(File)] internal static extern int mimo_recorder_close(RecorderHandle recorder);
+        [DllImport(File)] internal static extern int mimo_recorder_close(IntPtr recorder);
+        [DllImport(File)] internal static extern int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording);
+        [DllImport(File)] internal static extern void mimo_recording_destroy(IntPtr recording);
+        [DllImport(File)] internal static extern int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info);
+        [DllImport(File)] internal static extern int mimo_recording_size(RecordingHandle recording, byte[] dataset, out Size rows, out Size rowBytes);
+        [DllImport(File)] internal static extern int mimo_recording_read(RecordingHandle recording, byte[] dataset, Size first, Size rows, IntPtr values, Size bytes);
+        [DllImport(File)] internal static extern int mimo_recording_seek(RecordingHandle recording, EnvHandle env, Size step, uint compareFields, out Size at);
+        [DllImport(File)] internal static extern int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, Size bytes, ref EnvResultsStruct results);
+        [DllImport(File)] internal static extern int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report);
+
         [DllImport(File)] internal static extern int mimo_batch_create(SceneHandle scene, ref EnvConfigStruct env, ref BatchConfigStruct config, out BatchHandle batch);
         [DllImport(File)] internal static extern void mimo_batch_destroy(IntPtr batch);
         [DllImport(File)] internal static extern int mimo_batch_size(BatchHandle batch, out Size worlds, out Size threads);

@@ -181,6 +181,35 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct RecorderConfigStruct
+    {
+        internal uint struct_size, compression;
+        internal IntPtr keep;
+        internal double state_seconds, flush_seconds;
+        internal IntPtr configuration;
+        internal ulong seed;
+        internal IntPtr hdf5;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct RecordingInfoStruct
+    {
+        internal uint struct_size, format_version, same_build, reserved;
+        internal UIntPtr steps, states, actions, agents, bodies;
+        internal double step_seconds;
+        internal IntPtr build, this_build, configuration, seed;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct ReplayReportStruct
+    {
+        internal uint struct_size, identical;
+        internal UIntPtr next, steps, first_difference;
+        internal double largest_difference;
+        internal IntPtr differs_most_in;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct SensesConfigStruct
     {
         internal uint struct_size;

@@ -67,7 +67,8 @@ internal static partial class Tests
         { "mimo_task_verdict", typeof(TaskVerdictStruct) },
         { "mimo_task_field", typeof(TaskFieldStruct) },
         { "mimo_task", typeof(TaskStruct) },
-        { "mimo_senses_config", typeof(SensesConfigStruct) }
+        { "mimo_senses_config", typeof(SensesConfigStruct) }, { "mimo_recorder_config", typeof(RecorderConfigStruct) },
+        { "mimo_recording_info", typeof(RecordingInfoStruct) }, { "mimo_replay_report", typeof(ReplayReportStruct) }
     };
 
     /// <summary>Offsets and sizes are those that the C compiler gives, tests/abi/layout.json.</summary>

@@ -6,7 +6,7 @@ function tests()
                  @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
                  @scenes_step_by_step, @metal_feels_colder_than_wood, @two_infants, @infants_of_any_age, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
                  @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @engines_see_it, @steps_in_two_halves};
-  all_of_them = [all_of_them, layout_tests(), results_tests(), hearing_tests()];
+  all_of_them = [all_of_them, layout_tests(), results_tests(), hearing_tests(), recording_tests()];
   failed = 0;
   for i = 1:numel(all_of_them)
     try

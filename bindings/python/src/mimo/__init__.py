@@ -61,6 +61,8 @@ from .geometry import convert_directions, convert_points
 from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_task import Moment, WorldTask
+from .recorder import Recorder
+from .recordings import Recording, ReplayReport
 from .results import StepResult
 from .scene import Scene, faces, materials, rooms, scenes, tasks
 from .senses import Senses
@@ -86,7 +88,6 @@ def __getattr__(name: str) -> Any:
         "classic",
         "babybench",
         "ray",
-        "recordings",
         "rerun",
         "usd",
         "video",
@@ -135,7 +136,10 @@ __all__ = [
     "Place",
     "Proprioception",
     "Quantity",
+    "Recorder",
     "Reflex",
+    "Recording",
+    "ReplayReport",
     "Receptors",
     "Render",
     "RenderError",

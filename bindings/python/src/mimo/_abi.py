@@ -558,6 +558,50 @@ class LoadReport(Struct):
     ]
 
 
+class RecorderConfig(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("compression", c_uint32),
+        ("keep", c_char_p),
+        ("state_seconds", c_double),
+        ("flush_seconds", c_double),
+        ("configuration", c_char_p),
+        ("seed", c_uint64),
+        ("hdf5", c_char_p),
+    ]
+
+
+class RecordingInfo(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("format_version", c_uint32),
+        ("same_build", c_uint32),
+        ("reserved", c_uint32),
+        ("steps", c_size_t),
+        ("states", c_size_t),
+        ("actions", c_size_t),
+        ("agents", c_size_t),
+        ("bodies", c_size_t),
+        ("step_seconds", c_double),
+        ("build", c_char_p),
+        ("this_build", c_char_p),
+        ("configuration", c_char_p),
+        ("seed", c_char_p),
+    ]
+
+
+class ReplayReport(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("identical", c_uint32),
+        ("next", c_size_t),
+        ("steps", c_size_t),
+        ("first_difference", c_size_t),
+        ("largest_difference", c_double),
+        ("differs_most_in", c_char_p),
+    ]
+
+
 class SensesConfig(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -713,6 +757,18 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_state_save": (_status, [_Handle, c_void_p, c_size_t]),
     "mimo_env_state_load": (_status, [_Handle, c_void_p, c_size_t, _config(LoadReport)]),
     "mimo_env_clone": (_status, [_Handle, _Out_handle]),
+    "mimo_recorder_config_init": (_status, [_config(RecorderConfig), c_size_t]),
+    "mimo_recorder_open": (_status, [_Handle, c_char_p, _config(RecorderConfig), _Out_handle]),
+    "mimo_recorder_flush": (_status, [_Handle]),
+    "mimo_recorder_close": (_status, [_Handle]),
+    "mimo_recording_open": (_status, [c_char_p, c_char_p, _Out_handle]),
+    "mimo_recording_destroy": (None, [_Handle]),
+    "mimo_recording_describe": (_status, [_Handle, _config(RecordingInfo)]),
+    "mimo_recording_size": (_status, [_Handle, c_char_p, _Out_size, _Out_size]),
+    "mimo_recording_read": (_status, [_Handle, c_char_p, c_size_t, c_size_t, _Array, c_size_t]),
+    "mimo_recording_seek": (_status, [_Handle, _Handle, c_size_t, c_uint32, _Out_size]),
+    "mimo_recording_step": (_status, [_Handle, _Handle, c_void_p, c_size_t, _config(EnvResults)]),
+    "mimo_recording_report": (_status, [_Handle, _config(ReplayReport)]),
     "mimo_batch_config_init": (_status, [_config(BatchConfig), c_size_t]),
     "mimo_batch_create": (
         _status,

@@ -226,11 +226,12 @@ def main() -> int:
     parser.add_argument("recording", metavar="FILE.h5", help="the recording")
     parser.add_argument("--out", required=True, metavar="FILE.png", help="the picture; .pdf and .svg as well")
     parser.add_argument("--infant", type=int, default=0, help="which one: 0, the first")
+    parser.add_argument("--scene", help="of a recording that does not tell of which world it is")
     asked = parser.parse_args()
     plt.switch_backend("Agg")
     try:
         with Recording(asked.recording) as recording:
-            figure = run(traces(recording, asked.infant), os.path.basename(asked.recording))
+            figure = run(traces(recording, asked.infant, asked.scene), os.path.basename(asked.recording))
         figure.savefig(asked.out, dpi=130)
     except (Error, OSError, ValueError) as error:
         print(f"python -m mimo.plot: {error}", file=sys.stderr)

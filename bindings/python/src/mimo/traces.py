@@ -87,22 +87,22 @@ class Listener:
         return np.asarray(np.degrees(np.column_stack([sides, heights]).ravel()), np.float64)
 
 
-def traces(recording: Recording, agent: int = 0) -> Traces:
+def traces(recording: Recording, agent: int = 0, scene: Optional[str] = None) -> Traces:
     """Plays a recording and gathers what an infant of it did and sensed."""
-    with recording.world(eyes=0) as world:
+    with recording.world(0, scene) as world:
         if not 0 <= agent < len(world.agents):
             raise ValueError(f"infant is {agent}, expected 0 to {len(world.agents) - 1}")
         listener = Listener(world, agent)
-        recording.start(world, 0)
-        for step in range(recording.steps):
-            recording.step(world, step)
+        recording.seek(world, 0, compare_fields=False)
+        for _ in range(recording.steps):
+            recording.step(world)
             listener.add()
         names = world.bodies().names
         rows = {name: np.array(values, np.float64) for name, values in listener.rows.items()}
         forces = rows["forces"].reshape(recording.steps, -1)
         felt = np.flatnonzero(forces.any(axis=0))
         return Traces(
-            time=recording.file["time"][: recording.steps],
+            time=recording.read("time", np.float64, 0, recording.steps).ravel(),
             joints=[_short(name) for name in listener.joints.names],
             bends=rows["bends"],
             parts=[_short(names[body]) for body in felt],

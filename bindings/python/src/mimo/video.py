@@ -224,7 +224,7 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m mimo.video", description="Films an infant and what it senses.")
     parser.add_argument("recording", nargs="?", metavar="FILE.h5", help="a recording; without, a scene at random")
     parser.add_argument("--out", required=True, metavar="FILE.mp4", help="the video")
-    parser.add_argument("--scene", default="benchmark", help=f"one of {', '.join(scenes())}")
+    parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark); of a recording that does not tell")
     parser.add_argument("--seed", type=int, default=1, help="of a scene (1)")
     parser.add_argument("--age", type=float, help="of a scene's infants, months")
     parser.add_argument("--start", type=float, default=0.0, metavar="S", help="where to begin in a recording (0)")
@@ -246,10 +246,10 @@ def opened(asked: argparse.Namespace) -> Source:
     if asked.recording is None:
         options: Any = {"vision": False} if asked.eyes == 0 else {}
         options = options or {"vision_width": asked.eyes, "vision_height": asked.eyes}
-        live = Live(asked.scene, **options, **({} if asked.age is None else {"age": asked.age}))
+        live = Live(asked.scene or "benchmark", **options, **({} if asked.age is None else {"age": asked.age}))
         live.restart(asked.seed)
         return live
-    source = Recorded(asked.recording, asked.eyes)
+    source = Recorded(asked.recording, asked.eyes, asked.scene)
     step, length = round(asked.start / source.step_seconds), source.length or 0
     if not 0 <= step < length:
         end = length * source.step_seconds

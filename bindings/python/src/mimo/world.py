@@ -161,8 +161,7 @@ class World(Geometry):
         check(LIB.mimo_env_reset(self._handle, config, *self._place(block)))
         if ages:
             self._growths = ages
-            self.agents = agents_of(self._handle, self.layout.agents)
-            self.layout._renew()
+            self.renew()
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
@@ -197,6 +196,17 @@ class World(Geometry):
         check(LIB.mimo_env_follow(self._handle, movement, *self._place(self.block)))
         self.observation = self._views
         return Followed(self.observation, forces)
+
+    def step_with(self, move: Any, senses: bool = True) -> None:
+        """A step that a function of the library makes, which gets this world, and where block and results go."""
+        self._given = None
+        check(move(self._handle, *self._place(self.block if senses else None), self._results_place))
+        self.observation = self._views
+
+    def renew(self) -> None:
+        """Looks again at what depends on the age of infants."""
+        self.agents = agents_of(self._handle, self.layout.agents)
+        self.layout._renew()
 
     def observe(self) -> Observation:
         """What the senses give for the current state, without changing the trajectory."""

@@ -503,7 +503,7 @@ extern "C" {
     #[doc = "to thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their"]
     #[doc = "scene. mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and"]
     #[doc = "mimo_last_error."]
-    #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch or mimo_senses."]
+    #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder or mimo_recording."]
     #[doc = "@param text     receives the message, zero-terminated, \"\" if nothing failed yet; NULL with capacity 0 asks for its"]
     #[doc = "                length only."]
     #[doc = "@param capacity 1024 bytes are enough for any message."]
@@ -2147,6 +2147,218 @@ extern "C" {
     #[doc = "Makes another world of the same scene and config, in the same state. The model is shared."]
     #[doc = "@param clone receives the handle; destroy it with mimo_env_destroy."]
     pub fn mimo_env_clone(env: *const mimo_env, clone: *mut *mut mimo_env) -> mimo_status;
+}
+#[doc = "Writes a world's steps into a file."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_recorder {
+    _unused: [u8; 0],
+}
+#[doc = "A recording that is read."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_recording {
+    _unused: [u8; 0],
+}
+#[doc = "What is recorded, and how."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_recorder_config {
+    #[doc = "sizeof(mimo_recorder_config), set by mimo_recorder_config_init."]
+    pub struct_size: u32,
+    #[doc = "0 for none to 9 for the smallest file. Default 4."]
+    pub compression: u32,
+    #[doc = "Fields to keep of each step: \"all\", \"none\", or senses and fields with commas between"]
+    #[doc = "them, \"touch,vision/eye_left\". NULL (default): proprioception and vestibular of"]
+    #[doc = "whoever has them."]
+    pub keep: *const std::os::raw::c_char,
+    #[doc = "Simulated seconds between states that are kept, 0.001 to 1e6. Default 1."]
+    pub state_seconds: f64,
+    #[doc = "Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step."]
+    #[doc = "Default 1."]
+    pub flush_seconds: f64,
+    #[doc = "What the program wants to find again: a text, best JSON. NULL (default): \"\"."]
+    pub configuration: *const std::os::raw::c_char,
+    #[doc = "For people: the attribute `seed`. Replays do not need it. Default 0."]
+    pub seed: u64,
+    #[doc = "Path of the HDF5 library; NULL (default): see above."]
+    pub hdf5: *const std::os::raw::c_char,
+}
+extern "C" {
+    #[doc = "Fills a config with defaults."]
+    #[doc = "@param size sizeof(mimo_recorder_config) as the caller knows it."]
+    pub fn mimo_recorder_config_init(config: *mut mimo_recorder_config, size: usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world of a"]
+    #[doc = "batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to another age;"]
+    #[doc = "values that are set, loaded states, known movements, bare physics, sounds, random numbers) is found by comparing"]
+    #[doc = "states, and a state is kept from which a replay goes on there. Kept fields are sensed also where a step skips them. A"]
+    #[doc = "step that fails is not recorded. A clone is not recorded."]
+    #[doc = ""]
+    #[doc = "A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to"]
+    #[doc = "the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened."]
+    #[doc = "@param path     of the file; one that is there is replaced."]
+    #[doc = "@param config   NULL means defaults."]
+    #[doc = "@param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;"]
+    #[doc = "        MIMO_E_INVALID_ARGUMENT for a world that is being recorded, for one within a step or a task, and for a file"]
+    #[doc = "        that cannot be made; MIMO_E_SIMULATION for a world that has failed."]
+    pub fn mimo_recorder_open(
+        env: *mut mimo_env,
+        path: *const std::os::raw::c_char,
+        config: *const mimo_recorder_config,
+        recorder: *mut *mut mimo_recorder,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Puts everything on its way to the disk now."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for what could not be written, now or before."]
+    pub fn mimo_recorder_flush(recorder: *mut mimo_recorder) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed handles"]
+    #[doc = "are ignored. Where the world is gone, the file was closed with it."]
+    #[doc = "Errors: as mimo_recorder_flush. MIMO_E_INVALID_ARGUMENT within a step of the world: the recorder then stays."]
+    pub fn mimo_recorder_close(recorder: *mut mimo_recorder) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Opens a recording, also one whose program was killed."]
+    #[doc = "@param hdf5      path of the HDF5 library, or NULL."]
+    #[doc = "@param recording receives the handle; destroy it with mimo_recording_destroy."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no"]
+    #[doc = "        such file; MIMO_E_INVALID_ARGUMENT for what is no recording, or was cut off."]
+    pub fn mimo_recording_open(
+        path: *const std::os::raw::c_char,
+        hdf5: *const std::os::raw::c_char,
+        recording: *mut *mut mimo_recording,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Closes a recording. NULL and destroyed handles are ignored."]
+    pub fn mimo_recording_destroy(recording: *mut mimo_recording);
+}
+#[doc = "What a recording holds. Its strings belong to the recording."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_recording_info {
+    #[doc = "sizeof(mimo_recording_info), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "Of the file."]
+    pub format_version: u32,
+    #[doc = "1: the loaded library is the one that recorded."]
+    pub same_build: u32,
+    #[doc = "0."]
+    pub reserved: u32,
+    #[doc = "That can be played."]
+    pub steps: usize,
+    #[doc = "That were kept."]
+    pub states: usize,
+    #[doc = "Of a step."]
+    pub actions: usize,
+    #[doc = "Of a step's rewards."]
+    pub agents: usize,
+    #[doc = "Ages that infants had; 0 in recordings of format version 1."]
+    pub bodies: usize,
+    #[doc = "Of one step."]
+    pub step_seconds: f64,
+    #[doc = "Versions and build that recorded."]
+    pub build: *const std::os::raw::c_char,
+    #[doc = "Of the loaded library."]
+    pub this_build: *const std::os::raw::c_char,
+    #[doc = "What the recording program left."]
+    pub configuration: *const std::os::raw::c_char,
+    #[doc = "As a decimal number."]
+    pub seed: *const std::os::raw::c_char,
+}
+extern "C" {
+    #[doc = "Describes a recording. Set info->struct_size first."]
+    pub fn mimo_recording_describe(
+        recording: *const mimo_recording,
+        info: *mut mimo_recording_info,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "How many rows a dataset has (\"actions\", \"joints/position\", \"fields/hearing/ear_left\"), and how long they are."]
+    #[doc = "@param rows, row_bytes receive the sizes; either may be NULL."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND where the recording does not have it."]
+    pub fn mimo_recording_size(
+        recording: *const mimo_recording,
+        dataset: *const std::os::raw::c_char,
+        rows: *mut usize,
+        row_bytes: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Reads rows of a dataset, as numbers of the type that they have in the file."]
+    #[doc = "@param first, rows which; all of them must be there."]
+    #[doc = "@param values      receives rows times row_bytes bytes."]
+    pub fn mimo_recording_read(
+        recording: *const mimo_recording,
+        dataset: *const std::os::raw::c_char,
+        first: usize,
+        rows: usize,
+        values: *mut std::os::raw::c_void,
+        value_bytes: usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Begins a replay: a world of the same scene, actuation and task, whose senses may be others, takes the last kept state"]
+    #[doc = "that is not later than a step. Its infants become as old as they were. What was compared before is forgotten."]
+    #[doc = "@param step           0 to the recording's steps."]
+    #[doc = "@param compare_fields 1: recorded fields are compared as well; 0: the world senses otherwise."]
+    #[doc = "@param at             receives the state's own step, from which the replay goes on; may be NULL."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions or agents, which then stays as it is; as"]
+    #[doc = "        mimo_env_state_load, and then the world has been reset."]
+    pub fn mimo_recording_seek(
+        recording: *mut mimo_recording,
+        env: *mut mimo_env,
+        step: usize,
+        compare_fields: u32,
+        at: *mut usize,
+    ) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had"]
+    #[doc = "changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit."]
+    #[doc = "Between two calls the world may be looked at, not changed."]
+    #[doc = "@param block, block_bytes, results as in mimo_env_step."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek; as"]
+    #[doc = "        mimo_env_step."]
+    pub fn mimo_recording_step(
+        recording: *mut mimo_recording,
+        env: *mut mimo_env,
+        block: *mut std::os::raw::c_void,
+        block_bytes: usize,
+        results: *const mimo_env_results,
+    ) -> mimo_status;
+}
+#[doc = "What a replay has shown so far."]
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct mimo_replay_report {
+    #[doc = "sizeof(mimo_replay_report), set by the caller."]
+    pub struct_size: u32,
+    #[doc = "1: all that was compared was the same to the last bit."]
+    pub identical: u32,
+    #[doc = "The step that comes next."]
+    pub next: usize,
+    #[doc = "How many were played."]
+    pub steps: usize,
+    #[doc = "The first step that differed; 0 where all was identical."]
+    pub first_difference: usize,
+    #[doc = "Of any number; numbers that are not finite count as the largest double."]
+    pub largest_difference: f64,
+    #[doc = "The dataset in which that was, \"\" where all was identical. Valid until the"]
+    #[doc = "recording's next call that is not const."]
+    pub differs_most_in: *const std::os::raw::c_char,
+}
+extern "C" {
+    #[doc = "Tells of the replay. Set report->struct_size first."]
+    pub fn mimo_recording_report(
+        recording: *const mimo_recording,
+        report: *mut mimo_replay_report,
+    ) -> mimo_status;
 }
 #[doc = "Many worlds. Needs itself alone like an environment; its threads are its own business."]
 #[repr(C)]

@@ -17,7 +17,7 @@ from .viewer import LOCAL, Viewer
 def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
     """What was asked for."""
     parser = argparse.ArgumentParser(prog="python -m mimo.view", description="Shows an infant in the browser.")
-    parser.add_argument("--scene", default="benchmark", help=f"one of {', '.join(scenes())}")
+    parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark); of a recording that does not tell")
     parser.add_argument(
         "--recording",
         metavar="FILE.h5",
@@ -36,7 +36,7 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
 def made(asked: argparse.Namespace) -> Viewer:
     """The viewer."""
     if asked.recording is not None:
-        viewer = Viewer(Recorded(asked.recording, asked.eyes), asked.host, asked.port)
+        viewer = Viewer(Recorded(asked.recording, asked.eyes, asked.scene), asked.host, asked.port)
         viewer.clock.paused = asked.paused
         return viewer
     options: Dict[str, Any] = {"vision": False} if asked.eyes == 0 else {}
@@ -44,7 +44,7 @@ def made(asked: argparse.Namespace) -> Viewer:
         options = {"vision_width": asked.eyes, "vision_height": asked.eyes}
     if asked.age is not None:
         options["age"] = asked.age
-    source = Live(asked.scene, asked.task, **options)
+    source = Live(asked.scene or "benchmark", asked.task, **options)
     viewer = Viewer(source, asked.host, asked.port, asked.seed, asked.task)
     viewer.clock.paused = asked.paused
     return viewer

@@ -7,17 +7,18 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from ..recordings import EYES, Recording
+from ..recorded_world import EYES
+from ..recordings import Recording
 from .source import Source
 
 
 class Recorded(Source):
     """A run that was recorded, which the viewer plays."""
 
-    def __init__(self, path: Any, eyes: int = EYES) -> None:
+    def __init__(self, path: Any, eyes: int = EYES, scene: Optional[str] = None) -> None:
         self._recording = Recording(path)
         try:
-            self.world = self._recording.world(eyes)
+            self.world = self._recording.world(eyes, scene)
         except BaseException:
             self._recording.close()
             raise
@@ -32,7 +33,7 @@ class Recorded(Source):
         """The next recorded step; behind the last one the first."""
         if self.at == self.length:
             self.seek(0)
-        self._recording.step(self.world, self.at, senses)
+        self._recording.step(self.world, senses)
         self.at += 1
         return False
 
@@ -42,7 +43,7 @@ class Recorded(Source):
 
     def seek(self, step: int) -> None:
         """To the moment after so many steps."""
-        self._recording.seek(self.world, step)
+        self._recording.move_to(self.world, step)
         self.at = step
 
     def close(self) -> None:

@@ -1,28 +1,49 @@
-#include "hdf5.h"
+#include "recording/hdf5.h"
 
+#include <cstdlib>
 #include <cstring>
-#include <string>
+#include <optional>
 
-#include "failure.h"
-#include "libraries.h"
+#include "base/fail.h"
+#include "recording/system.h"
 
-namespace cli::hdf5 {
+namespace mimo::recording::hdf5 {
 namespace {
 
 constexpr int kDeflateFilter = 1;
 
-void* open_first() {
+std::recursive_mutex& turns() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+std::optional<Library>& place() {
+  static std::optional<Library> loaded;
+  return loaded;
+}
+
+void* open_named(const std::string& path, const char* source) {
+  if (void* handle = open_library(path.c_str())) return handle;
+  fail(Status::kUnsupported, "{} is {}, expected the path of the library HDF5: {}", source, path, why_not_opened());
+}
+
+void* open_first(const std::string& path) {
+  if (!path.empty()) return open_named(path, "hdf5");
+  const char* const chosen = std::getenv("MIMO_HDF5");
+  if (chosen != nullptr && *chosen != '\0') return open_named(chosen, "the environment variable MIMO_HDF5");
   for (const char* name :
        {"libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310", "libhdf5.so.200",
         "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so", "hdf5.dll", "libhdf5.dylib"}) {
     if (void* handle = open_library(name)) return handle;
   }
-  throw Failure("recordings need the library HDF5 1.10 or later (Debian package libhdf5-103-1), which was not found");
+  fail(Status::kUnsupported,
+       "recordings need the library HDF5 1.10 or later (Debian package libhdf5-103-1), which was not found; MIMO_HDF5 "
+       "may hold its path");
 }
 
 void* address(void* handle, const char* name) {
-  void* const found = find_symbol(handle, name);
-  if (found == nullptr) throw Failure(std::string("the library HDF5 that was found has no ") + name);
+  void* const found = symbol_of(handle, name);
+  if (found == nullptr) fail(Status::kUnsupported, "the library HDF5 that was found has no {}", name);
   return found;
 }
 
@@ -39,6 +60,7 @@ void find_files(void* handle, Library& h5) {
   find(handle, h5.CreateFile, "H5Fcreate");
   find(handle, h5.OpenFile, "H5Fopen");
   find(handle, h5.CloseFile, "H5Fclose");
+  find(handle, h5.FileOfSystem, "H5Fget_vfd_handle");
   find(handle, h5.Flush, "H5Fflush");
   find(handle, h5.StartSwmrWrite, "H5Fstart_swmr_write");
   find(handle, h5.CreateProperties, "H5Pcreate");
@@ -93,18 +115,17 @@ void find_constants(void* handle, Library& h5) {
   find_id(handle, h5.link_create, "H5P_CLS_LINK_CREATE_ID_g");
 }
 
-Library load() {
-  void* const handle = open_first();
+Library find_all(void* handle) {
   Library h5 = {};
   find(handle, h5.Open, "H5open");
   find(handle, h5.LibraryVersion, "H5get_libversion");
-  find(handle, h5.SilenceErrors, "H5Eset_auto2");
+  find(handle, h5.GetErrorPrinter, "H5Eget_auto2");
+  find(handle, h5.SetErrorPrinter, "H5Eset_auto2");
+  find(handle, h5.ClearErrors, "H5Eclear2");
   unsigned major = 0, minor = 0, release = 0;
   if (h5.Open() < 0 || h5.LibraryVersion(&major, &minor, &release) < 0 || (major == 1 && minor < 10)) {
-    throw Failure("recordings need HDF5 1.10 or later, and " + std::to_string(major) + "." + std::to_string(minor) +
-                  " was found");
+    fail(Status::kUnsupported, "recordings need HDF5 1.10 or later, and {}.{} was found", major, minor);
   }
-  h5.SilenceErrors(0, nullptr, nullptr);  // the program says in one line what was wrong
   find_files(handle, h5);
   find_shapes(handle, h5);
   find_contents(handle, h5);
@@ -115,9 +136,25 @@ Library load() {
 
 }  // namespace
 
-const Library& library() {
-  static const Library loaded = load();
-  return loaded;
+void load(const std::string& path) {
+  const std::lock_guard alone(turns());
+  if (!place()) place() = find_all(open_first(path));
 }
 
-}  // namespace cli::hdf5
+const Library& library() {
+  if (!place()) fail(Status::kInternal, "HDF5 is used before it was loaded");
+  return *place();
+}
+
+Turn::Turn() : alone_(turns()) {
+  library().GetErrorPrinter(0, &printer_, &data_);
+  library().SetErrorPrinter(0, nullptr, nullptr);
+}
+
+// What it remembers of errors belongs to this thread, and would outlive it.
+Turn::~Turn() {
+  library().ClearErrors(0);
+  library().SetErrorPrinter(0, printer_, data_);
+}
+
+}  // namespace mimo::recording::hdf5

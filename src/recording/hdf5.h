@@ -1,15 +1,18 @@
-// The functions of the HDF5 library that recordings need, loaded when a recording is made or read: the program works
+// The functions of the HDF5 library that recordings need, loaded when a recording is made or read: all else works
 // without the library. Numbers and types are those of HDF5 1.10 and later, where handles have 64 bits.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
+#include <string>
 #include <vector>
 
-namespace cli::hdf5 {
+namespace mimo::recording::hdf5 {
 
 using Id = std::int64_t;
 using Size = unsigned long long;  // hsize_t
+using ErrorPrinter = int (*)(Id, void*);
 
 constexpr unsigned kReadOnly = 0, kTruncate = 2, kSwmrRead = 0x40;
 constexpr int kVersion110 = 2, kScalar = 0, kSelectSet = 0, kGlobalScope = 1;
@@ -19,11 +22,14 @@ constexpr Size kUnlimited = ~Size{0};
 struct Library {
   int (*Open)();
   int (*LibraryVersion)(unsigned*, unsigned*, unsigned*);
-  int (*SilenceErrors)(Id, void*, void*);
+  int (*GetErrorPrinter)(Id, ErrorPrinter*, void**);
+  int (*SetErrorPrinter)(Id, ErrorPrinter, void*);
+  int (*ClearErrors)(Id);
   int (*FilterAvailable)(int);
   Id (*CreateFile)(const char*, unsigned, Id, Id);
   Id (*OpenFile)(const char*, unsigned, Id);
   int (*CloseFile)(Id);
+  int (*FileOfSystem)(Id, Id, void**);
   int (*Flush)(Id, int);
   int (*StartSwmrWrite)(Id);
   Id (*CreateProperties)(Id);
@@ -63,8 +69,26 @@ struct Library {
   bool deflate;  // can compress
 };
 
-// Throws a Failure in one line where there is no such library.
+// Loads the library, once a process: that of a path, or where it is "" that of the environment variable MIMO_HDF5, or
+// the system's. Throws Status::kUnsupported in one line where there is none.
+void load(const std::string& path);
+// Throws where none is loaded.
 const Library& library();
+
+// HDF5 is not for several threads: a thread holds this while it uses the library, and may hold several. What goes wrong
+// is said by us in one line; the host may be using the same library, and gets its own printer of errors back.
+class Turn {
+ public:
+  Turn();
+  ~Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::lock_guard<std::recursive_mutex> alone_;
+  ErrorPrinter printer_ = nullptr;
+  void* data_ = nullptr;
+};
 
 // Calls transfer(memory, place) with the spaces of `count` rows of a dataset from `first` on; `extents` are its sizes.
 // Returns what that returns.
@@ -83,4 +107,4 @@ int with_rows(Id dataset, std::vector<Size> extents, Size first, Size count, Tra
   return result;
 }
 
-}  // namespace cli::hdf5
+}  // namespace mimo::recording::hdf5

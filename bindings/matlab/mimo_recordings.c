@@ -1,0 +1,121 @@
+/* Runs in files: written while they happen, and played again. */
+#include "mimo_recordings.h"
+
+#include <stdint.h>
+
+#include "mimo_options.h"
+
+/* record(number, file, index, name, value, ...) */
+static void record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_recorder_config config;
+  properties given;
+  worlds* all;
+  (void)nout, (void)out;
+  mimo_need(nin >= 3, "expected a world and a file");
+  all = mimo_worlds_of(in[0]);
+  mimo_need(all->recorder == NULL, "one of these worlds is being recorded; mimo_record_end ends that");
+  given = mimo_pairs(nin - 3, in + 3);
+  mimo_check(mimo_recorder_config_init(&config, sizeof config));
+  mimo_set_all(&config, mimo_recorder_options, &given, "a recording");
+  mimo_check(mimo_recorder_open(mimo_world_at(all, nin, in, 2), mimo_text(in[1], "file"), &config, &all->recorder));
+}
+
+/* flush(number) */
+static void flush(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  (void)nout, (void)out;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_worlds_of(in[0]);
+  mimo_need(all->recorder != NULL, "this world is not being recorded");
+  mimo_check(mimo_recorder_flush(all->recorder));
+}
+
+/* endrecord(number) */
+static void end_record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  mimo_recorder* recorder;
+  (void)nout, (void)out;
+  mimo_need(nin == 1, "expected a world");
+  all = mimo_worlds_of(in[0]);
+  mimo_need(all->recorder != NULL, "this world is not being recorded");
+  recorder = all->recorder;
+  all->recorder = NULL;
+  mimo_check(mimo_recorder_close(recorder));
+}
+
+/* A recording that errors do not leave open. */
+static mimo_recording* open_recording;
+
+static void check(mimo_status status) {
+  if (status == MIMO_OK) return;
+  mimo_recording_destroy(open_recording);
+  open_recording = NULL;
+  mimo_check(status);
+}
+
+static void open_file(const mxArray* file) {
+  check(mimo_recording_open(mimo_text(file, "file"), NULL, &open_recording));
+}
+
+static void close_file(void) {
+  mimo_recording_destroy(open_recording);
+  open_recording = NULL;
+}
+
+/* struct = recording(file) */
+static void recording(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_recording_info info = {0};
+  (void)nout;
+  mimo_need(nin == 1, "expected a file");
+  open_file(in[0]);
+  info.struct_size = sizeof info;
+  check(mimo_recording_describe(open_recording, &info));
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add_number(out[0], "steps", (double)info.steps);
+  mimo_add_number(out[0], "states", (double)info.states);
+  mimo_add_number(out[0], "bodies", (double)info.bodies);
+  mimo_add_number(out[0], "step_seconds", info.step_seconds);
+  mimo_add_number(out[0], "format_version", info.format_version);
+  mimo_add(out[0], "same_build", mxCreateLogicalScalar(info.same_build != 0));
+  mimo_add_text(out[0], "build", info.build);
+  mimo_add_text(out[0], "configuration", info.configuration);
+  mimo_add_text(out[0], "seed", info.seed);
+  close_file();
+}
+
+/* struct = replay(number, file, first, last, compare): from the state before step `first` to behind step `last` */
+static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_recording_info info = {0};
+  mimo_replay_report report = {0};
+  size_t at = 0, last;
+  double first, end;
+  worlds* all;
+  (void)nout;
+  mimo_need(nin == 5, "expected a world, a file, steps and whether to compare fields");
+  all = mimo_worlds_of(in[0]);
+  first = mimo_number(in[2], "from");
+  end = mimo_number(in[3], "to");
+  mimo_need(first >= 0 && end >= 0, "steps are counted from 0");
+  open_file(in[1]);
+  info.struct_size = sizeof info;
+  report.struct_size = sizeof report;
+  check(mimo_recording_describe(open_recording, &info));
+  last = end < (double)info.steps ? (size_t)end : info.steps;
+  check(mimo_recording_seek(open_recording, all->first, first < 1e15 ? (size_t)first : SIZE_MAX,
+                            mimo_number(in[4], "compare") != 0, &at));
+  for (; at < last; ++at) {
+    check(mimo_recording_step(open_recording, all->first, all->blocks, all->sizes.block_bytes, NULL));
+  }
+  check(mimo_recording_report(open_recording, &report));
+  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  mimo_add(out[0], "identical", mxCreateLogicalScalar(report.identical != 0));
+  mimo_add_number(out[0], "steps", (double)report.steps);
+  mimo_add_number(out[0], "next", (double)report.next);
+  mimo_add_number(out[0], "first_difference", (double)report.first_difference);
+  mimo_add_number(out[0], "largest_difference", report.largest_difference);
+  mimo_add_text(out[0], "differs_most_in", report.differs_most_in);
+  close_file();
+}
+
+const mimo_command mimo_recording_commands[] = {{"record", record},         {"flush", flush},   {"endrecord", end_record},
+                                                {"recording", recording}, {"replay", replay}, {NULL, NULL}};

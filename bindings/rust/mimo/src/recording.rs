@@ -1,0 +1,290 @@
+//! Recordings: runs in HDF5 files, written while they happen, and played again.
+use crate::block::{memory, Block};
+use crate::error::{c_string, check, text, Result};
+use crate::results::Step;
+use crate::structs::{defaults, described, pointer};
+use crate::sys;
+use crate::world::World;
+use std::ffi::CString;
+use std::os::raw::c_void;
+use std::ptr::{null, null_mut, NonNull};
+
+/// What is recorded, and how.
+#[derive(Clone, Debug)]
+pub struct RecorderConfig {
+    raw: sys::mimo_recorder_config,
+    keep: Option<CString>,
+    configuration: Option<CString>,
+    hdf5: Option<CString>,
+}
+
+// The pointers inside are set for the length of a call only.
+unsafe impl Send for RecorderConfig {}
+unsafe impl Sync for RecorderConfig {}
+
+impl RecorderConfig {
+    /// Proprioception and vestibular sense of each step, and a state each second.
+    pub fn new() -> Result<RecorderConfig> {
+        let raw = defaults(sys::mimo_recorder_config_init)?;
+        Ok(RecorderConfig { raw, keep: None, configuration: None, hdf5: None })
+    }
+
+    /// Fields to keep: "all", "none", or senses and fields with commas between them.
+    pub fn keep(&mut self, fields: &str) -> Result<&mut Self> {
+        self.keep = Some(c_string(fields)?);
+        Ok(self)
+    }
+
+    /// Simulated seconds between states that are kept.
+    pub fn state_seconds(&mut self, seconds: f64) -> &mut Self {
+        self.raw.state_seconds = seconds;
+        self
+    }
+
+    /// Real seconds after which all is on its way to the disk.
+    pub fn flush_seconds(&mut self, seconds: f64) -> &mut Self {
+        self.raw.flush_seconds = seconds;
+        self
+    }
+
+    /// 0 for none to 9 for the smallest file.
+    pub fn compression(&mut self, level: u32) -> &mut Self {
+        self.raw.compression = level;
+        self
+    }
+
+    /// What the program wants to find again: a text, best JSON.
+    pub fn configuration(&mut self, text: &str) -> Result<&mut Self> {
+        self.configuration = Some(c_string(text)?);
+        Ok(self)
+    }
+
+    /// For people; replays do not need it.
+    pub fn seed(&mut self, seed: u64) -> &mut Self {
+        self.raw.seed = seed;
+        self
+    }
+
+    /// Path of the HDF5 library, where it is not the system's.
+    pub fn hdf5(&mut self, path: &str) -> Result<&mut Self> {
+        self.hdf5 = Some(c_string(path)?);
+        Ok(self)
+    }
+}
+
+/// Records all steps of a world, also after that was moved, until this is closed or dropped, or the world is. It is
+/// neither `Send` nor `Sync`: closing needs the world for itself, so both stay on one thread.
+#[derive(Debug)]
+pub struct Recorder {
+    handle: Option<NonNull<sys::mimo_recorder>>,
+}
+
+impl Recorder {
+    /// Records a world from now on. A file of that name is replaced.
+    pub fn open(world: &mut World, path: &str, config: &RecorderConfig) -> Result<Recorder> {
+        let path = c_string(path)?;
+        let mut raw = config.raw;
+        raw.keep = pointer(&config.keep);
+        raw.configuration = pointer(&config.configuration);
+        raw.hdf5 = pointer(&config.hdf5);
+        let mut handle = null_mut();
+        check(unsafe { sys::mimo_recorder_open(world.handle(), path.as_ptr(), &raw, &mut handle) })?;
+        Ok(Recorder { handle: NonNull::new(handle) })
+    }
+
+    fn handle(&self) -> *mut sys::mimo_recorder {
+        self.handle.map_or(null_mut(), |handle| handle.as_ptr())
+    }
+
+    /// Puts everything on its way to the disk now.
+    pub fn flush(&mut self) -> Result<()> {
+        check(unsafe { sys::mimo_recorder_flush(self.handle()) })
+    }
+
+    /// Keeps the last state and closes the file; tells what could not be written.
+    pub fn close(mut self) -> Result<()> {
+        let status = unsafe { sys::mimo_recorder_close(self.handle()) };
+        self.handle = None;
+        check(status)
+    }
+}
+
+impl Drop for Recorder {
+    fn drop(&mut self) {
+        unsafe { sys::mimo_recorder_close(self.handle()) };
+    }
+}
+
+/// What a recording holds.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct RecordingInfo {
+    /// Of the file.
+    pub format_version: u32,
+    /// Whether the loaded library is the one that recorded.
+    pub same_build: bool,
+    /// That can be played.
+    pub steps: usize,
+    /// That were kept.
+    pub states: usize,
+    /// Ages that infants had.
+    pub bodies: usize,
+    /// Of one step.
+    pub step_seconds: f64,
+    /// Versions and build that recorded.
+    pub build: String,
+    /// Of the loaded library.
+    pub this_build: String,
+    /// What the recording program left.
+    pub configuration: String,
+    /// As a decimal number.
+    pub seed: String,
+}
+
+/// What a replay has shown so far.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ReplayReport {
+    /// Whether all that was compared was the same to the last bit.
+    pub identical: bool,
+    /// The step that comes next.
+    pub next: usize,
+    /// How many were played.
+    pub steps: usize,
+    /// The first step that differed.
+    pub first_difference: usize,
+    /// Of any number.
+    pub largest_difference: f64,
+    /// The dataset in which that was, "" where all was identical.
+    pub differs_most_in: String,
+}
+
+/// A recording that is read, and played again in a world like the one that was recorded.
+#[derive(Debug)]
+pub struct Recording {
+    handle: NonNull<sys::mimo_recording>,
+}
+
+// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+unsafe impl Send for Recording {}
+unsafe impl Sync for Recording {}
+
+/// Numbers that recordings consist of.
+pub trait Recorded: Copy + Default + private::Sealed {}
+macro_rules! recorded {
+    ($($number:ty)*) => { $(impl private::Sealed for $number {} impl Recorded for $number {})* };
+}
+recorded!(u8 i32 i64 f32 f64);
+mod private {
+    pub trait Sealed {}
+}
+
+impl Recording {
+    /// Opens a recording; `hdf5` is the path of the HDF5 library, where it is not the system's.
+    pub fn open(path: &str, hdf5: Option<&str>) -> Result<Recording> {
+        let (path, hdf5) = (c_string(path)?, hdf5.map(c_string).transpose()?);
+        let mut handle = null_mut();
+        check(unsafe { sys::mimo_recording_open(path.as_ptr(), pointer(&hdf5), &mut handle) })?;
+        Ok(Recording { handle: NonNull::new(handle).expect("a handle") })
+    }
+
+    fn handle(&self) -> *mut sys::mimo_recording {
+        self.handle.as_ptr()
+    }
+
+    /// What it holds.
+    pub fn info(&self) -> Result<RecordingInfo> {
+        let raw = described(|info| unsafe { sys::mimo_recording_describe(self.handle(), info) })?;
+        Ok(RecordingInfo {
+            format_version: raw.format_version,
+            same_build: raw.same_build != 0,
+            steps: raw.steps,
+            states: raw.states,
+            bodies: raw.bodies,
+            step_seconds: raw.step_seconds,
+            build: text(raw.build),
+            this_build: text(raw.this_build),
+            configuration: text(raw.configuration),
+            seed: text(raw.seed),
+        })
+    }
+
+    /// How many rows a dataset has, and their length in bytes.
+    pub fn size(&self, dataset: &str) -> Result<(usize, usize)> {
+        let (name, mut rows, mut bytes) = (c_string(dataset)?, 0, 0);
+        check(unsafe { sys::mimo_recording_size(self.handle(), name.as_ptr(), &mut rows, &mut bytes) })?;
+        Ok((rows, bytes))
+    }
+
+    /// Rows of a dataset, one behind the other, as numbers of the type that they have in the file: actions and most
+    /// fields `f32`, joints and rewards `f64`.
+    pub fn read<T: Recorded>(&self, dataset: &str, first: usize, rows: usize) -> Result<Vec<T>> {
+        let row_bytes = self.size(dataset)?.1;
+        let bytes = rows.saturating_mul(row_bytes);
+        let name = c_string(dataset)?;
+        // The library says what is wrong with rows that are not there, before there is memory for them.
+        let there = self.size(dataset)?.0;
+        let known = first <= there && rows <= there - first;
+        let mut values = vec![T::default(); if known { bytes / std::mem::size_of::<T>() } else { 0 }];
+        let to = if values.is_empty() { null_mut() } else { values.as_mut_ptr() as *mut c_void };
+        let room = values.len() * std::mem::size_of::<T>();
+        check(unsafe { sys::mimo_recording_read(self.handle(), name.as_ptr(), first, rows, to, room) })?;
+        Ok(values)
+    }
+
+    /// Loads the last kept state that is not later than a step, and gives that state's step. Without `compare_fields`
+    /// the world may sense otherwise than the recorded one. Infants become as old as they were.
+    pub fn seek(&mut self, world: &mut World, step: usize, compare_fields: bool) -> Result<usize> {
+        let mut at = 0;
+        check(unsafe {
+            sys::mimo_recording_seek(self.handle(), world.handle(), step, compare_fields.into(), &mut at)
+        })?;
+        Ok(at)
+    }
+
+    /// Plays the next step, in a world of one agent, and compares what comes of it with the recording.
+    pub fn step(&mut self, world: &mut World, block: Option<&mut Block>) -> Result<Step> {
+        let mut step = Step::default();
+        let raw = step.raw();
+        self.step_raw(world, block, &raw)?;
+        Ok(step)
+    }
+
+    /// Plays all that is left without results, so with any number of agents.
+    pub fn play(&mut self, world: &mut World) -> Result<ReplayReport> {
+        let steps = self.info()?.steps;
+        while self.report()?.next < steps {
+            self.step_raw(world, None, null())?;
+        }
+        self.report()
+    }
+
+    fn step_raw(
+        &mut self,
+        world: &mut World,
+        block: Option<&mut Block>,
+        results: *const sys::mimo_env_results,
+    ) -> Result<()> {
+        let (bytes, count) = memory(block);
+        check(unsafe { sys::mimo_recording_step(self.handle(), world.handle(), bytes, count, results) })
+    }
+
+    /// What was compared since the last seek.
+    pub fn report(&self) -> Result<ReplayReport> {
+        let raw = described(|report| unsafe { sys::mimo_recording_report(self.handle(), report) })?;
+        Ok(ReplayReport {
+            identical: raw.identical != 0,
+            next: raw.next,
+            steps: raw.steps,
+            first_difference: raw.first_difference,
+            largest_difference: raw.largest_difference,
+            differs_most_in: text(raw.differs_most_in),
+        })
+    }
+}
+
+impl Drop for Recording {
+    fn drop(&mut self) {
+        unsafe { sys::mimo_recording_destroy(self.handle()) }
+    }
+}

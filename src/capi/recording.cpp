@@ -1,0 +1,198 @@
+// Recordings: written while a world steps, read, and played again.
+#include "recording/recording.h"
+
+#include <string>
+
+#include "base/format.h"
+#include "capi/block.h"
+#include "capi/check.h"
+#include "capi/guard.h"
+#include "capi/objects.h"
+#include "capi/results.h"
+#include "capi/structs.h"
+#include "recording/build.h"
+
+namespace mimo::capi {
+namespace {
+
+mimo_recorder_config default_recorder_config() {
+  const recording::Options ours;
+  mimo_recorder_config config{};
+  config.struct_size = sizeof config;
+  config.compression = ours.compression;
+  config.state_seconds = ours.state_seconds;
+  config.flush_seconds = ours.flush_seconds;
+  return config;
+}
+
+std::string this_build() {
+  return recording::build_name(format("libmimo {}, MuJoCo {}", mimo_version(), mimo_mujoco_version()));
+}
+
+recording::Options options_from(const char* path, const mimo_recorder_config& config) {
+  require(path != nullptr && *path != '\0', "path is {}, expected that of a file", path == nullptr ? "NULL" : "\"\"");
+  require(config.compression <= 9, "compression is {}, expected 0 to 9", config.compression);
+  require(config.state_seconds >= 0.001 && config.state_seconds <= 1e6,
+          "state_seconds is {}, expected 0.001 to 1000000", config.state_seconds);
+  require(config.flush_seconds >= 0 && config.flush_seconds <= 1e6, "flush_seconds is {}, expected 0 to 1000000",
+          config.flush_seconds);
+  recording::Options options;
+  options.path = path;
+  options.keep = text(config.keep);
+  options.state_seconds = config.state_seconds;
+  options.flush_seconds = config.flush_seconds;
+  options.compression = config.compression;
+  options.configuration = text(config.configuration);
+  options.seed = std::to_string(config.seed);
+  options.build = this_build();
+  return options;
+}
+
+// Calls play(stage) with the world of a handle.
+template <typename Play>
+void on_stage(mimo_env* env, Play&& play) {
+  EnvObject& object = open(env);
+  const auto world = [&]() -> env::World& { return object.world(); };
+  const auto grow = [&](const recording::Growths& growths) { object.grow(growths); };
+  play(recording::Stage{env, world, grow});
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_recorder_config_init(mimo_recorder_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_recorder_config(), "config"); });
+}
+
+mimo_status mimo_recorder_open(mimo_env* env, const char* path, const mimo_recorder_config* config,
+                               mimo_recorder** recorder) noexcept {
+  return guard(env, [&] {
+    mimo_recorder*& result = out(recorder, "recorder");
+    env::World& world = open(env).world();
+    const mimo_recorder_config ours = read_struct(config, default_recorder_config(), "config");
+    const recording::Options options = options_from(path, ours);
+    recording::hdf5::load(text(ours.hdf5));
+    auto object = std::make_unique<RecorderObject>();
+    object->recorder = recording::Recorder::follow(world, options);
+    result = wrap<mimo_recorder>(std::move(object));
+  });
+}
+
+mimo_status mimo_recorder_flush(mimo_recorder* recorder) noexcept {
+  return guard(recorder, [&] { open(recorder).recorder->flush(); });
+}
+
+mimo_status mimo_recorder_close(mimo_recorder* recorder) noexcept {
+  return guard(recorder, [&] {
+    if (peek_handle(recorder, HandleType::kRecorder) == nullptr) return;
+    const std::shared_ptr<recording::Recorder> inside = open(recorder).recorder;
+    inside->close();
+    destroy(recorder);
+    require(inside->trouble().empty(), "{}", inside->trouble());
+  });
+}
+
+mimo_status mimo_recording_open(const char* path, const char* hdf5, mimo_recording** recording) noexcept {
+  return guard([&] {
+    mimo_recording*& result = out(recording, "recording");
+    require(path != nullptr && *path != '\0', "path is {}, expected that of a file", path == nullptr ? "NULL" : "\"\"");
+    recording::hdf5::load(text(hdf5));
+    result = wrap<mimo_recording>(std::make_unique<RecordingObject>(path, this_build()));
+  });
+}
+
+void mimo_recording_destroy(mimo_recording* recording) noexcept { destroy(recording); }
+
+mimo_status mimo_recording_describe(const mimo_recording* recording, mimo_recording_info* info) noexcept {
+  return guard(recording, [&] {
+    const RecordingObject& object = open(recording);
+    const recording::Recording& inside = object.recording;
+    mimo_recording_info ours{};
+    ours.format_version = static_cast<uint32_t>(inside.file().integer("format_version"));
+    ours.same_build = inside.build() == object.build ? 1 : 0;
+    ours.steps = inside.steps();
+    ours.states = inside.states();
+    ours.actions = inside.actions();
+    ours.agents = inside.agents();
+    ours.bodies = inside.bodies();
+    ours.step_seconds = inside.step_seconds();
+    ours.build = inside.build().c_str();
+    ours.this_build = object.build.c_str();
+    ours.configuration = inside.configuration().c_str();
+    ours.seed = inside.seed().c_str();
+    write_described(info, ours, "info");
+  });
+}
+
+mimo_status mimo_recording_size(const mimo_recording* recording, const char* dataset, size_t* rows,
+                                size_t* row_bytes) noexcept {
+  return guard(recording, [&] {
+    const recording::Reader& file = open(recording).recording.file();
+    require(dataset != nullptr, "dataset is NULL");
+    if (!file.has_dataset(dataset)) fail(Status::kNotFound, "{} has no dataset \"{}\"", file.path(), dataset);
+    if (rows != nullptr) *rows = file.rows(dataset);
+    if (row_bytes != nullptr) *row_bytes = file.row_bytes(dataset);
+  });
+}
+
+mimo_status mimo_recording_read(const mimo_recording* recording, const char* dataset, size_t first, size_t rows,
+                                void* values, size_t value_bytes) noexcept {
+  return guard(recording, [&] {
+    const recording::Reader& file = open(recording).recording.file();
+    require(dataset != nullptr, "dataset is NULL");
+    if (!file.has_dataset(dataset)) fail(Status::kNotFound, "{} has no dataset \"{}\"", file.path(), dataset);
+    const std::size_t there = file.rows(dataset), bytes = file.row_bytes(dataset);
+    require(first <= there && rows <= there - first, "first is {} and rows is {}, but '{}' has {} rows", first, rows,
+            dataset, there);
+    auto* to = static_cast<std::uint8_t*>(values);
+    check_buffer(to, value_bytes, rows * bytes, "values");
+    require(to != nullptr || rows * bytes == 0, "values is NULL");
+    file.read(dataset, first, rows, {to, rows * bytes});
+  });
+}
+
+mimo_status mimo_recording_seek(mimo_recording* recording, mimo_env* env, size_t step, uint32_t compare_fields,
+                                size_t* at) noexcept {
+  return guard(recording, [&] {
+    recording::Recording& inside = open(recording).recording;
+    on_stage(env, [&](const recording::Stage& stage) {
+      check_flag(compare_fields, "compare_fields");
+      const std::size_t begin = inside.seek(stage, step, compare_fields != 0);
+      if (at != nullptr) *at = begin;
+    });
+  });
+}
+
+mimo_status mimo_recording_step(mimo_recording* recording, mimo_env* env, void* block, size_t block_bytes,
+                                const mimo_env_results* results) noexcept {
+  return guard(recording, [&] {
+    recording::Recording& inside = open(recording).recording;
+    on_stage(env, [&](const recording::Stage& stage) {
+      const env::World& world = stage.world();
+      const env::Results to = results_of(world, results);
+      inside.play(stage, block_of(world.layout(), block, block_bytes), to);
+    });
+  });
+}
+
+mimo_status mimo_recording_report(const mimo_recording* recording, mimo_replay_report* report) noexcept {
+  return guard(recording, [&] {
+    const recording::Recording& inside = open(recording).recording;
+    const recording::Verdict& verdict = inside.verdict();
+    mimo_replay_report ours{};
+    ours.identical = verdict.identical ? 1 : 0;
+    ours.next = inside.next();
+    ours.steps = verdict.steps;
+    ours.first_difference = verdict.first;
+    ours.largest_difference = verdict.largest;
+    ours.differs_most_in = verdict.table.c_str();
+    write_described(report, ours, "report");
+  });
+}
+
+}  // extern "C"

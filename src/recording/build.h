@@ -1,0 +1,11 @@
+// Which library recorded.
+#pragma once
+
+#include <string>
+
+namespace mimo::recording {
+
+// The versions, and a fingerprint of the file that the library was loaded from: two builds of one version are two.
+std::string build_name(const std::string& versions);
+
+}  // namespace mimo::recording

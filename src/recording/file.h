@@ -1,0 +1,116 @@
+// The HDF5 file of a recording: tables that grow by rows, and attributes. docs/guide/recordings.md has the layout.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "recording/hdf5.h"
+
+namespace mimo::recording {
+
+constexpr char kFormat[] = "mimo recording";
+constexpr std::int64_t kVersion = 2;  // 1: of runs that nothing but actions changed
+
+// Tables that every recording has, and those of states; a field's is "fields/<name>".
+constexpr char kTime[] = "time", kActions[] = "actions", kRewards[] = "rewards", kJointPosition[] = "joints/position",
+               kJointVelocity[] = "joints/velocity", kStates[] = "states/state", kStateSteps[] = "states/step",
+               kStateGiven[] = "states/given", kStateBodies[] = "states/body", kBodies[] = "bodies/growth";
+
+// Written while a run goes on: what has been flushed stays readable, however the process ends. Both classes throw, and
+// take their turn with HDF5 by themselves.
+class Writer {
+ public:
+  Writer(std::string path, unsigned compression);
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  // All attributes and tables come before start().
+  void attribute(const std::string& name, const std::string& text);
+  void attribute(const std::string& name, std::int64_t value);
+  void attribute(const std::string& name, double value);
+  // Rows have this shape; unit and names (of a row's elements, a line each) may be "". Rows that may grow
+  // are of one extent and of bytes; shorter ones have zeros behind them.
+  enum class Rows { kFixed, kMayGrow };
+  void table(const std::string& name, hdf5::Id type, const std::vector<std::size_t>& shape, const std::string& unit,
+             const std::string& names = "", Rows rows = Rows::kFixed);
+  void start();
+
+  void append(const std::string& table, const void* row);               // kept until flush() or until there are many
+  void append(const std::string& table, Span<const std::uint8_t> row);  // that may have grown
+  void flush();
+  void close();
+  // Leaves the file as it is on the disk, where no more can be written.
+  void abandon() noexcept;
+
+ private:
+  struct Table {
+    hdf5::Id dataset, type;
+    std::vector<hdf5::Size> extents;  // of all rows written; the first is their number
+    std::size_t row_bytes, chunk_rows;
+    std::vector<std::uint8_t> waiting;
+  };
+
+  void check(std::int64_t result) const;
+  void write_attribute(hdf5::Id object, const std::string& name, hdf5::Id type, const void* value) const;
+  void write_text(hdf5::Id object, const std::string& name, const std::string& text) const;
+  void write_waiting(Table& table) const;
+  void lengthen(Table& table, std::size_t row_bytes) const;
+
+  const hdf5::Library& h5_;
+  std::string path_;
+  unsigned compression_;
+  hdf5::Id file_ = -1;
+  std::map<std::string, Table> tables_;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string path);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::string text(const std::string& attribute) const;
+  std::int64_t integer(const std::string& attribute) const;
+  double real(const std::string& attribute) const;
+  bool has(const std::string& table) const;         // of those that a recording has
+  bool has_dataset(const std::string& name) const;  // of any, groups excluded
+  std::size_t rows(const std::string& table) const;
+  std::size_t row_bytes(const std::string& table) const;
+  // All of them must be there; `bytes` has room for them.
+  void read(const std::string& table, std::size_t first, std::size_t count, Span<std::uint8_t> bytes) const;
+  std::vector<std::uint8_t> row(const std::string& table, std::size_t index) const;
+  template <typename T>
+  T number(const std::string& table, std::size_t index) const {
+    T value{};
+    if (row_bytes(table) != sizeof value) damaged("'" + table + "' has numbers of another length");
+    read(table, index, 1, {reinterpret_cast<std::uint8_t*>(&value), sizeof value});
+    return value;
+  }
+  [[noreturn]] void damaged(const std::string& what) const;
+
+ private:
+  struct Table {
+    hdf5::Id dataset = -1, type = -1;
+    std::vector<hdf5::Size> extents;
+    std::size_t row_bytes = 0;
+  };
+
+  void check_format() const;
+  bool has_link(const std::string& table) const;
+  const Table& open(const std::string& name) const;
+  void read_number(const std::string& name, hdf5::Id type, void* value) const;
+
+  const hdf5::Library& h5_;
+  std::string path_;
+  hdf5::Id file_ = -1;
+  mutable std::map<std::string, Table> tables_;
+};
+
+}  // namespace mimo::recording

@@ -1,0 +1,17 @@
+// The joints of a world, as recordings name and number them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "env/access.h"
+
+namespace mimo::recording {
+
+std::string joint_names(const env::World& world);  // a line each
+// A line for each column: a free joint has seven positions and six velocities.
+std::string joint_columns(const env::World& world, env::Quantity quantity);
+// Of all joints.
+void read_joints(const env::World& world, env::Quantity quantity, std::vector<double>& values);
+
+}  // namespace mimo::recording

@@ -1,0 +1,282 @@
+#include "recording/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <tuple>
+
+#include "base/fail.h"
+#include "base/format.h"
+#include "env/description.h"
+#include "recording/joints.h"
+
+namespace mimo::recording {
+namespace {
+
+constexpr std::size_t kMostNamed = 1000;  // elements of a field that are listed by name
+
+// "touch" fits "touch/force" and "anna/touch/force".
+bool fits(const std::string& name, const std::string& word) {
+  return ("/" + name + "/").find("/" + word + "/") != std::string::npos;
+}
+
+std::vector<std::string> words_of(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    words.push_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+[[noreturn]] void fail_unknown(const observation::Layout& layout, const std::string& word) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < layout.size(); ++i) names.push_back(layout[i].name);
+  fail(Status::kNotFound, "keep: this world has no sense or field \"{}\"; fields are: {}", word,
+       some_of(std::move(names)));
+}
+
+// Numbers of fields.
+std::vector<std::size_t> choose(const observation::Layout& layout, const std::string& keep) {
+  const bool usual = keep.empty();
+  const auto words = words_of(usual ? "proprioception,vestibular" : keep == "none" ? "" : keep);
+  std::vector<std::size_t> chosen;
+  for (const std::string& word : words) {
+    const auto wanted = [&](std::size_t i) { return word == "all" || fits(layout[i].name, word); };
+    const std::size_t before = chosen.size();
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+      if (wanted(i)) chosen.push_back(i);
+    }
+    if (chosen.size() == before && !usual && keep != "none" && word != "all") fail_unknown(layout, word);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+hdf5::Id type_of(observation::Type type) {
+  const hdf5::Library& h5 = hdf5::library();
+  switch (type) {
+    case observation::Type::kU8: return h5.u8;
+    case observation::Type::kI32: return h5.i32;
+    case observation::Type::kF32: return h5.f32;
+    case observation::Type::kF64: return h5.f64;
+  }
+  return h5.u8;
+}
+
+std::string labels_of(const observation::Field& field) {
+  if (field.labels.empty() || field.count() > kMostNamed) return "";
+  std::string names;
+  for (std::size_t i = 0; i < field.count(); ++i) names += std::string(field.label(i)) + "\n";
+  return names;
+}
+
+std::string action_names(const env::World& world) {
+  std::string names;
+  for (const env::Action& action : env::describe(world).actions) names += action.name + "\n";
+  return names;
+}
+
+// A world that has failed has none.
+void save(const env::World& world, std::vector<std::uint8_t>& state) {
+  state.resize(world.state_bytes());
+  world.save(Span<std::uint8_t>(state));
+}
+
+}  // namespace
+
+std::shared_ptr<Recorder> Recorder::follow(env::World& world, const Options& options) {
+  require(!world.in_task(), "env is within a step or a reset, where no recording can begin");
+  require(world.listener() == nullptr, "env is being recorded already");
+  std::shared_ptr<Recorder> recorder(new Recorder(world, options));
+  world.tell(recorder);
+  return recorder;
+}
+
+Recorder::Recorder(env::World& world, const Options& options)
+    : world_(&world),
+      state_every_(static_cast<std::size_t>(std::max(1.0, std::round(options.state_seconds / world.step_seconds())))),
+      step_seconds_(world.step_seconds()),
+      flush_seconds_(options.flush_seconds),
+      body_(growths_of(world)) {
+  choose(world.layout(), options.keep);
+  save(world, state_);
+  file_ = std::make_unique<Writer>(options.path, options.compression);
+  describe(world, options);
+  file_->start();
+  const std::vector<double> body = row_of(body_);
+  file_->append(kBodies, body.data());
+}
+
+void Recorder::describe(const env::World& world, const Options& options) {
+  const hdf5::Library& h5 = hdf5::library();
+  file_->attribute("format", std::string(kFormat));
+  file_->attribute("format_version", kVersion);
+  file_->attribute("build", options.build);
+  file_->attribute("configuration", options.configuration);
+  file_->attribute("seed", options.seed);
+  file_->attribute("step_seconds", step_seconds_);
+  file_->attribute("joint_names", joint_names(world));
+  file_->table(kTime, h5.f64, {}, "s");
+  file_->table(kActions, h5.f32, {world.action_size()}, "", action_names(world));
+  file_->table(kRewards, h5.f64, {world.agents().size()}, "");
+  for (const auto& [table, quantity, unit] :
+       {std::tuple(kJointPosition, env::Quantity::kJointPosition, "m or rad"),
+        std::tuple(kJointVelocity, env::Quantity::kJointVelocity, "m/s or rad/s")}) {
+    read_joints(world, quantity, numbers_);
+    file_->table(table, h5.f64, {numbers_.size()}, unit, joint_columns(world, quantity));
+  }
+  file_->table(kStates, h5.u8, {state_.size()}, "", "", Writer::Rows::kMayGrow);
+  file_->table(kStateSteps, h5.i64, {}, "");
+  file_->table(kStateGiven, h5.u8, {}, "");
+  file_->table(kStateBodies, h5.i64, {}, "");
+  file_->table(kBodies, h5.f64, {row_of(body_).size()}, "", names_of_row(world));
+  describe_fields(world, options.keep);
+}
+
+void Recorder::describe_fields(const env::World& world, const std::string& keep) {
+  for (const std::size_t i : choose(world.layout(), keep)) {
+    const observation::Field& field = world.layout()[i];
+    fields_.push_back({"fields/" + field.name, field.offset});
+    file_->table(fields_.back().table, type_of(field.type), field.shape, field.unit, labels_of(field));
+  }
+  if (!fields_.empty()) own_block_.resize(world.layout().bytes());
+}
+
+// What fails here must not fail the step.
+template <typename Work>
+void Recorder::attempt(Work&& work) noexcept {
+  if (file_ == nullptr) return;
+  try {
+    work();
+  } catch (const std::exception& error) {
+    try {
+      trouble_ = error.what();
+    } catch (...) {
+      trouble_ = "no memory";  // short enough to need none
+    }
+    file_->abandon();
+    file_.reset();
+  }
+}
+
+std::uint8_t* Recorder::step_begins(const env::World& world, std::uint8_t* block) noexcept {
+  const std::lock_guard alone(mutex_);
+  stepping_ = true;
+  attempt([&] { begin(world); });
+  return block == nullptr && !own_block_.empty() ? own_block_.data() : block;
+}
+
+void Recorder::begin(const env::World& world) {
+  save(world, state_);
+  const bool first = steps_ == 0 && after_step_.empty(), changed = !first && state_ != after_step_;
+  if (changed || static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(world, changed);
+  if (first) file_->flush();  // from here on a run that is killed can be replayed
+}
+
+void Recorder::keep_state(const env::World& world, bool changed) {
+  Growths body = growths_of(world);
+  if (body != body_) {
+    body_ = std::move(body);
+    const std::vector<double> row = row_of(body_);
+    file_->append(kBodies, row.data());
+    ++bodies_;
+  }
+  const std::uint8_t mark = changed ? 1 : 0;
+  file_->append(kStates, Span<const std::uint8_t>(state_));
+  file_->append(kStateSteps, &steps_);
+  file_->append(kStateGiven, &mark);
+  file_->append(kStateBodies, &bodies_);
+}
+
+void Recorder::step_ends(env::World& world, Span<const float> actions, const std::uint8_t* block) noexcept {
+  bool complains = false;
+  {
+    const std::lock_guard alone(mutex_);
+    attempt([&] { write(world, actions, block); });
+    stepping_ = false;
+    complains = !trouble_.empty() && !told_;
+    told_ = told_ || complains;
+  }
+  if (complains) complain(world);  // alone no more: whoever is told may call flush()
+}
+
+void Recorder::write(const env::World& world, Span<const float> actions, const std::uint8_t* block) {
+  const double time = step_seconds_ * static_cast<double>(++steps_);
+  file_->append(kTime, &time);
+  // A step without actions leaves the motors as they are, which no action does.
+  actions_.assign(world.action_size(), std::numeric_limits<float>::quiet_NaN());
+  std::copy(actions.begin(), actions.end(), actions_.begin());
+  file_->append(kActions, actions_.data());
+  numbers_.clear();
+  for (const env::Agent& agent : world.agents()) numbers_.push_back(agent.task->reward());
+  file_->append(kRewards, numbers_.data());
+  read_joints(world, env::Quantity::kJointPosition, numbers_);
+  file_->append(kJointPosition, numbers_.data());
+  read_joints(world, env::Quantity::kJointVelocity, numbers_);
+  file_->append(kJointVelocity, numbers_.data());
+  for (const Kept& field : fields_) file_->append(field.table, block + field.offset);
+  save(world, after_step_);
+  if (std::chrono::duration<double>(Clock::now() - flushed_).count() < flush_seconds_) return;
+  file_->flush();
+  flushed_ = Clock::now();
+}
+
+void Recorder::complain(const env::World& world) const {
+  try {
+    world.warn("the recording has ended: " + trouble_);
+  } catch (...) {
+  }
+}
+
+void Recorder::step_failed() noexcept {
+  const std::lock_guard alone(mutex_);
+  stepping_ = false;
+}
+
+void Recorder::goes_on_in(env::World& world) noexcept {
+  const std::lock_guard alone(mutex_);
+  world_ = &world;
+}
+
+void Recorder::ends(const env::World&) noexcept {
+  const std::lock_guard alone(mutex_);
+  finish();
+  world_ = nullptr;
+}
+
+// The last state, if the world has one, and the file is closed.
+void Recorder::finish() noexcept {
+  attempt([&] {
+    bool sound = true;
+    try {
+      save(*world_, state_);
+    } catch (const Error&) {
+      sound = false;
+    }
+    if (sound) keep_state(*world_, !after_step_.empty() && state_ != after_step_);
+    file_->close();
+  });
+  file_.reset();
+}
+
+void Recorder::flush() {
+  const std::lock_guard alone(mutex_);
+  attempt([&] { file_->flush(); });
+  require(trouble_.empty(), "{}", trouble_);
+}
+
+void Recorder::close() {
+  const std::lock_guard alone(mutex_);
+  require(!stepping_, "recorder is within a step of its world, where it cannot be closed");
+  if (world_ != nullptr) {
+    finish();
+    world_->tell(nullptr);
+    world_ = nullptr;
+  }
+}
+
+}  // namespace mimo::recording

@@ -1,0 +1,81 @@
+// Follows a world's steps and writes them into a file: what was done, what came of it, and states to go on from.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "env/listener.h"
+#include "recording/bodies.h"
+#include "recording/file.h"
+
+namespace mimo::recording {
+
+struct Options {
+  std::string path;
+  std::string keep;          // senses and fields with commas between them, "none", "all"; "": what most want
+  double state_seconds = 1;  // of simulated time, between states that are kept
+  double flush_seconds = 1;  // of real time
+  unsigned compression = 4;
+  std::string configuration, seed, build;  // attributes
+};
+
+// Between two steps a host may do anything to its world. What that was does not matter: where the state is not the one
+// that the last step left, it is kept, and marked as one that a replay has to load.
+class Recorder : public env::Listener {
+ public:
+  // Throws before the file is made where an option is wrong. The world tells it of its steps from now on.
+  static std::shared_ptr<Recorder> follow(env::World& world, const Options& options);
+
+  // Throws what could not be written, now or before.
+  void flush();
+  // The world is not followed any more. Throws, with nothing changed, within a step of the world only.
+  void close();
+  // What could not be written, "" where all was.
+  const std::string& trouble() const { return trouble_; }
+
+  std::uint8_t* step_begins(const env::World& world, std::uint8_t* block) noexcept override;
+  void step_ends(env::World& world, Span<const float> actions, const std::uint8_t* block) noexcept override;
+  void step_failed() noexcept override;
+  void goes_on_in(env::World& world) noexcept override;
+  void ends(const env::World& world) noexcept override;
+
+ private:
+  // A kept field: where it lies in a block, and in the file.
+  struct Kept {
+    std::string table;
+    std::size_t offset;
+  };
+  using Clock = std::chrono::steady_clock;
+
+  Recorder(env::World& world, const Options& options);
+  void describe(const env::World& world, const Options& options);
+  void describe_fields(const env::World& world, const std::string& keep);
+  void keep_state(const env::World& world, bool changed);
+  void begin(const env::World& world);
+  void write(const env::World& world, Span<const float> actions, const std::uint8_t* block);
+  void finish() noexcept;
+  template <typename Work>
+  void attempt(Work&& work) noexcept;
+  void complain(const env::World& world) const;
+
+  std::mutex mutex_;  // flush() may come from another thread than the steps
+  env::World* world_;
+  std::unique_ptr<Writer> file_;  // null when it is closed
+  std::string trouble_;           // what went wrong first, "" for nothing
+  bool told_ = false;             // to the user
+  bool stepping_ = false;
+  std::size_t state_every_;  // steps
+  double step_seconds_, flush_seconds_;
+  std::vector<Kept> fields_;
+  std::vector<std::uint8_t> own_block_, state_, after_step_;  // the last two: now, and as the last step left it
+  std::vector<float> actions_;
+  std::vector<double> numbers_;
+  Growths body_;
+  std::int64_t steps_ = 0, bodies_ = 0;
+  Clock::time_point flushed_ = Clock::now();
+};
+
+}  // namespace mimo::recording

@@ -1,0 +1,83 @@
+// A recording that is read, and played again in a world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/function_ref.h"
+#include "env/world.h"
+#include "recording/bodies.h"
+#include "recording/file.h"
+
+namespace mimo::recording {
+
+// Of all that was compared so far.
+struct Verdict {
+  bool identical = true;
+  double largest = 0;
+  std::string table;      // where that is, "" where all is identical
+  std::size_t first = 0;  // the first step that differed
+  std::size_t steps = 0;  // that were played
+};
+
+// The world of a host: what it is known by, itself, and how its infants become others. Then it is another world.
+struct Stage {
+  const void* host;
+  FunctionRef<env::World&()> world;
+  FunctionRef<void(const Growths&)> grow;
+};
+
+class Recording {
+ public:
+  // Throws Status::kUnsupported for what comes from a newer version, kNotFound and kInvalidArgument for what is no
+  // recording.
+  explicit Recording(const std::string& path);
+
+  const Reader& file() const { return file_; }
+  const std::string& configuration() const { return configuration_; }
+  const std::string& seed() const { return seed_; }
+  const std::string& build() const { return build_; }
+  double step_seconds() const { return step_seconds_; }
+  std::size_t steps() const { return steps_; }
+  std::size_t states() const { return states_.size(); }
+  std::size_t actions() const { return actions_; }
+  std::size_t agents() const { return agents_; }
+  std::size_t bodies() const { return bodies_; }
+
+  // To the last kept state that is not behind a step. Returns the state's own step.
+  std::size_t seek(const Stage& stage, std::size_t step, bool compare_fields);
+  // Plays the next step.
+  void play(const Stage& stage, std::uint8_t* block, const env::Results& results);
+  const Verdict& verdict() const { return verdict_; }
+  std::size_t next() const { return next_; }
+
+ private:
+  struct State {
+    std::size_t step;
+    bool changed;
+    std::size_t body;
+  };
+
+  void read_states();
+  Growths growths_of_state(std::size_t state) const;
+  void require_fitting(const env::World& world, bool compare_fields) const;
+  void enter(const Stage& stage, std::size_t state);
+  void compare(const env::World& world, const std::uint8_t* block);
+  void compare(const std::string& table, observation::Type type, const void* now, std::size_t bytes);
+
+  Reader file_;
+  std::string configuration_, seed_, build_, joint_names_;
+  double step_seconds_;
+  std::size_t steps_, actions_, agents_, bodies_;
+  std::vector<State> states_;
+  // Of a replay.
+  const void* host_ = nullptr;  // null: none has begun
+  bool compares_fields_ = false;
+  std::size_t next_ = 0, next_state_ = 0;
+  Verdict verdict_;
+  std::vector<std::uint8_t> own_block_, row_;
+  std::vector<float> action_;
+  std::vector<double> numbers_;
+};
+
+}  // namespace mimo::recording

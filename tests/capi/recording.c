@@ -1,0 +1,356 @@
+/* Recordings: what a program does with a world is written by itself, and played again bit for bit. */
+#include <math.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "support/capi.h"
+
+enum { ACTIONS = 100, RATE = 16000, HEARD = 160 }; /* samples of a step of 10 ms */
+
+static char path[256], other[300];
+static float action[ACTIONS];
+
+static mimo_env* world_of(const char* name, uint32_t hearing) {
+  mimo_scene* scene = NULL;
+  mimo_env* env = NULL;
+  mimo_agent_config agent;
+  CHECK_OK(mimo_scene_create(SIZED(mimo_scene_config, .name = name), &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.vision = agent.touch = 0;
+  agent.hearing = hearing;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  if (hearing != 0) CHECK_OK(mimo_scene_set_sources(scene, 1, 0.05));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  mimo_scene_destroy(scene);
+  if (env == NULL) exit(failures());
+  return env;
+}
+
+static mimo_recorder* record(mimo_env* env, const char* keep) {
+  mimo_recorder* recorder = NULL;
+  mimo_recorder_config config;
+  CHECK_OK(mimo_recorder_config_init(&config, sizeof config));
+  config.keep = keep;
+  config.state_seconds = 0.1;
+  config.configuration = "{\"who\": \"a test\"}";
+  config.seed = 7;
+  CHECK_OK(mimo_recorder_open(env, path, &config, &recorder));
+  if (recorder == NULL) exit(failures());
+  return recorder;
+}
+
+static mimo_recording* open_it(void) {
+  mimo_recording* recording = NULL;
+  CHECK_OK(mimo_recording_open(path, NULL, &recording));
+  if (recording == NULL) exit(failures());
+  return recording;
+}
+
+static mimo_recording_info info_of(const mimo_recording* recording) {
+  mimo_recording_info info = {.struct_size = sizeof info};
+  CHECK_OK(mimo_recording_describe(recording, &info));
+  return info;
+}
+
+static void go(mimo_env* env, int steps) {
+  const size_t count = sizes_of(env).actions;
+  for (int i = 0; i < steps; ++i) {
+    for (size_t k = 0; k < count; ++k) action[k] = sinf((float)(i + 1) * (float)(k + 1));
+    CHECK_OK(mimo_env_step(env, action, count, NULL, 0, NULL));
+  }
+}
+
+static mimo_replay_report replay(mimo_recording* recording, mimo_env* env, size_t from) {
+  mimo_replay_report report = {.struct_size = sizeof report};
+  CHECK_OK(mimo_recording_seek(recording, env, from, 1, NULL));
+  while (mimo_recording_step(recording, env, NULL, 0, NULL) == MIMO_OK) continue;
+  CHECK(strstr(mimo_last_error(), "ends at step") != NULL);
+  CHECK_OK(mimo_recording_report(recording, &report));
+  return report;
+}
+
+static void check_identical(mimo_env* like, size_t steps) {
+  mimo_recording* recording = open_it();
+  for (size_t from = 0; from <= steps; from += 1 + steps / 3) {
+    const mimo_replay_report report = replay(recording, like, from);
+    CHECK(report.identical == 1 && report.largest_difference == 0 && report.next == steps);
+    CHECK_TEXT("", report.differs_most_in);
+    CHECK(report.steps <= steps - from + 10); /* states are 10 steps apart */
+  }
+  mimo_recording_destroy(recording);
+}
+
+/* Everything that a program may do between two steps. */
+static void what_programs_do_is_replayed(void) {
+  mimo_env *env = world_of("reach", 0), *twin = world_of("reach", 0);
+  size_t bytes = 0;
+  const int32_t first = 0;
+  const double gravity[3] = {0, 0, -1};
+  double value = 0.2;
+  CHECK_OK(mimo_env_state_size(env, &bytes));
+  uint8_t* state = malloc(bytes);
+  CHECK_OK(mimo_env_reset(env, SEED(3), NULL, 0));
+  go(env, 5); /* before the recording */
+  mimo_recorder* recorder = record(env, NULL);
+  go(env, 7);
+  CHECK_OK(mimo_env_state_save(env, state, bytes));
+  CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+  go(env, 5);
+  const int32_t elbow = find(env, MIMO_JOINT, "robot:left_elbow");
+  CHECK_OK(mimo_env_set(env, MIMO_JOINT_POSITION, &elbow, 1, (const double[]){-0.5}, 1));
+  go(env, 5);
+  CHECK_OK(mimo_env_set(env, MIMO_WORLD_GRAVITY, &first, 1, gravity, 3));
+  go(env, 5);
+  CHECK_OK(mimo_env_physics_step(env, 3));
+  go(env, 5);
+  CHECK_OK(mimo_env_random(env, &value, 1));
+  CHECK_OK(mimo_env_state_load(env, state, bytes, NULL));
+  go(env, 5);
+  CHECK_OK(mimo_env_set(env, MIMO_ACTUATOR_CONTROL, &first, 1, &value, 1));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL)); /* leaves the motors as they are */
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+  CHECK_OK(mimo_recorder_flush(recorder));
+  CHECK_OK(mimo_recorder_close(recorder));
+  CHECK_OK(mimo_recorder_close(recorder)); /* again */
+  CHECK_OK(mimo_recorder_close(NULL));
+  go(env, 3); /* of which nobody is told */
+  check_identical(twin, 34);
+  mimo_recording* recording = open_it();
+  const mimo_recording_info info = info_of(recording);
+  CHECK(info.steps == 34 && info.agents == 1 && info.bodies == 1 && info.format_version == 2 && info.same_build == 1);
+  CHECK(info.actions == sizes_of(env).actions && fabs(info.step_seconds - 0.01) < 1e-12);
+  CHECK_TEXT("{\"who\": \"a test\"}", info.configuration);
+  CHECK_TEXT("7", info.seed);
+  /* Changes: the reset, the elbow, gravity, physics, the loaded state, the control; and every tenth step; the end. */
+  uint8_t changed[16];
+  size_t rows = 0;
+  CHECK_OK(mimo_recording_size(recording, "states/given", &rows, NULL));
+  CHECK(rows == info.states && rows <= 16);
+  CHECK_OK(mimo_recording_read(recording, "states/given", 0, rows, changed, sizeof changed));
+  size_t changes = 0;
+  for (size_t i = 0; i < rows; ++i) changes += changed[i];
+  CHECK(changes == 6);
+  mimo_recording_destroy(recording);
+  free(state);
+  mimo_env_destroy(env);
+  mimo_env_destroy(twin);
+}
+
+static mimo_growth aged(double months) {
+  mimo_growth growth;
+  CHECK_OK(mimo_growth_init(&growth, sizeof growth));
+  growth.age = months;
+  growth.maturity = MIMO_MATURITY_ALL; /* nerves too: states then have other lengths */
+  return growth;
+}
+
+/* A career in one file. The world that replays it grows along, and back again. */
+static void other_ages_are_replayed(void) {
+  mimo_env *env = world_of("benchmark", 0), *twin = world_of("benchmark", 0);
+  const mimo_growth young = aged(3), older = aged(9);
+  double age = 0;
+  mimo_recorder* recorder = record(env, NULL);
+  go(env, 5);
+  for (const mimo_growth* growth = &young; growth != NULL; growth = growth == &young ? &older : NULL) {
+    CHECK_OK(mimo_env_reset(env, SIZED(mimo_reset_config, .growth = &growth, .growth_count = 1), NULL, 0));
+    go(env, 12);
+  }
+  CHECK_OK(mimo_recorder_close(recorder));
+  mimo_recording* recording = open_it();
+  CHECK(info_of(recording).bodies == 3);
+  mimo_recording_destroy(recording);
+  check_identical(twin, 29);
+  CHECK_OK(mimo_env_get(twin, MIMO_AGENT_AGE, NULL, 0, &age, 1));
+  CHECK(age == 9);
+  check_identical(twin, 29); /* from the oldest again */
+  mimo_env_destroy(env);
+  mimo_env_destroy(twin);
+}
+
+/* A tone that a body plays reaches the left ear, in the file as in the block. */
+static void what_is_heard_is_kept(void) {
+  mimo_env *env = world_of("benchmark", MIMO_HEARING_EARS), *twin = world_of("benchmark", MIMO_HEARING_EARS);
+  const mimo_field left = field_of(env, "hearing/ear_left");
+  const size_t bytes = sizes_of(env).block_bytes;
+  uint8_t* block = malloc(bytes);
+  float tone[HEARD * 4], heard[HEARD], kept[5][HEARD], loudest = 0;
+  size_t rows = 0, row_bytes = 0;
+  for (int i = 0; i < HEARD * 4; ++i) tone[i] = 0.1f * sinf(6.2831853f * 500 * (float)i / RATE);
+  mimo_recorder* recorder = record(env, "hearing/ear_left");
+  CHECK_OK(mimo_env_play(env, "head", tone, HEARD * 4, RATE));
+  for (int i = 0; i < 5; ++i) CHECK_OK(mimo_env_step(env, NULL, 0, i == 4 ? block : NULL, i == 4 ? bytes : 0, NULL));
+  CHECK_OK(mimo_recorder_close(recorder));
+  mimo_recording* recording = open_it();
+  CHECK_OK(mimo_recording_size(recording, "fields/hearing/ear_left", &rows, &row_bytes));
+  CHECK(rows == 5 && row_bytes == sizeof heard);
+  CHECK_OK(mimo_recording_read(recording, "fields/hearing/ear_left", 0, 5, kept, sizeof kept));
+  memcpy(heard, block + left.offset, sizeof heard);
+  CHECK(memcmp(heard, kept[4], sizeof heard) == 0);
+  for (int i = 0; i < 5 * HEARD; ++i) loudest = fmaxf(loudest, fabsf(kept[i / HEARD][i % HEARD]));
+  CHECK(loudest > 0.05f); /* the ear is nearer than the metre at which it has 0.1 Pa */
+  mimo_recording_destroy(recording);
+  check_identical(twin, 5);
+  free(block);
+  mimo_env_destroy(env);
+  mimo_env_destroy(twin);
+}
+
+/* Also where the batch starts episodes anew by itself; the worlds write beside each other. */
+static void worlds_of_a_batch_are_recorded(void) {
+  mimo_scene* scene = blind_scene("reach");
+  mimo_batch_config config;
+  mimo_batch* batch = NULL;
+  mimo_env* worlds[2] = {NULL, NULL};
+  mimo_recorder* recorders[2] = {NULL, NULL};
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = config.threads = 2;
+  config.autoreset = MIMO_AUTORESET_SAME_STEP;
+  mimo_env_config settings;
+  CHECK_OK(mimo_env_config_init(&settings, sizeof settings));
+  settings.max_steps = 6;
+  CHECK_OK(mimo_batch_create(scene, &settings, &config, &batch));
+  for (size_t i = 0; i < 2; ++i) {
+    CHECK_OK(mimo_batch_world(batch, i, &worlds[i]));
+    CHECK_OK(mimo_recorder_open(worlds[i], i == 0 ? path : other, NULL, &recorders[i]));
+  }
+  const size_t count = sizes_of(worlds[0]).actions;
+  float* actions = malloc(2 * count * sizeof *actions);
+  for (size_t i = 0; i < 2 * count; ++i) actions[i] = sinf((float)i);
+  for (int i = 0; i < 20; ++i) CHECK_OK(mimo_batch_step(batch, actions, 2 * count, NULL, 0, NULL));
+  CHECK_OK(mimo_recorder_close(recorders[0]));
+  mimo_batch_destroy(batch); /* closes the other's file */
+  CHECK_OK(mimo_recorder_flush(recorders[1]));
+  CHECK_OK(mimo_recorder_close(recorders[1]));
+  mimo_env* twin = NULL;
+  CHECK_OK(mimo_env_create(scene, &settings, &twin));
+  check_identical(twin, 20);
+  CHECK(rename(other, path) == 0);
+  check_identical(twin, 20);
+  mimo_env_destroy(twin);
+  mimo_scene_destroy(scene);
+  free(actions);
+}
+
+static void a_difference_is_told(void) {
+  mimo_env *env = world_of("benchmark", 0), *heavy = world_of("benchmark", 0);
+  mimo_recorder* recorder = record(env, "none");
+  const double gravity[3] = {0, 0, -3};
+  mimo_replay_report report = {.struct_size = sizeof report};
+  go(env, 5);
+  CHECK_OK(mimo_recorder_close(recorder));
+  mimo_recording* recording = open_it();
+  CHECK_OK(mimo_recording_seek(recording, heavy, 3, 1, NULL));
+  CHECK_OK(mimo_recording_step(recording, heavy, NULL, 0, NULL));
+  CHECK_OK(mimo_env_set(heavy, MIMO_WORLD_GRAVITY, NULL, 0, gravity, 3));
+  CHECK_OK(mimo_recording_step(recording, heavy, NULL, 0, NULL));
+  CHECK_OK(mimo_recording_report(recording, &report));
+  CHECK(report.identical == 0 && report.first_difference == 1 && report.next == 2);
+  CHECK_TEXT("joints/velocity", report.differs_most_in);
+  CHECK(report.largest_difference > 0.001);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "not the world", mimo_recording_step(recording, env, NULL, 0, NULL));
+  mimo_recording_destroy(recording);
+  mimo_env_destroy(env);
+  mimo_env_destroy(heavy);
+}
+
+static int warnings;
+static void count_warning(void* user, const mimo_log_record* record) {
+  (void)user;
+  warnings +=
+      record->level == MIMO_LOG_WARNING && strstr(record->text, "the recording has ended: cannot write") != NULL;
+}
+
+/* A file that may not grow is a full disk. The steps go on. */
+static void a_full_disk_fails_no_step(void) {
+  mimo_env_config config;
+  mimo_recorder* recorder = NULL;
+  struct rlimit before, small;
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.log = count_warning;
+  mimo_env* env = blind_env("benchmark", &config);
+  mimo_recorder_config settings;
+  CHECK_OK(mimo_recorder_config_init(&settings, sizeof settings));
+  settings.flush_seconds = 0;
+  settings.compression = 0;
+  settings.state_seconds = 0.01;
+  CHECK_OK(mimo_recorder_open(env, path, &settings, &recorder));
+  go(env, 2);
+  CHECK(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  small = before;
+  small.rlim_cur = 64 * 1024;
+  signal(SIGXFSZ, SIG_IGN);
+  CHECK(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  go(env, 100);
+  CHECK(warnings == 1);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, path, mimo_recorder_flush(recorder));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "is there room", mimo_recorder_close(recorder));
+  CHECK(setrlimit(RLIMIT_FSIZE, &before) == 0);
+  CHECK_FAILS(MIMO_E_BAD_HANDLE, "destroyed", mimo_recorder_flush(recorder));
+  recorder = record(env, NULL); /* the world can be recorded again */
+  go(env, 2);
+  mimo_env_destroy(env);
+  CHECK_OK(mimo_recorder_close(recorder));
+  mimo_recording* recording = open_it();
+  CHECK(info_of(recording).steps == 2);
+  mimo_recording_destroy(recording);
+}
+
+static void bad_input_is_refused(void) {
+  mimo_env *env = world_of("benchmark", 0), *muscles = NULL;
+  mimo_recorder *recorder = NULL, *second = NULL;
+  mimo_recording* recording = NULL;
+  mimo_recorder_config config;
+  unlink(path);
+  CHECK_OK(mimo_recorder_config_init(&config, sizeof config));
+  config.keep = "touch";
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "\"touch\"", mimo_recorder_open(env, path, &config, &recorder));
+  CHECK(access(path, F_OK) != 0); /* nothing was written */
+  CHECK_FAILS(MIMO_E_NOT_FOUND, path, mimo_recording_open(path, NULL, &recording));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "cannot write /nowhere/",
+              mimo_recorder_open(env, "/nowhere/run.h5", NULL, &recorder));
+  recorder = record(env, NULL);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "already", mimo_recorder_open(env, other, NULL, &second));
+  go(env, 2);
+  CHECK_OK(mimo_recorder_close(recorder));
+  recording = open_it();
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "seek", mimo_recording_step(recording, env, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "ends at step 2", mimo_recording_seek(recording, env, 3, 1, NULL));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "wings", mimo_recording_size(recording, "wings", NULL, NULL));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "states", mimo_recording_size(recording, "states", NULL, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "2 rows", mimo_recording_read(recording, "time", 1, 2, action, sizeof action));
+  muscles = blind_env("reach", NULL);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "joints", mimo_recording_seek(recording, muscles, 0, 1, NULL));
+  mimo_recording_destroy(recording);
+  FILE* file = fopen(path, "w");
+  fputs("not a recording", file);
+  fclose(file);
+  recording = NULL;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "is not a recording", mimo_recording_open(path, NULL, &recording));
+  CHECK(recording == NULL);
+  mimo_env_destroy(env);
+  mimo_env_destroy(muscles);
+}
+
+int main(void) {
+  const char* folder = getenv("TMPDIR");
+  snprintf(path, sizeof path, "%s/mimo_recording_%d.h5", folder == NULL ? "/tmp" : folder, (int)getpid());
+  snprintf(other, sizeof other, "%.250s.other", path);
+  mimo_recording* none = NULL;
+  /* What names no library is told before the system's is looked for. */
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "hdf5 is /nowhere.so", mimo_recording_open(path, "/nowhere.so", &none));
+  if (mimo_recording_open(path, NULL, &none) == MIMO_E_UNSUPPORTED) {
+    CHECK(strstr(mimo_last_error(), "libhdf5-103-1") != NULL);
+    return failures() == 0 ? 77 : failures(); /* HDF5 is not installed */
+  }
+  what_programs_do_is_replayed();
+  other_ages_are_replayed();
+  what_is_heard_is_kept();
+  worlds_of_a_batch_are_recorded();
+  a_difference_is_told();
+  a_full_disk_fails_no_step();
+  bad_input_is_refused();
+  unlink(path);
+  unlink(other);
+  return failures();
+}
