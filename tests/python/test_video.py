@@ -89,7 +89,7 @@ def test_what_cannot_be_filmed(run, tmp_path, monkeypatch, capsys):
     assert "--rate is 1000, expected 1 to 100" in refused(run, "--out", path, "--rate", "1000")
     assert "--seconds is -1" in refused("--out", path, "--seconds", "-1")
     assert "--full-scale is 0" in refused(run, "--out", path, "--full-scale", "0")
-    assert "there is no file" in refused(tmp_path / "none.h5", "--out", path)
+    assert "there is no such file" in refused(tmp_path / "none.h5", "--out", path)
     assert 'no scene named "nosuch"' in refused("--scene", "nosuch", "--out", path)
     assert "no such folder" in refused(run, "--out", tmp_path / "nowhere" / "no.mp4")
     assert "cannot be written as a video" in refused(run, "--out", tmp_path / "no.txt")
