@@ -5,7 +5,8 @@ function report = mimo_replay(world, file, first, last, compare_fields)
 %   that of the last step.
 %   report = mimo_replay(world, file, first, last) begins with the last kept state that is not later than `first` steps, and
 %   ends after `last`.
-%   report = mimo_replay(world, file, first, last, false) leaves recorded fields alone: the world senses otherwise.
+%   report = mimo_replay(world, file, first, last, compare_fields) with false leaves recorded fields alone: the world senses
+%   otherwise.
 if nargin < 3, first = 0; end
 if nargin < 4, last = inf; end
 if nargin < 5, compare_fields = true; end

@@ -3,10 +3,6 @@ function all_of_them = recording_tests()
   all_of_them = {@programs_are_played_again, @what_is_no_recording};
 end
 
-function world = one_that_hears()
-  world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 1);
-end
-
 function programs_are_played_again()
   world = one_that_hears();
   twin = one_that_hears();
