@@ -33,7 +33,7 @@ typedef struct worlds {
   int sent;              /* whether a step was sent, which then has all that follows */
   char *blocks, *finals; /* the last observations; those of episodes that ended, where steps start the next one */
   float* actions;
-  mimo_recorder* recorder; /* of one of them; NULL: none is recorded */
+  mimo_recorder* recorder;    /* of one of them; NULL: none is recorded */
   mimo_batch_results results; /* of the last step */
 } worlds;
 

@@ -34,8 +34,7 @@ typedef struct option {
 
 extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_options[], mimo_env_options[],
     mimo_batch_options[], mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[],
-    mimo_limit_options[], mimo_maturity_options[], mimo_picture_options[], mimo_recorder_options[],
-    mimo_no_options[];
+    mimo_limit_options[], mimo_maturity_options[], mimo_picture_options[], mimo_recorder_options[], mimo_no_options[];
 
 /* Growths of ages in months, NULL for NaN; NULL for an empty array. Otherwise they are as the usual one, and belong to
    the call. */

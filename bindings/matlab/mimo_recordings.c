@@ -117,5 +117,5 @@ static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   close_file();
 }
 
-const mimo_command mimo_recording_commands[] = {{"record", record},         {"flush", flush},   {"endrecord", end_record},
+const mimo_command mimo_recording_commands[] = {{"record", record},       {"flush", flush},   {"endrecord", end_record},
                                                 {"recording", recording}, {"replay", replay}, {NULL, NULL}};
