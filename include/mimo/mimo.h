@@ -25,9 +25,9 @@
  *               mimo_last_error() then holds one line that names the argument, its value and what was
  *               expected. When an argument is refused, nothing is written anywhere.
  *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder, mimo_recording are opaque, and so is
- *               mimo_layout, which belongs to one of them. Destroy accepts NULL; a destroyed handle is refused by every function
- *               (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before fork() answers
- *               MIMO_E_FORKED in the child.
+ *               mimo_layout, which belongs to one of them. Destroy accepts NULL; a destroyed handle is refused by
+ *               every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before fork()
+ *               answers MIMO_E_FORKED in the child.
  *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
  *               take a handle without const need it for themselves; different handles are independent.
  *               Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
