@@ -20,25 +20,26 @@ static void record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_recorder_open(mimo_world_at(all, nin, in, 2), mimo_text(in[1], "file"), &config, &all->recorder));
 }
 
-/* flush(number) */
-static void flush(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+/* The only argument: worlds of which one is being recorded. */
+static worlds* being_recorded(int nin, const mxArray* in[]) {
   worlds* all;
-  (void)nout, (void)out;
   mimo_need(nin == 1, "expected a world");
   all = mimo_worlds_of(in[0]);
   mimo_need(all->recorder != NULL, "this world is not being recorded");
-  mimo_check(mimo_recorder_flush(all->recorder));
+  return all;
+}
+
+/* flush(number) */
+static void flush(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  (void)nout, (void)out;
+  mimo_check(mimo_recorder_flush(being_recorded(nin, in)->recorder));
 }
 
 /* endrecord(number) */
 static void end_record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  worlds* all;
-  mimo_recorder* recorder;
+  worlds* all = being_recorded(nin, in);
+  mimo_recorder* recorder = all->recorder;
   (void)nout, (void)out;
-  mimo_need(nin == 1, "expected a world");
-  all = mimo_worlds_of(in[0]);
-  mimo_need(all->recorder != NULL, "this world is not being recorded");
-  recorder = all->recorder;
   all->recorder = NULL;
   mimo_check(mimo_recorder_close(recorder));
 }
@@ -62,14 +63,20 @@ static void close_file(void) {
   open_recording = NULL;
 }
 
+static mimo_recording_info described(void) {
+  mimo_recording_info info = {0};
+  info.struct_size = sizeof info;
+  check(mimo_recording_describe(open_recording, &info));
+  return info;
+}
+
 /* struct = recording(file) */
 static void recording(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  mimo_recording_info info = {0};
+  mimo_recording_info info;
   (void)nout;
   mimo_need(nin == 1, "expected a file");
   open_file(in[0]);
-  info.struct_size = sizeof info;
-  check(mimo_recording_describe(open_recording, &info));
+  info = described();
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   mimo_add_number(out[0], "steps", (double)info.steps);
   mimo_add_number(out[0], "states", (double)info.states);
@@ -85,9 +92,8 @@ static void recording(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 
 /* struct = replay(number, file, first, last, compare): from the state before step `first` to behind step `last` */
 static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  mimo_recording_info info = {0};
   mimo_replay_report report = {0};
-  size_t at = 0, last;
+  size_t at = 0, last, steps;
   double first, end;
   worlds* all;
   (void)nout;
@@ -97,10 +103,9 @@ static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   end = mimo_number(in[3], "to");
   mimo_need(first >= 0 && end >= 0, "steps are counted from 0");
   open_file(in[1]);
-  info.struct_size = sizeof info;
   report.struct_size = sizeof report;
-  check(mimo_recording_describe(open_recording, &info));
-  last = end < (double)info.steps ? (size_t)end : info.steps;
+  steps = described().steps;
+  last = end < (double)steps ? (size_t)end : steps;
   check(mimo_recording_seek(open_recording, all->first, first < 1e15 ? (size_t)first : SIZE_MAX,
                             mimo_number(in[4], "compare") != 0, &at));
   for (; at < last; ++at) {

@@ -1,11 +1,11 @@
 // Checks that many functions of the border share.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "base/fail.h"
+#include "base/finite.h"
 #include "base/span.h"
 #include "mimo/status.h"
 
@@ -46,12 +46,6 @@ Span<T> array(T* data, std::size_t count, const char* argument) {
 
 // A config's string; NULL counts as "".
 inline std::string text(const char* string) { return string == nullptr ? std::string() : std::string(string); }
-
-inline void check_finite(const double* values, std::size_t count, const char* argument) {
-  for (std::size_t i = 0; i < count; ++i) {
-    require(std::isfinite(values[i]), "{}[{}] is {}, expected a finite number", argument, i, values[i]);
-  }
-}
 
 // What a caller of a newer interface asks for and this library does not know: a constant, a bit, a quantity.
 template <typename T>

@@ -25,19 +25,31 @@ mimo_recorder_config default_recorder_config() {
   return config;
 }
 
+std::string path_from(const char* path) {
+  require(path != nullptr && *path != '\0', "path is {}, expected that of a file", path == nullptr ? "NULL" : "\"\"");
+  return path;
+}
+
+// The file of a recording, which has that dataset.
+const recording::Reader& file_with(const mimo_recording* recording, const char* dataset) {
+  const recording::Reader& file = open(recording).recording.file();
+  require(dataset != nullptr, "dataset is NULL");
+  if (!file.has_dataset(dataset)) fail(Status::kNotFound, "{} has no dataset \"{}\"", file.path(), dataset);
+  return file;
+}
+
 std::string this_build() {
   return recording::build_name(format("libmimo {}, MuJoCo {}", mimo_version(), mimo_mujoco_version()));
 }
 
 recording::Options options_from(const char* path, const mimo_recorder_config& config) {
-  require(path != nullptr && *path != '\0', "path is {}, expected that of a file", path == nullptr ? "NULL" : "\"\"");
+  recording::Options options;
+  options.path = path_from(path);
   require(config.compression <= 9, "compression is {}, expected 0 to 9", config.compression);
   require(config.state_seconds >= 0.001 && config.state_seconds <= 1e6,
           "state_seconds is {}, expected 0.001 to 1000000", config.state_seconds);
   require(config.flush_seconds >= 0 && config.flush_seconds <= 1e6, "flush_seconds is {}, expected 0 to 1000000",
           config.flush_seconds);
-  recording::Options options;
-  options.path = path;
   options.keep = text(config.keep);
   options.state_seconds = config.state_seconds;
   options.flush_seconds = config.flush_seconds;
@@ -100,9 +112,9 @@ mimo_status mimo_recorder_close(mimo_recorder* recorder) noexcept {
 mimo_status mimo_recording_open(const char* path, const char* hdf5, mimo_recording** recording) noexcept {
   return guard([&] {
     mimo_recording*& result = out(recording, "recording");
-    require(path != nullptr && *path != '\0', "path is {}, expected that of a file", path == nullptr ? "NULL" : "\"\"");
+    const std::string file = path_from(path);
     recording::hdf5::load(text(hdf5));
-    result = wrap<mimo_recording>(std::make_unique<RecordingObject>(path, this_build()));
+    result = wrap<mimo_recording>(std::make_unique<RecordingObject>(file, this_build()));
   });
 }
 
@@ -132,9 +144,7 @@ mimo_status mimo_recording_describe(const mimo_recording* recording, mimo_record
 mimo_status mimo_recording_size(const mimo_recording* recording, const char* dataset, size_t* rows,
                                 size_t* row_bytes) noexcept {
   return guard(recording, [&] {
-    const recording::Reader& file = open(recording).recording.file();
-    require(dataset != nullptr, "dataset is NULL");
-    if (!file.has_dataset(dataset)) fail(Status::kNotFound, "{} has no dataset \"{}\"", file.path(), dataset);
+    const recording::Reader& file = file_with(recording, dataset);
     if (rows != nullptr) *rows = file.rows(dataset);
     if (row_bytes != nullptr) *row_bytes = file.row_bytes(dataset);
   });
@@ -143,9 +153,7 @@ mimo_status mimo_recording_size(const mimo_recording* recording, const char* dat
 mimo_status mimo_recording_read(const mimo_recording* recording, const char* dataset, size_t first, size_t rows,
                                 void* values, size_t value_bytes) noexcept {
   return guard(recording, [&] {
-    const recording::Reader& file = open(recording).recording.file();
-    require(dataset != nullptr, "dataset is NULL");
-    if (!file.has_dataset(dataset)) fail(Status::kNotFound, "{} has no dataset \"{}\"", file.path(), dataset);
+    const recording::Reader& file = file_with(recording, dataset);
     const std::size_t there = file.rows(dataset), bytes = file.row_bytes(dataset);
     require(first <= there && rows <= there - first, "first is {} and rows is {}, but '{}' has {} rows", first, rows,
             dataset, there);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/finite.h"
 #include "engine/joints.h"
 #include "engine/overrides.h"
 #include "env/access.h"
@@ -224,9 +225,7 @@ void require_writable(Quantity quantity) {
 
 void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<const double> values) {
   require_writable(quantity);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    require(std::isfinite(values[i]), "values[{}] is {}, expected a finite number", i, values[i]);
-  }
+  check_finite(values.data(), values.size(), "values");
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     check_element(world, quantity, ids[i], from);

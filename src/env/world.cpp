@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/finite.h"
 #include "base/stopwatch.h"
 #include "body/stored_pose.h"
 #include "engine/custom.h"
@@ -255,9 +256,7 @@ void World::check_movement(Span<const double> positions) const {
   const auto nq = static_cast<std::size_t>(model().nq), skip = static_cast<std::size_t>(options_.frame_skip);
   require(positions.size() == skip * nq, "movement: position_count is {}, expected {}: {} for each of {} physics steps",
           positions.size(), skip * nq, nq, skip);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    require(std::isfinite(positions[i]), "movement: positions[{}] is {}, expected a finite number", i, positions[i]);
-  }
+  check_finite(positions.data(), positions.size(), "movement: positions");
   for (std::size_t moment = 0; moment < positions.size(); moment += nq) {
     for (int joint = 0; joint < model().njnt; ++joint) {
       const int place = engine::quaternion_place(model().jnt_type[joint]);

@@ -5,47 +5,34 @@
 namespace mimo::recording {
 namespace {
 
-constexpr const char* kNames[] = {"age",
-                                  "physiological_age",
-                                  "sex",
-                                  "model",
-                                  "z_length",
-                                  "z_weight",
-                                  "z_head",
-                                  "absolute",
-                                  "strength_exponent",
-                                  "neck_strength",
-                                  "birth_tone",
-                                  "contracture",
-                                  "keep_spacing",
-                                  "body",
-                                  "eyes",
-                                  "delays",
-                                  "threshold",
-                                  "flicker"};
-constexpr std::size_t kNumbers = sizeof kNames / sizeof *kNames;
-
-// Visits all members in the order of their names; the same for those that are read and written.
+// Visits all members with their names, in the order of a row.
 template <typename Growth, typename Visit>
 void for_each_member(Growth& growth, Visit&& visit) {
-  visit(growth.age);
-  visit(growth.physiological_age);
-  visit(growth.sex);
-  visit(growth.model);
-  visit(growth.z_length);
-  visit(growth.z_weight);
-  visit(growth.z_head);
-  visit(growth.absolute);
-  visit(growth.strength_exponent);
-  visit(growth.neck_strength);
-  visit(growth.birth_tone);
-  visit(growth.contracture);
-  visit(growth.keep_spacing);
-  visit(growth.body);
-  visit(growth.eyes);
-  visit(growth.delays);
-  visit(growth.threshold);
-  visit(growth.flicker);
+  visit("age", growth.age);
+  visit("physiological_age", growth.physiological_age);
+  visit("sex", growth.sex);
+  visit("model", growth.model);
+  visit("z_length", growth.z_length);
+  visit("z_weight", growth.z_weight);
+  visit("z_head", growth.z_head);
+  visit("absolute", growth.absolute);
+  visit("strength_exponent", growth.strength_exponent);
+  visit("neck_strength", growth.neck_strength);
+  visit("birth_tone", growth.birth_tone);
+  visit("contracture", growth.contracture);
+  visit("keep_spacing", growth.keep_spacing);
+  visit("body", growth.body);
+  visit("eyes", growth.eyes);
+  visit("delays", growth.delays);
+  visit("threshold", growth.threshold);
+  visit("flicker", growth.flicker);
+}
+
+std::size_t count_members() {
+  std::size_t count = 0;
+  const growth::Growth any;
+  for_each_member(any, [&](const char*, const auto&) { ++count; });
+  return count;
 }
 
 void take(double number, double& member) { member = number; }
@@ -70,7 +57,7 @@ Growths growths_of(const env::World& world) {
 std::vector<double> row_of(const Growths& growths) {
   std::vector<double> row;
   for (const growth::Growth& growth : growths) {
-    for_each_member(growth, [&](const auto& member) { row.push_back(static_cast<double>(member)); });
+    for_each_member(growth, [&](const char*, const auto& member) { row.push_back(static_cast<double>(member)); });
   }
   return row;
 }
@@ -78,17 +65,19 @@ std::vector<double> row_of(const Growths& growths) {
 std::string names_of_row(const env::World& world) {
   std::string names;
   for (const env::Agent& agent : world.agents()) {
-    for (const char* name : kNames) names += (agent.name.empty() ? "" : agent.name + "/") + name + "\n";
+    const std::string prefix = agent.name.empty() ? "" : agent.name + "/";
+    for_each_member(agent.growth, [&](const char* name, const auto&) { names += prefix + name + "\n"; });
   }
   return names;
 }
 
 Growths growths_of_row(const std::vector<double>& row) {
-  require(row.size() % kNumbers == 0, "a row has {} numbers, expected {} for each agent", row.size(), kNumbers);
-  Growths growths(row.size() / kNumbers);
+  const std::size_t numbers = count_members();
+  require(row.size() % numbers == 0, "a row has {} numbers, expected {} for each agent", row.size(), numbers);
+  Growths growths(row.size() / numbers);
   const double* next = row.data();
   for (growth::Growth& growth : growths) {
-    for_each_member(growth, [&](auto& member) { take(*next++, member); });
+    for_each_member(growth, [&](const char*, auto& member) { take(*next++, member); });
     growth::check(growth);
   }
   return growths;

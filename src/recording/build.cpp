@@ -6,22 +6,21 @@
 #include <fstream>
 #include <vector>
 
+#include "base/hash.h"
 #include "recording/system.h"
 
 namespace mimo::recording {
 namespace {
 
-// FNV-1a.
 std::uint64_t hash_of_library() {
-  std::uint64_t hash = 14695981039346656037u;
+  Hash hash;
   std::ifstream file(path_of_this_library(), std::ios::binary);
-  std::vector<char> piece(1 << 16);
-  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())), file.gcount() > 0) {
-    for (std::streamsize i = 0; i < file.gcount(); ++i) {
-      hash = (hash ^ static_cast<unsigned char>(piece[static_cast<std::size_t>(i)])) * 1099511628211u;
-    }
+  std::vector<std::uint8_t> piece(1 << 16);
+  while (file.read(reinterpret_cast<char*>(piece.data()), static_cast<std::streamsize>(piece.size())),
+         file.gcount() > 0) {
+    hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
   }
-  return hash;
+  return hash.value();
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ class Writer {
   void check(std::int64_t result) const;
   void write_attribute(hdf5::Id object, const std::string& name, hdf5::Id type, const void* value) const;
   void write_text(hdf5::Id object, const std::string& name, const std::string& text) const;
+  void append(Table& table, Span<const std::uint8_t> row) const;
   void write_waiting(Table& table) const;
   void lengthen(Table& table, std::size_t row_bytes) const;
 

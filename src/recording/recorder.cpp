@@ -102,10 +102,11 @@ Recorder::Recorder(env::World& world, const Options& options)
       step_seconds_(world.step_seconds()),
       flush_seconds_(options.flush_seconds),
       body_(growths_of(world)) {
-  choose(world.layout(), options.keep);
+  const std::vector<std::size_t> kept = choose(world.layout(), options.keep);
   save(world, state_);
   file_ = std::make_unique<Writer>(options.path, options.compression);
   describe(world, options);
+  describe_fields(world, kept);
   file_->start();
   const std::vector<double> body = row_of(body_);
   file_->append(kBodies, body.data());
@@ -134,11 +135,10 @@ void Recorder::describe(const env::World& world, const Options& options) {
   file_->table(kStateGiven, h5.u8, {}, "");
   file_->table(kStateBodies, h5.i64, {}, "");
   file_->table(kBodies, h5.f64, {row_of(body_).size()}, "", names_of_row(world));
-  describe_fields(world, options.keep);
 }
 
-void Recorder::describe_fields(const env::World& world, const std::string& keep) {
-  for (const std::size_t i : choose(world.layout(), keep)) {
+void Recorder::describe_fields(const env::World& world, const std::vector<std::size_t>& kept) {
+  for (const std::size_t i : kept) {
     const observation::Field& field = world.layout()[i];
     fields_.push_back({"fields/" + field.name, field.offset});
     file_->table(fields_.back().table, type_of(field.type), field.shape, field.unit, labels_of(field));

@@ -52,7 +52,7 @@ class Recorder : public env::Listener {
 
   Recorder(env::World& world, const Options& options);
   void describe(const env::World& world, const Options& options);
-  void describe_fields(const env::World& world, const std::string& keep);
+  void describe_fields(const env::World& world, const std::vector<std::size_t>& kept);  // by number
   void keep_state(const env::World& world, bool changed);
   void begin(const env::World& world);
   void write(const env::World& world, Span<const float> actions, const std::uint8_t* block);

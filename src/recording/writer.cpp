@@ -100,14 +100,12 @@ void Writer::start() {
 void Writer::append(const std::string& name, const void* row) {
   const auto found = tables_.find(name);
   if (found == tables_.end()) return;  // rows of no bytes
-  Table& table = found->second;
-  const auto* bytes = static_cast<const std::uint8_t*>(row);
-  table.waiting.insert(table.waiting.end(), bytes, bytes + table.row_bytes);
-  if (table.waiting.size() >= table.chunk_rows * table.row_bytes) write_waiting(table);
+  append(found->second, {static_cast<const std::uint8_t*>(row), found->second.row_bytes});
 }
 
-void Writer::append(const std::string& name, Span<const std::uint8_t> row) {
-  Table& table = tables_.at(name);
+void Writer::append(const std::string& name, Span<const std::uint8_t> row) { append(tables_.at(name), row); }
+
+void Writer::append(Table& table, Span<const std::uint8_t> row) const {
   if (row.size() > table.row_bytes) lengthen(table, row.size());
   table.waiting.insert(table.waiting.end(), row.begin(), row.end());
   table.waiting.resize(table.waiting.size() + table.row_bytes - row.size());

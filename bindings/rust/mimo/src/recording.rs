@@ -219,11 +219,10 @@ impl Recording {
     /// Rows of a dataset, one behind the other, as numbers of the type that they have in the file: actions and most
     /// fields `f32`, joints and rewards `f64`.
     pub fn read<T: Recorded>(&self, dataset: &str, first: usize, rows: usize) -> Result<Vec<T>> {
-        let row_bytes = self.size(dataset)?.1;
+        let (there, row_bytes) = self.size(dataset)?;
         let bytes = rows.saturating_mul(row_bytes);
         let name = c_string(dataset)?;
         // The library says what is wrong with rows that are not there, before there is memory for them.
-        let there = self.size(dataset)?.0;
         let known = first <= there && rows <= there - first;
         let mut values = vec![T::default(); if known { bytes / std::mem::size_of::<T>() } else { 0 }];
         let to = if values.is_empty() { null_mut() } else { values.as_mut_ptr() as *mut c_void };
