@@ -28,3 +28,18 @@ def record(path, *options):
         pytest.skip(done.stderr.strip())
     assert done.returncode == 0, done.stderr
     return path
+
+
+def table_of(path, name):
+    """A dataset of a recording, read with h5py."""
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    with h5py.File(path) as file:
+        return file[name][()]
+
+
+def recorder_or_skip(world, path, **options):
+    """A recorder, where there is a library HDF5."""
+    try:
+        return mimo.Recorder(world, path, **options)
+    except mimo.UnsupportedError as error:
+        pytest.skip(str(error))

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from recorded import recorder_or_skip
 
 import mimo
 
@@ -9,11 +10,8 @@ import mimo
 @pytest.fixture
 def run(tmp_path):
     path = tmp_path / "run.h5"
-    try:
-        with mimo.World("reach", vision=False) as world, mimo.Recorder(world, path, keep="none"):
-            pass
-    except mimo.UnsupportedError as error:
-        pytest.skip(str(error))
+    with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, keep="none"):
+        pass
     return path
 
 

@@ -4,18 +4,11 @@ import re
 
 import numpy as np
 import pytest
-from recorded import record
+from recorded import record, recorder_or_skip, table_of
 
 import mimo
 
 ROOM = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><light pos="0 0 3"/></worldbody></mujoco>"""
-
-
-def recorder_or_skip(world, path, **options):
-    try:
-        return mimo.Recorder(world, path, **options)
-    except mimo.UnsupportedError as error:
-        pytest.skip(str(error))
 
 
 @pytest.mark.parametrize(
@@ -28,10 +21,8 @@ def recorder_or_skip(world, path, **options):
     ],
 )
 def test_a_run_is_played_again(options, tmp_path):
-    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
     run = record(tmp_path / "run.h5", "--seconds", "1.3", "--seed", "7", *options)
-    with h5py.File(run) as file:
-        table = file["joints/position"][()]
+    table = table_of(run, "joints/position")
     with mimo.Recording(run) as recording, recording.world(eyes=0) as world:
         assert recording.seek(world, 0, compare_fields=False) == 0
         for step in range(recording.steps):

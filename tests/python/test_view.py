@@ -11,7 +11,7 @@ import urllib.request
 
 import numpy as np
 import pytest
-from recorded import record
+from recorded import record, table_of
 
 import mimo
 from mimo import view
@@ -229,12 +229,6 @@ def run(tmp_path_factory):
     """1.5 s of the showroom, in which things fall and knock."""
     options = ["--scene", "showroom", "--senses", "hearing", "--keep", "hearing", "--seconds", "1.5", "--seed", "3"]
     return record(tmp_path_factory.mktemp("view") / "run.h5", *options)
-
-
-def table_of(run, name):
-    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
-    with h5py.File(run) as file:
-        return file[name][()]
 
 
 def test_a_recording_is_played(run):

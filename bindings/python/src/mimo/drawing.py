@@ -12,6 +12,7 @@ from .constants import Kind, Quantity
 from .frames import after, inverse, turned
 from .world import World
 
+EYES = 128  # pixels to each side of an eye's picture, where nobody says otherwise
 SEGMENTS = 16  # pieces of a circle, of what moves
 EARS = ("hearing/ear_left", "hearing/ear_right")  # fields
 WEAK, STRONG = 0.1, 10.0  # N that have the first and the last colour; between them it goes by the logarithm

@@ -18,7 +18,6 @@ from .world import World
 
 NUMBERS = ("age", "physiological-age", "percentile", "z-length", "z-weight", "z-head")
 ACTUATIONS = ("torque", "position", "muscle", "mujoco-muscle")  # in the order of their constants
-EYES = 128  # pixels to each side
 LARGEST = 4096  # numbers of an array in a configuration
 
 

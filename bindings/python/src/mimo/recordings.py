@@ -14,7 +14,8 @@ from ._handle import Handle
 from ._hdf5 import with_hdf5
 from ._library import LIB, check, text, utf8
 from .arguments import whole_number
-from .recorded_world import EYES, inner_world, recorded_world
+from .drawing import EYES
+from .recorded_world import inner_world, recorded_world
 from .results import StepResult
 from .world import World
 

@@ -18,13 +18,13 @@ from numpy.typing import NDArray
 
 from .body_map import BodyMap
 from .constants import Kind
-from .drawing import EARS, heat, prefixes, strength, touch_field
+from .drawing import EARS, EYES, heat, prefixes, strength, touch_field
 from .errors import Error, UnsupportedError
 from .frames import placed
 from .scene import scenes
 from .view.motors import Motors
 from .view.recorded import Recorded
-from .view.source import EYES, Live, Source
+from .view.source import Live, Source
 from .world import World
 
 SIZE = (1120, 640)  # pixels of the whole
@@ -244,9 +244,7 @@ def opened(asked: argparse.Namespace) -> Source:
     if not 0 < asked.full_scale < float("inf"):
         raise ValueError(f"--full-scale is {asked.full_scale:g}, expected more than 0 Pa")
     if asked.recording is None:
-        options: Any = {"vision": False} if asked.eyes == 0 else {}
-        options = options or {"vision_width": asked.eyes, "vision_height": asked.eyes}
-        live = Live(asked.scene or "benchmark", **options, **({} if asked.age is None else {"age": asked.age}))
+        live = Live.asked(asked.scene, asked.eyes, asked.age)
         live.restart(asked.seed)
         return live
     source = Recorded(asked.recording, asked.eyes, asked.scene)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import signal
 import sys
-from typing import Any, Dict, List, Optional
+from typing import Any, List, Optional
 
+from ..drawing import EYES
 from ..errors import Error
 from ..scene import scenes, tasks
 from .recorded import Recorded
-from .source import EYES, Live
+from .source import Live
 from .viewer import LOCAL, Viewer
 
 
@@ -39,12 +40,7 @@ def made(asked: argparse.Namespace) -> Viewer:
         viewer = Viewer(Recorded(asked.recording, asked.eyes, asked.scene), asked.host, asked.port)
         viewer.clock.paused = asked.paused
         return viewer
-    options: Dict[str, Any] = {"vision": False} if asked.eyes == 0 else {}
-    if asked.eyes != 0:
-        options = {"vision_width": asked.eyes, "vision_height": asked.eyes}
-    if asked.age is not None:
-        options["age"] = asked.age
-    source = Live(asked.scene or "benchmark", asked.task, **options)
+    source = Live.asked(asked.scene, asked.eyes, asked.age, asked.task)
     viewer = Viewer(source, asked.host, asked.port, asked.seed, asked.task)
     viewer.clock.paused = asked.paused
     return viewer

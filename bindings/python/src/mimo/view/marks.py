@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..constants import Kind, Quantity
-from ..drawing import ages, heat, limited, strength
+from ..drawing import ages, heat, limited, prefixes, strength, touch_field
 from ..frames import placed
 from ..layout import Receptors
 from ..world import World
@@ -50,7 +50,7 @@ class Skin(Layer):
 
     def __init__(self, server: Any, world: World) -> None:
         self._world = world
-        self._fields = [name for name in world.layout.fields if name.endswith(("touch/force", "touch/normal_force"))]
+        self._fields = [field for prefix in prefixes(world) if (field := touch_field(world, prefix))]
         self._receptors: List[Receptors] = [world.layout.receptors(name) for name in self._fields]
         self._ages = ages(world)
         super().__init__(_points(server, "/touch", 0.008))

@@ -7,7 +7,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from ..recorded_world import EYES
+from ..drawing import EYES
 from ..recordings import Recording
 from .source import Source
 

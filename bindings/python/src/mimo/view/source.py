@@ -10,10 +10,9 @@ from typing import Any, Dict, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from ..drawing import EYES
 from ..scene import Scene
 from ..world import World
-
-EYES = 128  # pixels to each side
 
 
 class Source:
@@ -85,6 +84,16 @@ class Live(Source):
     def restart(self, seed: Optional[int], ages: Any = None) -> None:
         """A reset of the world."""
         self.world.reset(seed, ages)
+
+    @classmethod
+    def asked(cls, scene: Optional[str], eyes: int, age: Optional[float], task: str = "") -> "Live":
+        """As on the command line: eyes of so many pixels, 0 for none; infants of so many months."""
+        options: Dict[str, Any] = {"vision": False}
+        if eyes != 0:
+            options = {"vision_width": eyes, "vision_height": eyes}
+        if age is not None:
+            options["age"] = age
+        return cls(scene or "benchmark", task, **options)
 
     def change(self, scene: str, task: str) -> None:
         """Another built-in scene, with the same options; the old world goes when the new one is there."""
