@@ -54,15 +54,15 @@ MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, siz
  * @param config   NULL means defaults.
  * @param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
  * Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
- *         MIMO_E_INVALID_ARGUMENT for a world that is being recorded, for one within a step or a task, and for a file
- *         that cannot be made; MIMO_E_SIMULATION for a world that has failed.
+ *         MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
+ *         for a file that cannot be made; MIMO_E_SIMULATION for a world that has failed.
  */
 MIMO_API mimo_status mimo_recorder_open(mimo_env *env, const char *path, const mimo_recorder_config *config,
                                         mimo_recorder **recorder) MIMO_NOEXCEPT;
 
 /**
  * Puts everything on its way to the disk now.
- * Errors: MIMO_E_INVALID_ARGUMENT for what could not be written, now or before.
+ * Errors: MIMO_E_FILE for what could not be written, now or before.
  */
 MIMO_API mimo_status mimo_recorder_flush(mimo_recorder *recorder) MIMO_NOEXCEPT;
 
@@ -78,7 +78,7 @@ MIMO_API mimo_status mimo_recorder_close(mimo_recorder *recorder) MIMO_NOEXCEPT;
  * @param hdf5      path of the HDF5 library, or NULL.
  * @param recording receives the handle; destroy it with mimo_recording_destroy.
  * Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no
- *         such file; MIMO_E_INVALID_ARGUMENT for what is no recording, or was cut off.
+ *         such file; MIMO_E_FILE for what is no recording, or was cut off.
  */
 MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
                                          mimo_recording **recording) MIMO_NOEXCEPT;
@@ -129,8 +129,8 @@ MIMO_API mimo_status mimo_recording_read(const mimo_recording *recording, const 
  * @param step           0 to the recording's steps.
  * @param compare_fields 1: recorded fields are compared as well; 0: the world senses otherwise.
  * @param at             receives the state's own step, from which the replay goes on; may be NULL.
- * Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions or agents, which then stays as it is; as
- *         mimo_env_state_load, and then the world has been reset.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then stays
+ *         as it is; as mimo_env_state_load, and then the world has been reset.
  */
 MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *env, size_t step,
                                          uint32_t compare_fields, size_t *at) MIMO_NOEXCEPT;

@@ -45,6 +45,7 @@ typedef int32_t mimo_status;
 #define MIMO_E_OUT_OF_MEMORY -10   /**< An allocation failed. */
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
+#define MIMO_E_FILE -13            /**< A file cannot be written, or is not what it should be. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;

@@ -23,6 +23,7 @@ enum class Status : std::int32_t {
   kOutOfMemory = -10,
   kForked = -11,
   kInternal = -12,
+  kFile = -13,
 };
 
 class Error : public std::exception {

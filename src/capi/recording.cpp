@@ -105,7 +105,7 @@ mimo_status mimo_recorder_close(mimo_recorder* recorder) noexcept {
     const std::shared_ptr<recording::Recorder> inside = open(recorder).recorder;
     inside->close();
     destroy(recorder);
-    require(inside->trouble().empty(), "{}", inside->trouble());
+    inside->require_whole();
   });
 }
 

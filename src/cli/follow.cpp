@@ -141,9 +141,6 @@ void Follow::report() const {
 
 CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options) {
   const auto before = command.get_options().size();
-  add_scene_options(command, options.world);
-  add_maturity_options(command, options.world.age);
-  add_face_option(command, options.world);
   add_seed_option(command, options.world);
   command
       .add_option("--forces", options.forces, "Also write the forces and torques that it takes, one row a physics step")

@@ -14,16 +14,18 @@ using Json = nlohmann::ordered_json;
 constexpr char kNoVision[] = "off";
 
 // Options and their values, of all that `add_options` knows.
-void collect(void (*add_options)(CLI::App&, WorldOptions&), const CLI::App& given, Json& json) {
+Json given(void (*add_options)(CLI::App&, WorldOptions&), const CLI::App& command) {
+  Json json = Json::object();
   WorldOptions options;
   CLI::App known;
   add_options(known, options);
   for (const CLI::Option* option : known.get_options()) {
     const std::string name = option->get_single_name();
-    const CLI::Option* found = given.get_option_no_throw("--" + name);
+    const CLI::Option* found = command.get_option_no_throw("--" + name);
     if (name == "help" || found == nullptr || found->count() == 0) continue;
     json[name] = found->results();
   }
+  return json;
 }
 
 // So that it is found from everywhere.
@@ -32,19 +34,6 @@ void make_scene_absolute(Json& json) {
   const std::string scene = json["scene"][0];
   if (scene.find_first_of("./\\") == std::string::npos || !std::filesystem::exists(scene)) return;
   json["scene"][0] = std::filesystem::absolute(scene).string();
-}
-
-Failure not_a_configuration(const std::string& file) {
-  return Failure(file + " is not a whole recording: its attribute 'configuration' is not what it should be");
-}
-
-Json parse_configuration(const std::string& file, const std::string& configuration) {
-  if (configuration.empty()) {
-    throw Failure(file + " does not say of which world it is; the program that recorded it can replay it");
-  }
-  Json json = Json::parse(configuration, nullptr, false);
-  if (!json.is_object()) throw not_a_configuration(file);
-  return json;
 }
 
 void parse(const Json& json, CLI::App& parser) {
@@ -60,38 +49,56 @@ void parse(const Json& json, CLI::App& parser) {
 }  // namespace
 
 void add_sense_options(CLI::App& command, WorldOptions& options) {
+  options.vision = kNoVision;
   add_vision_options(command, options, kNoVision);
   add_foveation_option(command, options);
   add_touch_option(command, options);
   add_senses_option(command, options);
 }
 
-void add_recorded_options(CLI::App& command, WorldOptions& options) {
-  options.vision = kNoVision;
+void add_acting_options(CLI::App& command, WorldOptions& options) {
   add_scene_options(command, options);
   add_maturity_options(command, options.age);
   add_actuation_option(command, options);
   add_reflexes_option(command, options);
   add_face_option(command, options);
+}
+
+void add_recorded_options(CLI::App& command, WorldOptions& options) {
+  add_acting_options(command, options);
   add_sense_options(command, options);
 }
 
 std::string configuration_of(const CLI::App& command) {
-  Json json = Json::object();
-  collect(add_recorded_options, command, json);
+  Json json = given(add_recorded_options, command);
   make_scene_absolute(json);
   return json.dump();
 }
 
-bool senses_changed(const CLI::App& command) {
-  Json json = Json::object();
-  collect(add_sense_options, command, json);
-  return !json.empty();
+bool is_ours(const std::string& configuration) {
+  const Json json = Json::parse(configuration, nullptr, false);
+  if (!json.is_object()) return false;
+  WorldOptions options;
+  CLI::App known;
+  add_recorded_options(known, options);
+  return std::all_of(json.items().begin(), json.items().end(),
+                     [&](const auto& item) { return known.get_option_no_throw("--" + item.key()) != nullptr; });
 }
 
+bool senses_changed(const CLI::App& command) { return !given(add_sense_options, command).empty(); }
+
 std::string changed_configuration(const std::string& file, const std::string& configuration, const CLI::App& changes) {
-  Json json = parse_configuration(file, configuration);
-  collect(add_recorded_options, changes, json);
+  Json acting = given(add_acting_options, changes);
+  make_scene_absolute(acting);
+  const bool ours = is_ours(configuration);
+  if (!ours && !acting.contains("scene")) {
+    throw Failure(file + " was recorded by a program of its own; --scene says which scene that was");
+  }
+  if (ours && !acting.empty()) {
+    throw Failure("--" + acting.begin().key() + ": " + file + " tells its world itself, which was made by mimo record");
+  }
+  Json json = ours ? Json::parse(configuration) : acting;
+  json.update(given(add_sense_options, changes));
   return json.dump();
 }
 
@@ -100,11 +107,11 @@ WorldOptions read_configuration(const std::string& file, const std::string& conf
   CLI::App known;
   add_recorded_options(known, options);
   try {
-    parse(parse_configuration(file, configuration), known);
+    parse(Json::parse(configuration), known);
   } catch (const CLI::Error& error) {
     throw Failure(file + " has a configuration that this program does not understand: " + error.what());
   } catch (const nlohmann::json::exception&) {
-    throw not_a_configuration(file);
+    throw Failure(file + " is not a whole recording: its attribute 'configuration' is not what it should be");
   }
   return options;
 }

@@ -49,16 +49,26 @@ class Replay {
   std::size_t first_ = 0, start_ = 0, end_ = 0;  // steps: of the state, asked for, behind the last one
 };
 
+// Steps as long as those of the recording.
+mimo::Env open_recorded(const WorldOptions& options, const mimo_recording_info& info) {
+  mimo_env_config config = make_env_config();
+  mimo::Env env = open_world(options, config);
+  const long long frame_skip = std::llround(info.step_seconds / env.timestep());
+  if (frame_skip == env.frame_skip()) return env;
+  config.frame_skip = static_cast<std::int32_t>(std::clamp(frame_skip, 1LL, 1000LL));
+  return open_world(options, config);
+}
+
 Replay::Replay(const ReplayOptions& options, const CLI::App& command)
     : options_(options),
       recording_(options.file),
       info_(recording_.info()),
       configuration_(changed_configuration(options.file, info_.configuration, command)),
-      env_(open_world(read_configuration(options.file, configuration_), make_env_config())),
+      env_(open_recorded(read_configuration(options.file, configuration_), info_)),
       block_(env_.make_block()),
       results_(env_.make_results()) {
   find_end();
-  first_ = recording_.seek(env_, start_, !senses_changed(command));
+  first_ = recording_.seek(env_, start_, is_ours(info_.configuration) && !senses_changed(command));
 }
 
 void Replay::find_end() {
@@ -143,16 +153,17 @@ void add_replay(CLI::App& program) {
   command->add_option("--seconds", options->seconds, "How much to play from there. Default: all")
       ->type_name("S")
       ->check(number(0, 1e9));
-  options->follow.world.vision = "off";
-  add_sense_options(*command, options->follow.world);
+  add_recorded_options(*command, options->follow.world);
   CLI::Option* out = add_recorder_options(*command, options->recorder);
   CLI::Option* motion = add_follow_options(*command, options->follow);
-  for (CLI::Option* other : {file, out, command->get_option("--from"), command->get_option("--seconds")}) {
+  for (CLI::Option* other : {file, out, command->get_option("--from"), command->get_option("--seconds"),
+                             command->get_option("--actuation"), command->get_option("--reflexes")}) {
     motion->excludes(other);
   }
   command->add_flag("--json", options->json, "Report in JSON");
   command->footer(
-      "The world is that of the recording; options of senses change what it senses. With --out what is sensed now "
+      "The world is that of the recording; options of senses change what it senses. A recording that another program\n"
+      "made needs --scene, and --age, --actuation and the like as that program had them. With --out what is sensed now "
       "goes\n"
       "into a new recording, from --from on. Results are the same to the last bit on the same build.\n"
       "Examples:\n"

@@ -15,7 +15,7 @@ hdf5::Id open_file(const hdf5::Library& h5, const std::string& path) {
   if (file >= 0) return file;
   // Of a run that goes on, or that was killed.
   const hdf5::Id growing = h5.OpenFile(path.c_str(), hdf5::kReadOnly | hdf5::kSwmrRead, hdf5::kDefault);
-  require(growing >= 0, "{} is not a recording, or was cut off: HDF5 cannot open it", path);
+  if (growing < 0) fail(Status::kFile, "{} is not a recording, or was cut off: HDF5 cannot open it", path);
   return growing;
 }
 
@@ -33,7 +33,7 @@ Reader::Reader(std::string path) : h5_(hdf5::library()), path_(std::move(path)),
 
 void Reader::check_format() const {
   const hdf5::Id format = h5_.OpenAttribute(file_, "format", hdf5::kDefault);
-  require(format >= 0, "{} is an HDF5 file, but not a recording: it has no attribute 'format'", path_);
+  if (format < 0) fail(Status::kFile, "{} is an HDF5 file, but not a recording: it has no attribute 'format'", path_);
   h5_.CloseAttribute(format);
   if (text("format") != kFormat) damaged("its attribute 'format' is not '" + std::string(kFormat) + "'");
   const std::int64_t version = integer("format_version");
@@ -52,7 +52,7 @@ Reader::~Reader() {
 }
 
 void Reader::damaged(const std::string& what) const {
-  fail(Status::kInvalidArgument, "{} is not a whole recording: {}", path_, what);
+  fail(Status::kFile, "{} is not a whole recording: {}", path_, what);
 }
 
 std::string Reader::text(const std::string& name) const {

@@ -266,7 +266,11 @@ void Recorder::finish() noexcept {
 void Recorder::flush() {
   const std::lock_guard alone(mutex_);
   attempt([&] { file_->flush(); });
-  require(trouble_.empty(), "{}", trouble_);
+  require_whole();
+}
+
+void Recorder::require_whole() const {
+  if (!trouble_.empty()) fail(Status::kFile, "{}", trouble_);
 }
 
 void Recorder::close() {

@@ -33,8 +33,8 @@ class Recorder : public env::Listener {
   void flush();
   // The world is not followed any more. Throws, with nothing changed, within a step of the world only.
   void close();
-  // What could not be written, "" where all was.
-  const std::string& trouble() const { return trouble_; }
+  // Throws what could not be written, before or at its end.
+  void require_whole() const;
 
   std::uint8_t* step_begins(const env::World& world, std::uint8_t* block) noexcept override;
   void step_ends(env::World& world, Span<const float> actions, const std::uint8_t* block) noexcept override;

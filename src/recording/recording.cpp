@@ -70,6 +70,8 @@ void Recording::require_fitting(const env::World& world, bool compare_fields) co
           world.action_size());
   require(world.agents().size() == agents_, "{} was recorded with {} agents, but env has {}", file_.path(), agents_,
           world.agents().size());
+  require(world.step_seconds() == step_seconds_, "{} was recorded with steps of {} s, but those of env last {} s",
+          file_.path(), step_seconds_, world.step_seconds());
   if (!compare_fields) return;
   for (std::size_t i = 0; i < world.layout().size(); ++i) {
     const observation::Field& field = world.layout()[i];

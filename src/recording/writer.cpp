@@ -30,7 +30,7 @@ Writer::~Writer() {
 
 void Writer::check(std::int64_t result) const {
   if (result < 0) {
-    fail(Status::kInvalidArgument, "cannot write {}: HDF5 refused; is there room, and the right to write?", path_);
+    fail(Status::kFile, "cannot write {}: HDF5 refused; is there room, and the right to write?", path_);
   }
 }
 

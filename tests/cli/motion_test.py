@@ -59,7 +59,7 @@ class Motion(Case):
             path = self.write("bad.csv", table)
             self.assertIn(message, self.mimo("replay", "--motion", path, "--scene", "free", "--forces", "f.csv", code=1))
         self.assertIn("nothing.csv", self.mimo("replay", "--motion", "nothing.csv", code=1))
-        self.assertIn("--motion", self.mimo("replay", "run.h5", "--scene", "reach", code=2))
+        self.assertIn("--motion", self.mimo("replay", "run.h5", "--forces", "forces.csv", code=2))
         self.assertIn("required", self.mimo("replay", code=2))
         self.assertEqual([name for name in self.files() if name != "bad.csv"], [])
 

@@ -48,6 +48,7 @@ class Record(Case):
 
     def test_what_was_not_recorded_can_be_sensed_later(self):
         self.record("--seconds", "0.5", "--keep", "none")
+        self.assertIn("--age: run.h5 tells", self.mimo("replay", "run.h5", "--age", "6", code=1))
         report = self.replay("--touch", "0.5", "--from", "0.2", "--keep", "touch", "--out", "touch.h5")
         self.assertIs(report["identical"], True)
         self.assertIs(self.replay(file="touch.h5")["identical"], True)
@@ -140,12 +141,35 @@ class Record(Case):
         refused("version 3", format_version=3)
         refused("format", format="another")
         refused("joints", joint_names="nose\n")
-        refused("configuration", configuration="{")
+        refused("--scene", configuration="{")
         refused("configuration", configuration='{"scene": 3}')
-        refused("configuration", configuration='{"wings": ["2"]}')
+        refused("--scene", configuration='{"wings": ["2"]}')
         with h5py.File(path, "w") as file:
             file["x"] = 1
         self.assertIn("not a recording", self.mimo("replay", "run.h5", code=1))
+
+    @needs_h5py
+    def test_recordings_of_other_programs_need_the_scene(self):
+        for configuration in ("", '{"python": {"scene": "reach"}}', "notes of a lab"):
+            self.record("--scene", "reach", "--age", "6", "--seconds", "0.3")
+            with h5py.File(self.folder / "run.h5", "r+") as file:
+                file.attrs["configuration"] = numpy.bytes_(configuration + "\0")
+            self.assertIn("--scene says which", self.mimo("replay", "run.h5", code=1))
+            report = self.replay("--scene", "reach", "--age", "6", "--touch", "off")
+            self.assertIs(report["identical"], True)
+            self.assertEqual(report["steps"], 30)
+            self.assertIn("other joints", self.mimo("replay", "run.h5", "--scene", "benchmark", code=1))
+
+    @needs_h5py
+    def test_steps_of_other_programs_are_as_long_as_they_were(self):
+        self.record("--seconds", "0.3")
+        with h5py.File(self.folder / "run.h5", "r+") as file:
+            file.attrs["configuration"] = numpy.bytes_("\0")
+            file.attrs["step_seconds"] = 0.015
+        self.assertAlmostEqual(self.replay("--scene", "benchmark")["to_seconds"], 0.45)
+        with h5py.File(self.folder / "run.h5", "r+") as file:
+            file.attrs["step_seconds"] = 0.0151
+        self.assertIn("0.0151", self.mimo("replay", "run.h5", "--scene", "benchmark", code=1))
 
     def test_bad_arguments(self):
         self.assertIn("no folder", self.mimo("record", "--scene", "moon", "--out", "no/run.h5", code=1))

@@ -127,11 +127,11 @@ def test_what_is_no_recording(tmp_path):
     with pytest.raises(mimo.NotFoundError, match=re.escape(f"cannot read {tmp_path}/none.h5: there is no such file")):
         mimo.Recording(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("no HDF5")
-    with pytest.raises(mimo.ArgumentError, match=r"text.h5 is not a recording, or was cut off"):
+    with pytest.raises(mimo.FileError, match=r"text.h5 is not a recording, or was cut off"):
         mimo.Recording(tmp_path / "text.h5")
     with h5py.File(tmp_path / "other.h5", "w") as other:
         other["x"] = [1]
-    with pytest.raises(mimo.ArgumentError, match=r"other.h5 is an HDF5 file, but not a recording"):
+    with pytest.raises(mimo.FileError, match=r"other.h5 is an HDF5 file, but not a recording"):
         mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as newer:
         newer.attrs["format"], newer.attrs["format_version"] = np.bytes_("mimo recording"), 99
@@ -139,5 +139,5 @@ def test_what_is_no_recording(tmp_path):
         mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as poor:
         poor.attrs["format_version"], poor.attrs["step_seconds"] = 1, 0.01
-    with pytest.raises(mimo.ArgumentError, match=r"other.h5 is not a whole recording"):
+    with pytest.raises(mimo.FileError, match=r"other.h5 is not a whole recording"):
         mimo.Recording(tmp_path / "other.h5")

@@ -30,7 +30,9 @@ namespace Mimo
         /// <summary>It was made in the parent process, before fork.</summary>
         Forked = -11,
         /// <summary>A defect in libmimo; please report the message.</summary>
-        Internal = -12
+        Internal = -12,
+        /// <summary>A file cannot be written, or is not what it should be.</summary>
+        File = -13
     }
 
     /// <summary>What the library complained about: one line that names the argument, its value and what was expected.</summary>

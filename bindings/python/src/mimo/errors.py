@@ -49,6 +49,10 @@ class ForkedError(Error, RuntimeError):
     """The object was made before fork(), in the parent process. Make a new one in the child."""
 
 
+class FileError(Error, OSError):
+    """A file cannot be written, or is not what it should be."""
+
+
 class InternalError(Error, RuntimeError):
     """A defect in libmimo; please report the message."""
 
@@ -66,6 +70,7 @@ BY_STATUS: Dict[int, Type[Error]] = {
     -10: OutOfMemoryError,
     -11: ForkedError,
     -12: InternalError,
+    -13: FileError,
 }
 
 

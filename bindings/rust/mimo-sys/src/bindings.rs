@@ -44,6 +44,8 @@ pub const MIMO_E_OUT_OF_MEMORY: i32 = -10;
 pub const MIMO_E_FORKED: i32 = -11;
 #[doc = "A defect in libmimo; please report the message."]
 pub const MIMO_E_INTERNAL: i32 = -12;
+#[doc = "A file cannot be written, or is not what it should be."]
+pub const MIMO_E_FILE: i32 = -13;
 #[doc = "Something is not as the user probably meant it."]
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
@@ -2202,8 +2204,8 @@ extern "C" {
     #[doc = "@param config   NULL means defaults."]
     #[doc = "@param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed."]
     #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;"]
-    #[doc = "        MIMO_E_INVALID_ARGUMENT for a world that is being recorded, for one within a step or a task, and for a file"]
-    #[doc = "        that cannot be made; MIMO_E_SIMULATION for a world that has failed."]
+    #[doc = "        MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE"]
+    #[doc = "        for a file that cannot be made; MIMO_E_SIMULATION for a world that has failed."]
     pub fn mimo_recorder_open(
         env: *mut mimo_env,
         path: *const std::os::raw::c_char,
@@ -2213,7 +2215,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Puts everything on its way to the disk now."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for what could not be written, now or before."]
+    #[doc = "Errors: MIMO_E_FILE for what could not be written, now or before."]
     pub fn mimo_recorder_flush(recorder: *mut mimo_recorder) -> mimo_status;
 }
 extern "C" {
@@ -2227,7 +2229,7 @@ extern "C" {
     #[doc = "@param hdf5      path of the HDF5 library, or NULL."]
     #[doc = "@param recording receives the handle; destroy it with mimo_recording_destroy."]
     #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no"]
-    #[doc = "        such file; MIMO_E_INVALID_ARGUMENT for what is no recording, or was cut off."]
+    #[doc = "        such file; MIMO_E_FILE for what is no recording, or was cut off."]
     pub fn mimo_recording_open(
         path: *const std::os::raw::c_char,
         hdf5: *const std::os::raw::c_char,

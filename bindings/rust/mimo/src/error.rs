@@ -30,11 +30,13 @@ pub enum Kind {
     Forked,
     /// A defect in libmimo; please report the message.
     Internal,
+    /// A file cannot be written, or is not what it should be.
+    File,
     /// A status that this crate does not know.
     Unknown,
 }
 
-const STATUSES: [(i32, Kind); 12] = [
+const STATUSES: [(i32, Kind); 13] = [
     (sys::MIMO_E_INVALID_ARGUMENT, Kind::InvalidArgument),
     (sys::MIMO_E_BAD_HANDLE, Kind::BadHandle),
     (sys::MIMO_E_BUFFER_TOO_SMALL, Kind::BufferTooSmall),
@@ -47,6 +49,7 @@ const STATUSES: [(i32, Kind); 12] = [
     (sys::MIMO_E_OUT_OF_MEMORY, Kind::OutOfMemory),
     (sys::MIMO_E_FORKED, Kind::Forked),
     (sys::MIMO_E_INTERNAL, Kind::Internal),
+    (sys::MIMO_E_FILE, Kind::File),
 ];
 
 impl Kind {
