@@ -44,6 +44,10 @@ pair renderers-close --scene free --look-at 0.02 -0.06 0 --distance 0.4 --azimut
 "$mimo" run --scene ../../tests/models/humanoid.xml --seconds 2 --seed 1 --out "$work/own" >/dev/null
 montage "$work/own/outside.png" "$work/own/touch.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 own-model.png
 
+# A ball pressed against a hand.
+"$mimo" render --scene touch.xml --body mitten --touch 0.7 --look-at 0 -0.155 0.04 --distance 0.25 --azimuth 20 \
+  --elevation -8 --samples 16 --width 640 --height 480 --out touch.png
+
 # What an infant feels after ten seconds, from its side, and its whole skin unfolded.
 "$mimo" run --seconds 10 --vision off --seed 1 --out "$work/felt" >/dev/null
 montage "$work/felt/touch.png" "$work/felt/touch_map.png" -tile 2x1 -geometry 480x360+3+3 -depth 8 touch_run.png
