@@ -20,7 +20,7 @@ import numpy as np
 import torch
 from stable_baselines3 import PPO, SAC
 from stable_baselines3.common.callbacks import BaseCallback
-from stable_baselines3.common.vec_env import VecMonitor
+from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 
 import mimo
 from mimo.sb3 import SB3VecEnv
@@ -34,10 +34,13 @@ def make_model(options, envs, folder):
     common = {"seed": options.seed, "device": "cpu", "tensorboard_log": str(folder) if has_tensorboard() else None}
     if options.algorithm == "ppo":
         # As many steps between two updates as by default, whose 2048 are those of a single environment.
-        return PPO("MultiInputPolicy", envs, n_steps=max(1, options.rollout // options.worlds), **common)
+        exploration = {"use_sde": True, "sde_sample_freq": options.noise_steps} if options.noise_steps else {}
+        sizes = {"n_steps": max(1, options.rollout // options.worlds), "batch_size": options.batch}
+        return PPO("MultiInputPolicy", envs, gamma=options.gamma, **sizes, **exploration, **common)
     # The default's memory of a million steps, as far as it can be filled.
     memory = min(1_000_000, options.steps)
-    return SAC("MultiInputPolicy", envs, gradient_steps=options.updates, buffer_size=memory, **common)
+    sizes = {"gradient_steps": options.updates, "buffer_size": memory}
+    return SAC("MultiInputPolicy", envs, gamma=options.gamma, **sizes, **common)
 
 
 def load_model(options, envs, folder):
@@ -46,6 +49,18 @@ def load_model(options, envs, folder):
     if options.algorithm == "sac" and (folder / "replay.pkl").exists():
         model.load_replay_buffer(folder / "replay.pkl")
     return model
+
+
+def make_envs(options, folder):
+    """What is learned from; the monitor notes rewards as the task gives them."""
+    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, **episode_options(options)))
+    scales = folder / "reward_scale.pkl"
+    if scales.exists():
+        envs = VecNormalize.load(scales, envs)
+    elif options.normalize_rewards:
+        envs = VecNormalize(envs, norm_obs=False, gamma=options.gamma)
+    envs.seed(options.seed * 1000)  # the worlds of one seed are none of another's
+    return envs
 
 
 def has_tensorboard():
@@ -127,6 +142,8 @@ class Evaluation(BaseCallback):
         unfinished = self.folder / "unfinished.zip"
         self.model.save(unfinished)
         unfinished.replace(self.folder / "model.zip")
+        if isinstance(self.training_env, VecNormalize):
+            self.training_env.save(self.folder / "reward_scale.pkl")
 
 
 def parse():
@@ -143,7 +160,11 @@ def parse():
     parser.add_argument("--evaluation-episodes", type=int, default=16)
     parser.add_argument("--max-steps", type=int, default=0, help="of an episode; 0: the task's own")
     parser.add_argument("--frame-skip", type=int, default=0, help="physics steps in a step; 0: the task's own")
+    parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one step earlier")
+    parser.add_argument("--normalize-rewards", action="store_true", help="learn from rewards over their running spread")
     parser.add_argument("--rollout", type=int, default=2048, help="PPO: steps between updates")
+    parser.add_argument("--batch", type=int, default=64, help="PPO: steps in a part of an update")
+    parser.add_argument("--noise-steps", type=int, default=0, help="PPO: how long noise stays (gSDE); 0: new each step")
     parser.add_argument("--updates", type=int, default=1, help="SAC: after a step of all worlds; -1: as many as worlds")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args()
@@ -154,9 +175,7 @@ def main():
     torch.set_num_threads(options.torch_threads)
     folder = options.out / f"{options.task}-{options.algorithm}-{options.seed}"
     folder.mkdir(parents=True, exist_ok=True)
-    episode = episode_options(options)
-    envs = VecMonitor(SB3VecEnv(options.task, options.worlds, threads=options.threads, **episode))
-    envs.seed(options.seed * 1000)  # the worlds of one seed are none of another's
+    envs = make_envs(options, folder)
     resumed = (folder / "model.zip").exists()
     model = load_model(options, envs, folder) if resumed else make_model(options, envs, folder)
     left = options.steps - model.num_timesteps

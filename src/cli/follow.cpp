@@ -1,6 +1,7 @@
 #include "follow.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -8,10 +9,14 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "angles.h"
 #include "facts.h"
 #include "failure.h"
 #include "files.h"
+#include "joints.h"
 #include "motion.h"
+#include "movement.h"
+#include "pose_fit.h"
 #include "progress.h"
 #include "statistics.h"
 #include "text.h"
@@ -33,19 +38,68 @@ std::vector<std::string> force_names(const mimo::Env& env) {
   return names;
 }
 
+bool is_skeleton(const std::string& path) {
+  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
+  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
+  return end == ".bvh";
+}
+
+Movement read(const FollowOptions& options, mimo::Env& env) {
+  if (is_skeleton(options.motion)) return read_skeleton(options.motion, options.skeleton, env);
+  return read_movement(options.motion, options.degrees, env);
+}
+
+// As the table of a movement calls them.
+std::vector<std::string> position_names(const mimo::Env& env) {
+  const std::vector<std::string> parts = {":x", ":y", ":z", ":qw", ":qx", ":qy", ":qz"};
+  std::vector<std::string> names;
+  for (const Joint& joint : joints_of(env)) {
+    for (std::size_t i = 0; i < joint.width; ++i) {
+      names.push_back(joint_label(env, joint.id) + (joint.width == 1 ? "" : parts[i + 7 - joint.width]));
+    }
+  }
+  return names;
+}
+
+nlohmann::ordered_json to_json(const std::vector<PoseError>& errors, const mimo::Env& env) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const PoseError& error : errors) {
+    json[env.name(MIMO_BODY, error.body)] = {{"angle_largest", error.angle_largest},
+                                             {"angle_mean", error.angle_mean},
+                                             {"distance_largest", error.distance_largest},
+                                             {"distance_mean", error.distance_mean}};
+  }
+  return json;
+}
+
+void print(const std::vector<PoseError>& errors, const mimo::Env& env) {
+  std::cout << "\nfrom where bodies were told to be, at most and on average\n";
+  Table table(1);
+  table.add({"body", "angle", "mean", "distance", "mean"});
+  for (const PoseError& error : errors) {
+    table.add({env.name(MIMO_BODY, error.body), text("%.3g deg", error.angle_largest / kDegree),
+               text("%.3g deg", error.angle_mean / kDegree), text("%.3g mm", 1000 * error.distance_largest),
+               text("%.3g mm", 1000 * error.distance_mean)});
+  }
+  table.print(std::cout);
+}
+
 class Follow {
  public:
   explicit Follow(const FollowOptions& options)
       : options_(options),
         env_(open_world(options.world, make_env_config())),
         block_(env_.make_block()),
-        motion_(options.motion, options.degrees, env_),
+        movement_(read(options, env_)),
+        errors_(fit_poses(movement_, env_)),
+        motion_(movement_, env_),
         names_(force_names(env_)) {
     for (const mimo_field& field : env_.layout().fields()) statistics_.emplace_back(field);
   }
 
   void play();
   void write_forces() const;
+  void write_joints() const;
   void report() const;
 
  private:
@@ -54,6 +108,8 @@ class Follow {
   const FollowOptions& options_;
   mimo::Env env_;
   mimo::Block block_;
+  Movement movement_;
+  std::vector<PoseError> errors_;
   Motion motion_;
   std::vector<std::string> names_;
   std::vector<FieldStatistics> statistics_;
@@ -97,6 +153,20 @@ void Follow::write_forces() const {
   if (!file) throw Failure("cannot write " + options_.forces + ": " + std::strerror(errno));
 }
 
+// A row for each of the file.
+void Follow::write_joints() const {
+  std::ofstream file(options_.joints);
+  file << "time";
+  for (const std::string& name : position_names(env_)) file << "," << name;
+  for (const double time : movement_.times) {
+    file << text("\n%.17g", time);
+    for (const double position : motion_.positions(time - movement_.times.front())) file << text(",%.17g", position);
+  }
+  file << "\n";
+  file.close();
+  if (!file) throw Failure("cannot write " + options_.joints + ": " + std::strerror(errno));
+}
+
 std::vector<double> Follow::largest_forces() const {
   std::vector<double> largest(names_.size(), 0);
   for (std::size_t i = 0; i < forces_.size(); ++i) {
@@ -117,8 +187,13 @@ void Follow::report() const {
     for (const FieldStatistics& field : statistics_) {
       senses[field.field().name] = {{"min", field.min()}, {"mean", field.mean()}, {"max", field.max()}};
     }
-    const nlohmann::ordered_json json = {{"seconds", seconds}, {"steps", steps_},          {"rows", motion_.rows()},
-                                         {"senses", senses},   {"largest_forces", forces}, {"beyond_limits", beyond}};
+    const nlohmann::ordered_json json = {{"seconds", seconds},
+                                         {"steps", steps_},
+                                         {"rows", motion_.rows()},
+                                         {"senses", senses},
+                                         {"largest_forces", forces},
+                                         {"beyond_limits", beyond},
+                                         {"pose_errors", to_json(errors_, env_)}};
     std::cout << json.dump(2) << "\n";
     return;
   }
@@ -131,6 +206,7 @@ void Follow::report() const {
                 text("%.4g", field.max())});
   }
   senses.print(std::cout);
+  if (!errors_.empty()) print(errors_, env_);
   const auto most = std::max_element(largest.begin(), largest.end()) - largest.begin();
   std::cout << text("\nlargest force or torque: %.4g at %s\n", largest[static_cast<std::size_t>(most)],
                     names_[static_cast<std::size_t>(most)].c_str());
@@ -145,23 +221,38 @@ CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options) {
   command
       .add_option("--forces", options.forces, "Also write the forces and torques that it takes, one row a physics step")
       ->type_name("FILE.csv");
+  command
+      .add_option("--joints", options.joints, "Also write the positions of all joints, one row a row of the movement")
+      ->type_name("FILE.csv");
   command.add_flag("--degrees", options.degrees, "Angles of the table are degrees");
+  command.add_option("--map", options.skeleton.map, "BVH: lines of joint,body. Default: by usual names")
+      ->type_name("FILE.csv");
+  command.add_option("--scale", options.skeleton.scale, "BVH: metres of its unit. Default: as long as the legs are")
+      ->type_name("M")
+      ->check(number(1e-9, 1e9));
+  command.add_option("--up", options.skeleton.up, "BVH: which of its axes points up")
+      ->type_name("y|z")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
   const auto added = command.get_options();
   CLI::Option* motion =
       command
           .add_option("--motion", options.motion,
-                      "Instead of a recording: a table of joint positions that a scene's infant follows")
-          ->type_name("FILE.csv");
+                      "Instead of a recording: joint positions, or poses of bodies, that a scene's infant follows")
+          ->type_name("FILE.csv|FILE.bvh");
   for (std::size_t i = before; i < added.size(); ++i)
     command.get_option("--" + added[i]->get_single_name())->needs(motion);
   return motion;
 }
 
 void follow(const FollowOptions& options) {
-  if (!options.forces.empty()) require_writable(options.forces);
+  for (const std::string& file : {options.forces, options.joints}) {
+    if (!file.empty()) require_writable(file);
+  }
   Follow run(options);
   run.play();
   if (!options.forces.empty()) run.write_forces();
+  if (!options.joints.empty()) run.write_joints();
   run.report();
   std::cout.flush();
 }

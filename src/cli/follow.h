@@ -4,13 +4,15 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "retarget.h"
 #include "world.h"
 
 namespace cli {
 
 struct FollowOptions {
   WorldOptions world;
-  std::string motion, forces;  // files; "" for none
+  RetargetOptions skeleton;
+  std::string motion, forces, joints;  // files; "" for none
   bool degrees = false, json = false;
 };
 

@@ -3,106 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "angles.h"
-#include "csv.h"
-#include "facts.h"
 #include "failure.h"
+#include "joints.h"
 
 namespace cli {
 namespace {
 
-constexpr char kTime[] = "time";
-constexpr char kPrefix[] = "robot:";  // of an infant's joints
-const std::vector<std::string> kFreeParts = {"x", "y", "z", "qw", "qx", "qy", "qz"};
-
-// Where a column's numbers go, and of which hinge they are the angle; -1 for none.
-struct Target {
-  std::size_t place;
-  std::int32_t hinge;
-};
-
-struct Joint {
-  std::int32_t id;
-  std::size_t place, width;
-};
-
-std::vector<Joint> joints_of(const mimo::Env& env) {
-  std::vector<Joint> joints;
-  std::size_t place = 0;
-  for (const std::int32_t id : env.ids(MIMO_JOINT)) {
-    const std::size_t width = env.width(MIMO_JOINT_POSITION, {id});
-    joints.push_back({id, place, width});
-    place += width;
-  }
-  return joints;
-}
-
-// All columns that there may be.
-std::map<std::string, Target> targets_of(const mimo::Env& env) {
-  std::map<std::string, Target> targets;
-  const std::vector<std::int32_t> roots = infants(env);
-  const std::int32_t root = roots.empty() ? -1 : roots[0];
-  for (const Joint& joint : joints_of(env)) {
-    std::string name = joint_label(env, joint.id);
-    if (name.compare(0, sizeof kPrefix - 1, kPrefix) == 0) name.erase(0, sizeof kPrefix - 1);
-    if (joint.width == 1) targets[name] = {joint.place, joint.id};
-    if (joint.width != 7) continue;
-    const bool first = env.body_of(MIMO_JOINT, joint.id) == root;
-    for (std::size_t i = 0; i < 7; ++i) {
-      const Target target = {joint.place + i, -1};
-      targets[name + ":" + kFreeParts[i]] = target;
-      if (first) targets["root:" + kFreeParts[i]] = target;
-    }
-  }
-  return targets;
-}
-
-Target target_of(const std::string& path, const std::map<std::string, Target>& targets, const std::string& column) {
-  const bool prefixed = column.compare(0, sizeof kPrefix - 1, kPrefix) == 0;
-  const auto found = targets.find(prefixed ? column.substr(sizeof kPrefix - 1) : column);
-  if (found != targets.end()) return found->second;
-  std::string some;
-  for (const auto& [name, target] : targets) {
-    if (some.size() > 200) break;
-    some += (some.empty() ? "" : ", ") + name;
-  }
-  throw Failure(path + ": the body has no joint for column '" + column + "'; there are: " + some + ", ...");
-}
-
-std::vector<double> column_of(const NumberTable& table, std::size_t number, double scale) {
-  std::vector<double> values;
-  for (const auto& row : table.rows) values.push_back(scale * row[number]);
-  return values;
-}
-
-void require_increasing(const std::string& path, const std::vector<double>& times) {
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) continue;
-    throw Failure(path + ": time does not increase in row " + std::to_string(i + 1) + ", " + std::to_string(times[i]) +
-                  " after " + std::to_string(times[i - 1]));
-  }
-}
-
-// What a table tells of the positions, by their places.
-struct Column {
-  std::int32_t hinge;  // the joint whose angle that is, -1 where it is none
-  std::vector<double> values;
-};
-using Columns = std::map<std::size_t, Column>;
-
-Columns columns_of(const std::string& path, const NumberTable& table, bool degrees, const mimo::Env& env) {
-  const auto targets = targets_of(env);
-  Columns columns;
-  for (std::size_t i = 0; i < table.names.size(); ++i) {
-    if (table.names[i] == kTime) continue;
-    const Target target = target_of(path, targets, table.names[i]);
-    const bool turns = target.hinge >= 0;
-    columns[target.place] = {target.hinge, column_of(table, i, turns && degrees ? kDegree : 1)};
-  }
-  return columns;
-}
+using Columns = std::map<std::size_t, JointTrack>;
 
 // A quaternion and its opposite are one orientation: neighbours of the one that starts at `place` are told on one side.
 void unwind(const std::string& path, Columns& columns, std::size_t place) {
@@ -143,25 +52,20 @@ std::array<double, 3> turn_between(const double* from, const double* to) {
 
 }  // namespace
 
-Motion::Motion(const std::string& path, bool degrees, const mimo::Env& env)
-    : still_(env.get_values(MIMO_JOINT_POSITION, env.ids(MIMO_JOINT))) {
-  const NumberTable table = read_numbers(path, "joint");
-  const auto found = std::find(table.names.begin(), table.names.end(), kTime);
-  if (found == table.names.end()) throw Failure(path + " has no column 'time'");
-  const std::vector<double> times = column_of(table, static_cast<std::size_t>(found - table.names.begin()), 1);
-  require_increasing(path, times);
-  first_ = times.front();
-  last_ = times.back();
-  rows_ = times.size();
-  Columns columns = columns_of(path, table, degrees, env);
+Motion::Motion(const Movement& movement, const mimo::Env& env)
+    : still_(env.get_values(MIMO_JOINT_POSITION, env.ids(MIMO_JOINT))),
+      first_(movement.times.front()),
+      last_(movement.times.back()),
+      rows_(movement.times.size()) {
+  Columns columns = movement.joints;
   for (const Joint& joint : joints_of(env)) {
     if (joint.width != 7) continue;
-    quaternions_.push_back(joint.place + 3);
-    unwind(path, columns, joint.place + 3);
+    quaternions_.push_back(joint.quaternion());
+    unwind(movement.source, columns, joint.quaternion());
   }
   for (const auto& [place, column] : columns) {
     const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
-    tracks_.push_back({place, Spline(times, column.values), *low, *high, column.hinge});
+    tracks_.push_back({place, Spline(movement.times, column.values), *low, *high, column.hinge});
   }
 }
 
@@ -177,12 +81,11 @@ std::vector<double> Motion::velocities(const mimo::Env& env, double seconds) con
   const std::vector<double> now = positions(seconds), before = positions(seconds - step);
   std::vector<double> velocities;
   for (const Joint& joint : joints_of(env)) {
-    const std::size_t linear = joint.width == 7 ? 3 : joint.width == 1 ? 1 : 0;
-    for (std::size_t i = 0; i < linear; ++i) {
+    for (std::size_t i = 0; i < joint.linear(); ++i) {
       velocities.push_back((now[joint.place + i] - before[joint.place + i]) / step);
     }
-    if (joint.width < 4) continue;
-    const std::size_t first = joint.place + (joint.width == 7 ? 3 : 0);
+    if (!joint.turns()) continue;
+    const std::size_t first = joint.quaternion();
     for (const double turn : turn_between(&before[first], &now[first])) velocities.push_back(turn / step);
   }
   return velocities;

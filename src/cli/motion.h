@@ -1,4 +1,4 @@
-// A movement that is known: a table of joint positions at any rate, followed by a world.
+// A movement that is known, at any time: smooth curves through what its file tells of the joints.
 #pragma once
 
 #include <cstdint>
@@ -6,16 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "movement.h"
 #include "spline.h"
 
 namespace cli {
 
 class Motion {
  public:
-  // A column `time` in s, then one for each hinge, by its joint's name with or without "robot:", rad; of a joint that
-  // moves freely NAME:x, y, z, m, and NAME:qw, qx, qy, qz; the first infant's is also called "root". Joints without a
-  // column stay where the world has them. Throws a Failure that names file and column.
-  Motion(const std::string& path, bool degrees, const mimo::Env& env);
+  // Joints without a track stay where the world has them. Throws a Failure where an orientation is not whole.
+  Motion(const Movement& movement, const mimo::Env& env);
 
   double seconds() const { return last_ - first_; }
   std::size_t rows() const { return rows_; }
@@ -37,8 +36,8 @@ class Motion {
   std::vector<double> still_;             // positions of what is not told
   std::vector<std::size_t> quaternions_;  // places of their first numbers
   std::vector<Track> tracks_;
-  double first_ = 0, last_ = 0;
-  std::size_t rows_ = 0;
+  double first_, last_;
+  std::size_t rows_;
 };
 
 }  // namespace cli

@@ -169,7 +169,8 @@ void add_replay(CLI::App& program) {
       "Examples:\n"
       "  mimo replay run.h5 --json\n"
       "  mimo replay run.h5 --from 30 --seconds 5 --vision 128 --keep vision --out eyes.h5\n"
-      "  mimo replay --motion motion.csv --scene benchmark --forces torques.csv");
+      "  mimo replay --motion motion.csv --scene benchmark --forces torques.csv\n"
+      "  mimo replay --motion walk.bvh --scene free --joints joints.csv");
   command->callback([options, command] {
     options->follow.json = options->json;
     if (!options->follow.motion.empty()) return follow(options->follow);

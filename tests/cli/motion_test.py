@@ -1,9 +1,14 @@
 """`mimo replay --motion`: a table of joint positions is followed."""
 import csv
 import json
+import math
 import unittest
 
 from program import Case
+from skeleton import bvh
+
+
+LEGS = 0.135 + 0.177  # m from hip to knee and to ankle, of the body at 18 months (models/mimo/parts)
 
 
 class Motion(Case):
@@ -50,12 +55,98 @@ class Motion(Case):
     def test_limits_are_told(self):
         self.assertEqual(self.follow("time,left_elbow\n0,0\n1,2\n")["beyond_limits"], ["robot:left_elbow"])
 
+    def joints(self, *arguments):
+        """Rows of the joints' positions, by name."""
+        self.mimo("replay", "--scene", "free", "--touch", "off", "--joints", "joints.csv", *arguments)
+        with (self.folder / "joints.csv").open() as file:
+            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+    def test_a_shank_that_hangs_back_is_a_bent_knee(self):
+        """Thighs as they stand; the left shank is turned by 0.7 rad about the axis that points left, so backwards."""
+        half = 0.35
+        rows = "".join("%g,1,0,0,0,%.17g,0,%.17g,0\n" % (time, math.cos(half * share), math.sin(half * share))
+                       for time, share in ((0, 0), (0.1, 0.5), (0.2, 1)))
+        names = ["%s:%s" % (body, part) for body in ("left_upper_leg", "left_lower_leg") for part in ("qw", "qx", "qy", "qz")]
+        path = self.write("poses.csv", "time,%s\n%s" % (",".join(names), rows))
+        rows = self.joints("--motion", path)
+        for row, angle in zip(rows, (0, 0.35, 0.7)):
+            self.assertAlmostEqual(row["robot:left_knee"], -angle, delta=1e-9)
+            self.assertAlmostEqual(row["robot:left_hip1"], 0, delta=1e-9)
+        report = self.follow((self.folder / "poses.csv").read_text())
+        self.assertLess(report["pose_errors"]["left_lower_leg"]["angle_largest"], 1e-9)
+
+    def test_what_a_joint_cannot_do_is_told(self):
+        """A knee bends about one axis only: a shank that is turned by 0.2 rad about itself stays 0.2 rad off, where the
+        thigh has to stay."""
+        rows = "".join("%g,%s%.17g,0,0,%.17g\n" % (time, "1,0,0,0," * 3, math.cos(0.1), math.sin(0.1)) for time in (0, 1))
+        bodies = ["mimo_location", "hip", "left_upper_leg", "left_lower_leg"]
+        names = ",".join("%s:%s" % (body, part) for body in bodies for part in ("qw", "qx", "qy", "qz"))
+        errors = self.follow("time,%s\n%s" % (names.replace("mimo_location:", "root:"), rows))["pose_errors"]
+        self.assertEqual(set(errors), set(bodies[1:]))
+        self.assertAlmostEqual(errors["left_upper_leg"]["angle_largest"] + errors["left_lower_leg"]["angle_largest"], 0.2,
+                               delta=1e-6)
+        self.assertAlmostEqual(errors["left_lower_leg"]["angle_largest"], 0.1, delta=1e-6)  # least squares share it
+
+    def test_a_place_alone_moves_the_whole_infant(self):
+        rows = self.joints("--motion", self.write("places.csv", "time,hip:x,hip:y,hip:z\n0,0,0,0.4\n1,0.3,-0.2,0.5\n"))
+        for axis, there in zip("xyz", (0.3, -0.2, 0.5)):
+            self.assertAlmostEqual(rows[1]["mimo_orientation:" + axis], there, delta=1e-9)
+
+    def test_a_skeleton_stands_bends_and_turns(self):
+        """Arms that hang, an elbow bent by a right angle, a knee by 60 degrees; then a quarter turn to the left."""
+        hang = {"LeftArm": (-80, 0, 0), "RightArm": (80, 0, 0)}
+        bent = dict(hang, LeftForeArm=(0, 0, -90), RightLeg=(0, 60, 0))
+        turned = dict(bent, Hips=(0, 0, 90), at=(10, 90, 0))
+        for up in ("y",):
+            path = self.write("walk.bvh", bvh(hang, bent, turned))
+            rows = self.joints("--motion", path, "--up", up)
+            self.assertAlmostEqual(rows[0]["robot:left_elbow"], 0, delta=0.02)
+            self.assertAlmostEqual(rows[1]["robot:left_elbow"], -math.pi / 2, delta=1e-6)
+            self.assertAlmostEqual(rows[1]["robot:right_elbow"], 0, delta=0.02)
+            self.assertAlmostEqual(rows[1]["robot:right_knee"], -math.pi / 3, delta=1e-6)
+            self.assertAlmostEqual(rows[1]["robot:left_knee"], 0, delta=1e-6)
+            self.assertAlmostEqual(rows[2]["mimo_orientation:qw"], math.sqrt(0.5), delta=1e-6)
+            self.assertAlmostEqual(rows[2]["mimo_orientation:qz"], math.sqrt(0.5), delta=1e-6)  # about what is up
+            # 10 cm to its left, in units of legs: the skeleton's are 80 cm, the infant's so many
+            legs = abs(rows[2]["mimo_orientation:y"] - rows[1]["mimo_orientation:y"]) * 80 / 10
+            self.assertAlmostEqual(legs, LEGS, delta=1e-3)
+        scaled = self.joints("--motion", path, "--scale", "0.001")
+        self.assertAlmostEqual(scaled[2]["mimo_orientation:y"] - scaled[1]["mimo_orientation:y"], 0.01, delta=1e-6)
+
+    def test_names_of_a_skeleton(self):
+        frames = [{"LeftLeg": (0, 50, 0)}]
+        rows = self.joints("--motion", self.write("a.bvh", bvh(*frames, rename=lambda name: "mixamorig:" + name)))
+        self.assertAlmostEqual(rows[0]["robot:left_knee"], -math.radians(50), delta=1e-6)
+        own = self.write("own.bvh", bvh(*frames, rename=lambda name: "bone_" + name))
+        self.assertIn("--map", self.mimo("replay", "--motion", own, code=1))
+        names = self.write("map.csv", "bone_LeftUpLeg,left_upper_leg\nbone_LeftLeg, left_lower_leg\n")
+        rows = self.joints("--motion", own, "--map", names)
+        self.assertAlmostEqual(rows[0]["robot:left_knee"], -math.radians(50), delta=1e-6)
+        for line, word in (("bone_Tail,left_foot\n", "bone_Tail"), ("bone_Head,wing\n", "'wing'"), ("bone_Head\n", "line 1")):
+            self.write("map.csv", line)
+            self.assertIn(word, self.mimo("replay", "--motion", own, "--map", names, code=1))
+
+    def test_bad_skeletons(self):
+        whole = bvh({}, {})
+        for text, message in ((whole[:200], "the file ends"), (whole[:-20], "line "), (whole + "3", "end of the file"),
+                              (whole.replace("Frames: 2", "Frames: many"), "many"), ("time,left_elbow\n0,0\n", "HIERARCHY"),
+                              (whole.replace("Xposition", "Wposition", 1), "Wposition"), ("", "the file ends"),
+                              (whole.replace("Frame Time: 0.05", "Frame Time: 0"), "frame time above 0"),
+                              (whole.replace("OFFSET 0 0 0", "OFFSET 0 nan 0", 1), "nan"),
+                              ("HIERARCHY\nROOT a\n" + "{ OFFSET 0 0 0 CHANNELS 0 JOINT b\n" * 2000, "at most")):
+            path = self.write("bad.bvh", text)
+            self.assertIn(message, self.mimo("replay", "--motion", path, "--scene", "free", "--joints", "j.csv", code=1))
+        self.assertNotIn("j.csv", self.files())
+
     def test_bad_tables(self):
         for table, message in (("left_elbow\n0\n", "no column 'time'"), ("time,nose\n0,0\n", "no joint for column 'nose'"),
                                ("time,left_elbow\n0,0\n0,1\n", "does not increase in row 2"),
                                ("time,left_elbow\n0,zero\n", "line 2"), ("time,left_elbow\n0\n", "line 2"),
                                ("time,left_elbow\n", "no rows"), ("", "header of joint names"),
-                               ("time,mimo_orientation:qw\n0,1\n", "four columns")):
+                               ("time,mimo_orientation:qw\n0,1\n", "four columns"),
+                               ("time,hip:x\n0,1\n", "the position of hip has 1 of its 3 columns"),
+                               ("time,hip:qw,hip:qx,hip:qy,hip:qz\n0,0,0,0,0\n", "orientation of hip is 0 0 0 0"),
+                               ("time,wing:qw\n0,1\n", "of the bodies mimo_location, hip")):
             path = self.write("bad.csv", table)
             self.assertIn(message, self.mimo("replay", "--motion", path, "--scene", "free", "--forces", "f.csv", code=1))
         self.assertIn("nothing.csv", self.mimo("replay", "--motion", "nothing.csv", code=1))

@@ -1,0 +1,199 @@
+#include "bvh.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "angles.h"
+#include "failure.h"
+
+namespace cli {
+namespace {
+
+constexpr std::size_t kMostJoints = 1000;
+
+// Words of a text, and where they are.
+class Words {
+ public:
+  explicit Words(const std::string& path) : path_(path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Failure("cannot read " + path + ": " + std::strerror(errno));
+    text_.assign(std::istreambuf_iterator<char>(file), {});
+    rest_ = text_;
+  }
+
+  // "" at the end.
+  std::string_view next() {
+    while (!rest_.empty() && is_space(rest_[0])) skip();
+    std::size_t length = 0;
+    while (length < rest_.size() && !is_space(rest_[length])) ++length;
+    const std::string_view word = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return word;
+  }
+
+  void expect(std::string_view what) {
+    const std::string_view word = next();
+    if (word != what) fail("expected '" + std::string(what) + "'", word);
+  }
+
+  double number() {
+    const std::string_view word = next();
+    const char* begin = word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
+    double value = 0;
+    const auto result = std::from_chars(begin, word.data() + word.size(), value);
+    if (result.ec != std::errc() || result.ptr != word.data() + word.size() || !std::isfinite(value)) {
+      fail("expected a finite number", word);
+    }
+    return value;
+  }
+
+  std::size_t count(std::size_t most) {
+    const double value = number();
+    if (value < 0 || value > static_cast<double>(most) || value != std::floor(value)) {
+      fail("expected a whole number from 0 to " + std::to_string(most), std::to_string(value));
+    }
+    return static_cast<std::size_t>(value);
+  }
+
+  [[noreturn]] void fail(const std::string& what, std::string_view found) const {
+    throw Failure(path_ + ", line " + std::to_string(line_) + ": " + what + ", " +
+                  (found.empty() ? "but the file ends" : "not '" + std::string(found.substr(0, 60)) + "'"));
+  }
+
+ private:
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  void skip() {
+    if (rest_[0] == '\n') ++line_;
+    rest_.remove_prefix(1);
+  }
+
+  std::string path_, text_;
+  std::string_view rest_;
+  std::size_t line_ = 1;
+};
+
+Eigen::Vector3d read_offset(Words& words) {
+  const double x = words.number(), y = words.number();
+  return {x, y, words.number()};
+}
+
+char read_channel(Words& words) {
+  const std::string_view word = words.next();
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    if (word == axis + std::string("position")) return axis;
+    if (word == axis + std::string("rotation")) return static_cast<char>(axis - 'A' + 'a');
+  }
+  words.fail("expected a channel (Xposition ... Zrotation)", word);
+}
+
+class Hierarchy {
+ public:
+  Hierarchy(Words& words, Bvh& bvh) : words_(words), bvh_(bvh) {}
+
+  std::size_t read() {
+    words_.expect("HIERARCHY");
+    words_.expect("ROOT");
+    read_joint(-1);
+    return channels_;
+  }
+
+ private:
+  void read_joint(int parent) {
+    if (bvh_.joints.size() == kMostJoints) words_.fail("expected at most 1000 joints", "JOINT");
+    const auto number = bvh_.joints.size();
+    bvh_.joints.push_back({std::string(words_.next()), parent, {0, 0, 0}, {0, 0, 0}, "", channels_});
+    words_.expect("{");
+    words_.expect("OFFSET");
+    bvh_.joints[number].offset = read_offset(words_);
+    words_.expect("CHANNELS");
+    for (std::size_t left = words_.count(6); left > 0; --left, ++channels_) {
+      bvh_.joints[number].channels += read_channel(words_);
+    }
+    for (std::string_view word = words_.next(); word != "}"; word = words_.next()) {
+      if (word == "JOINT") {
+        read_joint(static_cast<int>(number));
+      } else if (word == "End") {
+        bvh_.joints[number].end = read_end();
+      } else {
+        words_.fail("expected JOINT, End Site or }", word);
+      }
+    }
+  }
+
+  Eigen::Vector3d read_end() {
+    words_.expect("Site");
+    words_.expect("{");
+    words_.expect("OFFSET");
+    const Eigen::Vector3d end = read_offset(words_);
+    words_.expect("}");
+    return end;
+  }
+
+  Words& words_;
+  Bvh& bvh_;
+  std::size_t channels_ = 0;
+};
+
+Eigen::Isometry3d local_pose(const BvhJoint& joint, const double* values) {
+  Eigen::Vector3d place = joint.offset;
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+    const char channel = joint.channels[i];
+    if (channel <= 'Z') {
+      place[channel - 'X'] = values[joint.first + i];  // in place of the offset
+    } else {
+      orientation =
+          orientation * Eigen::AngleAxisd(values[joint.first + i] * kDegree, Eigen::Vector3d::Unit(channel - 'x'));
+    }
+  }
+  return Eigen::Translation3d(place) * orientation;
+}
+
+}  // namespace
+
+std::vector<Eigen::Isometry3d> Bvh::poses(std::size_t frame) const {
+  std::vector<Eigen::Isometry3d> all;
+  for (const BvhJoint& joint : joints) {
+    const Eigen::Isometry3d local = local_pose(joint, frames[frame].data());
+    all.push_back(joint.parent < 0 ? local : all[static_cast<std::size_t>(joint.parent)] * local);
+  }
+  return all;
+}
+
+std::vector<Eigen::Isometry3d> Bvh::rest() const {
+  std::vector<Eigen::Isometry3d> all;
+  for (const BvhJoint& joint : joints) {
+    const Eigen::Isometry3d local(Eigen::Translation3d(joint.offset));
+    all.push_back(joint.parent < 0 ? local : all[static_cast<std::size_t>(joint.parent)] * local);
+  }
+  return all;
+}
+
+Bvh read_bvh(const std::string& path) {
+  Words words(path);
+  Bvh bvh;
+  const std::size_t channels = Hierarchy(words, bvh).read();
+  words.expect("MOTION");
+  words.expect("Frames:");
+  const std::size_t frames = words.count(100000000);
+  if (frames == 0) words.fail("expected at least one frame", "0");
+  words.expect("Frame");
+  words.expect("Time:");
+  bvh.frame_seconds = words.number();
+  if (bvh.frame_seconds <= 0) words.fail("expected a frame time above 0", std::to_string(bvh.frame_seconds));
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < channels; ++i) values.push_back(words.number());
+    bvh.frames.push_back(std::move(values));
+  }
+  if (const std::string_view more = words.next(); !more.empty()) words.fail("expected the end of the file", more);
+  return bvh;
+}
+
+}  // namespace cli

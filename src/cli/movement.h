@@ -1,0 +1,43 @@
+// What a file tells of a movement, row after row: positions of joints, and poses of bodies.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <mimo/mimo.hpp>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct JointTrack {
+  std::int32_t hinge;  // the joint whose angle that is, -1 where it is none
+  std::vector<double> values;
+};
+
+// In the world's frame. One of the two may be empty: not told.
+struct BodyTrack {
+  std::int32_t body;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Quaterniond> orientations;
+  Eigen::Vector3d pointer = Eigen::Vector3d::Zero();  // not 0: it counts only where this direction of the body points
+};
+
+struct Movement {
+  std::string source;  // the file
+  std::vector<double> times;
+  std::map<std::size_t, JointTrack> joints;  // by their place among the positions
+  std::vector<BodyTrack> bodies;
+  bool of_another = false;  // who has other joints: joints should stay within their limits where bodies are followed
+};
+
+// A table with a column `time` in s, then any of
+//   a hinge's name, with or without "robot:": rad, or degrees
+//   NAME:x, y, z, m, and NAME:qw, qx, qy, qz of a joint that moves freely, or of a body
+// The first infant's free joint is also called "root". Throws a Failure that names file and column.
+Movement read_movement(const std::string& path, bool degrees, const mimo::Env& env);
+
+// Names of all bodies, for messages.
+std::string body_names(const mimo::Env& env);
+
+}  // namespace cli
