@@ -1,4 +1,4 @@
-"""Poses of bodies, followed by `mimo replay --motion`: they come from forward kinematics and lead back to its joints."""
+"""Poses of bodies, followed by `mimo replay --motion`: from forward kinematics they lead back to its joints."""
 
 import csv
 import json
@@ -43,7 +43,9 @@ def write_poses(path, world, hinges, angles, columns):
 
 def follow(path, folder):
     command = [program(), "replay", "--motion", str(path), "--scene", "free", "--touch", "off", "--json"]
-    done = subprocess.run([*command, "--joints", str(folder / "joints.csv")], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [*command, "--joints", str(folder / "joints.csv")], capture_output=True, text=True, check=True
+    )
     with (folder / "joints.csv").open() as file:
         return json.loads(done.stdout), list(csv.DictReader(file))
 

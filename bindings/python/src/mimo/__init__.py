@@ -88,6 +88,7 @@ def __getattr__(name: str) -> Any:
     if name in (
         "classic",
         "babybench",
+        "motion",
         "ray",
         "rerun",
         "usd",

@@ -1,0 +1,196 @@
+"""Key points of videos and marker sets: where they lie on an infant, their tables, and the camera that saw them.
+
+A table has a column `time` in s, and for each point NAME:x, NAME:y, NAME:z in m, world frame, or NAME:u, NAME:v in
+pixels from the upper left corner; NAME:w is how far it is to be believed, 0 to 1. An empty cell is a point not seen.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+from typing import Dict, List, NamedTuple, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .constants import Kind, Quantity
+from .errors import NotFoundError
+from .results import Numbers
+from .world import World
+
+# Usual names of points at joints, and the bodies that begin there.
+JOINTS = {
+    "shoulder": "upper_arm",
+    "elbow": "lower_arm",
+    "wrist": "hand",
+    "hip": "upper_leg",
+    "knee": "lower_leg",
+    "ankle": "foot",
+}
+# On the head, in radii of its sphere from the middle, forward, left, up: where our models have their faces.
+FACE = {"nose": (1.0, 0.0, -0.15), "left_ear": (0.0, 1.0, 0.0), "right_ear": (0.0, -1.0, 0.0)}
+
+Place = Tuple[str, Union[Sequence[float], Numbers]]
+
+
+class KeyPoints(NamedTuple):
+    """What was seen: times of n rows, names of k points, values (n, k, 3), m, or (n, k, 2), pixels, weights (n, k)."""
+
+    times: Numbers
+    names: List[str]
+    values: Numbers  # NaN where a point was not seen
+    weights: Numbers  # 0 there
+
+
+class Camera:
+    """A camera by its matrix, 3 x 4, from the world to pixels: matrix @ (x, y, z, 1) = s (u, v, 1), s > 0 in front."""
+
+    def __init__(self, matrix: ArrayLike) -> None:
+        self.matrix = np.asarray(matrix, np.float64)
+        if self.matrix.shape != (3, 4) or not np.isfinite(self.matrix).all():
+            raise ValueError(f"matrix has the shape {self.matrix.shape}, expected 3 x 4 finite numbers")
+
+    @classmethod
+    def pinhole(
+        cls, fovy: float, width: int, height: int, position: ArrayLike, look_at: ArrayLike, up: ArrayLike = (0, 0, 1)
+    ) -> "Camera":
+        """A camera without distortion: vertical field of view, degrees; pixels; its place and a point in the middle."""
+        at = np.asarray(position, np.float64)
+        forward = np.asarray(look_at, np.float64) - at
+        right = np.cross(forward, np.asarray(up, np.float64))
+        if np.linalg.norm(right) < 1e-9:
+            raise ValueError(
+                f"look_at {look_at!r} lies along up from position {position!r}, expected another direction"
+            )
+        forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
+        rotation = np.stack([right, np.cross(forward, right), forward])
+        focal = 0.5 * height / np.tan(np.radians(fovy) / 2)
+        inner = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
+        return cls(inner @ np.column_stack([rotation, -rotation @ at]))
+
+    @classmethod
+    def read(cls, path: str) -> "Camera":
+        """From JSON: {"matrix": 3 rows of 4}, or the arguments of `pinhole`."""
+        with open(path, encoding="utf-8") as file:
+            try:
+                given = json.load(file)
+                return cls(given["matrix"]) if "matrix" in given else cls.pinhole(**given)
+            except (ValueError, TypeError, KeyError) as error:
+                raise ValueError(f"{path} is no camera: {error}") from None
+
+    def project(self, points: Numbers) -> Numbers:
+        """Pixels (k, 2) of points (k, 3)."""
+        seen = points @ self.matrix[:, :3].T + self.matrix[:, 3]
+        return np.asarray(seen[:, :2] / seen[:, 2:])
+
+    def slopes(self, points: Numbers) -> Numbers:
+        """How pixels move as points do: (k, 2, 3)."""
+        seen = points @ self.matrix[:, :3].T + self.matrix[:, 3]
+        pixels = seen[:, :2] / seen[:, 2:]
+        linear = self.matrix[:, :3]
+        return np.asarray((linear[None, :2] - pixels[:, :, None] * linear[None, 2:]) / seen[:, 2:, None])
+
+
+def places_of(world: World, names: Sequence[str], own: Dict[str, Place], agent: int = 0) -> Tuple[List[int], Numbers]:
+    """The body of each point, and where the point is in that body's frame.
+
+    Names are those of `own`, of bodies, or usual ones: left_shoulder, ..., nose, left_ear; "left_eye" is a body.
+    """
+    lead = f"{world.agents[agent].name}/" if world.agents and world.agents[agent].name else ""
+    bodies, offsets = [], []
+    for name in names:
+        body, offset = own[name] if name in own else _usual(world, lead, name)
+        try:
+            bodies.append(world.find(Kind.BODY, lead + body))
+        except NotFoundError as error:
+            usual = ", ".join(f"left_{joint}" for joint in JOINTS)
+            raise ValueError(f"the infant has no place for the key point {name!r}: {error}; or {usual}, nose") from None
+        offsets.append(np.asarray(offset, np.float64))
+    return bodies, np.array(offsets).reshape(-1, 3)
+
+
+def _usual(world: World, lead: str, name: str) -> Place:
+    side, _, joint = name.partition("_")
+    if name in FACE:
+        middle = world.get(Quantity.GEOM_POSITION, [f"{lead}head"])[0]
+        body = world.get(Quantity.BODY_POSE, [f"{lead}head"])[0]
+        radius = world.get(Quantity.GEOM_SIZE, [f"{lead}head"])[0, 0]
+        return "head", turned(body[3:] * (1, -1, -1, -1), middle - body[:3]) + radius * np.array(FACE[name])
+    if side in ("left", "right") and joint in JOINTS:
+        return _end_of_parent(world, f"{lead}{side}_{JOINTS[joint]}", lead)
+    return name, (0, 0, 0)
+
+
+def _end_of_parent(world: World, body: str, lead: str) -> Place:
+    """Where a body begins, on the one before it: a hand's own turns do not move the wrist."""
+    number = world.find(Kind.BODY, body)
+    hinges = np.flatnonzero(world.joints().body_ids == number).tolist()
+    parent = world.name(Kind.BODY, int(world.bodies().body_ids[number]))
+    angles = world.get(Quantity.JOINT_POSITION, hinges).ravel()
+    world.set(Quantity.JOINT_POSITION, np.zeros(len(hinges)), hinges)
+    pose, at = world.get(Quantity.BODY_POSE, [parent, body], now=True)
+    world.set(Quantity.JOINT_POSITION, angles, hinges)
+    return parent[len(lead) :], turned(pose[3:] * (1, -1, -1, -1), at[:3] - pose[:3])
+
+
+def turned(quaternions: Numbers, vectors: Numbers) -> Numbers:
+    """Vectors (..., 3), turned by quaternions (..., 4), w x y z."""
+    w, axis = quaternions[..., :1], quaternions[..., 1:]
+    twice = 2 * np.cross(axis, vectors)
+    return np.asarray(vectors + w * twice + np.cross(axis, twice))
+
+
+def read_points(path: str) -> KeyPoints:
+    """A table of key points; a ValueError names the line and the column that are wrong."""
+    with open(path, newline="", encoding="utf-8-sig") as file:
+        lines = list(csv.reader(file))
+    header = [cell.strip() for cell in lines[0]] if lines else []
+    if "time" not in header:
+        raise ValueError(f"{path} has no column 'time'")
+    rows = [_row(path, number + 2, header, cells) for number, cells in enumerate(lines[1:]) if cells]
+    if not rows:
+        raise ValueError(f"{path}: no rows of numbers follow the header")
+    columns = dict(zip(header, np.array(rows).T))
+    times = columns.pop("time")
+    if not (np.diff(times) > 0).all() or np.isnan(times).any():
+        raise ValueError(f"{path}: time does not increase in row {1 + int(np.argmin(np.diff(times) > 0)) + 1}")
+    names = list(dict.fromkeys(column.rpartition(":")[0] or column for column in columns))
+    parts = "xyz" if any(column.endswith(":x") for column in columns) else "uv"
+    return _points(path, times, names, parts, columns)
+
+
+def _row(path: str, line: int, header: List[str], cells: List[str]) -> List[float]:
+    if len(cells) != len(header):
+        raise ValueError(f"{path}, line {line}: expected {len(header)} cells as the header has, found {len(cells)}")
+    row = []
+    for name, cell in zip(header, cells):
+        try:
+            row.append(float(cell) if cell.strip() else np.nan)
+        except ValueError:
+            raise ValueError(f"{path}, line {line}: column {name!r} should be a number, not {cell!r}") from None
+    return row
+
+
+def _points(path: str, times: Numbers, names: List[str], parts: str, columns: Dict[str, Numbers]) -> KeyPoints:
+    values, weights = [], []
+    for name in names:
+        wanted = [f"{name}:{part}" for part in parts]
+        missing = [column for column in wanted if column not in columns]
+        if missing:
+            raise ValueError(f"{path} has no column {missing[0]!r}, expected {', '.join(wanted)}")
+        values.append(np.column_stack([columns.pop(column) for column in wanted]))
+        weights.append(columns.pop(f"{name}:w", np.ones(len(times))))
+    if columns:
+        raise ValueError(f"{path}: column {next(iter(columns))!r} is not :{', :'.join(parts)} or :w of a point")
+    value, weight = np.stack(values, 1), np.stack(weights, 1)
+    seen = np.isfinite(value).all(axis=2) & (np.nan_to_num(weight) > 0)
+    return KeyPoints(times, names, np.where(seen[:, :, None], value, np.nan), np.where(seen, weight, 0))
+
+
+def write_table(path: str, names: Sequence[str], rows: Union[Numbers, Sequence[Sequence[float]]]) -> None:
+    """Numbers with all their digits; what is not a number is left empty."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(names)
+        for row in rows:
+            writer.writerow(["" if np.isnan(value) else repr(float(value)) for value in row])

@@ -1,0 +1,201 @@
+"""Key points lead back to the joints that made them: forward kinematics is the physics engine's, noise is ours."""
+
+import csv
+import json
+import subprocess
+
+import numpy as np
+import pytest
+from recorded import program
+
+import mimo
+from mimo.constants import Kind, Quantity
+
+pytest.importorskip("scipy", reason="SciPy is not installed")
+motion = mimo.motion
+
+JOINTS = ("shoulder", "elbow", "wrist", "hip", "knee", "ankle")
+NAMES = [f"{side}_{joint}" for side in ("left", "right") for joint in JOINTS] + ["nose", "left_ear", "right_ear", "hip"]
+BODIES = {"shoulder": "upper_arm", "elbow": "lower_arm", "wrist": "hand", "hip": "upper_leg"}
+BODIES.update(knee="lower_leg", ankle="foot")
+TOLD = ["robot:left_elbow", "robot:right_elbow", "robot:left_knee", "robot:right_knee"]  # by three points each
+
+
+def infant(age=18):
+    scene = mimo.Scene("free")
+    scene.add_agent(vision=False, touch=False, age=age)
+    world = mimo.World(scene)
+    world.reset(seed=0)
+    return world
+
+
+def place(world, name):
+    """Worked out here from the poses of bodies: joints at their origins, nose and ears on the sphere of the head."""
+    side, _, joint = name.partition("_")
+    if name in ("nose", "left_ear", "right_ear"):
+        axis = {"nose": (1, 0, -0.15), "left_ear": (0, 1, 0), "right_ear": (0, -1, 0)}[name]
+        w, x, y, z = world.get(Quantity.GEOM_ORIENTATION, ["head"], now=False)[0]
+        head = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        return (
+            world.get(Quantity.GEOM_POSITION, ["head"])[0]
+            + head @ np.array(axis) * world.get(Quantity.GEOM_SIZE, ["head"])[0, 0]
+        )
+    if not joint:
+        return world.get(Quantity.BODY_POSITION, [name])[0]
+    # Where the next part begins when it is straight: its own turns do not move that point of the part before.
+    body = f"{side}_{BODIES[joint]}"
+    hinges = np.flatnonzero(world.joints().body_ids == world.find(Kind.BODY, body)).tolist()
+    before = world.get(Quantity.JOINT_POSITION, hinges).ravel()
+    world.set(Quantity.JOINT_POSITION, 0 * before, hinges)
+    straight = world.get(Quantity.BODY_POSITION, [body], now=True)[0]
+    world.set(Quantity.JOINT_POSITION, before, hinges)
+    return straight
+
+
+def movement(world, rows=12):
+    """Arms, legs and head move, and the whole body rises and turns. Angles of TOLD and the places of all points."""
+    amounts = {
+        "left_elbow": -1.2,
+        "right_elbow": -0.6,
+        "left_knee": -1.4,
+        "right_knee": -0.5,
+        "left_shoulder_ad_ab": 0.5,
+    }
+    amounts.update({"right_shoulder_horizontal": 0.4, "left_hip1": -0.9, "right_hip1": -0.4, "head_swivel": 0.5})
+    hinges = [f"robot:{name}" for name in amounts]
+    start = world.get(Quantity.JOINT_POSITION, hinges).ravel()
+    limits = world.get(Quantity.JOINT_RANGE, hinges)
+    angles, points = [], []
+    for share in np.linspace(0.2, 1, rows):
+        wanted = np.clip(start + share * np.array(list(amounts.values())), limits[:, 0] + 0.05, limits[:, 1] - 0.05)
+        world.set(Quantity.JOINT_POSITION, wanted, hinges)
+        turn = 2.5 + 0.3 * share
+        root = [0.2, 0.1, 0.5 + 0.05 * share, np.cos(turn / 2), 0, 0, np.sin(turn / 2)]
+        world.set(Quantity.JOINT_POSITION, root, ["mimo_orientation"])
+        world.update()
+        angles.append(world.get(Quantity.JOINT_POSITION, TOLD).ravel())
+        points.append([place(world, name) for name in NAMES])
+    return np.array(angles), np.array(points)
+
+
+def seen(values, weights=None):
+    ones = np.ones(values.shape[:2])
+    return motion.KeyPoints(0.04 * np.arange(len(values)), NAMES, values, ones if weights is None else weights)
+
+
+def columns(found, names):
+    return found.positions[:, [found.columns.index(name) for name in names]]
+
+
+def test_joints_come_back_from_exact_points():
+    with infant() as world:
+        angles, places = movement(world)
+    with infant() as world:
+        found = motion.fit(world, seen(places))
+    assert found.errors.max() < 1e-4  # m
+    assert np.abs(columns(found, TOLD) - angles).max() < 5e-3
+
+
+def test_noise_of_half_a_centimetre_is_a_few_degrees():
+    with infant() as world:
+        angles, places = movement(world)
+    noise = 0.005 * np.random.default_rng(1).standard_normal(places.shape)
+    with infant() as world:
+        found = motion.fit(world, seen(places + noise))
+    assert found.errors.max() < 0.02
+    assert np.sqrt(np.mean((columns(found, TOLD) - angles) ** 2)) < np.radians(8)
+
+
+def test_a_point_that_is_not_seen_counts_nothing():
+    with infant() as world:
+        _, places = movement(world)
+    weights = np.ones(places.shape[:2])
+    gone = NAMES.index("nose")
+    weights[:, gone] = 0
+    places[:, gone] = np.nan
+    places[3, NAMES.index("left_wrist")] += 0.5
+    weights[3, NAMES.index("left_wrist")] = 0
+    with infant() as world:
+        found = motion.fit(world, seen(places, weights))
+    assert np.isnan(found.errors[:, gone]).all()
+    assert np.delete(found.errors, gone, axis=1)[:3].max() < 1e-4
+
+
+def test_a_camera_is_enough_where_it_sees_the_movement():
+    camera = motion.Camera.pinhole(45, 1280, 720, (-1.5, 0.3, 0.7), (0.2, 0.1, 0.5))
+    middle = camera.project(np.array([[0.2, 0.1, 0.5], [0.2, 0.1, 0.6]]))
+    assert np.allclose(middle[0], (640, 360))
+    assert middle[1, 1] < 360  # up is up in the picture
+    with infant() as world:
+        _, places = movement(world)
+    pixels = np.array([camera.project(row) for row in places])
+    with infant() as world:
+        found = motion.fit(world, seen(pixels), camera)
+    assert np.median(found.errors) < 1  # pixels
+    assert found.errors.max() < 8
+
+
+def test_limits_hold():
+    """A forearm that bends backwards by 0.6 rad: the elbow stays straight, and the wrist is off."""
+    with infant() as world:
+        hinge = ["robot:left_elbow"]
+        high = world.get(Quantity.JOINT_RANGE, hinge)[0, 1]
+        world.set(Quantity.JOINT_POSITION, [high + 0.6], hinge)
+        world.update()
+        places = np.array([[place(world, name) for name in NAMES]])
+    with infant() as world:
+        found = motion.fit(world, seen(places))
+        limits = world.get(Quantity.JOINT_RANGE, found.columns[7:])
+    hinges = found.positions[0, 7:]
+    assert (hinges > limits[:, 0] - 1e-6).all()
+    assert (hinges < limits[:, 1] + 1e-6).all()
+
+
+def write(path, places, parts):
+    with path.open("w") as file:
+        file.write("time," + ",".join(f"{name}:{part}" for name in NAMES for part in parts) + "\n")
+        for row, values in enumerate(places):
+            file.write(f"{0.04 * row}," + ",".join(repr(float(value)) for value in values.ravel()) + "\n")
+
+
+def test_the_command_writes_what_replay_follows(tmp_path, capsys):
+    with infant(age=6) as world:
+        _, places = movement(world, rows=4)
+    write(tmp_path / "points.csv", places, "xyz")
+    files = ["--out", str(tmp_path / "motion.csv"), "--errors", str(tmp_path / "errors.csv")]
+    assert motion.main([str(tmp_path / "points.csv"), *files, "--age", "6"]) == 0
+    assert "left_elbow" in capsys.readouterr().out
+    with (tmp_path / "errors.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert max(float(row["left_wrist"]) for row in rows) < 1e-4
+    command = [program(), "replay", "--motion", str(tmp_path / "motion.csv"), "--scene", "free", "--age", "6", "--json"]
+    done = subprocess.run([*command, "--touch", "off"], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout)["rows"] == 4
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        ("x\n1\n", "no column 'time'"),
+        ("time,left_elbow:x,left_elbow:y\n0,1,2\n", "no column 'left_elbow:z'"),
+        ("time,nose:u,nose:v\n0,1,2\n", "camera is None"),
+        ("time,nose:x,nose:y,nose:z\n0,1,2,three\n", "line 2: column 'nose:z'"),
+        ("time,nose:x,nose:y,nose:z\n0,1,2\n", "line 2: expected 4 cells"),
+        ("time,nose:x,nose:y,nose:z\n0,1,2,3\n0,1,2,3\n", "does not increase in row 2"),
+        ("time,tail:x,tail:y,tail:z\n0,1,2,3\n", "key point 'tail'"),
+        ("time,nose:x,nose:y,nose:z\n", "no rows"),
+    ],
+)
+def test_bad_tables(tmp_path, capsys, table, message):
+    (tmp_path / "bad.csv").write_text(table)
+    assert motion.main([str(tmp_path / "bad.csv"), "--out", str(tmp_path / "motion.csv")]) == 1
+    shown = capsys.readouterr().err
+    assert message in shown
+    assert shown.count("\n") == 1
+    assert not (tmp_path / "motion.csv").exists()
