@@ -98,6 +98,18 @@ def evaluate(model, envs):
     return total, success, length
 
 
+def success_by_target(envs, success):
+    """Of the episodes of an evaluation: how many had each target, and how many of those succeeded."""
+    target = envs.batch.layout.fields.get("task/target")
+    if target is None:
+        return
+    envs.reset(seed=EVALUATION_SEED)
+    asked = envs.batch.observation["task/target"].argmax(axis=1)
+    for number, name in enumerate(target.labels):
+        if (asked == number).any():
+            print(f"  {name}: {success[asked == number].sum()} of {(asked == number).sum()}")
+
+
 class Evaluation(BaseCallback):
     """Now and then evaluates, writes a row of the curve, and saves a checkpoint."""
 
@@ -180,8 +192,10 @@ def main():
     model = load_model(options, envs, folder) if resumed else make_model(options, envs, folder)
     left = options.steps - model.num_timesteps
     if left <= 0:
-        total, success, _ = evaluate(model, evaluation_envs(options))
+        evaluated = evaluation_envs(options)
+        total, success, _ = evaluate(model, evaluated)
         print(f"{folder}: return {total.mean():.4g} +- {total.std():.2g}, success {success.mean():.3f}")
+        success_by_target(evaluated, success)
         return
     if resumed:
         print(f"{folder} goes on from step {model.num_timesteps}", flush=True)

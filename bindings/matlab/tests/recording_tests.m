@@ -41,7 +41,7 @@ end
 function what_is_no_recording()
   refused(@() mimo_recording('/nowhere/run.h5'), 'mimo:NOT_FOUND');
   world = one_that_hears();
-  refused(@() mimo_record(world, '/nowhere/run.h5'), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_record(world, '/nowhere/run.h5'), 'mimo:FILE');
   refused(@() mimo_record(world, [tempname() '.h5'], 'keep', 'wings'), 'mimo:NOT_FOUND');
   refused(@() mimo_record(world, [tempname() '.h5'], 'wings', 2), 'mimo:INVALID_ARGUMENT');
   mimo_close(world);

@@ -2310,8 +2310,8 @@ extern "C" {
     #[doc = "@param step           0 to the recording's steps."]
     #[doc = "@param compare_fields 1: recorded fields are compared as well; 0: the world senses otherwise."]
     #[doc = "@param at             receives the state's own step, from which the replay goes on; may be NULL."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions or agents, which then stays as it is; as"]
-    #[doc = "        mimo_env_state_load, and then the world has been reset."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then stays"]
+    #[doc = "        as it is; as mimo_env_state_load, and then the world has been reset."]
     pub fn mimo_recording_seek(
         recording: *mut mimo_recording,
         env: *mut mimo_env,
