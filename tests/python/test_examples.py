@@ -13,6 +13,7 @@ EXAMPLES = {
     "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
     "her.py": ["--steps", "0"],
     "hearing.py": [],
+    "key_points.py": [],
     "muscles.py": [],
     "own_experiment.py": ["--worlds", "2", "--steps", "20"],
     "own_scene.py": [],
