@@ -1,15 +1,16 @@
 #include "bvh.h"
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 
 #include "angles.h"
 #include "failure.h"
+#include "text.h"
 
 namespace cli {
 namespace {
@@ -43,13 +44,9 @@ class Words {
 
   double number() {
     const std::string_view word = next();
-    const char* begin = word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
-    double value = 0;
-    const auto result = std::from_chars(begin, word.data() + word.size(), value);
-    if (result.ec != std::errc() || result.ptr != word.data() + word.size() || !std::isfinite(value)) {
-      fail("expected a finite number", word);
-    }
-    return value;
+    const std::optional<double> value = finite_number(word);
+    if (!value) fail("expected a finite number", word);
+    return *value;
   }
 
   std::size_t count(std::size_t most) {

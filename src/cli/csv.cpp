@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "failure.h"
+#include "text.h"
 
 namespace cli {
 namespace {
@@ -63,16 +63,10 @@ std::vector<std::string> read_header(Reader& reader, const std::string& line, co
   return names;
 }
 
-// Numbers are read the same way whatever the locale.
 double read_number(const Reader& reader, std::string_view cell, const std::string& column) {
-  const char* begin = cell.data() + (cell.size() > 1 && cell[0] == '+' && cell[1] != '-' ? 1 : 0);
-  const char* end = cell.data() + cell.size();
-  double value = 0;
-  const auto result = std::from_chars(begin, end, value);
-  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) {
-    reader.fail("column '" + column + "' should be a finite number, not '" + std::string(cell) + "'");
-  }
-  return value;
+  const std::optional<double> value = finite_number(cell);
+  if (!value) reader.fail("column '" + column + "' should be a finite number, not '" + std::string(cell) + "'");
+  return *value;
 }
 
 std::vector<double> read_row(Reader& reader, const std::string& line, const std::vector<std::string>& names) {

@@ -1,6 +1,8 @@
 #include "text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <ostream>
@@ -17,6 +19,15 @@ std::string text(const char* format, ...) {
   va_end(again);
   va_end(arguments);
   return result;
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+  const char* end = text.data() + text.size();
+  double value = 0;
+  const auto result = std::from_chars(begin, end, value);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return {};
+  return value;
 }
 
 void Table::print(std::ostream& out) const {

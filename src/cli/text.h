@@ -1,8 +1,10 @@
-// Text for people: printf-style strings and tables.
+// Text for people: printf-style strings and tables, and the numbers that they write.
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cli {
@@ -14,6 +16,9 @@ __attribute__((format(printf, 1, 2)))
 #endif
 std::string
 text(const char* format, ...);
+
+// A number written out, "+1" too, the same way whatever the locale; none where it is not finite or something follows.
+std::optional<double> finite_number(std::string_view text);
 
 // Rows of cells, printed in columns: the first `left` columns flush left, the others flush right.
 class Table {
