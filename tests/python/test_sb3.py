@@ -14,7 +14,7 @@ import mimo
 
 sb3 = pytest.importorskip("stable_baselines3", reason="Stable-Baselines3 (extra [train]) is not installed")
 from stable_baselines3.common.env_checker import check_env  # noqa: E402
-from stable_baselines3.common.vec_env import SubprocVecEnv, VecMonitor  # noqa: E402
+from stable_baselines3.common.vec_env import SubprocVecEnv, VecMonitor, VecNormalize  # noqa: E402
 
 from mimo.sb3 import SB3VecEnv  # noqa: E402
 
@@ -104,6 +104,30 @@ def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path):
         [sys.executable, scripts / "learning_curves.py", tmp_path, "--out", tmp_path / "curves.png"], check=True
     )
     assert (tmp_path / "curves.png").stat().st_size > 1000
+
+
+def test_train_script_keeps_the_scale_of_rewards_and_tells_targets(root, tmp_path):
+    train = [
+        sys.executable,
+        root / "examples/python/train.py",
+        "--task",
+        "selfbody",
+        "--algorithm",
+        "ppo",
+        "--out",
+        tmp_path,
+    ]
+    train += ["--worlds", "2", "--evaluate-every", "64", "--evaluation-episodes", "3", "--max-steps", "8", "--quiet"]
+    train += ["--rollout", "32", "--batch", "16", "--normalize-rewards", "--noise-steps", "4"]
+    subprocess.run([*train, "--steps", "64"], check=True)
+    scale = tmp_path / "selfbody-ppo-0" / "reward_scale.pkl"
+    before = VecNormalize.load(scale, VecMonitor(SB3VecEnv("selfbody", 2))).ret_rms.count
+    subprocess.run([*train, "--steps", "128"], check=True)
+    assert VecNormalize.load(scale, VecMonitor(SB3VecEnv("selfbody", 2))).ret_rms.count == pytest.approx(
+        2 * before, rel=0.01
+    )
+    told = subprocess.run([*train, "--steps", "0"], check=True, capture_output=True, text=True).stdout
+    assert sum(int(count) for count in re.findall(r": \d of (\d)\n", told)) == 3
 
 
 def test_examples_of_learning(root, tmp_path):
