@@ -41,5 +41,5 @@ with infant() as world:
 print(f"points are {np.median(found.errors):.1f} pixels off, at most {found.errors.max():.1f}")
 knee = found.positions[:, found.columns.index("robot:right_knee")]
 print(f"the right knee bent by {np.degrees(knee.max() - knee.min()):.0f} degrees, of 34")
-found.write("motion.csv")
+found.smoothed(cutoff=6).write("motion.csv")
 print("what it senses: mimo replay --motion motion.csv --scene free --age 6 --senses all")

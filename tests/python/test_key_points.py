@@ -97,7 +97,7 @@ def test_joints_come_back_from_exact_points():
     with infant() as world:
         angles, places = movement(world)
     with infant() as world:
-        found = motion.fit(world, seen(places))
+        found = motion.fit(world, seen(places), stiffness=1e-3)
     assert found.errors.max() < 1e-4  # m
     assert np.abs(columns(found, TOLD) - angles).max() < 5e-3
 
@@ -155,6 +155,26 @@ def test_limits_hold():
     hinges = found.positions[0, 7:]
     assert (hinges > limits[:, 0] - 1e-6).all()
     assert (hinges < limits[:, 1] + 1e-6).all()
+
+
+def test_a_filter_takes_what_is_fast_and_leaves_what_is_slow():
+    """There and back, a Butterworth filter of second order leaves 1 / (1 + (f / cutoff)^4) of a wave."""
+    times = np.arange(200) / 50
+    waves = {"slow": np.sin(2 * np.pi * 1 * times), "fast": np.sin(2 * np.pi * 12 * times)}
+    root = np.tile([0, 0, 0, 1.0, 0, 0, 0], (200, 1))
+    root[1::2] *= np.array([1, 1, 1, -1, -1, -1, -1])  # the same orientation all the time
+    found = motion.Found(
+        times, ["root"] * 7 + list(waves), np.column_stack([root, *waves.values()]), [], np.empty((200, 0))
+    )
+    positions = found.smoothed(6).positions[50:150]
+    assert np.abs(np.abs(positions[:, 3]) - 1).max() < 1e-9
+    assert np.abs(positions[:, 7] - waves["slow"][50:150]).max() < 0.005
+    assert np.abs(positions[:, 8]).max() < 0.06  # 1 / 17
+    for cutoff in (0, 25, np.nan):
+        with pytest.raises(ValueError, match="cutoff is"):
+            found.smoothed(cutoff)
+    with pytest.raises(ValueError, match="11 rows"):
+        found._replace(times=times[:5]).smoothed(6)
 
 
 def write(path, places, parts):

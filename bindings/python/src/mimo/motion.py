@@ -9,7 +9,7 @@
     python -m mimo.motion video.csv --camera camera.json --out motion.csv
 
 Each frame is a least-squares fit over the joints that move the points, within their limits, from the frame before.
-Joints that the points say little about stay near where they were.
+Joints that the points say little about stay near that first pose.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from .world import World
 
 try:
     from scipy.optimize import least_squares
+    from scipy.signal import butter, sosfiltfilt
 except ImportError as error:
     raise ImportError("fitting key points needs SciPy: pip install 'mimo[motion]'") from error
 
@@ -36,6 +37,7 @@ __all__ = ["Camera", "Found", "KeyPoints", "fit", "read_points"]
 
 Loss = Literal["linear", "soft_l1", "huber", "cauchy", "arctan"]
 METRES, PIXELS = 0.01, 5.0  # errors that count as one
+SMOOTHED_ROWS = 10
 ROOT_PARTS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
@@ -47,6 +49,28 @@ class Found(NamedTuple):
     positions: Numbers  # (n, columns), rad and m
     points: List[str]
     errors: Numbers  # (n, points): how far each is from where it was seen, m or pixels; NaN where it was not
+
+    def smoothed(self, cutoff: float) -> "Found":
+        """Without what is faster than `cutoff` in Hz: a Butterworth filter of second order, there and back.
+
+        Pose estimation is noisy, and forces follow from accelerations; movements of gait are usually filtered at 6 Hz.
+        The errors stay those of the fit.
+        """
+        steps = np.diff(self.times)
+        if len(steps) < SMOOTHED_ROWS or np.ptp(steps) > 0.01 * steps.mean():
+            least = f"{SMOOTHED_ROWS + 1} rows or more in equal steps of time"
+            raise ValueError(f"cutoff is {cutoff} Hz and needs {least}; there are {len(self.times)}")
+        rate = 1 / steps.mean()
+        if not 0 < cutoff < rate / 2:
+            raise ValueError(
+                f"cutoff is {cutoff} Hz, expected more than 0 and less than half of the rate, {rate / 2:g}"
+            )
+        positions = self.positions.copy()
+        turns = np.sign(np.sum(positions[1:, 3:7] * positions[:-1, 3:7], axis=1))  # q and -q are one orientation
+        positions[1:, 3:7] *= np.cumprod(turns)[:, None]
+        positions = sosfiltfilt(butter(2, cutoff, fs=rate, output="sos"), positions, axis=0)
+        positions[:, 3:7] /= np.linalg.norm(positions[:, 3:7], axis=1, keepdims=True)
+        return self._replace(positions=positions)
 
     def write(self, path: str) -> None:
         """A table for `mimo replay --motion`."""
@@ -62,7 +86,7 @@ def fit(
     points: KeyPoints,
     camera: Optional[Camera] = None,
     places: Optional[Dict[str, Place]] = None,
-    stiffness: float = 1e-3,
+    stiffness: float = 0.1,
     loss: Loss = "linear",
     agent: int = 0,
 ) -> Found:
@@ -70,8 +94,8 @@ def fit(
 
     The world's infant is moved; where it is at the start is the first guess, and what no point tells. `places` puts
     points elsewhere: {"sock": ("left_foot", (0.03, 0, 0))}, m, in the body's frame. `stiffness` is what a radian from
-    the frame before costs, where 1 is a point that is 1 cm, or 5 pixels, off. `loss` is SciPy's: "soft_l1" believes
-    points less that are far off.
+    the first pose costs, where 1 is a point that is 1 cm, or 5 pixels, off: what points say little about stays there.
+    `loss` is SciPy's: "soft_l1" believes points less that are far off.
     """
     if points.values.shape[2] == 2 and camera is None:
         raise ValueError("the points are pixels, and camera is None, expected a mimo.motion.Camera")
@@ -109,6 +133,7 @@ class _Chain:
                 self.root, self.root_body = joint, owner
         if self.root < 0:
             raise ValueError("the infant does not move freely, and key points are fitted to one that does")
+        self.rest = world.get(Quantity.JOINT_POSITION, self.hinges).ravel()
         self.moves = np.array([[owner in ways[body] for owner in self.owners] for body in bodies])
         self.limits = world.get(Quantity.JOINT_RANGE, self.hinges).reshape(-1, 2)
         turns = [self.owners[: place + 1].count(owner) - 1 for place, owner in enumerate(self.owners)]
@@ -217,12 +242,14 @@ class _Frame:
             low[6:], high[6:] = (self.chain.limits - inside[:, None]).T
             low, high = low - 1e-9, high + 1e-9  # a start on a limit is within
 
+        rest = np.concatenate([np.zeros(6), self.chain.rest - start[7:]])[:free]
+
         def whole(by: Numbers) -> Numbers:
             return np.concatenate([by, np.zeros(len(start) - 1 - free)])
 
         def residuals(by: Numbers) -> Numbers:
             at = self._project(self.chain.put(self.chain.moved(start, whole(by))))[self.which]
-            return np.concatenate([(self.scale * (at - self.seen)).ravel(), self.stiffness * by])
+            return np.concatenate([(self.scale * (at - self.seen)).ravel(), self.stiffness * (by - rest)])
 
         def slopes(by: Numbers) -> Numbers:
             at = self.chain.put(self.chain.moved(start, whole(by)))
@@ -279,6 +306,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--camera", help="JSON: matrix, or fovy, width, height, position and look_at")
     parser.add_argument("--scene", default="free", help="a built-in scene with the infant's first pose (free)")
     parser.add_argument("--age", type=float, help="months (18)")
+    parser.add_argument("--cutoff", type=float, help="Hz: filter the joints over time; 6 is usual")
     parser.add_argument("--robust", action="store_true", help="believe points less that are far off")
     options = parser.parse_args(arguments)
     try:
@@ -290,6 +318,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         with World(scene) as world:
             world.reset(seed=0)
             found = fit(world, points, camera, loss="soft_l1" if options.robust else "linear")
+        if options.cutoff is not None:
+            found = found.smoothed(options.cutoff)
         found.write(options.out)
         if options.errors:
             found.write_errors(options.errors)
