@@ -127,7 +127,7 @@ class Hierarchy {
     words_.expect("Site");
     words_.expect("{");
     words_.expect("OFFSET");
-    const Eigen::Vector3d end = read_offset(words_);
+    Eigen::Vector3d end = read_offset(words_);
     words_.expect("}");
     return end;
   }

@@ -107,7 +107,7 @@ bool has(const std::string& path, const std::string& name, const Parts& parts, s
   return there != 0;
 }
 
-Eigen::Quaterniond unit(const std::string& path, const std::string& name, Eigen::Quaterniond q) {
+Eigen::Quaterniond unit(const std::string& path, const std::string& name, const Eigen::Quaterniond& q) {
   if (q.norm() < 1e-6) throw Failure(path + ": an orientation of " + name + " is 0 0 0 0, expected a quaternion");
   return q.normalized();
 }
