@@ -210,6 +210,12 @@ def test_the_command_writes_what_replay_follows(tmp_path, capsys):
         ("time,nose:x,nose:y,nose:z\n0,1,2,3\n0,1,2,3\n", "does not increase in row 2"),
         ("time,tail:x,tail:y,tail:z\n0,1,2,3\n", "key point 'tail'"),
         ("time,nose:x,nose:y,nose:z\n", "no rows"),
+        ("time\n0\n", "no key points"),
+        ("time,nose:x,nose:x,nose:y,nose:z\n0,9,1,2,3\n", "column 'nose:x' appears twice"),
+        ("time,nose:x,nose:y,nose:z\ninf,1,2,3\n", "line 2: column 'time' is inf"),
+        ("time,nose:x,nose:y,nose:z\n0,-inf,2,3\n", "line 2: column 'nose:x' is -inf"),
+        ("time,nose:x,nose:y,nose:z,nose:w\n0,1,2,3,-1\n", "line 2: column 'nose:w' is -1"),
+        (f"time,nose:x,nose:y,nose:z\n0,{'1' * 200000},2,3\n", "line 2: field larger than"),
     ],
 )
 def test_bad_tables(tmp_path, capsys, table, message):
@@ -218,4 +224,31 @@ def test_bad_tables(tmp_path, capsys, table, message):
     shown = capsys.readouterr().err
     assert message in shown
     assert shown.count("\n") == 1
+    assert not (tmp_path / "motion.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("camera", "message"),
+    [
+        ({"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3]]}, "expected pixels"),
+        ({"matrix": [[0] * 4] * 3}, "three independent rows"),
+        ({"fovy": 0, "width": 64, "height": 48, "position": [1, 0, 0], "look_at": [0, 0, 0]}, "fovy is 0"),
+    ],
+)
+def test_bad_cameras(tmp_path, capsys, camera, message):
+    (tmp_path / "points.csv").write_text("time,nose:x,nose:y,nose:z\n0,1,2,3\n")
+    (tmp_path / "camera.json").write_text(json.dumps(camera))
+    files = ["--camera", str(tmp_path / "camera.json"), "--out", str(tmp_path / "motion.csv")]
+    assert motion.main([str(tmp_path / "points.csv"), *files]) == 1
+    shown = capsys.readouterr().err
+    assert message in shown
+    assert shown.count("\n") == 1
+    assert not (tmp_path / "motion.csv").exists()
+
+
+def test_where_errors_cannot_be_written_nothing_is(tmp_path, capsys):
+    (tmp_path / "points.csv").write_text("time,nose:x,nose:y,nose:z\n0,0.1,0,0.5\n")
+    files = ["--out", str(tmp_path / "motion.csv"), "--errors", str(tmp_path / "nowhere" / "errors.csv")]
+    assert motion.main([str(tmp_path / "points.csv"), *files]) == 1
+    assert "nowhere" in capsys.readouterr().err
     assert not (tmp_path / "motion.csv").exists()

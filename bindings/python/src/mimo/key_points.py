@@ -49,12 +49,16 @@ class Camera:
         self.matrix = np.asarray(matrix, np.float64)
         if self.matrix.shape != (3, 4) or not np.isfinite(self.matrix).all():
             raise ValueError(f"matrix has the shape {self.matrix.shape}, expected 3 x 4 finite numbers")
+        if np.linalg.matrix_rank(self.matrix) < 3:
+            raise ValueError(f"matrix is {self.matrix.tolist()}, expected three independent rows")
 
     @classmethod
     def pinhole(
         cls, fovy: float, width: int, height: int, position: ArrayLike, look_at: ArrayLike, up: ArrayLike = (0, 0, 1)
     ) -> "Camera":
         """A camera without distortion: vertical field of view, degrees; pixels; its place and a point in the middle."""
+        if not 0 < fovy < 180:
+            raise ValueError(f"fovy is {fovy}, expected more than 0 and less than 180 degrees")
         at = np.asarray(position, np.float64)
         forward = np.asarray(look_at, np.float64) - at
         right = np.cross(forward, np.asarray(up, np.float64))
@@ -142,11 +146,15 @@ def turned(quaternions: Numbers, vectors: Numbers) -> Numbers:
 
 def read_points(path: str) -> KeyPoints:
     """A table of key points; a ValueError names the line and the column that are wrong."""
-    with open(path, newline="", encoding="utf-8-sig") as file:
-        lines = list(csv.reader(file))
+    lines = _cells(path)
     header = [cell.strip() for cell in lines[0]] if lines else []
     if "time" not in header:
         raise ValueError(f"{path} has no column 'time'")
+    for number, name in enumerate(header):
+        if name in header[:number]:
+            raise ValueError(f"{path}, line 1: column {name!r} appears twice")
+    if len(header) == 1:
+        raise ValueError(f"{path} has no key points, expected columns NAME:x, NAME:y, NAME:z or NAME:u, NAME:v")
     rows = [_row(path, number + 2, header, cells) for number, cells in enumerate(lines[1:]) if cells]
     if not rows:
         raise ValueError(f"{path}: no rows of numbers follow the header")
@@ -159,6 +167,15 @@ def read_points(path: str) -> KeyPoints:
     return _points(path, times, names, parts, columns)
 
 
+def _cells(path: str) -> List[List[str]]:
+    with open(path, newline="", encoding="utf-8-sig") as file:
+        reader = csv.reader(file)
+        try:
+            return list(reader)
+        except csv.Error as error:
+            raise ValueError(f"{path}, line {reader.line_num}: {error}") from None
+
+
 def _row(path: str, line: int, header: List[str], cells: List[str]) -> List[float]:
     if len(cells) != len(header):
         raise ValueError(f"{path}, line {line}: expected {len(header)} cells as the header has, found {len(cells)}")
@@ -168,6 +185,9 @@ def _row(path: str, line: int, header: List[str], cells: List[str]) -> List[floa
             row.append(float(cell) if cell.strip() else np.nan)
         except ValueError:
             raise ValueError(f"{path}, line {line}: column {name!r} should be a number, not {cell!r}") from None
+        if np.isinf(row[-1]) or (name.endswith(":w") and row[-1] < 0):
+            least = "a weight of 0 or more" if name.endswith(":w") else "a finite number"
+            raise ValueError(f"{path}, line {line}: column {name!r} is {cell.strip()}, expected {least}")
     return row
 
 

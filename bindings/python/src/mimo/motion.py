@@ -15,6 +15,7 @@ Joints that the points say little about stay near that first pose.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Tuple
 
@@ -99,6 +100,8 @@ def fit(
     """
     if points.values.shape[2] == 2 and camera is None:
         raise ValueError("the points are pixels, and camera is None, expected a mimo.motion.Camera")
+    if points.values.shape[2] == 3 and camera is not None:
+        raise ValueError("the points are in m (:x, :y, :z), and camera is given, expected pixels or no camera")
     if not stiffness > 0:
         raise ValueError(f"stiffness is {stiffness}, expected a number above 0")
     chain = _Chain(world, agent, *places_of(world, points.names, places or {}, agent))
@@ -298,6 +301,12 @@ def _report(found: Found, unit: str, factor: float) -> str:
     return "\n".join(lines)
 
 
+def _check_folder(path: str) -> None:
+    folder = os.path.dirname(os.path.abspath(path))
+    if os.path.isdir(path) or not os.access(folder, os.W_OK):
+        raise OSError(f"cannot write {path}: expected a file in a folder that can be written")
+
+
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m mimo.motion", description=(__doc__ or "").splitlines()[0])
     parser.add_argument("points", help="table of key points: time, NAME:x, NAME:y, NAME:z or NAME:u, NAME:v, NAME:w")
@@ -310,6 +319,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--robust", action="store_true", help="believe points less that are far off")
     options = parser.parse_args(arguments)
     try:
+        for path in filter(None, (options.out, options.errors)):
+            _check_folder(path)  # before the work, not after it
         points = read_points(options.points)
         camera = Camera.read(options.camera) if options.camera else None
         scene = Scene(options.scene)
