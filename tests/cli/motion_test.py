@@ -97,8 +97,8 @@ class Motion(Case):
         hang = {"LeftArm": (-80, 0, 0), "RightArm": (80, 0, 0)}
         bent = dict(hang, LeftForeArm=(0, 0, -90), RightLeg=(0, 60, 0))
         turned = dict(bent, Hips=(0, 0, 90), at=(10, 90, 0))
-        for up in ("y",):
-            path = self.write("walk.bvh", bvh(hang, bent, turned))
+        for up in ("z", "y"):
+            path = self.write("walk.bvh", bvh(hang, bent, turned, up=up))
             rows = self.joints("--motion", path, "--up", up)
             self.assertAlmostEqual(rows[0]["robot:left_elbow"], 0, delta=0.02)
             self.assertAlmostEqual(rows[1]["robot:left_elbow"], -math.pi / 2, delta=1e-6)

@@ -10,26 +10,36 @@ JOINTS = (
 )
 
 
-def bvh(*frames, rename=lambda name: name):
-    """A file: each frame has turns in degrees about z, x, y by joint, and "at", the place of the hips."""
+def bvh(*frames, rename=lambda name: name, up="y"):
+    """A file: each frame has turns in degrees about z, x, y by joint, and "at", the place of the hips.
+
+    With z up the same skeleton looks along -y: (x, y, z) is written as (x, -z, y).
+    """
     order = []
+    rotations = "Zrotation Xrotation Yrotation" if up == "y" else "Yrotation Xrotation Zrotation"
+
+    def place(x, y, z):
+        return (x, y, z) if up == "y" else (x, -z, y)
+
+    def turns(about_z, about_x, about_y):
+        return (about_z if up == "y" else -about_z, about_x, about_y)
 
     def joint(name, offset, depth):
         order.append(name)
         kind = "JOINT" if depth else "ROOT"
         channels = "3 " if depth else "6 Xposition Yposition Zposition "
-        yield "%s %s\n{\nOFFSET %g %g %g\n" % (kind, rename(name), *offset)
-        yield "CHANNELS %sZrotation Xrotation Yrotation\n" % channels
+        yield "%s %s\n{\nOFFSET %g %g %g\n" % (kind, rename(name), *place(*offset))
+        yield "CHANNELS %s%s\n" % (channels, rotations)
         children = [(child, where) for child, parent, where in JOINTS if parent == name]
         for child, where in children:
             yield from joint(child, where, depth + 1)
-        yield "}\n" if children else "End Site\n{\nOFFSET 0 -5 0\n}\n}\n"
+        yield "}\n" if children else "End Site\n{\nOFFSET %g %g %g\n}\n}\n" % place(0, -5, 0)
 
     text = "HIERARCHY\n" + "".join(joint("Hips", (0, 0, 0), 0))
     rows = []
     for frame in frames:
-        numbers = list(frame.get("at", (0, 90, 0)))
+        numbers = list(place(*frame.get("at", (0, 90, 0))))
         for name in order:
-            numbers += frame.get(name, (0, 0, 0))
+            numbers += turns(*frame.get(name, (0, 0, 0)))
         rows.append(" ".join("%.9g" % number for number in numbers))
     return text + "MOTION\nFrames: %d\nFrame Time: 0.05\n" % len(rows) + "\n".join(rows) + "\n"
