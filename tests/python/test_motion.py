@@ -1,71 +1,53 @@
-"""Poses of bodies, followed by `mimo replay --motion`: from forward kinematics they lead back to its joints."""
-
-import csv
-import json
-import subprocess
+"""Movements that are known: joints go where they are told."""
 
 import numpy as np
-from recorded import program
+import pytest
 
 import mimo
 from mimo.constants import Kind, Quantity
 
-PARTS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
-
-def infant():
+@pytest.fixture
+def world():
     scene = mimo.Scene("free")
     scene.add_agent(vision=False, touch=False)
-    world = mimo.World(scene)
+    with mimo.World(scene, frame_skip=1) as world:
+        yield world
+
+
+def test_who_is_held_still_is_held_with_its_weight(world):
+    """At the third degree of freedom of the free joint, which is the first joint."""
     world.reset(seed=0)
-    return world
+    still = world.get(Quantity.JOINT_POSITION).ravel()
+    world.follow(still)
+    observation, forces = world.follow(still)
+    assert forces.shape == (1, len(still) - 1)  # one quaternion
+    assert forces[0, 2] == pytest.approx(9.81 * world.agents[0].mass, abs=1e-6)
+    assert np.linalg.norm(observation["vestibular/acceleration"]) == pytest.approx(9.81, abs=1e-4)
 
 
-def swing(world, rows, seed):
-    """From the start to an end within the limits of each hinge."""
-    hinges = [world.name(Kind.JOINT, i) for i in range(1, world.count(Kind.JOINT))]
-    limits = world.get(Quantity.JOINT_RANGE, hinges)
-    start = world.get(Quantity.JOINT_POSITION, hinges).ravel()
-    end = np.random.default_rng(seed).uniform(limits[:, 0], limits[:, 1])
-    share = np.linspace(0, 1, rows)[:, None]
-    return hinges, (1 - share) * start + share * end
+def test_joints_are_where_they_were_told_to_be(world):
+    """To the bit; and bodies where joints of that angle put them, as when the angle is set."""
+    world.reset(seed=0)
+    elbow, hand = world.find(Kind.JOINT, "robot:left_elbow"), world.find(Kind.BODY, "left_hand")
+    told = world.get(Quantity.JOINT_POSITION).ravel()
+    told[7 + elbow - 1] = -0.7  # the free joint comes first and has seven; all others have one
+    world.follow(told)
+    assert np.array_equal(world.get(Quantity.JOINT_POSITION).ravel(), told)
+    assert world.get(Quantity.JOINT_POSITION, [elbow]) == -0.7
+    world.update()
+    followed = world.get(Quantity.BODY_POSITION, [hand]).copy()
+    world.reset(seed=0)
+    world.set(Quantity.JOINT_POSITION, [-0.7], [elbow])
+    world.update()
+    assert np.allclose(world.get(Quantity.BODY_POSITION, [hand]), followed, rtol=0, atol=1e-9)
 
 
-def write_poses(path, world, hinges, angles, columns):
-    bodies = [world.name(Kind.BODY, i) for i in range(2, world.count(Kind.BODY))]
-    with path.open("w") as file:
-        file.write("time," + ",".join(f"{body}:{PARTS[i]}" for body in bodies for i in columns) + "\n")
-        for row, positions in enumerate(angles):
-            world.set(Quantity.JOINT_POSITION, positions, hinges)
-            poses = world.get(Quantity.BODY_POSE, bodies, now=True)[:, columns]
-            file.write(f"{0.02 * row}," + ",".join(repr(float(number)) for number in poses.ravel()) + "\n")
-
-
-def follow(path, folder):
-    command = [program(), "replay", "--motion", str(path), "--scene", "free", "--touch", "off", "--json"]
-    done = subprocess.run(
-        [*command, "--joints", str(folder / "joints.csv")], capture_output=True, text=True, check=True
-    )
-    with (folder / "joints.csv").open() as file:
-        return json.loads(done.stdout), list(csv.DictReader(file))
-
-
-def check(tmp_path, columns, seed, tolerance):
-    with infant() as world:
-        hinges, angles = swing(world, 30, seed)
-        write_poses(tmp_path / "poses.csv", world, hinges, angles, columns)
-    report, rows = follow(tmp_path / "poses.csv", tmp_path)
-    found = np.array([[float(row[hinge]) for hinge in hinges] for row in rows])
-    assert np.abs(found - angles).max() < tolerance
-    worst = max(max(error.values()) for error in report["pose_errors"].values())
-    assert worst < tolerance
-    assert report["beyond_limits"] == []
-
-
-def test_joints_come_back_from_orientations(tmp_path):
-    for seed in range(3):
-        check(tmp_path, [3, 4, 5, 6], seed, 1e-9)
-
-
-def test_joints_come_back_from_whole_poses(tmp_path):
-    check(tmp_path, list(range(7)), 5, 1e-9)
+def test_bad_movements_are_refused(world):
+    world.reset(seed=0)
+    still = world.get(Quantity.JOINT_POSITION).ravel()
+    with pytest.raises(mimo.ArgumentError, match="position_count"):
+        world.follow(still[1:])
+    still[9] = np.nan
+    with pytest.raises(mimo.ArgumentError, match=r"positions\[9\] is nan"):
+        world.follow(still)
