@@ -13,12 +13,6 @@
 namespace cli {
 namespace {
 
-std::string_view trim(std::string_view cell) {
-  const auto first = cell.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return cell.substr(first, cell.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
   for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
@@ -82,6 +76,12 @@ std::vector<double> read_row(Reader& reader, const std::string& line, const std:
 
 }  // namespace
 
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
 NumberTable read_numbers(const std::string& path, const std::string& named) {
   Reader reader(path);
   std::string line;
@@ -100,6 +100,25 @@ NumberTable read_numbers(const std::string& path, const std::string& named) {
   }
   if (table.rows.empty()) throw Failure(path + ": no rows of numbers follow the header");
   return table;
+}
+
+void write_numbers(const std::string& path, const NumberTable& table, int digits) {
+  std::ofstream file(path);
+  const char* comma = "";
+  for (const std::string& name : table.names) {
+    file << comma << name;
+    comma = ",";
+  }
+  for (const std::vector<double>& row : table.rows) {
+    comma = "\n";
+    for (const double number : row) {
+      file << comma << text("%.*g", digits, number);
+      comma = ",";
+    }
+  }
+  file << "\n";
+  file.close();
+  if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
 }
 
 }  // namespace cli

@@ -1,15 +1,12 @@
 #include "follow.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "angles.h"
+#include "csv.h"
 #include "facts.h"
 #include "failure.h"
 #include "files.h"
@@ -38,24 +35,18 @@ std::vector<std::string> force_names(const mimo::Env& env) {
   return names;
 }
 
-bool is_skeleton(const std::string& path) {
-  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
-  return end == ".bvh";
-}
-
 Movement read(const FollowOptions& options, mimo::Env& env) {
-  if (is_skeleton(options.motion)) return read_skeleton(options.motion, options.skeleton, env);
+  if (has_ending(options.motion, ".bvh")) return read_skeleton(options.motion, options.skeleton, env);
   return read_movement(options.motion, options.degrees, env);
 }
 
 // As the table of a movement calls them.
 std::vector<std::string> position_names(const mimo::Env& env) {
-  const std::vector<std::string> parts = {":x", ":y", ":z", ":qw", ":qx", ":qy", ":qz"};
   std::vector<std::string> names;
   for (const Joint& joint : joints_of(env)) {
     for (std::size_t i = 0; i < joint.width; ++i) {
-      names.push_back(joint_label(env, joint.id) + (joint.width == 1 ? "" : parts[i + 7 - joint.width]));
+      names.push_back(joint_label(env, joint.id) +
+                      (joint.width == 1 ? "" : std::string(":") + kPoseParts[i + 7 - joint.width]));
     }
   }
   return names;
@@ -141,30 +132,24 @@ void Follow::play() {
 }
 
 void Follow::write_forces() const {
-  std::ofstream file(options_.forces);
-  file << "time";
-  for (const std::string& name : names_) file << "," << name;
-  for (std::size_t row = 0; row * names_.size() < forces_.size(); ++row) {
-    file << text("\n%.9g", env_.timestep() * static_cast<double>(row));
-    for (std::size_t i = 0; i < names_.size(); ++i) file << text(",%.9g", forces_[row * names_.size() + i]);
+  NumberTable table{names_, {}};
+  table.names.insert(table.names.begin(), "time");
+  for (auto row = forces_.begin(); row != forces_.end(); row += static_cast<std::ptrdiff_t>(names_.size())) {
+    table.rows.push_back({env_.timestep() * static_cast<double>(table.rows.size())});
+    table.rows.back().insert(table.rows.back().end(), row, row + static_cast<std::ptrdiff_t>(names_.size()));
   }
-  file << "\n";
-  file.close();
-  if (!file) throw Failure("cannot write " + options_.forces + ": " + std::strerror(errno));
+  write_numbers(options_.forces, table, 9);
 }
 
-// A row for each of the file.
+// A row for each of the file, to the last digit.
 void Follow::write_joints() const {
-  std::ofstream file(options_.joints);
-  file << "time";
-  for (const std::string& name : position_names(env_)) file << "," << name;
+  NumberTable table{position_names(env_), {}};
+  table.names.insert(table.names.begin(), "time");
   for (const double time : movement_.times) {
-    file << text("\n%.17g", time);
-    for (const double position : motion_.positions(time - movement_.times.front())) file << text(",%.17g", position);
+    table.rows.push_back(motion_.positions(time - movement_.times.front()));
+    table.rows.back().insert(table.rows.back().begin(), time);
   }
-  file << "\n";
-  file.close();
-  if (!file) throw Failure("cannot write " + options_.joints + ": " + std::strerror(errno));
+  write_numbers(options_.joints, table, 17);
 }
 
 std::vector<double> Follow::largest_forces() const {

@@ -1,12 +1,16 @@
 // Where joints lie among the positions and velocities of a world.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mimo/mimo.hpp>
 #include <vector>
 
 namespace cli {
+
+// Parts of a pose as tables call them; a ball's are the last four.
+constexpr std::array<const char*, 7> kPoseParts = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 
 struct Joint {
   std::int32_t id;

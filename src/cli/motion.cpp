@@ -1,12 +1,11 @@
 #include "motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "angles.h"
 #include "failure.h"
 #include "joints.h"
+#include "rotation.h"
 
 namespace cli {
 namespace {
@@ -36,18 +35,10 @@ void normalize(double* q) {
   for (int i = 0; i < 4; ++i) q[i] /= length;
 }
 
-// The turn that leads from one to the other, seen from the first, as an axis times its angle.
-std::array<double, 3> turn_between(const double* from, const double* to) {
-  using Quaternion = std::array<double, 4>;
-  const Quaternion c = {from[0], -from[1], -from[2], -from[3]};
-  const Quaternion d = {c[0] * to[0] - c[1] * to[1] - c[2] * to[2] - c[3] * to[3],
-                        c[0] * to[1] + c[1] * to[0] + c[2] * to[3] - c[3] * to[2],
-                        c[0] * to[2] - c[1] * to[3] + c[2] * to[0] + c[3] * to[1],
-                        c[0] * to[3] + c[1] * to[2] - c[2] * to[1] + c[3] * to[0]};
-  const double sine = std::sqrt(d[1] * d[1] + d[2] * d[2] + d[3] * d[3]);
-  const double angle = 2 * std::atan2(sine, d[0]);
-  const double scale = sine < 1e-12 ? 2 : (angle > kPi ? angle - 2 * kPi : angle) / sine;
-  return {scale * d[1], scale * d[2], scale * d[3]};
+// The turn that leads from one to the other, seen from the first.
+Eigen::Vector3d turn_between(const double* from, const double* to) {
+  const Eigen::Quaterniond first(from[0], from[1], from[2], from[3]), second(to[0], to[1], to[2], to[3]);
+  return rotation_vector(first.conjugate() * second);
 }
 
 }  // namespace

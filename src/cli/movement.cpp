@@ -15,7 +15,6 @@ namespace {
 
 constexpr char kTime[] = "time";
 constexpr char kPrefix[] = "robot:";  // of an infant's joints
-const std::vector<std::string> kPoseParts = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 
 // Where a column's numbers go: a joint's position (`hinge` is -1 where it is no angle), or a part of a body's pose.
 struct Target {
@@ -37,7 +36,7 @@ void add_joints(const mimo::Env& env, Targets& targets) {
     for (std::size_t i = 0; i < 7; ++i) {
       const Target target = {joint.place + i};
       targets[name + ":" + kPoseParts[i]] = target;
-      if (first) targets["root:" + kPoseParts[i]] = target;
+      if (first) targets[std::string("root:") + kPoseParts[i]] = target;
     }
   }
 }

@@ -8,9 +8,9 @@
 #include <limits>
 #include <set>
 
-#include "angles.h"
 #include "joints.h"
 #include "progress.h"
+#include "rotation.h"
 
 namespace cli {
 namespace {
@@ -21,13 +21,6 @@ Eigen::Quaterniond turn(const Eigen::Vector3d& axis_angle) {
   const double angle = axis_angle.norm();
   if (angle == 0) return Eigen::Quaterniond::Identity();
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis_angle / angle));
-}
-
-// The shorter way round; by the sine where angles are small, as the cosine of those tells nothing.
-Eigen::Vector3d axis_angle(Eigen::Quaterniond q) {
-  if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const double sine = q.vec().norm();
-  return (sine < 1e-12 ? 2 : 2 * std::atan2(sine, q.w()) / sine) * q.vec();
 }
 
 class Fit {
@@ -43,10 +36,12 @@ class Fit {
     double cost;
   };
 
+  Eigen::Index take_rows(Eigen::Index count);
   void choose_joints();
   void take_known(std::size_t row, std::vector<double>& positions) const;
   Eigen::VectorXd differences(std::size_t row, const std::vector<double>& positions);
   Eigen::MatrixXd jacobian(const std::vector<double>& positions);
+  Eigen::VectorXd movements(const std::vector<double>& velocities) const;
   std::vector<double> moved(std::vector<double> positions, const Eigen::VectorXd& by) const;
   Attempt solve(std::size_t row, std::vector<double> start);
   Attempt solve_first();
@@ -60,7 +55,10 @@ class Fit {
   std::vector<Joint> joints_;                  // that are looked for
   std::vector<std::array<double, 2>> ranges_;  // of each, or infinite
   std::vector<Eigen::Vector3d> pointers_;      // of each body, where it points now
-  std::size_t freedom_ = 0, values_ = 0;
+  Eigen::Index freedom_ = 0, values_ = 0;
+  // Rows of differences: of each body's orientation and place, and of the joints' limits; -1 where there are none.
+  std::vector<Eigen::Index> turns_at_, places_at_;
+  Eigen::Index limits_at_ = -1;
   std::vector<std::int32_t> all_, bodies_;
   std::vector<std::vector<double>> rows_;
   std::vector<PoseError> errors_;
@@ -69,12 +67,18 @@ class Fit {
 Fit::Fit(const Movement& movement, mimo::Env& env) : movement_(movement), env_(env), all_(env.ids(MIMO_JOINT)) {
   for (const BodyTrack& track : movement.bodies) {
     bodies_.push_back(track.body);
-    values_ += (track.orientations.empty() ? 0u : 3u) + (track.positions.empty() ? 0u : 3u);
+    turns_at_.push_back(track.orientations.empty() ? -1 : take_rows(3));
+    places_at_.push_back(track.positions.empty() ? -1 : take_rows(3));
     errors_.push_back({track.body});
   }
   choose_joints();
   pointers_.resize(bodies_.size());
-  if (movement.of_another) values_ += joints_.size();
+  if (movement.of_another) limits_at_ = take_rows(static_cast<Eigen::Index>(joints_.size()));
+}
+
+Eigen::Index Fit::take_rows(Eigen::Index count) {
+  values_ += count;
+  return values_ - count;
 }
 
 // Joints on the ways from told bodies to the world, but those whose position is told itself.
@@ -88,7 +92,7 @@ void Fit::choose_joints() {
     if (told != movement_.joints.end() && told->first < joint.place + joint.width) continue;
     if (moved.count(env_.body_of(MIMO_JOINT, joint.id)) == 0) continue;
     joints_.push_back(joint);
-    freedom_ += joint.freedom;
+    freedom_ += static_cast<Eigen::Index>(joint.freedom);
     ranges_.push_back({-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()});
     if (joint.width != 1) continue;
     const std::vector<double> range = env_.get_values(MIMO_JOINT_RANGE, {joint.id});
@@ -105,60 +109,57 @@ Eigen::VectorXd Fit::differences(std::size_t row, const std::vector<double>& pos
   env_.set_values(MIMO_JOINT_POSITION, all_, positions);
   const std::vector<double> poses = env_.get_values(MIMO_BODY_POSE | MIMO_NOW, bodies_);
   Eigen::VectorXd all(values_);
-  Eigen::Index at = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyTrack& told = movement_.bodies[i];
     const double* pose = &poses[7 * i];
-    if (!told.orientations.empty()) {
+    if (turns_at_[i] >= 0) {
       const Eigen::Quaterniond now(pose[3], pose[4], pose[5], pose[6]);
       const Eigen::Quaterniond& wanted = told.orientations[row];
       pointers_[i] = now * told.pointer;
       const bool whole = told.pointer.isZero();
-      all.segment<3>(at) = axis_angle(whole ? wanted * now.conjugate()
-                                            : Eigen::Quaterniond::FromTwoVectors(pointers_[i], wanted * told.pointer));
-      at += 3;
+      all.segment<3>(turns_at_[i]) = rotation_vector(
+          whole ? wanted * now.conjugate() : Eigen::Quaterniond::FromTwoVectors(pointers_[i], wanted * told.pointer));
     }
-    if (!told.positions.empty()) {
-      all.segment<3>(at) = kPerMetre * (told.positions[row] - Eigen::Vector3d(pose[0], pose[1], pose[2]));
-      at += 3;
+    if (places_at_[i] >= 0) {
+      all.segment<3>(places_at_[i]) = kPerMetre * (told.positions[row] - Eigen::Vector3d(pose[0], pose[1], pose[2]));
     }
   }
-  if (!movement_.of_another) return all;
-  for (std::size_t i = 0; i < joints_.size(); ++i) all[at++] = -beyond_limits(i, positions);
+  for (std::size_t i = 0; limits_at_ >= 0 && i < joints_.size(); ++i) {
+    all[limits_at_ + static_cast<Eigen::Index>(i)] = -beyond_limits(i, positions);
+  }
   return all;
 }
 
-// How bodies move where one joint after the other moves at speed 1: exact, and as the model has its joints.
+// How bodies move where one joint after the other moves at speed 1: exact, and as the model has its joints. The world
+// is where `differences` was asked for.
 Eigen::MatrixXd Fit::jacobian(const std::vector<double>& positions) {
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(values_, freedom_);
   Eigen::Index column = 0;
-  for (const Joint& joint : joints_) {
-    for (std::size_t i = 0; i < joint.freedom; ++i, ++column) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    if (limits_at_ >= 0 && beyond_limits(i, positions) != 0) {
+      all(limits_at_ + static_cast<Eigen::Index>(i), column) = 1;
+    }
+    for (std::size_t axis = 0; axis < joint.freedom; ++axis, ++column) {
       std::vector<double> speed(joint.freedom, 0);
-      speed[i] = 1;
+      speed[axis] = 1;
       env_.set_values(MIMO_JOINT_VELOCITY, {joint.id}, speed);
-      const std::vector<double> velocities = env_.get_values(MIMO_BODY_VELOCITY | MIMO_NOW, bodies_);
-      Eigen::Index at = 0;
-      for (std::size_t k = 0; k < bodies_.size(); ++k) {
-        const Eigen::Map<const Eigen::Vector3d> linear(&velocities[6 * k]), angular(&velocities[6 * k + 3]);
-        if (!movement_.bodies[k].orientations.empty()) {
-          all.col(column).segment<3>(at) = angular - pointers_[k].dot(angular) * pointers_[k];
-          at += 3;
-        }
-        if (!movement_.bodies[k].positions.empty()) {
-          all.col(column).segment<3>(at) = kPerMetre * linear;
-          at += 3;
-        }
-      }
+      all.col(column) += movements(env_.get_values(MIMO_BODY_VELOCITY | MIMO_NOW, bodies_));
     }
     env_.set_values(MIMO_JOINT_VELOCITY, {joint.id}, std::vector<double>(joint.freedom, 0));
   }
-  if (!movement_.of_another) return all;
-  const Eigen::Index limits = all.rows() - static_cast<Eigen::Index>(joints_.size());
-  column = 0;
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (beyond_limits(i, positions) != 0) all(limits + static_cast<Eigen::Index>(i), column) = 1;
-    column += static_cast<Eigen::Index>(joints_[i].freedom);
+  return all;
+}
+
+// Velocities of the bodies as changes of the differences; limits are left at 0.
+Eigen::VectorXd Fit::movements(const std::vector<double>& velocities) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(values_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Eigen::Map<const Eigen::Vector3d> linear(&velocities[6 * i]), angular(&velocities[6 * i + 3]);
+    if (turns_at_[i] >= 0) {
+      all.segment<3>(turns_at_[i]) = angular - pointers_[i].dot(angular) * pointers_[i];
+    }
+    if (places_at_[i] >= 0) all.segment<3>(places_at_[i]) = kPerMetre * linear;
   }
   return all;
 }
@@ -191,7 +192,6 @@ Fit::Attempt Fit::solve(std::size_t row, std::vector<double> start) {
   best.cost = difference.squaredNorm();
   double damping = 1e-3;
   for (int round = 0; round < 100 && best.cost > 1e-28 && damping < kMost; ++round) {
-    differences(row, best.positions);
     const Eigen::MatrixXd slopes = jacobian(best.positions);
     const Eigen::MatrixXd square = slopes.transpose() * slopes;
     const Eigen::VectorXd downhill = slopes.transpose() * difference;
@@ -253,20 +253,17 @@ Fit::Attempt Fit::solve_first() {
 void Fit::note(std::size_t row, const std::vector<double>& positions) {
   const double share = 1.0 / static_cast<double>(movement_.times.size());
   const Eigen::VectorXd left = differences(row, positions);
-  Eigen::Index at = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     PoseError& error = errors_[i];
-    if (!movement_.bodies[i].orientations.empty()) {
-      const double angle = left.segment<3>(at).norm();
+    if (turns_at_[i] >= 0) {
+      const double angle = left.segment<3>(turns_at_[i]).norm();
       error.angle_largest = std::max(error.angle_largest, angle);
       error.angle_mean += share * angle;
-      at += 3;
     }
-    if (!movement_.bodies[i].positions.empty()) {
-      const double distance = left.segment<3>(at).norm() / kPerMetre;
+    if (places_at_[i] >= 0) {
+      const double distance = left.segment<3>(places_at_[i]).norm() / kPerMetre;
       error.distance_largest = std::max(error.distance_largest, distance);
       error.distance_mean += share * distance;
-      at += 3;
     }
   }
 }

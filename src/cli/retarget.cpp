@@ -8,8 +8,12 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bvh.h"
+#include "csv.h"
 #include "facts.h"
 #include "failure.h"
 #include "joints.h"
@@ -17,73 +21,41 @@
 namespace cli {
 namespace {
 
+using Names = std::vector<std::pair<const char*, const char*>>;
+
 // What joints are usually called, without case, signs and what is before a colon.
-const std::map<std::string, std::string> kUsual = {
-    {"hips", "hip"},
-    {"hip", "hip"},
-    {"pelvis", "hip"},
-    {"spine", "lower_body"},
-    {"abdomen", "lower_body"},
-    {"lowerback", "lower_body"},
-    {"spine1", "upper_body"},
-    {"chest", "upper_body"},
-    {"thorax", "upper_body"},
-    {"head", "head"},
-    {"leftarm", "left_upper_arm"},
-    {"lshldr", "left_upper_arm"},
-    {"leftuparm", "left_upper_arm"},
-    {"leftforearm", "left_lower_arm"},
-    {"lforearm", "left_lower_arm"},
-    {"leftelbow", "left_lower_arm"},
-    {"leftlowarm", "left_lower_arm"},
-    {"lefthand", "left_hand"},
-    {"lhand", "left_hand"},
-    {"leftwrist", "left_hand"},
-    {"leftupleg", "left_upper_leg"},
-    {"lthigh", "left_upper_leg"},
-    {"lefthip", "left_upper_leg"},
-    {"leftleg", "left_lower_leg"},
-    {"leftlowleg", "left_lower_leg"},
-    {"lshin", "left_lower_leg"},
-    {"leftknee", "left_lower_leg"},
-    {"leftfoot", "left_foot"},
-    {"lfoot", "left_foot"},
-    {"leftankle", "left_foot"},
-    {"lefttoebase", "left_toes"},
-    {"lefttoe", "left_toes"},
-    {"ltoe", "left_toes"},
-    {"rightarm", "right_upper_arm"},
-    {"rshldr", "right_upper_arm"},
-    {"rightuparm", "right_upper_arm"},
-    {"rightforearm", "right_lower_arm"},
-    {"rforearm", "right_lower_arm"},
-    {"rightelbow", "right_lower_arm"},
-    {"rightlowarm", "right_lower_arm"},
-    {"righthand", "right_hand"},
-    {"rhand", "right_hand"},
-    {"rightwrist", "right_hand"},
-    {"rightupleg", "right_upper_leg"},
-    {"rthigh", "right_upper_leg"},
-    {"righthip", "right_upper_leg"},
-    {"rightleg", "right_lower_leg"},
-    {"rightlowleg", "right_lower_leg"},
-    {"rshin", "right_lower_leg"},
-    {"rightknee", "right_lower_leg"},
-    {"rightfoot", "right_foot"},
-    {"rfoot", "right_foot"},
-    {"rightankle", "right_foot"},
-    {"righttoebase", "right_toes"},
-    {"righttoe", "right_toes"},
-    {"rtoe", "right_toes"},
+const Names kTrunk = {
+    {"hips", "hip"},           {"hip", "hip"},
+    {"pelvis", "hip"},         {"spine", "lower_body"},
+    {"abdomen", "lower_body"}, {"lowerback", "lower_body"},
+    {"spine1", "upper_body"},  {"chest", "upper_body"},
+    {"thorax", "upper_body"},  {"head", "head"},
 };
+// After "left" or "right", and after "l" or "r".
+const Names kSides = {
+    {"arm", "upper_arm"},    {"uparm", "upper_arm"}, {"forearm", "lower_arm"}, {"elbow", "lower_arm"},
+    {"lowarm", "lower_arm"}, {"hand", "hand"},       {"wrist", "hand"},        {"upleg", "upper_leg"},
+    {"hip", "upper_leg"},    {"leg", "lower_leg"},   {"lowleg", "lower_leg"},  {"knee", "lower_leg"},
+    {"foot", "foot"},        {"ankle", "foot"},      {"toebase", "toes"},      {"toe", "toes"},
+};
+const Names kShortSides = {
+    {"shldr", "upper_arm"}, {"forearm", "lower_arm"}, {"hand", "hand"}, {"thigh", "upper_leg"},
+    {"shin", "lower_leg"},  {"foot", "foot"},         {"toe", "toes"},
+};
+
+// Bodies by joints.
+std::map<std::string, std::string> usual_names() {
+  std::map<std::string, std::string> names(kTrunk.begin(), kTrunk.end());
+  for (const std::string side : {"left", "right"}) {
+    for (const auto& [joint, body] : kSides) names[side + joint] = side + "_" + body;
+    for (const auto& [joint, body] : kShortSides) names[side[0] + std::string(joint)] = side + "_" + body;
+  }
+  return names;
+}
 
 // Parts that point somewhere: to the next one. Trunk, head and feet are alike in all who stand.
 const std::map<std::string, std::string> kLimbs = {
-    {"left_upper_arm", "left_lower_arm"},   {"left_lower_arm", "left_hand"},
-    {"right_upper_arm", "right_lower_arm"}, {"right_lower_arm", "right_hand"},
-    {"left_upper_leg", "left_lower_leg"},   {"left_lower_leg", "left_foot"},
-    {"right_upper_leg", "right_lower_leg"}, {"right_lower_leg", "right_foot"},
-};
+    {"upper_arm", "lower_arm"}, {"lower_arm", "hand"}, {"upper_leg", "lower_leg"}, {"lower_leg", "foot"}};
 
 std::string plain(const std::string& name) {
   std::string result;
@@ -95,11 +67,6 @@ std::string plain(const std::string& name) {
   return result;
 }
 
-std::string strip(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 // Lines of a file: a joint's name and the body that it moves.
 std::map<std::string, std::string> read_map(const std::string& path) {
   std::ifstream file(path);
@@ -107,12 +74,14 @@ std::map<std::string, std::string> read_map(const std::string& path) {
   std::map<std::string, std::string> names;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
-    if (strip(line).empty()) continue;
+    if (trim(line).empty()) continue;
     const auto comma = line.find(',');
     if (comma == std::string::npos) {
-      throw Failure(path + ", line " + std::to_string(number) + ": expected 'joint,body', not '" + strip(line) + "'");
+      throw Failure(path + ", line " + std::to_string(number) + ": expected 'joint,body', not '" +
+                    std::string(trim(line)) + "'");
     }
-    names[strip(line.substr(0, comma))] = strip(line.substr(comma + 1));
+    const std::string_view whole = line;
+    names[std::string(trim(whole.substr(0, comma)))] = trim(whole.substr(comma + 1));
   }
   return names;
 }
@@ -126,6 +95,7 @@ class Retarget {
   struct Pair {
     std::size_t joint;
     std::int32_t body;
+    std::string name;         // of the body, without the infant's
     Eigen::Quaterniond rest;  // of the body where the skeleton is at rest, world frame
     Eigen::Vector3d pointer;  // as of a BodyTrack
   };
@@ -147,8 +117,8 @@ class Retarget {
   std::vector<Eigen::Isometry3d> rest_;
   std::string prefix_;  // of the infant's bodies
   std::vector<Pair> pairs_;
-  Eigen::Quaterniond axes_;  // from the file's to the world's
-  Eigen::Vector3d start_;    // of the hip
+  Eigen::Quaterniond axes_;                          // from the file's to the world's
+  Eigen::Vector3d start_ = Eigen::Vector3d::Zero();  // of the hip
   double scale_ = 1;
 };
 
@@ -158,7 +128,7 @@ Retarget::Retarget(const std::string& path, const RetargetOptions& options, mimo
   if (infants(env).empty()) throw Failure(path + ": the scene has no infant that could move like it");
   prefix_ = agents.empty() ? "" : prefix(agents[0]);
   choose_bodies(options);
-  start_ = pair_of("hip") != nullptr ? place(pair_of("hip")->body) : Eigen::Vector3d::Zero();
+  if (const Pair* const hip = pair_of("hip")) start_ = place(hip->body);
   stand_upright();
   find_axes(options.up);
   find_rest();
@@ -174,7 +144,7 @@ std::int32_t Retarget::find_body(const std::string& name) const {
 
 void Retarget::choose_bodies(const RetargetOptions& options) {
   const bool own = !options.map.empty();
-  std::map<std::string, std::string> names = own ? read_map(options.map) : kUsual;
+  std::map<std::string, std::string> names = own ? read_map(options.map) : usual_names();
   for (std::size_t i = 0; i < bvh_.joints.size(); ++i) {
     const auto found = names.find(own ? bvh_.joints[i].name : plain(bvh_.joints[i].name));
     if (found == names.end()) continue;
@@ -185,7 +155,7 @@ void Retarget::choose_bodies(const RetargetOptions& options) {
     }
     const auto twice = [&](const Pair& pair) { return pair.body == body; };
     if (std::none_of(pairs_.begin(), pairs_.end(), twice))
-      pairs_.push_back({i, body, Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero()});
+      pairs_.push_back({i, body, found->second, Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero()});
     if (own) names.erase(found);
   }
   if (own && !names.empty()) {
@@ -211,7 +181,7 @@ void Retarget::stand_upright() {
 }
 
 const Retarget::Pair* Retarget::pair_of(const std::string& body) const {
-  const auto is_it = [&](const Pair& pair) { return env_.name(MIMO_BODY, pair.body) == prefix_ + body; };
+  const auto is_it = [&](const Pair& pair) { return pair.name == body; };
   const auto found = std::find_if(pairs_.begin(), pairs_.end(), is_it);
   return found == pairs_.end() ? nullptr : &*found;
 }
@@ -251,13 +221,14 @@ void Retarget::find_axes(const std::string& up) {
 void Retarget::find_rest() {
   for (Pair& pair : pairs_) {
     pair.rest = orientation(pair.body);
-    const std::string name = env_.name(MIMO_BODY, pair.body).substr(prefix_.size());
-    const bool hand = name == "left_hand" || name == "right_hand";  // lies at rest as its arm does
-    const auto limb = kLimbs.find(hand ? name.substr(0, name.size() - 4) + "lower_arm" : name);
+    const auto side = pair.name.find('_') + 1;           // behind "left_"
+    const bool hand = pair.name.substr(side) == "hand";  // lies at rest as its arm does
+    const auto limb = kLimbs.find(hand ? "lower_arm" : pair.name.substr(side));
     if (limb == kLimbs.end()) continue;
-    const auto theirs = between(limb->first, limb->second);
+    const std::string from = pair.name.substr(0, side) + limb->first, to = pair.name.substr(0, side) + limb->second;
+    const auto theirs = between(from, to);
     if (!theirs || theirs->norm() < 1e-9) continue;
-    const Eigen::Vector3d ours = place(find_body(limb->second)) - place(find_body(limb->first));
+    const Eigen::Vector3d ours = place(find_body(to)) - place(find_body(from));
     if (!hand) pair.pointer = pair.rest.conjugate() * ours.normalized();
     pair.rest = Eigen::Quaterniond::FromTwoVectors(ours, axes_ * *theirs) * pair.rest;
   }
@@ -284,6 +255,7 @@ Movement Retarget::movement() const {
   movement.source = path_;
   movement.of_another = true;
   for (const Pair& pair : pairs_) movement.bodies.push_back({pair.body, {}, {}, pair.pointer});
+  const Pair* const hip = pair_of("hip");
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   for (std::size_t frame = 0; frame < bvh_.frames.size(); ++frame) {
     movement.times.push_back(bvh_.frame_seconds * static_cast<double>(frame));
@@ -292,7 +264,7 @@ Movement Retarget::movement() const {
       const Eigen::Isometry3d& pose = poses[pairs_[i].joint];
       const Eigen::Quaterniond turned(pose.linear());
       movement.bodies[i].orientations.push_back(axes_ * turned * axes_.conjugate() * pairs_[i].rest);
-      if (&pairs_[i] != pair_of("hip")) continue;
+      if (&pairs_[i] != hip) continue;
       Eigen::Vector3d at = scale_ * (axes_ * pose.translation());
       if (frame == 0) first = {at.x() - start_.x(), at.y() - start_.y(), 0};  // begins where the scene has the infant
       movement.bodies[i].positions.emplace_back(at - first);

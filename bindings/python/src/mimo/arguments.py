@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from enum import IntEnum, IntFlag
 from functools import reduce
 from operator import or_
@@ -33,6 +34,12 @@ def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
 
 def _members(choice: Choice) -> str:
     return f"mimo.{choice.__name__} or a name of its members: {', '.join(choice.__members__).lower()}"
+
+
+def require_folder(path: str) -> None:
+    """That a file can be made there: to be asked before the work, not after it."""
+    if not os.access(os.path.dirname(path) or ".", os.W_OK):
+        raise OSError(f"{path} cannot be written: there is no such folder, or it may not be written to")
 
 
 def real_number(name: str, value: Any) -> float:

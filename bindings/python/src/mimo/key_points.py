@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .constants import Kind, Quantity
+from .drawing import prefixes
 from .errors import NotFoundError
+from .frames import inverse, turned
 from .results import Numbers
 from .world import World
 
@@ -89,10 +91,9 @@ class Camera:
 
     def slopes(self, points: Numbers) -> Numbers:
         """How pixels move as points do: (k, 2, 3)."""
-        seen = points @ self.matrix[:, :3].T + self.matrix[:, 3]
-        pixels = seen[:, :2] / seen[:, 2:]
         linear = self.matrix[:, :3]
-        return np.asarray((linear[None, :2] - pixels[:, :, None] * linear[None, 2:]) / seen[:, 2:, None])
+        depth = points @ linear[2] + self.matrix[2, 3]
+        return np.asarray((linear[:2] - self.project(points)[:, :, None] * linear[2]) / depth[:, None, None])
 
 
 def places_of(world: World, names: Sequence[str], own: Dict[str, Place], agent: int = 0) -> Tuple[List[int], Numbers]:
@@ -100,7 +101,7 @@ def places_of(world: World, names: Sequence[str], own: Dict[str, Place], agent: 
 
     Names are those of `own`, of bodies, or usual ones: left_shoulder, ..., nose, left_ear; "left_eye" is a body.
     """
-    lead = f"{world.agents[agent].name}/" if world.agents and world.agents[agent].name else ""
+    lead = list(prefixes(world))[agent] if world.agents else ""
     bodies, offsets = [], []
     for name in names:
         body, offset = own[name] if name in own else _usual(world, lead, name)
@@ -119,7 +120,7 @@ def _usual(world: World, lead: str, name: str) -> Place:
         middle = world.get(Quantity.GEOM_POSITION, [f"{lead}head"])[0]
         body = world.get(Quantity.BODY_POSE, [f"{lead}head"])[0]
         radius = world.get(Quantity.GEOM_SIZE, [f"{lead}head"])[0, 0]
-        return "head", turned(body[3:] * (1, -1, -1, -1), middle - body[:3]) + radius * np.array(FACE[name])
+        return "head", turned(inverse(body[3:]), middle - body[:3])[0] + radius * np.array(FACE[name])
     if side in ("left", "right") and joint in JOINTS:
         return _end_of_parent(world, f"{lead}{side}_{JOINTS[joint]}", lead)
     return name, (0, 0, 0)
@@ -134,14 +135,7 @@ def _end_of_parent(world: World, body: str, lead: str) -> Place:
     world.set(Quantity.JOINT_POSITION, np.zeros(len(hinges)), hinges)
     pose, at = world.get(Quantity.BODY_POSE, [parent, body], now=True)
     world.set(Quantity.JOINT_POSITION, angles, hinges)
-    return parent[len(lead) :], turned(pose[3:] * (1, -1, -1, -1), at[:3] - pose[:3])
-
-
-def turned(quaternions: Numbers, vectors: Numbers) -> Numbers:
-    """Vectors (..., 3), turned by quaternions (..., 4), w x y z."""
-    w, axis = quaternions[..., :1], quaternions[..., 1:]
-    twice = 2 * np.cross(axis, vectors)
-    return np.asarray(vectors + w * twice + np.cross(axis, twice))
+    return parent[len(lead) :], turned(inverse(pose[3:]), at[:3] - pose[:3])[0]
 
 
 def read_points(path: str) -> KeyPoints:

@@ -21,9 +21,11 @@ from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Tup
 
 import numpy as np
 
+from .arguments import require_folder
 from .constants import Kind, Quantity
 from .errors import Error
-from .key_points import Camera, KeyPoints, Place, places_of, read_points, turned, write_table
+from .frames import after, placed
+from .key_points import Camera, KeyPoints, Place, places_of, read_points, write_table
 from .results import Numbers
 from .scene import Scene
 from .world import World
@@ -160,7 +162,7 @@ class _Chain:
         """By a step, a turn in the world's frame, and angles."""
         angle = np.linalg.norm(by[3:6])
         half = np.concatenate([[np.cos(angle / 2)], 0.5 * np.sinc(angle / (2 * np.pi)) * by[3:6]])
-        root = _product(half, state[3:7])
+        root = after(half, state[3:7])[0]
         return np.concatenate([state[:3] + by[:3], root / np.linalg.norm(root), state[7:] + by[6:]])
 
     def put(self, state: Numbers) -> Numbers:
@@ -168,7 +170,7 @@ class _Chain:
         self.world.set(Quantity.JOINT_POSITION, state[:7], [self.root])
         self.world.set(Quantity.JOINT_POSITION, state[7:], self.hinges)
         pose = self.world.get(Quantity.BODY_POSE, self.bodies, now=True)
-        return np.asarray(pose[:, :3] + turned(pose[:, 3:], self.offsets))
+        return placed(pose[:, :3], pose[:, 3:], self.offsets)
 
     def slopes(self, at: Numbers) -> Numbers:
         """How the points move by a step, a turn and each hinge: (k, 3, 6 + hinges). The world is where `put` put it."""
@@ -287,11 +289,6 @@ def _turning(turn: Numbers) -> Numbers:
     return np.asarray(np.eye(3) + first * cross + second * cross @ cross)
 
 
-def _product(a: Numbers, b: Numbers) -> Numbers:
-    """Of two quaternions, w x y z."""
-    return np.concatenate([[a[0] * b[0] - a[1:] @ b[1:]], a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:])])
-
-
 def _report(found: Found, unit: str, factor: float) -> str:
     lines = [f"{len(found.times)} rows", f"{'point':24} {'median':>10} {'largest':>10}  {unit}"]
     for name, errors in zip(found.points, found.errors.T):
@@ -299,12 +296,6 @@ def _report(found: Found, unit: str, factor: float) -> str:
         text = f"{np.median(known):10.3g} {known.max():10.3g}" if len(known) else f"{'never seen':>21}"
         lines.append(f"{name:24} {text}")
     return "\n".join(lines)
-
-
-def _check_folder(path: str) -> None:
-    folder = os.path.dirname(os.path.abspath(path))
-    if os.path.isdir(path) or not os.access(folder, os.W_OK):
-        raise OSError(f"cannot write {path}: expected a file in a folder that can be written")
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -320,7 +311,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = parser.parse_args(arguments)
     try:
         for path in filter(None, (options.out, options.errors)):
-            _check_folder(path)  # before the work, not after it
+            require_folder(path)  # before the work, not after it
+            if os.path.isdir(path):
+                raise OSError(f"{path} cannot be written: it is a folder")
         points = read_points(options.points)
         camera = Camera.read(options.camera) if options.camera else None
         scene = Scene(options.scene)

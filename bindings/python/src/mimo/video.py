@@ -9,13 +9,13 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from typing import Any, List, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .arguments import require_folder
 from .body_map import BodyMap
 from .constants import Kind
 from .drawing import EARS, EYES, heat, prefixes, strength, touch_field
@@ -125,8 +125,7 @@ class File:
 
     def __init__(self, path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> None:
         av = _av()
-        if not os.access(os.path.dirname(path) or ".", os.W_OK):
-            raise OSError(f"{path} cannot be written: there is no such folder, or it may not be written to")
+        require_folder(path)
         try:
             self._file = av.open(path, "w")
         except (av.FFmpegError, ValueError) as error:
