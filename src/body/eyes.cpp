@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/length.h"
 #include "format/names.h"
 
 namespace mimo::body {
@@ -59,7 +60,7 @@ Isometry3d pose_of(const mjData& data, int body) {
 double within(const Joint& joint, double angle) { return std::clamp(angle, joint.low, joint.high); }
 
 double left_of(const Vector3d& v) { return std::atan2(v.y(), v.x()); }
-double up_of(const Vector3d& v) { return std::atan2(v.z(), std::hypot(v.x(), v.y())); }
+double up_of(const Vector3d& v) { return std::atan2(v.z(), length_of(v.x(), v.y())); }
 
 Sightline sightline(const mjData& data, int camera) {
   const double* matrix = data.cam_xmat + 9 * camera;

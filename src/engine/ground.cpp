@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/length.h"
 #include "engine/compat.h"
 
 namespace mimo::engine {
@@ -34,9 +35,9 @@ double half_height(const mjModel& model, const mjData& data, int geom) {
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE: return size[0];
     case mjGEOM_CAPSULE: return size[0] + std::abs(z[2]) * size[1];
-    case mjGEOM_CYLINDER: return size[0] * std::hypot(z[0], z[1]) + size[1] * std::abs(z[2]);
+    case mjGEOM_CYLINDER: return size[0] * length_of(z[0], z[1]) + size[1] * std::abs(z[2]);
     case mjGEOM_BOX: return size[0] * std::abs(z[0]) + size[1] * std::abs(z[1]) + size[2] * std::abs(z[2]);
-    case mjGEOM_ELLIPSOID: return std::hypot(size[0] * z[0], size[1] * z[1], size[2] * z[2]);
+    case mjGEOM_ELLIPSOID: return length_of(size[0] * z[0], size[1] * z[1], size[2] * z[2]);
     default: return model.geom_rbound[geom];
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/length.h"
 
 namespace mimo::growth {
 namespace {
@@ -55,7 +56,7 @@ Vector3d inertia(const Geom& geom) {
 
 double half_extent(const Geom& geom, const Vector3d& direction) {
   const Vector& size = geom.size;
-  const double along = std::abs(direction.z()), across = std::hypot(direction.x(), direction.y());
+  const double along = std::abs(direction.z()), across = length_of(direction.x(), direction.y());
   switch (geom.shape) {
     case Shape::kSphere: return size[0];
     case Shape::kCapsule: return size[0] + size[1] * along;

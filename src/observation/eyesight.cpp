@@ -5,6 +5,7 @@
 
 #include "base/angle.h"
 #include "base/fail.h"
+#include "base/length.h"
 #include "observation/gaussian.h"
 
 namespace mimo::observation {
@@ -18,7 +19,7 @@ double sigma_of(double cycles, double contrast) {
 // One Gaussian for all colours; that for differences of colours would have to be about twice as wide. Of two, one after
 // the other, it is one as well.
 std::vector<float> kernel_of(const Eyesight& eyes, double pixels_per_degree) {
-  return gaussian_kernel(std::hypot(eyes.sigma(), sigma_of(eyes.blur, 2)) * pixels_per_degree);
+  return gaussian_kernel(length_of(eyes.sigma(), sigma_of(eyes.blur, 2)) * pixels_per_degree);
 }
 
 double left_of(const std::vector<float>& kernel, double cycles_per_pixel) {

@@ -2,16 +2,18 @@
 
 #include <cmath>
 
+#include "base/length.h"
+
 namespace mimo::observation {
 
 FovealMap::FovealMap(std::size_t height, std::size_t width, double focal, double strength)
     : strength_(strength),
       middle_x_(static_cast<double>(width - 1) / 2),
       middle_y_(static_cast<double>(height - 1) / 2),
-      corner_(std::hypot(middle_x_, middle_y_)),
+      corner_(length_of(middle_x_, middle_y_)),
       focal_(focal) {}
 
-double FovealMap::distance(Place place) const { return std::hypot(place[0] - middle_x_, place[1] - middle_y_); }
+double FovealMap::distance(Place place) const { return length_of(place[0] - middle_x_, place[1] - middle_y_); }
 
 FovealMap::Place FovealMap::scaled(Place place, double factor) const {
   return {middle_x_ + factor * (place[0] - middle_x_), middle_y_ + factor * (place[1] - middle_y_)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/length.h"
+
 namespace mimo::rays {
 namespace {
 
@@ -93,7 +95,7 @@ Vec away_from(const Solid& solid, const Vec& eye) {
       return dot(n, n) > s0 * s0 ? n : none;
     }
     case Form::kCylinder: {
-      const double r = std::hypot(eye[0], eye[1]);
+      const double r = length_of(eye[0], eye[1]);
       const double aside = r > s0 ? 1 - s0 / r : 0;
       return {eye[0] * aside, eye[1] * aside, eye[2] - std::clamp(eye[2], -s1, s1)};
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/length.h"
 #include "rays/frame.h"
 #include "rays/lanes-inl.h"
 #include "rays/lighting-inl.h"
@@ -104,7 +105,7 @@ inline bool Probe(const Aspect& aspect, const Tile& tile, Probes& probes) {
     return std::max({v[0], v[1], v[2], v[3]}) - std::min({v[0], v[1], v[2], v[3]});
   };
   probes.nearest = std::min({probes.t[0], probes.t[1], probes.t[2], probes.t[3]});
-  probes.wide = std::hypot(range(probes.px), range(probes.py));
+  probes.wide = length_of(range(probes.px), range(probes.py));
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/length.h"
 #include "rays/assets.h"
 #include "rays/extras.h"
 #include "render/paint.h"
@@ -28,9 +29,9 @@ double bounding_radius(Form kind, const std::array<float, 3>& size) {
     case Form::kSphere: return size[0];
     case Form::kCapsule: return static_cast<double>(size[0]) + size[1];
     case Form::kEllipsoid: return std::max({size[0], size[1], size[2]});
-    case Form::kCylinder: return std::hypot(size[0], size[1]);
+    case Form::kCylinder: return length_of(size[0], size[1]);
     case Form::kBox:
-    case Form::kMesh: return std::hypot(size[0], size[1], size[2]);
+    case Form::kMesh: return length_of(size[0], size[1], size[2]);
   }
   return 0;
 }

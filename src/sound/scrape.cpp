@@ -5,6 +5,7 @@
 
 #include "base/angle.h"
 #include "base/fail.h"
+#include "base/length.h"
 #include "sound/air.h"
 #include "sound/scatter.h"
 
@@ -30,7 +31,7 @@ double patch(const Struck& a, const Struck& b, double force, double curvature) {
 ScrapeLevel scrape_level(const Struck& a, const Struck& b, const Sliding& sliding) {
   const double efficiency = std::max(a.solid.efficiency, b.solid.efficiency);
   if (sliding.speed <= kSlowestScrape || sliding.force <= 0 || efficiency <= 0) return {};
-  const double rough = std::hypot(a.solid.roughness, b.solid.roughness);
+  const double rough = length_of(a.solid.roughness, b.solid.roughness);
   ScrapeLevel level;
   level.pressure = kPressure * sliding.speed / kSpeedThen * std::sqrt(sliding.force) * rough / kRoughnessThen *
                    std::sqrt(efficiency / kEfficiencyThen);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/length.h"
 #include "engine/physics.h"
 #include "senses/touch/hull.h"
 
@@ -15,7 +16,7 @@ constexpr double kTolerance = 1e-9;  // m
 
 double distance_to_axis(const Vec3& point, double half_length) {
   const double beyond = std::max(std::abs(point.z()) - half_length, 0.0);
-  return std::hypot(point.x(), point.y(), beyond);
+  return length_of(point.x(), point.y(), beyond);
 }
 
 // Depth below an ellipsoid's surface, exact to first order where it matters: at the surface.
@@ -34,7 +35,7 @@ double depth(const Shape& shape, const Vec3& point) {
     case Shape::Form::kSphere: return size.x() - point.norm();
     case Shape::Form::kCapsule: return size.x() - distance_to_axis(point, size.y());
     case Shape::Form::kCylinder:
-      return std::min(size.x() - std::hypot(point.x(), point.y()), size.y() - std::abs(point.z()));
+      return std::min(size.x() - length_of(point.x(), point.y()), size.y() - std::abs(point.z()));
     case Shape::Form::kBox: return (size - point.cwiseAbs()).minCoeff();
     case Shape::Form::kEllipsoid: return ellipsoid_depth(size, point);
     case Shape::Form::kMesh: return shape.hull->depth(point);
