@@ -1,11 +1,12 @@
 #include "text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <locale>
 #include <ostream>
+#include <sstream>
 
 namespace cli {
 
@@ -21,12 +22,14 @@ std::string text(const char* format, ...) {
   return result;
 }
 
+// By a stream, for not every system's std::from_chars reads fractions.
 std::optional<double> finite_number(std::string_view text) {
-  const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-  const char* end = text.data() + text.size();
+  if (text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return {};
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
   double value = 0;
-  const auto result = std::from_chars(begin, end, value);
-  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return {};
+  stream >> value;
+  if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof() || !std::isfinite(value)) return {};
   return value;
 }
 

@@ -82,11 +82,9 @@ std::string check_vision(const std::string& text) {
   return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
 }
 
-// Whether all of a text is a number of a range, which NaN is not.
 bool is_number(const std::string& text, double low, double high) {
-  double value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc() && result.ptr == text.data() + text.size() && value >= low && value <= high;
+  const std::optional<double> value = finite_number(text);
+  return value && *value >= low && *value <= high;
 }
 
 std::string check_touch(const std::string& text) {

@@ -11,6 +11,7 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "base/plain_numbers.h"
+#include "base/processor.h"
 #include "base/utf8.h"
 #include "engine/callbacks.h"
 #include "engine/compat.h"
@@ -62,12 +63,21 @@ void require_our_mujoco() {
        compiled_version(), mj_versionString());
 }
 
+// MuJoCo's own builds for x86-64 are compiled for AVX, and would end the process by an illegal instruction.
+void require_processor() {
+#ifdef MIMO_MUJOCO_HAS_AVX
+  if (has_avx()) return;
+  fail(Status::kUnsupported,
+       "this processor has no AVX, which the build of MuJoCo beside libmimo needs; Debian's build of MuJoCo does not");
+#endif
+}
+
 }  // namespace
 
 // 222, and since 3.5 4000001.
 std::string compiled_version() {
   constexpr int kVersion = mjVERSION_HEADER, kBase = kVersion < 1000 ? 10 : 1000;
-  return fmt::format("{}.{}.{}", kVersion / (kBase * kBase), kVersion / kBase % kBase, kVersion % kBase);
+  return format("{}.{}.{}", kVersion / (kBase * kBase), kVersion / kBase % kBase, kVersion % kBase);
 }
 
 namespace {
@@ -100,6 +110,7 @@ std::string some_names(const mjModel& model, Kind kind) {
 
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log) {
   constexpr const char* kDocument = "mimo_scene.xml";
+  require_processor();
   require_our_mujoco();
   refuse_callbacks(nullptr);
   require_plain_streams();

@@ -118,7 +118,7 @@ void of_world(const World& world, const mjData& data, Quantity quantity, int id,
 void compute(const Source& source, Quantity quantity, int id, double* to) {
   const auto& [model, data, world] = source;
   Out out(to);
-  const auto contact = [&]() -> const mjContact& { return data.contact[id]; };
+  const auto contact = [&from = data, id]() -> const mjContact& { return from.contact[id]; };
   switch (quantity) {
     case Quantity::kJointRange: range(model, id, out); break;
     case Quantity::kJointLock: lock(model, id, out); break;

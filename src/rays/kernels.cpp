@@ -23,6 +23,7 @@
 #define HWY_INLINE inline
 #endif
 
+#include "base/processor.h"
 #include "rays/coloring-inl.h"
 #include "rays/lanes-inl.h"
 #include "rays/tile-inl.h"
@@ -149,20 +150,13 @@ std::vector<Path> paths() {
   std::vector<Path> result;
 #if HWY_ARCH_X86
 #if HWY_TARGETS & HWY_AVX3
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd")) {
-    result.push_back({"AVX3", &N_AVX3::DrawOneTile});
-  }
+  if (has_avx512()) result.push_back({"AVX3", &N_AVX3::DrawOneTile});
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
-    result.push_back({"AVX2", &N_AVX2::DrawOneTile});
-  }
+  if (has_avx2()) result.push_back({"AVX2", &N_AVX2::DrawOneTile});
 #endif
 #if HWY_TARGETS & HWY_SSE4
-  if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul")) {
-    result.push_back({"SSE4", &N_SSE4::DrawOneTile});
-  }
+  if (has_sse4()) result.push_back({"SSE4", &N_SSE4::DrawOneTile});
 #endif
 #endif
   // What the compiler may assume of every machine that this build is for.

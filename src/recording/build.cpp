@@ -1,11 +1,10 @@
 #include "recording/build.h"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <fstream>
 #include <vector>
 
+#include "base/format.h"
 #include "base/hash.h"
 #include "recording/system.h"
 
@@ -27,7 +26,7 @@ std::uint64_t hash_of_library() {
 
 std::string build_name(const std::string& versions) {
   static const std::uint64_t hash = hash_of_library();
-  return fmt::format("{}, build {:016x}", versions, hash);
+  return format("{}, build {:016x}", versions, hash);
 }
 
 }  // namespace mimo::recording

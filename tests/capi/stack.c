@@ -69,7 +69,7 @@ static void* on_a_small_stack(void* unused) {
   check_nested(40, 1);
   check_nested(kDeepest, 0);
   check_infant("showroom", "ray");
-#ifdef __linux__
+#ifndef MIMO_NO_OSMESA
   check_infant("benchmark", "osmesa");
 #endif
   return unused;

@@ -7,6 +7,7 @@
 #define MIMO_HPP_TASK
 
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <string>
 #include <vector>
@@ -59,7 +60,8 @@ struct Borrowed {
   Borrowed &operator=(const Borrowed &) = delete;
   Env env;
 };
-/// The status and the words of a call that failed inside; other exceptions are the library's to quote.
+/// The status and the words of a call that failed inside. Exceptions end here, in the program: the library may have been
+/// built with another C++ library, which could not read them.
 template <typename Work>
 mimo_status task_status(Work work) {
   try {
@@ -67,6 +69,8 @@ mimo_status task_status(Work work) {
     return MIMO_OK;
   } catch (const Exception &error) {
     return mimo_fail(error.status(), error.what());
+  } catch (const std::exception &error) {
+    return mimo_fail(MIMO_E_INTERNAL, (std::string("threw an exception: ") + error.what()).c_str());
   }
 }
 inline mimo_status reset_task(void *user, mimo_env *world, const mimo_task_moment *moment) {

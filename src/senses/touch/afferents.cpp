@@ -94,7 +94,7 @@ void Afferents::tell(std::size_t place, const Feeling& feeling, const Things& th
     ra += receptors::ra_of_sliding(sliding, {thing.wavelength, thing.amplitude});
     pc += receptors::pc_of_sliding(sliding, {thing.wavelength, thing.amplitude});
   }
-  const auto put = [&](Rate rate, double hertz) { table_[kFirstRate + rate][place] = hertz; };
+  const auto put = [&](Rate rate, double hertz) { table_[kFirstRate + std::size_t{rate}][place] = hertz; };
   put(kSa1, receptors::sa1_rate(value(kDepth), value(kSpeed)));
   put(kRa, ra);
   put(kPc, pc);
@@ -115,7 +115,7 @@ void Afferents::save(ByteWriter& to) const {
     for (std::size_t column = 0; column < kStates; ++column) to.put(table_.number(column, sensor));
   }
   const auto put = [&](std::size_t rate, std::size_t sensor) {
-    to.put(static_cast<float>(table_.number(kFirstRate + rate, sensor)));
+    to.put(static_cast<float>(table_.number(kFirstRate + std::size_t{rate}, sensor)));
   };
   for (const std::size_t rate : {kSa1, kRa, kPc}) {
     for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) put(rate, sensor);
@@ -137,7 +137,7 @@ void Afferents::load(ByteReader& from) {
   const auto take = [&](std::size_t rate, std::size_t sensor) {
     const float hertz = from.take<float>();
     if (table_.place(sensor) == table_.kNone) return;
-    table_[kFirstRate + rate][static_cast<std::size_t>(table_.place(sensor))] = static_cast<double>(hertz);
+    table_[kFirstRate + std::size_t{rate}][static_cast<std::size_t>(table_.place(sensor))] = static_cast<double>(hertz);
   };
   for (const std::size_t rate : {kSa1, kRa, kPc}) {
     for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) take(rate, sensor);

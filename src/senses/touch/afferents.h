@@ -24,7 +24,9 @@ class Afferents {
   void tell(const Felt& felt, const Things& things);
 
   // Fills a rate in at out[0], out[every] and so on, where a sensor is not at rest: there it is 0.
-  void fill_in(Rate rate, float* out, std::size_t every = 1) const { table_.spread(kFirstRate + rate, out, every); }
+  void fill_in(Rate rate, float* out, std::size_t every = 1) const {
+    table_.spread(kFirstRate + std::size_t{rate}, out, every);
+  }
 
   const std::vector<int>& restless() const { return table_.sensors(); }
   double force(std::size_t sensor) const { return table_.number(kNormal, sensor); }  // smoothed, N

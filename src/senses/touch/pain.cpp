@@ -32,8 +32,8 @@ bool Pain::update(std::size_t place, double temperature) {
   const double pressed = fast_pressure_rate(over, adapted);
   const double fast = std::min(kFastMost, pressed + fast_heat_rate(temperature));
   const double slow = std::min(kSlowMost, slow_pressure_rate(over) + slow_heat_rate(temperature));
-  table_[kFirstRate + kFast][place] = fast;
-  table_[kFirstRate + kSlow][place] = slow;
+  table_[kFirstRate + std::size_t{kFast}][place] = fast;
+  table_[kFirstRate + std::size_t{kSlow}][place] = slow;
   adapted = over > 1 ? 1 - kept_ * (1 - adapted) : kept_ * adapted;
   if (adapted < 1e-3 && over <= 1) adapted = 0;
   over = 0;
@@ -44,7 +44,7 @@ void Pain::save(ByteWriter& to) const {
   for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) to.put(table_.number(kAdapted, sensor));
   for (const std::size_t rate : {kFast, kSlow}) {
     for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
-      to.put(static_cast<float>(table_.number(kFirstRate + rate, sensor)));
+      to.put(static_cast<float>(table_.number(kFirstRate + std::size_t{rate}, sensor)));
     }
   }
 }
@@ -59,7 +59,7 @@ void Pain::load(ByteReader& from) {
   }
   for (const std::size_t rate : {kFast, kSlow}) {
     for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
-      put(kFirstRate + rate, sensor, static_cast<double>(from.take<float>()));
+      put(kFirstRate + std::size_t{rate}, sensor, static_cast<double>(from.take<float>()));
     }
   }
 }

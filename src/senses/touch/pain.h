@@ -15,7 +15,7 @@ class Pain {
   void go_on(const Felt& felt, const Warmth& warmth);
 
   // Fills a rate in where a sensor is not at rest: there it is 0.
-  void fill_in(Rate rate, float* out) const { table_.spread(kFirstRate + rate, out); }
+  void fill_in(Rate rate, float* out) const { table_.spread(kFirstRate + std::size_t{rate}, out); }
 
   void save(ByteWriter& to) const;
   void load(ByteReader& from);
