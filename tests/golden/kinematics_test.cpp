@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include "engine/compat.h"
 #include "support/recording.h"
 
 namespace mimo::test {
@@ -12,7 +13,11 @@ using engine::Kind;
 // Diagonal of the joint-space inertia, one number a degree of freedom.
 std::vector<double> inertia_diagonal(const mjModel& model, const mjData& data) {
   std::vector<double> diagonal;
-  for (int dof = 0; dof < model.nv; ++dof) diagonal.push_back(data.qM[model.dof_Madr[dof]]);
+  for (int dof = 0; dof < model.nv; ++dof) {
+    engine::compat::visit_inertia(model, data, dof, [&](int other, double value) {
+      if (other == dof) diagonal.push_back(value);
+    });
+  }
   return diagonal;
 }
 

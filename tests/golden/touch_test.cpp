@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "base/format.h"
+#include "engine/compat.h"
 #include "senses/touch/spacing.h"
 #include "senses/touch/surface.h"
 #include "support/recording.h"
@@ -174,7 +175,7 @@ engine::ModelPtr held_under_a_ball(const Json& recorded) {
   const scene::Pose pose{{0, 0, 1}, {quat[0], quat[1], quat[2], quat[3]}};
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
-  std::fill_n(const_cast<mjModel*>(model.get())->eq_active, model->neq, static_cast<mjtByte>(1));
+  std::fill_n(const_cast<mjModel*>(model.get())->*engine::compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
   return model;
 }
 

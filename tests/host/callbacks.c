@@ -1,9 +1,8 @@
 /* MuJoCo's callbacks belong to the process. Those of a host that simulates by itself are kept from our worlds: a call
  * is refused, by name and with nothing changed, while one is set that would act on them; senses that only look go on.
  */
-#include <mujoco/mujoco.h>
 
-#include "support/capi.h"
+#include "support/mujoco.h"
 
 static int asked; /* how often a callback was */
 
@@ -33,7 +32,7 @@ static mjtNum act(const mjModel* m, const mjData* d, int id) {
   return id;
 }
 static mjtNum clock_of_the_host(void) { return 0; }
-static int no_collision(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, mjtNum margin) {
+static int no_collision(const mjModel* m, host_collision_data* d, host_contact* con, int g1, int g2, mjtNum margin) {
   (void)m;
   (void)d;
   (void)con;

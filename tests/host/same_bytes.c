@@ -1,8 +1,7 @@
 /* The host simulates MIMo's own scene with its own MuJoCo: attached senses give exactly the bytes of an environment,
  * also where they are late, noisy and weak. */
-#include <mujoco/mujoco.h>
 
-#include "support/capi.h"
+#include "support/mujoco.h"
 
 enum { STEPS = 120, FRAME_SKIP = 2 };
 
@@ -61,23 +60,9 @@ static mimo_scene* make_scene(const char* name, uint32_t vision) {
 
 static mjModel* load(const mimo_scene* scene) {
   static char xml[1 << 20];
-  char error[500] = "";
-  mjModel* model;
-  mjVFS* files = malloc(sizeof *files);
   size_t length = 0;
-  if (files == NULL) exit(1);
   CHECK_OK(mimo_scene_xml(scene, xml, sizeof xml, &length));
-  mj_defaultVFS(files);
-  CHECK(mj_makeEmptyFileVFS(files, "scene.xml", (int)length) == 0);
-  memcpy(files->filedata[0], xml, length);
-  model = mj_loadXML("scene.xml", files, error, sizeof error);
-  mj_deleteVFS(files);
-  free(files);
-  if (model == NULL) {
-    fprintf(stderr, "%s\n", error);
-    exit(1);
-  }
-  return model;
+  return host_model_of(xml, length);
 }
 
 static uint8_t* new_block(size_t bytes) {

@@ -1,8 +1,6 @@
 #include "misuse/world.h"
 
-#include <mujoco/mujoco.h>
-
-#include "support/capi.h"
+#include "support/mujoco.h"
 
 enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 21, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
 
@@ -77,16 +75,7 @@ static void make_host(void) {
       "<mujoco><worldbody><geom type='plane' size='1 1 1'/><body name='cart' pos='0 0 0.1'><freejoint/>"
       "<geom type='box' size='.2 .1 .1'/><body><joint name='mast'/><geom "
       "size='.1'/></body></body></worldbody></mujoco>";
-  char error[500] = "";
-  mjVFS* files = malloc(sizeof *files);
-  if (files == NULL) exit(1);
-  mj_defaultVFS(files);
-  CHECK(mj_makeEmptyFileVFS(files, "host.xml", (int)sizeof text - 1) == 0);
-  memcpy(files->filedata[0], text, sizeof text - 1);
-  host_model = mj_loadXML("host.xml", files, error, (int)sizeof error);
-  mj_deleteVFS(files);
-  free(files);
-  if (host_model == NULL) exit(1);
+  host_model = host_model_of(text, sizeof text - 1);
   host_data = mj_makeData(host_model);
   mj_step(host_model, host_data);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/compat.h"
 #include "engine/model.h"
 #include "env/world.h"
 #include "scene/scene.h"
@@ -66,7 +67,7 @@ inline engine::ModelPtr held_infant(const std::array<double, 4>& quat) {
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
   // Nobody else has the model yet.
-  std::fill_n(const_cast<mjModel*>(model.get())->eq_active, model->neq, static_cast<mjtByte>(1));
+  std::fill_n(const_cast<mjModel*>(model.get())->*engine::compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
   return model;
 }
 

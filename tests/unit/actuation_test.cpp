@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/compat.h"
 #include "env/access.h"
 #include "scene/groups.h"
 #include "support/access.h"
@@ -139,7 +140,7 @@ TEST(PositionControl, StartsByHoldingTheStoredPose) {
   World world(room_with_infant("standup"), {agent}, without_renderer());
   const int lock = engine::find_lock(world.model(), joint_id(world, "robot:right_knee"));
   EXPECT_NEAR(engine::lock_angle(world.model(), lock), -2.53125, 1e-12);
-  EXPECT_EQ(world.model().eq_active[lock], 1);
+  EXPECT_EQ((world.model().*engine::compat::kLockFlags)[lock], 1);
 }
 
 TEST(MappedActions, GoFromMinusOneToOneLinearly) {
@@ -219,7 +220,7 @@ TEST(Overrides, StayInTheirWorld) {
   changed->physics().set_gravity({0, 0, -1});
   EXPECT_EQ(get(*changed, env::Quantity::kActuatorGear, {motor}), Values{gear});
   EXPECT_EQ(get(*one, env::Quantity::kActuatorGear, {motor}), Values{3.6});
-  EXPECT_EQ(free_room()->eq_active[engine::find_lock(*free_room(), elbow)], 0);
+  EXPECT_EQ(((*free_room()).*engine::compat::kLockFlags)[engine::find_lock(*free_room(), elbow)], 0);
   const std::vector<float> actions(changed->action_size(), 0.2f);
   run(*changed, actions, 20);
   run(*one, actions, 20);

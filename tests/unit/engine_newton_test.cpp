@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "engine/compat.h"
 #include "engine/line_search.h"
 #include "engine/newton.h"
 #include "support/scenes.h"
@@ -39,7 +40,7 @@ int compare(const mjModel& model, int steps) {
     mj_step(&model, theirs.get());
     engine::newton_step(&model, ours.get());
     const std::string when = " after step " + std::to_string(step) + ", number";
-    EXPECT_EQ(ours->solver_iter, theirs->solver_iter) << when;
+    EXPECT_EQ(engine::compat::iterations(*ours), engine::compat::iterations(*theirs)) << when;
     EXPECT_EQ(ours->nefc, theirs->nefc) << when;
     EXPECT_EQ(ours->time, theirs->time);
     expect_near(theirs->qpos, ours->qpos, model.nq, 1e-11, "position" + when);
@@ -133,8 +134,7 @@ class EngineLineSearch : public ::testing::Test {
   EngineLineSearch() {
     contact_.dim = 3;
     contact_.mu = contact_.friction[0] = contact_.friction[1] = 0.51;
-    data_.stack = stack_;
-    data_.nstack = kRoom;
+    engine::compat::give_stack(data_, stack_, kRoom);
     data_.contact = &contact_;
     data_.ncon = 1;
     data_.nefc = 3;

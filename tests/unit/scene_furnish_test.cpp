@@ -6,6 +6,7 @@
 #include <string>
 
 #include "body/stored_pose.h"
+#include "engine/compat.h"
 #include "engine/physics.h"
 #include "support/files.h"
 #include "support/physical.h"
@@ -270,7 +271,7 @@ TEST_F(SceneFurnish, MainDefaultsDoNotReachWeldsAndLocks) {
   scene.lock_joint("j", 1);
   const engine::ModelPtr model = compile(scene);
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(model->eq_active[i], 1);
+    EXPECT_EQ(((*model).*engine::compat::kLockFlags)[i], 1);
     EXPECT_EQ(model->eq_solref[2 * i], 0.02);
     EXPECT_EQ(model->eq_solimp[5 * i], 0.9);
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/compat.h"
 #include "support/files.h"
 #include "support/quiet.h"
 #include "support/scenes.h"
@@ -128,7 +129,7 @@ TEST_F(SceneNewer, OtherNamesForTheSame) {
       "<light type='directional'/><geom size='1'/></worldbody></mujoco>");
   const engine::ModelPtr model = compile(scene::Scene(from_file(path)));
   EXPECT_EQ(model->ntex, 1);
-  EXPECT_EQ(model->light_directional[0], 1);
+  EXPECT_TRUE(engine::compat::is_directional(*model, 0));
 }
 
 // A hollow cube of side 2 and mass 12 has 12/6 * 2^2 * 5/3 = 40/3 about its middle, a full one 12/6 * 2^2 = 8.

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "engine/compat.h"
 #include "support/files.h"
 #include "support/physical.h"
 #include "support/quiet.h"
@@ -31,7 +32,9 @@ engine::ModelPtr plain_mujoco(const std::string& path) {
 void expect_same(const mjModel& one, const mjModel& other) {
   expect_same_physics(one, other);
   ASSERT_EQ(one.ntexdata, other.ntexdata);
-  EXPECT_EQ(std::memcmp(one.tex_rgb, other.tex_rgb, static_cast<std::size_t>(one.ntexdata)), 0);
+  EXPECT_EQ(
+      std::memcmp(one.*engine::compat::kPixels, other.*engine::compat::kPixels, static_cast<std::size_t>(one.ntexdata)),
+      0);
   ASSERT_EQ(one.nnames, other.nnames);
   EXPECT_EQ(std::memcmp(one.names, other.names, static_cast<std::size_t>(one.nnames)), 0);
   ASSERT_EQ(one.nmat, other.nmat);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "engine/compat.h"
 #include "support/files.h"
 #include "support/physical.h"
 #include "support/quiet.h"
@@ -157,7 +158,9 @@ TEST_F(SceneSources, AFileInAFolderCalledMimo) {
   const engine::ModelPtr model = compile(scene::Scene(from_file("mimo/own.xml")));
   const engine::ModelPtr expected = compile(scene::Scene(from_text(with_picture("", kPicture))));
   ASSERT_EQ(model->ntexdata, expected->ntexdata);
-  EXPECT_EQ(std::memcmp(model->tex_rgb, expected->tex_rgb, static_cast<std::size_t>(model->ntexdata)), 0);
+  EXPECT_EQ(std::memcmp((*model).*engine::compat::kPixels, (*expected).*engine::compat::kPixels,
+                        static_cast<std::size_t>(model->ntexdata)),
+            0);
 }
 
 TEST_F(SceneSources, BadIncludesAreNamed) {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "base/format.h"
+#include "engine/compat.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -135,7 +136,7 @@ engine::ModelPtr held_with_ball(const Vec3& place, double radius, double mass) {
              place.x(), place.y(), place.z(), radius, mass)));
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
-  std::fill_n(const_cast<mjModel*>(model.get())->eq_active, model->neq, static_cast<mjtByte>(1));
+  std::fill_n(const_cast<mjModel*>(model.get())->*engine::compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
   return model;
 }
 

@@ -1,6 +1,7 @@
 // Kits of all ages, each compiled once.
 #include "blueprint/family.h"
 
+#include "engine/compat.h"
 #include "unit/blueprint/fixture.h"
 
 namespace mimo::test {
@@ -51,8 +52,8 @@ TEST(Family, HoldsTexturesOnce) {
   const std::weak_ptr<const env::Kit> first = family.as_described({}, {});
   const env::KitPtr young = family.as_described({aged(6)}, {}), old = family.as_described({aged(24)}, {});
   EXPECT_GT(young->model->ntexdata, 1000000);
-  EXPECT_EQ(young->model->tex_rgb, old->model->tex_rgb);
-  EXPECT_EQ(young->model->tex_rgb, first.lock()->model->tex_rgb);
+  EXPECT_EQ((*young->model).*engine::compat::kPixels, (*old->model).*engine::compat::kPixels);
+  EXPECT_EQ((*young->model).*engine::compat::kPixels, (*first.lock()->model).*engine::compat::kPixels);
   EXPECT_EQ(young->services.textures, old->services.textures);
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "engine/compat.h"
 #include "engine/fingerprint.h"
 
 namespace mimo::test {
@@ -26,7 +27,7 @@ TEST(Textures, OfTheSamePicturesAreShared) {
   const ModelPtr owner = painted("1", "1 0 0"), model = painted("2", "1 0 0");
   const ModelPtr slim = engine::with_textures_of(owner, model);
   ASSERT_NE(slim, model);
-  EXPECT_EQ(slim->tex_rgb, owner->tex_rgb);
+  EXPECT_EQ((*slim).*engine::compat::kPixels, (*owner).*engine::compat::kPixels);
   EXPECT_EQ(slim->ntexdata, 3 * 16 * 17);
   EXPECT_EQ(engine::fingerprint(*slim), engine::fingerprint(*model));
   EXPECT_EQ(slim->geom_size[0], 2);
@@ -38,15 +39,15 @@ TEST(Textures, LiveAsLongAsAModelUsesThem) {
   ModelPtr owner = painted("1", "1 0 0");
   const ModelPtr slim = engine::with_textures_of(owner, painted("2", "1 0 0"));
   owner.reset();
-  EXPECT_EQ(slim->tex_rgb[0], 255);
-  EXPECT_EQ(slim->tex_rgb[3 * 16 * 17 - 1], 0);
+  EXPECT_EQ(((*slim).*engine::compat::kPixels)[0], 255);
+  EXPECT_EQ(((*slim).*engine::compat::kPixels)[3 * 16 * 17 - 1], 0);
 }
 
 TEST(Textures, AreCopiedWithTheModel) {
   const ModelPtr slim = engine::with_textures_of(painted("1", "1 0 0"), painted("2", "1 0 0"));
   mjModel* copy = mj_copyModel(nullptr, slim.get());
-  EXPECT_NE(copy->tex_rgb, slim->tex_rgb);
-  EXPECT_EQ(copy->tex_rgb[0], 255);
+  EXPECT_NE((*copy).*engine::compat::kPixels, (*slim).*engine::compat::kPixels);
+  EXPECT_EQ(((*copy).*engine::compat::kPixels)[0], 255);
   mj_deleteModel(copy);
 }
 

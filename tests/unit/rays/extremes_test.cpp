@@ -204,7 +204,7 @@ TEST(RayExtremes, Anything) {
     mjData& d = strange.data();
     struct Numbers {
       double* of;
-      int count;
+      long long count;
     };
     const Numbers doubles[] = {{m.geom_size, 3 * m.ngeom},
                                {m.site_size, 3 * m.nsite},
@@ -223,7 +223,7 @@ TEST(RayExtremes, Anything) {
                                {&strange.view.fovy, 1}};
     struct Floats {
       float* of;
-      int count;
+      long long count;
     };
     const Floats floats[] = {{m.mat_texrepeat, 2 * m.nmat},
                              {m.mat_shininess, m.nmat},
@@ -244,9 +244,9 @@ TEST(RayExtremes, Anything) {
                              {&m.vis.map.fogend, 1}};
     for (int k = below(4); k >= 0; --k) {
       const Numbers& at = doubles[below(static_cast<int>(std::size(doubles)))];
-      at.of[below(at.count)] = odd();
+      at.of[below(static_cast<int>(at.count))] = odd();
       const Floats& in = floats[below(static_cast<int>(std::size(floats)))];
-      in.of[below(in.count)] = static_cast<float>(odd());
+      in.of[below(static_cast<int>(in.count))] = static_cast<float>(odd());
     }
     SCOPED_TRACE(round);
     strange.draw();

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "base/status.h"
+#include "engine/compat.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {
@@ -20,6 +21,14 @@ std::array<double, 3> ray_of(const render::View& view, int width, int height, in
   return d;
 }
 
+double ray_of_mujoco(Studio& studio, const double* from, const double* along, int& geom) {
+#if MIMO_MUJOCO_4
+  return mj_ray(&studio.model(), &studio.physics().data(), from, along, nullptr, 1, -1, &geom, nullptr);
+#else
+  return mj_ray(&studio.model(), &studio.physics().data(), from, along, nullptr, 1, -1, &geom);
+#endif
+}
+
 // Compares every `stride`-th pixel with mj_ray. At silhouettes the two may disagree on a pixel or two.
 void expect_as_mujoco(Studio& studio, const render::View& view, const Shot& shot, int stride = 1) {
   int different = 0;
@@ -30,7 +39,7 @@ void expect_as_mujoco(Studio& studio, const render::View& view, const Shot& shot
       const std::array<double, 3> d = ray_of(view, shot.width, shot.height, x, y);
       int id = -1;
       // mj_ray's distance is in units of the direction's length, which makes it a depth.
-      double t = mj_ray(&studio.model(), &studio.physics().data(), view.position.data(), d.data(), nullptr, 1, -1, &id);
+      double t = ray_of_mujoco(studio, view.position.data(), d.data(), id);
       if (t < 0 || t > far) {
         id = -1;
         t = far;
