@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 
 from ._library import NATIVE
 
 
 def main() -> None:
-    """Becomes the program."""
-    program = NATIVE / "mimo"
-    os.execv(str(program), ["mimo", *sys.argv[1:]])
+    """Becomes the program; Windows' processes cannot, so there it is waited for."""
+    if sys.platform == "win32":
+        sys.exit(subprocess.call([str(NATIVE / "mimo.exe"), *sys.argv[1:]]))
+    os.execv(str(NATIVE / "mimo"), ["mimo", *sys.argv[1:]])
 
 
 if __name__ == "__main__":

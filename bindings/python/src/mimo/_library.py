@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import importlib.util
 import logging
 import os
 import sys
@@ -13,14 +14,36 @@ from . import _abi
 from .errors import make_error
 
 NATIVE = Path(__file__).resolve().parent / "_native"
+LIBRARY_NAME = {"win32": "mimo.dll", "darwin": "libmimo.dylib"}.get(sys.platform, "libmimo.so.0")
 
 _logger = logging.getLogger("mimo")
 _levels = {1: logging.WARNING, 2: logging.INFO}
 
 
+# Packages with the library for a MuJoCo that pip installs, and which MuJoCo that is.
+FOR_HOSTS = {"4.0.1": "mimo_mujoco4"}
+
+
 def library_path() -> Path:
-    """The library inside this package; developers can name another in MIMO_LIBRARY."""
-    return Path(os.environ.get("MIMO_LIBRARY") or NATIVE / "libmimo.so.0").resolve()
+    """The library inside this package, or the one that fits the package mujoco, if a program has imported that before.
+
+    Developers can name another in MIMO_LIBRARY.
+    """
+    return Path(os.environ.get("MIMO_LIBRARY") or _for_host() or NATIVE / LIBRARY_NAME).resolve()
+
+
+def _for_host() -> Optional[Path]:
+    package = FOR_HOSTS.get(getattr(sys.modules.get("mujoco"), "__version__", ""))
+    if package is None or importlib.util.find_spec(package) is None:
+        return None
+    return Path(importlib.import_module(package).LIBRARY)
+
+
+def advice_for_host(version: str) -> str:
+    """What the user of another MuJoCo than the library's can do."""
+    if version in FOR_HOSTS:
+        return "pip install mimo[mujoco] brings the libmimo for it; import mujoco before mimo"
+    return f"there is no libmimo for it yet, only for {', '.join([mujoco_version(), *FOR_HOSTS])}"
 
 
 def _load(path: Path) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib
+import sys
 from typing import Any, Optional, Sequence
 
 import numpy as np
@@ -12,8 +13,9 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
-from ._library import LIB, check, log_to_python
+from ._library import LIB, advice_for_host, check, log_to_python, mujoco_version
 from .arguments import number_of
+from .errors import UnsupportedError
 from .layout import Layout, Observation, Supply
 from .options import SensesOptions, fill
 from .scene import Scene
@@ -34,8 +36,9 @@ class Senses(Handle):
         senses.observe(data)["touch/force"]
 
     The scene describes the agents and cameras. The model is a mujoco.MjModel of exactly the MuJoCo version that this
-    library runs on (mimo.mujoco_version()), or the address of an mjModel together with the host's mj_version(). It has
-    to outlive the senses; they keep a reference.
+    library runs on (mimo.mujoco_version(); for today's, pip install mimo[mujoco], and import mujoco before mimo), or
+    the address of an mjModel together with the host's mj_version(). It has to outlive the senses, which keep a
+    reference.
     """
 
     def __init__(
@@ -53,7 +56,11 @@ class Senses(Handle):
         version = _version_of(model) if mujoco_version is None else number_of("mujoco_version", mujoco_version, 31)
         config.mujoco_version = version
         handle = ctypes.c_void_p()
-        check(LIB.mimo_senses_attach(scene._handle, _address_of(model), config, handle))
+        try:
+            check(LIB.mimo_senses_attach(scene._handle, _address_of(model), config, handle))
+        except UnsupportedError as error:
+            _advise(error, model)
+            raise
         self._own(handle.value, LIB.mimo_senses_destroy)
         self._handle.keeps = model
         self.layout = Layout(self._handle, LIB.mimo_senses_layout)
@@ -104,6 +111,12 @@ def _address_of(struct: Any) -> int:
     if not isinstance(address, int):
         raise TypeError(f"{struct!r} is neither of the mujoco package nor an address")
     return number_of("address", address, 64)
+
+
+def _advise(error: UnsupportedError, model: Any) -> None:
+    host = getattr(sys.modules.get(type(model).__module__.split(".")[0]), "__version__", mujoco_version())
+    if host != mujoco_version():
+        error.args = (f"{error}: {advice_for_host(host)}",)
 
 
 def _version_of(model: Any) -> int:
