@@ -35,7 +35,11 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPO
 
 # find_package(mimo) and the target mimo::mimo
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mimo)
-install(EXPORT mimoTargets NAMESPACE mimo:: FILE mimoConfig.cmake DESTINATION ${package_dir})
+install(EXPORT mimoTargets NAMESPACE mimo:: FILE mimoTargets.cmake DESTINATION ${package_dir})
+install(FILES cmake/mimoConfig.cmake DESTINATION ${package_dir})
+if(WIN32)  # for Microsoft's linker, which reads another kind of import library
+  install(FILES ${mimo_lib} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake DESTINATION ${package_dir})
 

@@ -17,13 +17,33 @@ set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports
 if(WIN32)
   include(MimoWindows)
 elseif(APPLE)
-  target_link_options(mimo PRIVATE -Wl,-dead_strip)
-  set_target_properties(mimo PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH @loader_path
-                        INSTALL_NAME_DIR @rpath MACHO_CURRENT_VERSION ${MIMO_VERSION})
+  # What it needs lies beside it, and it says its name for those that it lies beside. Off a Mac, CMake's own properties for
+  # this do nothing.
+  target_link_options(mimo PRIVATE -Wl,-dead_strip -Wl,-rpath,@loader_path
+                      -Wl,-install_name,@rpath/libmimo.dylib)
+  set_target_properties(mimo PROPERTIES NO_SONAME ON SKIP_BUILD_RPATH ON MACHO_CURRENT_VERSION ${MIMO_VERSION})
 else()
   # Bound when loaded: else a MuJoCo that the host loads later, of another version, could be given to us in the middle.
   target_link_options(mimo PRIVATE -Wl,--version-script=${exports} -Wl,--as-needed -Wl,-z,now)
   # The build folder's file is linked like the installed one: CMake would else reserve room in its RUNPATH by empty
   # entries, and these stand for the current folder.
-  set_target_properties(mimo PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH $ORIGIN INSTALL_RPATH_USE_LINK_PATH ON)
+  set_target_properties(mimo PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH $ORIGIN)
+  if(MIMO_DEPENDENCIES)
+    # zig's start files do not tell the C library whose handlers of the end are whose, so they are called when the process
+    # ends: the library has to be there still, whoever unloads it.
+    target_link_options(mimo PRIVATE -Wl,-z,nodelete)
+  else()
+    set_target_properties(mimo PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
+  endif()
+endif()
+
+# What is built for another system brings its MuJoCo along. For macOS ./dev gives the linker a copy that says another place
+# of itself, and keeps the signed one.
+if(MIMO_DEPENDENCIES)
+  set(mimo_brought $<TARGET_FILE:mujoco::mujoco>)
+  if(APPLE)
+    file(GLOB mimo_brought ${mujoco_ROOT}/signed/*.dylib)
+  endif()
+  add_custom_command(TARGET mimo POST_BUILD VERBATIM
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${mimo_brought} $<TARGET_FILE_DIR:mimo>)
 endif()

@@ -11,6 +11,11 @@ endforeach()
 set(MIMO_OSMESA_INCLUDE_DIR ${MIMO_DEPENDENCIES}/include)
 set(MIMO_HIGHWAY_INCLUDE_DIR ${MIMO_DEPENDENCIES}/include)
 
+# The MuJoCo that goes along is its makers' build.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  add_compile_definitions(MIMO_MUJOCO_HAS_AVX)
+endif()
+
 # mimo_foreign_library(<target> <folder> <sources...>): sources of others, whose warnings are not our business.
 function(mimo_foreign_library target folder)
   string(REPLACE "::" "_" name ${target})
@@ -27,5 +32,9 @@ if(MIMO_PROGRAM)
   mimo_foreign_library(PNG::PNG libpng png.c pngerror.c pngget.c pngmem.c pngpread.c pngread.c pngrio.c pngrtran.c pngrutil.c
                        pngset.c pngtrans.c pngwio.c pngwrite.c pngwtran.c pngwutil.c)
   target_compile_definitions(PNG_PNG PRIVATE PNG_ARM_NEON_OPT=0)
+  if(APPLE)  # by this word they take it for the system of the nineties
+    target_compile_options(ZLIB_ZLIB PRIVATE -UTARGET_OS_MAC)
+    target_compile_options(PNG_PNG PRIVATE -UTARGET_OS_MAC)
+  endif()
   target_link_libraries(PNG_PNG PUBLIC ZLIB::ZLIB)
 endif()

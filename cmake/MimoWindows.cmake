@@ -9,5 +9,4 @@ target_link_options(mimo PRIVATE -Wl,--output-def=${mimo_def})
 set(mimo_lib ${CMAKE_ARCHIVE_OUTPUT_DIRECTORY}/mimo.lib)
 add_custom_command(TARGET mimo POST_BUILD
   COMMAND ${MIMO_DLLTOOL} -m i386:x86-64 -D mimo.dll -d ${mimo_def} -l ${mimo_lib}
-  COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:mujoco::mujoco> $<TARGET_FILE_DIR:mimo>
   BYPRODUCTS ${mimo_lib} VERBATIM)

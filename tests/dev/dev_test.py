@@ -22,7 +22,8 @@ class Dev(unittest.TestCase):
         shutil.copy(REPOSITORY / "dev", self.clone)
         (self.clone / "cmake").mkdir()
         shutil.copy(REPOSITORY / "bindings/check.sh", self.clone / "bindings")
-        shutil.copy(REPOSITORY / "cmake/cross.sh", self.clone / "cmake")
+        for part in ("cross.sh", "release.sh"):
+            shutil.copy(REPOSITORY / "cmake" / part, self.clone / "cmake")
         self.stub("dpkg-query", INSTALLED)
 
     def stub(self, program, script):
@@ -69,6 +70,11 @@ class Dev(unittest.TestCase):
         self.stub("cmake", "exit 0")
         self.assertEqual(self.dev("build", "--windows").returncode, 0)
         self.assertEqual(self.calls("cmake"), ["--preset windows", "--build --preset windows --target mimo mimo_program"])
+
+    def test_an_unknown_platform_is_named(self):
+        done = self.dev("wheel", "--platform", "amiga")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("no platform 'amiga'; there are: linux arm windows macos macos-x86 all", done.stderr)
 
     def test_another_mujoco_than_expected_is_refused(self):
         (self.clone / "build/cross/python/bin").mkdir(parents=True)

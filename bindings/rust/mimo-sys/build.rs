@@ -1,5 +1,6 @@
-//! Finds libmimo: in the folder MIMO_LIB_DIR, else where pkg-config says. With the feature `bundled` it is built from
-//! the sources around this crate instead. What cannot be found is told in a line, and what to do about it.
+//! Finds libmimo: in the folder MIMO_LIB_DIR, else where pkg-config says. With the feature `bundled` it is the one that
+//! the crate `mimo-native-*` for the target brings, or, in a clone of the repository, built from the sources around this
+//! crate. What cannot be found is told in a line, and what to do about it.
 use std::path::{Path, PathBuf};
 use std::{env, process::Command};
 
@@ -12,7 +13,7 @@ fn main() {
         return;
     }
     let folder = if env::var_os("CARGO_FEATURE_BUNDLED").is_some() {
-        build()
+        brought().unwrap_or_else(build)
     } else if let Some(folder) = env::var_os("MIMO_LIB_DIR") {
         named(folder.into())
     } else {
@@ -27,6 +28,12 @@ fn main() {
 fn fail(message: &str) -> ! {
     eprintln!("\n{}\n", message);
     std::process::exit(1)
+}
+
+/// The folder of the library in a crate `mimo-native-*`; the packages that ./dev makes depend on these.
+fn brought() -> Option<PathBuf> {
+    let of_native = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with("DEP_MIMO_NATIVE_");
+    env::vars_os().find(|(name, _)| of_native(name)).map(|(_, folder)| folder.into())
 }
 
 /// The folder that the user names. Programs look for the library again when they start, and not there by themselves.
@@ -67,7 +74,7 @@ fn ask_pkg_config() -> PathBuf {
 fn build() -> PathBuf {
     let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
     if !sources.join("include/mimo/mimo.h").exists() {
-        fail("the feature `bundled` builds libmimo from a clone of its repository, and this crate is not in one");
+        fail("there is no libmimo for this target in the feature `bundled`; install it, and set MIMO_LIB_DIR to its folder");
     }
     let sources = sources.canonicalize().expect("it is there");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
