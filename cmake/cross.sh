@@ -241,9 +241,9 @@ windows_python() {
 # on_windows PATH: what Windows' programs call it under wine.
 on_windows() { echo "Z:${1//\//\\}"; }
 
-# windows_program PROGRAM ARGUMENTS...: by wine, whose line endings are Windows'.
+# windows_program PROGRAM ARGUMENTS...: by wine, whose line endings are Windows'. Python there takes pipes only.
 windows_program() {
-  /usr/lib/wine/wine64 "$@" </dev/null | tr -d '\r'
+  /usr/lib/wine/wine64 "$@" </dev/null 2>&1 | tr -d '\r'
 }
 
 # The C tests, the program, a Python wheel; and pictures that are to be those of the build for any Linux, byte by byte: the
