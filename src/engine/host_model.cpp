@@ -91,6 +91,9 @@ bool has_room(const mjModel& model, const mjData& data) {
 
 #endif
 
+// MuJoCo 4 names more sizes beforehand than its list of arrays uses.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-variable"
 bool is_sound(const mjModel& model, const mjData& data) {
   const mjModel* m = &model;
   BufferWalk walk(data.buffer, data.nbuffer);
@@ -104,6 +107,7 @@ bool is_sound(const mjModel& model, const mjData& data) {
 #undef X
   return walk.sound() && data.ncon >= 0 && data.nefc >= 0 && has_room(model, data);
 }
+#pragma GCC diagnostic pop
 
 void check_size(const char* what, std::size_t theirs, std::size_t ours) {
   if (theirs == 0 || theirs == ours) return;
