@@ -157,16 +157,15 @@ foreign_debian() {
   touch "$folder/complete"
 }
 
-# put_wheel SYSTEM PYTHON FOLDER [PACKAGE...]: a system's wheel and the newest of what it needs for that Python, chosen by their
-# tags.
+# put_wheel SYSTEM PYTHON FOLDER [PACKAGE...]: the wheel that wheel_for made for a system, and the newest of what it needs for
+# that Python, chosen by their tags.
 put_wheel() {
-  local tag platforms=()
-  wheel_for "$1"
-  tag=$(python_tag "$1")
-  for tag in $tag ${tag/manylinux_2_28/manylinux2014} ${tag/manylinux_2_28/manylinux_2_27}; do platforms+=(--platform "$tag"); done
+  local own tag platforms=()
+  own=$(python_tag "$1")
+  for tag in "$own" "${own/manylinux_2_28/manylinux2014}" "${own/manylinux_2_28/manylinux_2_27}"; do platforms+=(--platform "$tag"); done
   rm -rf "$3"
   build/release/python/bin/pip install -q --target "$3" --implementation cp --python-version "$2" --only-binary=:all: \
-    "${platforms[@]}" "$(ls build/wheel/mimo-*-"$(python_tag "$1")".whl)" "${@:4}"
+    "${platforms[@]}" build/wheel/mimo-*-"$own".whl "${@:4}"
 }
 
 python_version() {
@@ -194,6 +193,7 @@ test_elsewhere() {
 test_linux() {
   local said
   test_system linux
+  wheel_for linux
   put_wheel linux "$(python_version)" build/release/packages
   [[ -x build/release/python/bin/auditwheel ]] || build/release/python/bin/pip install -q auditwheel
   build/release/python/bin/auditwheel show build/wheel/mimo-*manylinux_2_28_x86_64.whl | tr '\n' ' ' |
@@ -215,6 +215,8 @@ test_arm() {
   same_as_here build/bin/capi_same qemu-aarch64 -L /usr/aarch64-linux-gnu build-arm/bin/capi_same
   local root=$PWD/build/release/debian-arm
   foreign_debian "$root" bookworm arm64
+  wheel_for linux
+  wheel_for arm
   put_wheel linux "$(python_version)" build/release/packages
   put_wheel arm 3.11 "$root/opt/packages"
   same_as_here first_steps qemu-aarch64 -L "$root" -E PYTHONPATH="$root/opt/packages" "$root/usr/bin/python3" tests/package/first_steps.py
@@ -261,6 +263,7 @@ test_windows() {
   diff -r "$pictures/here" "$pictures/windows" || fail "Windows draws other pictures"
   echo "The same pictures on Windows"
   windows_python "$python"
+  wheel_for windows
   put_wheel windows 3.11 "$python/packages" 'numpy<2.1'  # what came later does not start under this wine
   PYTHONHOME=$(on_windows "$python") PYTHONPATH="$(on_windows "$python/lib");$(on_windows "$python/packages")" \
     windows_program "$python/python.exe" tests/package/first_steps.py

@@ -8,3 +8,9 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH ${zig_tools})  # nothing of this machine's
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "-s ${MIMO_UNWINDER}")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-s ${MIMO_UNWINDER}")
+
+if(CMAKE_SYSTEM_NAME STREQUAL "Darwin")
+  set(CMAKE_OSX_SYSROOT "" CACHE STRING "")  # zig brings what it needs
+  set(CMAKE_OSX_DEPLOYMENT_TARGET "" CACHE STRING "")  # in the name of its target
+  set(CMAKE_INSTALL_NAME_TOOL true)
+endif()

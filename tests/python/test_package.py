@@ -131,28 +131,28 @@ def test_version_and_scenes(root):
     assert {"none", "reach", "standup", "selfbody", "catch", "rollover"} <= set(mimo.tasks())
 
 
-def run_beside(tmp_path, mujoco, fitting, code):
-    """Runs code in a Python whose package mujoco says that version, with a package that fits MuJoCo 4.0.1 or none."""
+def library_beside(tmp_path, mujoco, imports):
+    """What a program takes that imports these, where mujoco is of that version and a library for 4.0.1 is installed."""
     (tmp_path / "mujoco").mkdir()
     (tmp_path / "mujoco/__init__.py").write_text(f"__version__ = {mujoco!r}\n")
-    if fitting:
-        (tmp_path / "mimo_mujoco4").mkdir()
-        (tmp_path / "mimo_mujoco4/__init__.py").write_text(f"LIBRARY = {str(library_path())!r}\n")
+    (tmp_path / "mimo_mujoco4").mkdir()
+    (tmp_path / "mimo_mujoco4/__init__.py").write_text(f"LIBRARY = {str(library_path())!r}\n")
     environment = {name: value for name, value in os.environ.items() if name != "MIMO_LIBRARY"}
     environment["PYTHONPATH"] = os.pathsep.join([str(tmp_path), str(Path(mimo.__file__).parents[1])])
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+    code = f"import {imports}; from mimo import library_path as taken; print(taken())"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+    return done.stdout.strip(), done.stderr
 
 
 def test_a_program_with_mujoco_gets_the_library_for_it(tmp_path):
-    done = run_beside(tmp_path, "4.0.1", True, "import mujoco, mimo; print(mimo.library_path())")
-    assert (done.stdout.strip(), done.stderr) == (str(library_path()), "")
+    assert library_beside(tmp_path, "4.0.1", "mujoco, mimo") == (str(library_path()), "")
 
 
 @installed
-@pytest.mark.parametrize(("mujoco", "first"), [("3.3.7", "mujoco, mimo"), ("4.0.1", "mimo, mujoco")])
-def test_others_get_the_library_inside(tmp_path, mujoco, first):
-    done = run_beside(tmp_path, mujoco, True, f"import {first}; print(mimo.library_path())")
-    assert (Path(done.stdout.strip()).parent, done.stderr) == (NATIVE, "")
+@pytest.mark.parametrize(("mujoco", "imports"), [("3.3.7", "mujoco, mimo"), ("4.0.1", "mimo, mujoco")])
+def test_others_get_the_library_inside(tmp_path, mujoco, imports):
+    taken, complaints = library_beside(tmp_path, mujoco, imports)
+    assert (Path(taken).parent, complaints) == (NATIVE, "")
 
 
 def test_what_fits_another_mujoco_is_said(monkeypatch):
