@@ -2,7 +2,7 @@
 
     python learning_curves.py runs --out curves.png --value mean_return training_success
 
-Reads the folders that train.py writes, and prints the last values.
+Reads the folders that train.py and babybench.py write, and prints the last values.
 """
 
 import argparse
@@ -16,14 +16,22 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-VALUES = ["mean_return", "success", "length", "training_return", "training_success"]
+OF_EPISODES = ["mean_return", "success", "length", "training_return", "training_success"]
+VALUES = {
+    **{name: f"{name.replace('_', ' ')} of an episode" for name in OF_EPISODES},
+    **{"competition": "the competition's score", "right": "right score", "recent_right": "right score of an episode"},
+    "reward": "reward of a step",
+}
 NAMES = {
     "reach": "reaching",
     "standup": "standing up",
     "selfbody": "self-body",
     "catch": "catching",
     "rollover": "rolling over",
+    "selftouch": "self-touch",
+    "handregard": "hand regard",
 }
+ALGORITHMS = {"ppo": "PPO", "sac": "SAC", "random": "random actions", "intrinsic": "PPO, a reward of its own"}
 
 
 def read(folder, value):
@@ -50,7 +58,7 @@ def draw_curves(place, task, algorithms, value):
     for algorithm, runs in sorted(algorithms.items()):
         steps, mean, spread = over_seeds(runs)
         seeds = "1 seed" if len(runs) == 1 else f"{len(runs)} seeds"
-        (line,) = place.plot(steps, mean, label=f"{algorithm.upper()} ({seeds})")
+        (line,) = place.plot(steps, mean, label=f"{ALGORITHMS.get(algorithm, algorithm)} ({seeds})")
         place.fill_between(steps, mean - spread, mean + spread, color=line.get_color(), alpha=0.2, linewidth=0)
         print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
 
@@ -66,7 +74,7 @@ def draw(folder, values):
     for places, value, tasks in zip(axes, values, rows):
         for place, (task, algorithms) in zip(places, tasks):
             draw_curves(place, task, algorithms, value)
-        places[0].set_ylabel(f"{value.replace('_', ' ')} of an episode")
+        places[0].set_ylabel(VALUES[value])
     for place, (task, _) in zip(axes[0], rows[0]):
         place.set_title(NAMES.get(task, task))
         place.legend(fontsize=8)

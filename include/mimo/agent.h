@@ -173,8 +173,8 @@ MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t si
 
 /**
  * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and
- * orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach,
- * standup, selfbody, catch and rollover the senses of the task, and no eyes; in catch muscles; elsewhere the same as
+ * orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in scenes that
+ * are made for a task the senses of the task, mostly without eyes; in catch muscles; elsewhere the same as
  * mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */

@@ -8,6 +8,7 @@
 #include "body/nerves.h"
 #include "engine/overrides.h"
 #include "engine/present.h"
+#include "env/goals.h"
 #include "senses/fusimotor_drives.h"
 
 namespace mimo::env {
@@ -147,7 +148,8 @@ void compute(const Source& source, Quantity quantity, int id, double* to) {
 template <typename T>
 void read_all(const Source& source, Quantity quantity, const Ids& ids, Span<T> values) {
   T* to = values.data();
-  double computed[kWidest];
+  static_assert(kLargestGoal >= kWidest);
+  double computed[kLargestGoal];
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const int count = width(source.model, source.world, quantity, ids[i]);
     const double* from = stored(source.model, source.data, quantity, ids[i]);

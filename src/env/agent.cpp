@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "env/goals.h"
 #include "env/reflexes.h"
 #include "observation/signals.h"
 
@@ -52,6 +53,10 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   agent.height = body::height(model, physics.data(), agent.body);
   add_reflexes(agent, model, options, setting.tick);
   agent.task = make_task(model, agent.body, number);
+  if (agent.task->goal_size() > kLargestGoal) {
+    fail(Status::kUnsupported, "the goal of the agent's task has {} numbers, expected at most {}",
+         agent.task->goal_size(), kLargestGoal);
+  }
   add_sense(agent, options,
             std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));
   return agent;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/fail.h"
 #include "base/finite.h"
@@ -161,6 +162,31 @@ void World::start() {
   }
 }
 
+// What the task lets pass before an episode begins. Nothing that remembers the last one has a part in it.
+void World::open() {
+  tasks::Opening opening;
+  for (const Agent& agent : agents_) opening = agent.task->opening();  // all have the same task
+  for (int step = 0; step < opening.still + opening.random; ++step) {
+    for (const Agent& agent : agents_) {
+      if (step >= opening.still) babble(agent);
+      agent.actuation->advance(physics_);
+    }
+    physics_.step(1, false);
+  }
+}
+
+// Numbers of others that an action may set stay as they are.
+void World::babble(const Agent& agent) {
+  const actuation::Actuation& actuation = *agent.actuation;
+  const Span<float> actions(bounded_.data() + agent.action_offset, actuation.size());
+  for (std::size_t i = 0; i < actuation.size(); ++i) {
+    const bool moves = i < actuation.commands();
+    const auto low = static_cast<double>(actuation.low()[i]), high = static_cast<double>(actuation.high()[i]);
+    actions[i] = moves ? static_cast<float>(random_.uniform(low, high)) : std::numeric_limits<float>::quiet_NaN();
+  }
+  agent.actuation->apply({actions.data(), actions.size()}, physics_);
+}
+
 render::Renderer& World::renderer() {
   if (services_.renderer != nullptr) return *services_.renderer;
   if (own_renderer_ == nullptr) own_renderer_ = make_renderer(shared_model_, options_, services_);
@@ -185,6 +211,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
       agent.task->reset(physics_, random_);
     }
   }
+  open();
   physics_.data().time = 0;
   physics_.forward();
   sense(block, Moment::kStart);

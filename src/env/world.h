@@ -121,6 +121,8 @@ class World {
                  render::Renderer* eyes);
   TaskMaker task_maker(const Identity& identity) const;
   void start();
+  void open();
+  void babble(const Agent& agent);
   void go(Span<const float> actions, std::uint8_t* block, const Results& results);
   // All physics steps of a step; move(i, sensors) makes the one after the first i.
   template <typename Move>

@@ -81,9 +81,11 @@ pugi::xml_node stored(pugi::xml_node root, const std::string& joint) {
 pugi::xml_node stored_or_new(pugi::xml_node root, const std::string& joint) {
   const pugi::xml_node there = stored(root, joint);
   if (!there.empty()) return there;
-  const pugi::xml_node custom = section(root, "custom");
-  pugi::xml_node tuple = custom.find_child_by_attribute("tuple", "name", names::kPose);
-  if (tuple.empty()) set(tuple = append(custom, "tuple"), "name", names::kPose);
+  pugi::xml_node tuple;
+  for (const pugi::xml_node custom : root.children("custom")) {
+    if (tuple.empty()) tuple = custom.find_child_by_attribute("tuple", "name", names::kPose);
+  }
+  if (tuple.empty()) set(tuple = append(section(root, "custom"), "tuple"), "name", names::kPose);
   const pugi::xml_node entry = append(tuple, "element");
   set(entry, "objtype", "joint");
   set(entry, "objname", joint);

@@ -115,7 +115,7 @@ Senses Recipe::senses() const {
   return {has("proprioception"), has("vestibular"), has("vision"), has("touch")};
 }
 
-std::string Recipe::still() const { return custom_text(document_.document_element(), names::kStill); }
+std::vector<std::string> Recipe::still() const { return words_of(document_.document_element(), names::kStill); }
 
 bool Recipe::muscles() const { return custom_text(document_.document_element(), names::kActuation) == "muscle"; }
 
@@ -135,16 +135,21 @@ void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_roo
   }
 }
 
-void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still) {
-  const std::string resting = prefix + names::kMotor + still;
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups,
+                 const std::vector<std::string>& still) {
+  const auto rests = [&](const std::string& name) {
+    return std::any_of(still.begin(), still.end(), [&](const std::string& start) {
+      const std::string resting = prefix + names::kMotor + start;
+      return name.compare(0, resting.size(), resting) == 0;
+    });
+  };
   for (pugi::xml_node section : root.children("actuator")) {
     for (pugi::xml_node motor = section.first_child(); motor;) {
       const pugi::xml_node next = motor.next_sibling();
       const std::string name = motor.attribute("name").value();
       if (name.compare(0, prefix.size(), prefix) == 0) {
         const unsigned group = group_of(name.substr(prefix.size()));
-        const bool rests = !still.empty() && name.compare(0, resting.size(), resting) == 0;
-        if (rests || (group != 0 && (group & groups) == 0)) section.remove_child(motor);
+        if (rests(name) || (group != 0 && (group & groups) == 0)) section.remove_child(motor);
       }
       motor = next;
     }

@@ -22,8 +22,8 @@ class Recipe {
 
   // Groups whose motors act; all of them if the recipe does not say.
   unsigned acts() const;
-  // How the names of motors begin that do not act although their group does, "right_thumb_"; "" if none.
-  std::string still() const;
+  // How the names of motors begin that do not act although their group does, "right_thumb_".
+  std::vector<std::string> still() const;
   // All of them if the recipe does not say.
   Senses senses() const;
   // Whether the infant acts with muscles; else with motors.
@@ -41,7 +41,9 @@ class Recipe {
 // A custom text of a document; "" if there is none.
 std::string custom_text(pugi::xml_node root, const std::string& name);
 
-// Takes the infant's motors of all groups but these out of the document, and those whose names begin with `still`.
-void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups, const std::string& still = "");
+// Takes the infant's motors of all groups but these out of the document, and those whose names begin with one of
+// `still`.
+void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups,
+                 const std::vector<std::string>& still = {});
 
 }  // namespace mimo::scene

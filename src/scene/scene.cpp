@@ -29,8 +29,9 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free",     "reach",    "standup", "selfbody",
-                                   "catch",     "rollover", "showroom", "playdate"};
+constexpr const char* kScenes[] = {"benchmark", "free",           "reach",          "standup",
+                                   "selfbody",  "catch",          "rollover",       "showroom",
+                                   "playdate",  "babybench-base", "babybench-crib", "babybench-cubes"};
 constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kBodies[] = {"mitten", "fingers"};
 constexpr const char* kBodyClass = "mimo";  // default class of all that belongs to an infant

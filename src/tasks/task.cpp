@@ -3,9 +3,11 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "tasks/catch.h"
+#include "tasks/handregard.h"
 #include "tasks/reach.h"
 #include "tasks/rollover.h"
 #include "tasks/selfbody.h"
+#include "tasks/selftouch.h"
 #include "tasks/standup.h"
 
 namespace mimo::tasks {
@@ -21,7 +23,8 @@ constexpr Definition kNone = {
     "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> {
       return std::make_unique<None>();
     }};
-constexpr const Definition* kDefinitions[] = {&kNone, &kReach, &kStandup, &kSelfbody, &kCatch, &kRollover};
+constexpr const Definition* kDefinitions[] = {&kNone,  &kReach,    &kStandup,   &kSelfbody,
+                                              &kCatch, &kRollover, &kSelftouch, &kHandregard};
 
 }  // namespace
 

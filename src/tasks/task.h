@@ -31,12 +31,21 @@ struct Step {
 // Whether a step was a success or a failure; as mimo.h numbers them (MIMO_OUTCOME_...).
 enum class Outcome : int { kNone = 0, kSuccess = 1, kFailure = -1 };
 
+// How an episode opens, in physics steps: some in which nobody does anything, then some in which the infant does
+// anything within its bounds, drawn anew for each of them.
+struct Opening {
+  int still = 0;
+  int random = 0;
+};
+
 class Task {
  public:
   virtual ~Task() = default;
 
   // The world is at its start, at rest; whoever calls computes everything anew afterwards.
   virtual void reset(engine::Physics&, Random&) {}
+  // What comes then; whatever the infant acts with, and without reflexes. Motors keep their last commands.
+  virtual Opening opening() const { return {}; }
   // Before a step: what becomes of the infant's actions. What is returned lasts until the next call.
   virtual Span<const float> disturb(Span<const float> actions, Random&) { return actions; }
   // After each physics step of an environment step, for what may be over when the last one is done.
@@ -99,7 +108,7 @@ struct Definition {
   std::unique_ptr<Task> (*make)(const mjModel& model, const body::Body& body, const Settings& settings);
 };
 
-// All there are: none, reach, standup, selfbody, catch, rollover.
+// All there are: none, reach, standup, selfbody, catch, rollover, selftouch, handregard.
 Span<const Definition* const> definitions();
 
 // Throws Status::kNotFound for a name that is none; "" is none.

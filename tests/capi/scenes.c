@@ -33,7 +33,10 @@ static void check_sources(void) {
   CHECK_TEXT("rollover", mimo_scene_builtin(6));
   CHECK_TEXT("showroom", mimo_scene_builtin(7));
   CHECK_TEXT("playdate", mimo_scene_builtin(8));
-  CHECK(mimo_scene_builtin(9) == NULL);
+  CHECK_TEXT("babybench-base", mimo_scene_builtin(9));
+  CHECK_TEXT("babybench-crib", mimo_scene_builtin(10));
+  CHECK_TEXT("babybench-cubes", mimo_scene_builtin(11));
+  CHECK(mimo_scene_builtin(12) == NULL);
   CHECK(mimo_scene_builtin((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);

@@ -46,10 +46,12 @@ static void check_parameters(void) {
   CHECK_TEXT("none", mimo_task_name(0));
   CHECK_TEXT("catch", mimo_task_name(4));
   CHECK_TEXT("rollover", mimo_task_name(5));
-  CHECK(mimo_task_name(6) == NULL);
+  CHECK_TEXT("selftouch", mimo_task_name(6));
+  CHECK_TEXT("handregard", mimo_task_name(7));
+  CHECK(mimo_task_name(8) == NULL);
 }
 
-static void check_episode(const char* name, int limit, int frame_skip, int actions) {
+static void check_episode(const char* scene, const char* name, int limit, int frame_skip, int actions) {
   mimo_env* env = NULL;
   const char* task = NULL;
   uint32_t skip = 0;
@@ -58,7 +60,7 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
   int32_t outcome = 7;
   double reward = 0, values[8] = {1, 1, 1, 1, 1, 1, 1, 1}, sum;
   int steps = 0;
-  CHECK_OK(mimo_env_make(name, &env)); /* the paper's senses: no eyes, so no renderer is needed */
+  CHECK_OK(mimo_env_make(scene, &env)); /* the task's senses: no eyes, so no renderer is needed */
   CHECK_OK(mimo_env_task(env, &task));
   CHECK_TEXT(name, task);
   CHECK_OK(mimo_env_frame_skip(env, &skip));
@@ -78,8 +80,35 @@ static void check_episode(const char* name, int limit, int frame_skip, int actio
   }
   CHECK(steps == limit && truncated && !terminated);
   CHECK(outcome == MIMO_OUTCOME_NONE);
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "term_count is 1, but terms needs ",
-              mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.terms = values, .term_count = 1)));
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "but terms needs ",
+              mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.terms = values, .term_count = terms - 1)));
+  mimo_env_destroy(env);
+}
+
+/* BabyBench's score of an episode: what was achieved over what was to be, by the competition's rules and by ours. */
+static void check_counts(void) {
+  static double touched[4 * 36], wanted[4 * 36];
+  static const double asked[4] = {34, 34, 32, 32};
+  mimo_env* env = NULL;
+  int32_t infant = 0;
+  int who, geom, any = 0;
+  CHECK_OK(mimo_env_make("babybench-crib", &env));
+  CHECK_OK(mimo_env_reset(env, SEED(1), NULL, 0));
+  for (geom = 0; geom < 200; ++geom) CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+  CHECK_OK(mimo_env_get(env, MIMO_AGENT_GOAL, &infant, 1, wanted, 4 * 36));
+  CHECK_OK(mimo_env_get(env, MIMO_AGENT_ACHIEVED, &infant, 1, touched, 4 * 36));
+  for (who = 0; who < 4; ++who) {
+    double sum = 0;
+    for (geom = 0; geom < 36; ++geom) {
+      sum += wanted[36 * who + geom];
+      CHECK(touched[36 * who + geom] >= 0 && touched[36 * who + geom] <= 200);
+      CHECK(touched[36 * who + geom] == 0 || wanted[36 * who + geom] == 1);
+      any += touched[36 * who + geom] > 0;
+    }
+    CHECK(sum == asked[who]);
+  }
+  CHECK(any > 0);
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count", mimo_env_get(env, MIMO_AGENT_GOAL, &infant, 1, wanted, 35));
   mimo_env_destroy(env);
 }
 
@@ -186,9 +215,11 @@ static void check_overrides(void) {
 
 int main(void) {
   check_parameters();
-  check_episode("reach", 1000, 2, 8);
-  check_episode("standup", 500, 2, 27);
-  check_episode("rollover", 1000, 2, 38);
+  check_episode("reach", "reach", 1000, 2, 8);
+  check_episode("standup", "standup", 500, 2, 27);
+  check_episode("rollover", "rollover", 1000, 2, 38);
+  check_episode("babybench-crib", "selftouch", 1000, 1, 30);
+  check_counts();
   check_term_names();
   check_agents();
   check_overrides();

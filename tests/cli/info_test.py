@@ -38,16 +38,21 @@ class Info(Case):
 
     def test_tasks_are_described_as_make_gives_them(self):
         # Of the paper's experiments, as the original's environments have them; rollover's are all motors but the eyes'.
-        motors = {"reach": 8, "standup": 27, "selfbody": 8, "catch": 40, "rollover": 38}
+        # BabyBench's as in its configurations for self-touch and hand regard.
+        motors = {"reach": 8, "standup": 27, "selfbody": 8, "catch": 40, "rollover": 38, "babybench-crib": 30,
+                  "babybench-cubes": 17}
         senses = {"reach": {"proprioception"}, "standup": {"proprioception", "vestibular"},
                   "selfbody": {"proprioception", "touch", "task"}, "catch": {"proprioception", "touch", "task"},
-                  "rollover": {"proprioception", "vestibular", "touch"}}
+                  "rollover": {"proprioception", "vestibular", "touch"},
+                  "babybench-crib": {"proprioception", "vestibular", "touch"},
+                  "babybench-cubes": {"proprioception", "vision"}}
+        tasks = {"babybench-crib": "selftouch", "babybench-cubes": "handregard"}
         for scene in motors:
             info = json.loads(self.mimo("info", "--json", "--scene", scene))
             self.assertEqual(len(info["actions"]), motors[scene], scene)
             self.assertEqual({field["name"].split("/")[0] for field in info["observation_fields"]}, senses[scene], scene)
-            self.assertEqual(info["task"], scene)
-            self.assertEqual(info["frame_skip"], 1 if scene == "selfbody" else 2)
+            self.assertEqual(info["task"], tasks.get(scene, scene))
+            self.assertEqual(info["frame_skip"], 1 if scene == "selfbody" or scene in tasks else 2)
         elbow = {action["name"]: action for action in json.loads(self.mimo("info", "--json", "--scene", "reach"))["actions"]}
         self.assertAlmostEqual(elbow["act:right_elbow"]["high"], 0.83, places=6)
         self.assertIn("act:right_elbow", self.mimo("info", "--scene", "reach"))

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 
-from mimo import Kind, babybench
-from mimo.babybench import config, groups, measures, scores
+from mimo import Kind, Quantity, babybench
+from mimo.babybench import config, counts, groups, scores
+from mimo.classic.utils import matrix
 
 OFF = {f"{kind}_{group}": False for kind in ("act", "lock", "touch") for group in groups.GROUPS}
 BLIND = {"vision_active": False, "touch_active": False}
@@ -267,76 +268,143 @@ def test_gymnasium_s_checker():
         check_env(made("selftouch", touch_scale=5).unwrapped, skip_render_check=True)
 
 
-# ---- Measures ------------------------------------------------------------------------------------------------------
+# ---- Counts: the rules themselves are tested where they are, in tests/unit/babybench_test.cpp ------------------------
 
 
-class Pairs:
-    """Contacts of pairs of geoms, in place of a world's."""
+def credited(env, pairs):
+    """Touches by the rules that the page gives, written down a second time: keys of `info` and geoms."""
+    model = env.model
+    palms = {hand: set(getattr(env, f"{hand}_geoms")) for hand in counts.HANDS}
+    hands = {hand: set(counts.geoms_below(model, hand)) for hand in counts.HANDS}
+    body = set(env.mimo_geoms)
+    for pair in pairs:
+        ways = [(hand, one, other) for hand in counts.HANDS for one, other in (pair, pair[::-1])]
+        first = next(((hand, other) for hand, one, other in ways if one in palms[hand]), None)
+        if first and first[1] in body:
+            yield f"{first[0]}_touches", first[1]
+        for hand, one, other in ways:
+            if one in hands[hand] and other in body - hands[hand]:
+                yield f"{hand}_or_finger_touches", other
 
-    def __init__(self, *pairs):
-        self.geoms = np.array(pairs).reshape(-1, 2)
 
-    def contacts(self):
-        return self
-
-
-def touched(*pairs):
-    measure = measures.Touches(made(behavior="self_touch", scene="base", **BLIND).unwrapped)
-    measure._world = Pairs(*pairs)
-    measure.take()
-    return list(measure.told().values())  # palms right and left; with fingers right and left
-
-
-def test_whom_a_touch_is_credited_to():
-    # Geoms: 8 head, 12 right lower arm, 13, 14 right palm, 15, 16 right fingers, 19, 20 left palm, 22 left fingers.
-    assert touched((8, 13), (14, 0), (8, 13)) == [[8], [], [8], []]
-    assert touched((19, 8)) == [[], [8], [], [8]]
-    assert touched((13, 19)) == [[19], [], [19], [13]]  # both palms: there for the right one only
-    assert touched((15, 12), (8, 22)) == [[], [], [12], [8]]  # fingers alone: there for nobody
-    assert touched((15, 0), (15, 16)) == [[], [], [], []]
+def test_touches_are_those_of_the_contacts():
+    env = made("selftouch", **BLIND).unwrapped
+    env.reset(seed=3)
+    found = {key: [] for key in counts.TOUCH_KEYS}
+    for _ in range(300):
+        info = env.step(env.action_space.sample())[4]
+        for key, geom in credited(env, env.world.contacts().geoms.tolist()):
+            if geom not in found[key]:
+                found[key].append(geom)
+        assert {key: sorted(info[key]) for key in found} == {key: sorted(geoms) for key, geoms in found.items()}
+    assert all(found.values())
 
 
 def test_what_each_hand_can_touch(root):
     rows = table(root, "self_touch_geoms.csv")
     reachable = {hand: sum(row[f"{hand}_hand_can_count"] == "1" for row in rows) for hand in ("right", "left")}
     assert reachable == {"right": 31, "left": 29}  # of 34 each by which the competition divides
-    measure = measures.Touches(made(behavior="self_touch", scene="base", **BLIND).unwrapped)
-    assert [len(measure.body - measure.hands[hand]) for hand in measures.HANDS] == [scores.OUTSIDE] * 2
+    wanted = made(behavior="self_touch", scene="base", **BLIND).unwrapped.world.get(Quantity.AGENT_GOAL)
+    assert wanted.reshape(4, -1).sum(axis=1).tolist() == [34, 34, scores.OUTSIDE, scores.OUTSIDE]
 
 
-def test_axes_of_the_eyes():
-    env = made("handregard", vision_active=False)
+def test_counters_are_those_of_the_poses():
+    """Within a wide cone, so that there is something to count."""
+    env = made("handregard", vision_active=False).unwrapped
+    wide = 1.1
+    env = babybench.make({**env.config, "save_dir": None}, parameters={"handregard/angle": wide}).unwrapped
     env.reset(seed=1)
-    world = env.unwrapped.world
-    world.joints("robot:left_eye_horizontal").position = 0.3
-    world.update()
-    axes = measures.matrix(world.bodies("left_eye").orientation[0])
-    seen = world.gaze().left.direction
-    np.testing.assert_allclose(axes[:, 0], seen, atol=1e-9)  # the camera's
-    assert -axes[:, 2] @ seen == pytest.approx(0, abs=1e-9)  # the competition's stands at right angles to it
+    found = dict.fromkeys(counts.REGARD_KEYS, 0)
+    for _ in range(200):
+        info = env.step(env.action_space.sample())[4]
+        for eye in counts.EYES:
+            axes = matrix(env.world.bodies(eye).orientation[0])
+            for hand in counts.HANDS:
+                offset = env.world.bodies(hand).position[0] - env.world.bodies(eye).position[0]
+                for axis, in_view in ((-axes[:, 2], False), (axes[:, 0], True)):
+                    cosine = offset @ axis / np.linalg.norm(offset)
+                    found[counts.regard_key(eye, hand, in_view)] += bool(np.arccos(cosine) < wide)
+        assert {key: info[key] for key in found} == found
+    assert any(found.values())
 
 
-def test_hands_before_the_eyes():
-    env = made("handregard", vision_active=False)
-    env.reset(seed=1)
-    measure = env.unwrapped._measure
+# ---- Many worlds -----------------------------------------------------------------------------------------------------
 
-    def look(axis):
-        eyes = env.unwrapped.world.bodies(*measures.EYES)
-        place, turn = eyes.position[0], measures.matrix(eyes.orientation[0])
 
-        class Hands:
-            position = np.array([place + 0.2 * turn @ np.array(axis), place])
+@pytest.mark.parametrize("name", ["selftouch", "handregard"])
+def test_a_batch_does_what_single_worlds_do(name):
+    small = {"vision_resolution": 16, "touch_scale": 5, "max_episode_steps": 20, "save_dir": None}
+    config = {**babybench.load(name), **small}
+    envs = babybench.make_vec(config, 3)
+    seen, infos = envs.reset(seed=5)
+    singles = [babybench.make(config) for _ in range(3)]
+    firsts = [env.reset(seed=5 + number)[0] for number, env in enumerate(singles)]
+    assert envs.single_observation_space == singles[0].observation_space
+    assert envs.single_action_space == singles[0].action_space
+    assert seen in envs.observation_space
+    assert infos == {}
+    for number, first in enumerate(firsts):
+        for key, array in first.items():
+            np.testing.assert_array_equal(seen[key][number], array, err_msg=key)
+    envs.action_space.seed(1)
+    for step in range(20):
+        actions = envs.action_space.sample()
+        seen, rewards, terminated, truncated, infos = envs.step(actions)
+        for number, env in enumerate(singles):
+            alone, _, _, cut, info = env.step(actions[number])
+            assert (rewards[number], terminated[number], truncated[number]) == (0, False, cut)
+            assert infos["steps"][number] == info["steps"] == step
+            for key, array in alone.items():
+                np.testing.assert_array_equal(seen[key][number], array, err_msg=key)
+            for key in set(info) - {"steps"}:
+                told = infos[key][number]
+                if name == "selftouch":
+                    geoms = np.array(env.unwrapped.mimo_geoms)
+                    assert sorted(info[key]) == geoms[told].tolist()
+                else:
+                    assert told == info[key]
+    for env in singles:
+        env.close()
+    # Three resets without steps, then three episodes.
+    assert [entry["steps"] for entry in envs.log] == [0, 0, 0, 20, 20, 20]
+    assert envs.log[3:] == [env.unwrapped.log[1] for env in singles]
+    assert babybench.scores_of(envs.log).episodes == 3
+    infos = envs.step(envs.action_space.sample())[4]  # begins new episodes
+    assert not infos["_steps"].any()
+    assert envs.step(envs.action_space.sample())[4]["steps"].tolist() == [0, 0, 0]
+    envs.close()
 
-        measure._hands = Hands
-        measure.begin()
-        measure.take()
-        return [measure.told()[f"right_eye_{hand}{view}"] for view in ("", "_in_view") for hand in measures.HANDS]
 
-    assert look([1, 0, 0]) == [0, 0, 1, 0]  # a hand in the eye itself never counts
-    assert look([0, 0, -1]) == [1, 0, 0, 0]
-    degrees = np.radians([14.9, 15.1])
-    assert [look([np.cos(it), np.sin(it), 0])[2] for it in degrees] == [1, 0]
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
+def test_rewards_of_a_batch(mode):
+    config = {**babybench.load("selftouch"), "touch_scale": 5, "max_episode_steps": 3, "save_dir": None}
+    envs = babybench.make_vec(config, 2, reward=babybench.touch_count, autoreset_mode=mode)
+    envs.reset(seed=1)
+    for step in range(1, 9):
+        seen, rewards, _, truncated, infos = envs.step(envs.action_space.sample())
+        last = infos["final_obs"] if mode == "SameStep" and truncated.any() else None
+        for number in range(2):
+            if mode == "NextStep" and step % 4 == 0:
+                assert rewards[number] == 0  # the step that begins an episode
+            else:
+                touch = seen["touch"][number] if last is None else last[number]["touch"]
+                assert rewards[number] == pytest.approx(np.mean(touch > 1e-6))
+                assert rewards[number] > 0  # the mattress
+    envs.close()
+
+
+def test_a_batch_logs_what_it_does(tmp_path):
+    config = {**babybench.load("selftouch"), "save_dir": str(tmp_path), "max_episode_steps": 4, **BLIND}
+    envs = babybench.make_vec(config, 2)
+    envs.reset(seed=1)
+    for _ in range(7):  # an episode, the step that begins the next, and two more
+        envs.step(envs.action_space.sample())
+    envs.close()
+    assert [entry["steps"] for entry in logged(tmp_path)] == [0, 0, 4, 4, 2, 2]
+    quiet = babybench.make_vec(config, 2, training=False)
+    quiet.reset(seed=1)
+    assert quiet.log == []
+    quiet.close()
 
 
 # ---- Scores --------------------------------------------------------------------------------------------------------

@@ -17,6 +17,8 @@ NAMES = [
     "mimo/SelfBody-v0",
     "mimo/Catch-v0",
     "mimo/Rollover-v0",
+    "mimo/SelfTouch-v0",
+    "mimo/HandRegard-v0",
     "mimo/Benchmark-v0",
     "mimo/Free-v0",
     "mimo/Showroom-v0",

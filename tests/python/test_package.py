@@ -127,8 +127,8 @@ def test_version_and_scenes(root):
     label = re.search(r'#define MIMO_VERSION_LABEL "(.*?)"', header).group(1)
     assert mimo.__version__ == ".".join(numbers) + label
     assert mimo.mujoco_version() == "2.2.2"
-    assert {"reach", "standup", "selfbody", "catch", "rollover", "benchmark", "free", "showroom"} <= set(mimo.scenes())
-    assert {"none", "reach", "standup", "selfbody", "catch", "rollover"} <= set(mimo.tasks())
+    assert {"reach", "standup", "selfbody", "catch", "rollover", "free", "babybench-crib"} <= set(mimo.scenes())
+    assert {"none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard"} <= set(mimo.tasks())
 
 
 def library_beside(tmp_path, mujoco, imports):

@@ -24,6 +24,9 @@ SCENES = {
     "rollover": ["mitten", "fingers"],
     "showroom": ["mitten"],
     "playdate": ["mitten"],
+    "babybench-base": ["mitten"],
+    "babybench-crib": ["mitten"],
+    "babybench-cubes": ["fingers"],
 }
 CONTROLS = {"mitten": "controls_v1.csv", "fingers": "controls_v2.csv"}
 

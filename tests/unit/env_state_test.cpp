@@ -284,7 +284,9 @@ TEST_P(TaskState, Continues) {
   expect_to_continue(*make_world(model), *make_world(model));
 }
 
-INSTANTIATE_TEST_SUITE_P(Tasks, TaskState, testing::Values("reach", "standup", "selfbody", "rollover"));
+INSTANTIATE_TEST_SUITE_P(Tasks, TaskState,
+                         testing::Values("reach", "standup", "selfbody", "rollover", "babybench-crib",
+                                         "babybench-cubes"));
 
 TEST(State, HoldsPositionControlLocksGearsAndGravity) {
   env::AgentOptions agent = blind();

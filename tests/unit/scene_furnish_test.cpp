@@ -277,6 +277,16 @@ TEST_F(SceneFurnish, MainDefaultsDoNotReachWeldsAndLocks) {
   }
 }
 
+// A stored pose may stand in any section; there is one of it.
+TEST_F(SceneFurnish, LocksJoinTheStoredPose) {
+  scene::Scene scene(named("babybench-cubes"));
+  scene.add_body("mitten", "", nullptr);
+  const engine::ModelPtr without = compile(scene);
+  scene.lock_joint("robot:left_elbow", -1);
+  const engine::ModelPtr model = compile(scene);
+  EXPECT_EQ(model->ntuple, without->ntuple);
+}
+
 // ---- Infants in scenes that are files
 
 TEST_F(SceneFurnish, AFileWithSettingsOfItsOwn) {

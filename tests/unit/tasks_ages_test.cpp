@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(Ages, TaskAges, testing::Values(0.0, 6.0, 12.0, 24.0),
                          [](const auto& test) { return format("{:g}", test.param); });
 
 TEST_P(TaskAges, EveryTaskRuns) {
-  for (const std::string room : {"reach", "standup", "selfbody", "catch", "rollover"}) {
+  for (const std::string room :
+       {"reach", "standup", "selfbody", "catch", "rollover", "babybench-crib", "babybench-cubes"}) {
     const auto world = world_of(room, GetParam());
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       world->reset(&seed, nullptr);

@@ -423,8 +423,14 @@ TEST_P(SameSeed, SameBytes) {
   EXPECT_NE(bytes, bytes_of_episode(*one, 8));
 }
 
-INSTANTIATE_TEST_SUITE_P(Tasks, SameSeed, ::testing::Values("reach", "standup", "selfbody", "rollover"),
-                         [](const auto& scene) { return std::string(scene.param); });
+INSTANTIATE_TEST_SUITE_P(Tasks, SameSeed,
+                         ::testing::Values("reach", "standup", "selfbody", "rollover", "babybench-crib",
+                                           "babybench-cubes"),
+                         [](const auto& scene) {
+                           std::string name = scene.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Parameters, ChangeTheTask) {
   const auto world = world_of("reach", {{"reach/episode_steps", 3}, {"reach/distance_weight", 2}});

@@ -45,7 +45,7 @@ internal static partial class Tests
         Check(Rooms.Names.Contains("playroom"), string.Join(" ", Rooms.Names));
         foreach (var name in Rooms.Names)
             using (var scene = MimoScene.Empty()) scene.SetRoom(name);
-        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch", "rollover" };
+        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard" };
         Check(tasks.All(Tasks.Names.Contains), string.Join(" ", Tasks.Names));
         Check(Refused(() => MimoScene.Builtin("bench")).Message.Contains("benchmark"), "another message");
     }

@@ -189,6 +189,8 @@ ENVIRONMENTS: List[Tuple[str, str]] = [
     ("mimo/SelfBody-v0", "selfbody"),
     ("mimo/Catch-v0", "catch"),
     ("mimo/Rollover-v0", "rollover"),
+    ("mimo/SelfTouch-v0", "babybench-crib"),
+    ("mimo/HandRegard-v0", "babybench-cubes"),
     ("mimo/Benchmark-v0", "benchmark"),
     ("mimo/Free-v0", "free"),
     ("mimo/Showroom-v0", "showroom"),

@@ -15,12 +15,15 @@ from .vector import VectorEnv
 
 
 class SB3VecEnv(VecEnv):
-    """Takes what mimo.make_vec takes: SB3VecEnv("reach", 16). Seeds are given by seed() before a reset, as SB3 does."""
+    """Takes what mimo.make_vec takes: SB3VecEnv("reach", 16); or a mimo.VectorEnv made with autoreset_mode "SameStep".
 
-    def __init__(self, scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **options: Any) -> None:
-        self.envs = VectorEnv(scene, num_envs, autoreset_mode="SameStep", **options)
+    Seeds are given by seed() before a reset, as SB3 does.
+    """
+
+    def __init__(self, scene: Union[str, Scene, VectorEnv] = "benchmark", num_envs: int = 1, **options: Any) -> None:
+        self.envs = _same_step(scene) if isinstance(scene, VectorEnv) else _made(scene, num_envs, options)
         self.render_mode = self.envs.render_mode
-        super().__init__(num_envs, self.envs.single_observation_space, self.envs.single_action_space)
+        super().__init__(self.envs.num_envs, self.envs.single_observation_space, self.envs.single_action_space)
         self.metadata = self.envs.metadata
 
     def reset(self) -> Any:
@@ -79,6 +82,17 @@ class SB3VecEnv(VecEnv):
     def get_images(self) -> Sequence[Optional[NDArray[np.uint8]]]:
         """One picture a world."""
         return list(self.envs.render() or [None] * self.num_envs)
+
+
+def _made(scene: Union[str, Scene], num_envs: int, options: Dict[str, Any]) -> VectorEnv:
+    return VectorEnv(scene, num_envs, autoreset_mode="SameStep", **options)
+
+
+def _same_step(envs: VectorEnv) -> VectorEnv:
+    mode = getattr(envs.autoreset_mode, "value", envs.autoreset_mode)
+    if mode != "SameStep":
+        raise ValueError(f"the environment's autoreset_mode is {mode!r}, expected 'SameStep', as SB3 has it")
+    return envs
 
 
 def _of_world(infos: Dict[str, Any], index: int) -> Dict[str, Any]:

@@ -981,8 +981,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
-    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in reach,"]
-    #[doc = "standup, selfbody, catch and rollover the senses of the task, and no eyes; in catch muscles; elsewhere the same as"]
+    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in scenes that"]
+    #[doc = "are made for a task the senses of the task, mostly without eyes; in catch muscles; elsewhere the same as"]
     #[doc = "mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(

@@ -125,7 +125,7 @@ fn batches_know_their_size() {
 #[test]
 fn tasks_and_parameters_are_listed() {
     let tasks = mimo::tasks();
-    for task in ["none", "reach", "standup", "selfbody", "catch", "rollover"] {
+    for task in ["none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard"] {
         assert!(tasks.contains(&task.to_string()), "{:?}", tasks);
     }
     let mut scene = Scene::builtin("reach").unwrap();

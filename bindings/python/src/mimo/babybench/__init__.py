@@ -1,23 +1,35 @@
 """BabyBench: an infant that is to find out about its body, in three scenes; scores of self-touch and hand regard.
 
     env = mimo.babybench.make("config.yml")     # or a dict, or "selftouch", "handregard", "test_installation"
+    envs = mimo.babybench.make_vec("selftouch", 64)
     python -m mimo.babybench.evaluate LOGS      # scores of logs
 
 docs/guide/babybench.md has the configuration, the scores, and what differs from the competition's own platform.
 """
 
 from . import utils
-from .baselines import IntrinsicReward, Saliency, TouchCount, TouchedSensors, saliency
+from .baselines import (
+    IntrinsicReward,
+    Saliency,
+    TouchCount,
+    TouchedSensors,
+    saliency,
+    saliency_of_eyes,
+    touch_count,
+    touched_sensors,
+)
 from .config import load, shipped
 from .env import BabyBenchEnv
 from .evaluation import EVALS, Evaluation
 from .making import make, register
 from .scores import Scores, scores_of
+from .vector import BabyBenchVectorEnv, make_vec
 
 register()
 
 __all__ = [
     "BabyBenchEnv",
+    "BabyBenchVectorEnv",
     "EVALS",
     "Evaluation",
     "IntrinsicReward",
@@ -27,9 +39,13 @@ __all__ = [
     "TouchedSensors",
     "load",
     "make",
+    "make_vec",
     "register",
     "saliency",
+    "saliency_of_eyes",
     "scores_of",
     "shipped",
+    "touch_count",
+    "touched_sensors",
     "utils",
 ]

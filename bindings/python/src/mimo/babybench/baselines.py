@@ -1,7 +1,7 @@
 """Baselines: random actions, and for each behaviour a reward that needs nobody to tell what is good.
 
-env = mimo.babybench.make("selftouch")
-learner = PPO("MultiInputPolicy", mimo.babybench.TouchCount(env))
+env = mimo.babybench.TouchCount(mimo.babybench.make("selftouch"))
+envs = mimo.babybench.make_vec("selftouch", 64, reward=mimo.babybench.touch_count)
 """
 
 from __future__ import annotations
@@ -12,15 +12,53 @@ import gymnasium
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+Observation = Mapping[str, NDArray[Any]]
 Step = Tuple[Any, float, bool, bool, Dict[str, Any]]
 FELT = 1e-6  # N
 GREY = (0.2989, 0.587, 0.114)  # shares of red, green and blue in brightness
 
 
+def touch_count(observation: Observation) -> Any:
+    """For self-touch: the share of the skin's numbers that are above 1e-6, as the competition's baseline has it.
+
+    Of a sensor's three numbers only those above 0 count, and the mattress is felt as well as the own hand. For many
+    worlds an array, as all these functions.
+    """
+    return np.mean(observation["touch"] > FELT, axis=-1)
+
+
+def touched_sensors(observation: Observation) -> Any:
+    """For self-touch: the share of sensors that feel a force of any direction."""
+    touch = observation["touch"]
+    forces = touch.reshape((*touch.shape[:-1], -1, 3))
+    return np.mean(np.linalg.norm(forces, axis=-1) > FELT, axis=-1)
+
+
+def saliency_of_eyes(observation: Observation) -> Any:
+    """For hand regard: how many edges both eyes see, as the competition's baseline has it."""
+    return saliency(observation["eye_left"]) + saliency(observation["eye_right"])
+
+
+def saliency(picture: ArrayLike) -> Any:
+    """The norm of the brightness's Laplacian of four neighbours, over the number of pixels."""
+    grey = to_grayscale(picture)
+    edge = [(0, 0)] * (grey.ndim - 2) + [(1, 1), (1, 1)]
+    wide = np.pad(grey, edge, mode="symmetric")
+    neighbours = wide[..., :-2, 1:-1] + wide[..., 2:, 1:-1] + wide[..., 1:-1, :-2] + wide[..., 1:-1, 2:]
+    pixels = grey.shape[-2] * grey.shape[-1]
+    return np.linalg.norm(4 * grey - neighbours, axis=(-2, -1)) / pixels
+
+
+def to_grayscale(picture: ArrayLike) -> NDArray[np.float64]:
+    """Brightness of a picture, 0 to 255."""
+    grey: NDArray[np.float64] = np.asarray(picture, np.float64)[..., :3] @ np.array(GREY)
+    return grey
+
+
 class IntrinsicReward(gymnasium.Wrapper[Any, Any, Any, Any]):
     """Adds a reward that is computed from what is observed; derive `intrinsic`. It is in info["intrinsic_reward"]."""
 
-    def intrinsic(self, observation: Mapping[str, NDArray[Any]]) -> float:
+    def intrinsic(self, observation: Observation) -> float:
         """The reward of an observation."""
         raise NotImplementedError
 
@@ -32,41 +70,24 @@ class IntrinsicReward(gymnasium.Wrapper[Any, Any, Any, Any]):
 
 
 class TouchCount(IntrinsicReward):
-    """For self-touch: the share of the skin's numbers that are above 1e-6, as the competition's baseline has it.
+    """Rewards by touch_count."""
 
-    Of a sensor's three numbers only those above 0 count, and the mattress is felt as well as the own hand.
-    """
-
-    def intrinsic(self, observation: Mapping[str, NDArray[Any]]) -> float:
+    def intrinsic(self, observation: Observation) -> float:
         """The reward of an observation."""
-        return float(np.mean(observation["touch"] > FELT))
+        return float(touch_count(observation))
 
 
 class TouchedSensors(IntrinsicReward):
-    """For self-touch: the share of sensors that feel a force of any direction."""
+    """Rewards by touched_sensors."""
 
-    def intrinsic(self, observation: Mapping[str, NDArray[Any]]) -> float:
+    def intrinsic(self, observation: Observation) -> float:
         """The reward of an observation."""
-        return float(np.mean(np.linalg.norm(observation["touch"].reshape(-1, 3), axis=1) > FELT))
+        return float(touched_sensors(observation))
 
 
 class Saliency(IntrinsicReward):
-    """For hand regard: how many edges both eyes see, as the competition's baseline has it."""
+    """Rewards by saliency_of_eyes."""
 
-    def intrinsic(self, observation: Mapping[str, NDArray[Any]]) -> float:
+    def intrinsic(self, observation: Observation) -> float:
         """The reward of an observation."""
-        return saliency(observation["eye_left"]) + saliency(observation["eye_right"])
-
-
-def saliency(picture: ArrayLike) -> float:
-    """The norm of the brightness's Laplacian of four neighbours, over the number of pixels."""
-    grey = to_grayscale(picture)
-    wide = np.pad(grey, 1, mode="symmetric")
-    neighbours = wide[:-2, 1:-1] + wide[2:, 1:-1] + wide[1:-1, :-2] + wide[1:-1, 2:]
-    return float(np.linalg.norm(4 * grey - neighbours) / grey.size)
-
-
-def to_grayscale(picture: ArrayLike) -> NDArray[np.float64]:
-    """Brightness of a picture, 0 to 255."""
-    grey: NDArray[np.float64] = np.asarray(picture, np.float64)[..., :3] @ np.array(GREY)
-    return grey
+        return float(saliency_of_eyes(observation))

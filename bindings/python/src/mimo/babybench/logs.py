@@ -8,7 +8,7 @@ from __future__ import annotations
 import io
 import pickle
 from pathlib import Path
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Mapping, Optional
 
 Entry = Dict[str, Any]
 TRAINING = "training.pkl"
@@ -43,6 +43,12 @@ def write(path: Path, value: Any) -> None:
     beside = path.with_suffix(".part")
     beside.write_bytes(pickle.dumps(value, protocol=4))
     beside.replace(path)
+
+
+def log_of(config: Mapping[str, Any]) -> "TrainingLog":
+    """The log of a run, in the configuration's folder; without one nothing is written."""
+    folder = None if config["save_dir"] is None else Path(config["save_dir"]) / "logs"
+    return TrainingLog(folder, config["save_logs_every"])
 
 
 class TrainingLog:

@@ -1,43 +1,17 @@
-"""The three scenes, with an infant whose motors are those of a configuration."""
+"""The library's scenes, with an infant whose motors and locks are those of a configuration."""
 
 from __future__ import annotations
 
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
-from typing import Any, Dict, List, Mapping, NamedTuple, Tuple
+from typing import Any, Dict, List, Mapping, Set
 
+from ..constants import Act
 from ..scene import Scene
 from .config import on
+from .counts import COUNTS
 from .groups import group_of, in_order
 
-FOLDER = Path(__file__).parent / "scenes"
-ON_ITS_BACK = (0.7071067811865476, 0.0, -0.7071067811865475, 0.0)  # head towards -x
-
-# The posture of cubes: it sits with bent legs. Radians.
-SITTING: Dict[str, float] = {
-    **{"hip_bend1": 0.532, "hip_bend2": 0.532, "hip_lean1": 0, "hip_lean2": 0, "hip_rot1": 0, "hip_rot2": 0},
-    **{"head_tilt": 0.4, "head_tilt_side": 0},
-    **{"right_hip1": -1.22, "right_hip2": -0.7, "right_hip3": 0.538, "right_knee": -1.45},
-    **{"left_hip1": -1.41, "left_hip2": -0.823, "left_hip3": 0.612, "left_knee": -2.14},
-}
-
-
-class Start(NamedTuple):
-    """Where the infant's root is, what is fastened to the world, and what is held where."""
-
-    position: Tuple[float, float, float]
-    orientation: Tuple[float, float, float, float]
-    welded: str = ""
-    locks: Mapping[str, float] = {}
-
-
-STARTS: Mapping[str, Start] = {
-    "base": Start((0, 0, 0.1), ON_ITS_BACK),
-    "crib": Start((0, 0, 0.3), ON_ITS_BACK, welded="lower_body"),
-    "cubes": Start(
-        (0, 0, 0.0467196), (0.885453, -0.000184209, -0.464728, -0.000527509), welded="mimo_location", locks=SITTING
-    ),
-}
+SWITCHED = ("feet", "eyes")  # groups that the library's scenes hold for a behaviour; all else that they hold is posture
 
 
 def body_of(config: Mapping[str, Any]) -> str:
@@ -47,44 +21,40 @@ def body_of(config: Mapping[str, Any]) -> str:
 
 def room_of(config: Mapping[str, Any]) -> Scene:
     """The scene with its infant, which no agent senses with yet."""
-    start = STARTS[config["scene"]]
-    plan = Scene(file=FOLDER / f"{config['scene']}.xml", max_file_bytes=2**20)
-    place: Dict[str, Any] = {"position": list(start.position), "orientation": list(start.orientation)}
-    plan.add_agent(body=body_of(config), **place)
-    scene = Scene(xml=_arranged(plan.xml, on(config, "act")))
-    held = {f"robot:{name}": angle for name, angle in start.locks.items()}
+    plan = Scene(f"babybench-{config['scene']}")
+    plan.add_agent(body=body_of(config), acts=Act.ALL)
+    root = ElementTree.fromstring(plan.xml)
+    _arrange_motors(root, on(config, "act"))
+    held = _posture(root)
+    for text in root.findall("custom/text[@name='mimo:task']"):
+        text.set("data", COUNTS[config["behavior"]].task)
+    scene = Scene(xml=ElementTree.tostring(root, encoding="unicode"))
     locked = on(config, "lock")
-    joints = [joint for joint in _joints(plan.xml) if group_of(joint) in locked]
-    for joint, angle in {**dict.fromkeys(joints, 0.0), **held}.items():
-        scene.lock(joint, angle)
-    if start.welded:
-        scene.weld(start.welded)
+    for joint in _joints(root):
+        if group_of(joint) in locked and joint not in held:
+            scene.lock(joint, 0.0)
     return scene
 
 
-def _joints(document: str) -> List[str]:
-    names = (joint.get("name", "") for joint in ElementTree.fromstring(document).iter("joint"))
-    return list(dict.fromkeys(name for name in names if name.startswith("robot:")))
+def _joints(root: ElementTree.Element) -> List[str]:
+    names = (joint.get("name", "") for world in root.findall("worldbody") for joint in world.iter("joint"))
+    return [name for name in names if name.startswith("robot:")]
 
 
-def _arranged(document: str, acting: List[str]) -> str:
-    """The document with motors of some groups only, in the order of groups, and the infant before all other bodies.
+def _posture(root: ElementTree.Element) -> Set[str]:
+    """The joints that the scene itself holds; those that a configuration holds or not are let go."""
+    active = [lock for lock in root.findall("equality/joint") if lock.get("active") == "true"]
+    for lock in active:
+        if group_of(lock.get("joint1", "")) in SWITCHED:
+            lock.set("active", "false")
+    return {lock.get("joint1", "") for lock in active if lock.get("active") == "true"}
 
-    So numbers of geoms and positions of joints are the same in all scenes, and those of the competition; so is the name
-    of the root's joint.
-    """
-    root = ElementTree.fromstring(document)
+
+def _arrange_motors(root: ElementTree.Element, acting: List[str]) -> None:
+    """Motors of some groups only, in the order of groups, which is that of the competition's actions."""
     motors: Dict[str, ElementTree.Element] = {}
     for section in root.findall("actuator"):
         motors.update((motor.get("name", ""), motor) for motor in section)
         root.remove(section)
     section = ElementTree.SubElement(root, "actuator")
     section.extend(motors[name] for name in in_order(motors) if group_of(name) in acting)
-    for joint in root.iter("freejoint"):
-        if joint.get("name") == "mimo_orientation":
-            joint.set("name", "mimo_location")
-    for world in root.findall("worldbody"):
-        if world.find("body[@name='mimo_location']") is None:
-            root.remove(world)
-            root.append(world)
-    return ElementTree.tostring(root, encoding="unicode")

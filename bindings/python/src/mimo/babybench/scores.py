@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Optional, Sequence
 
-from .measures import EYES, HANDS, regard_key, touch_key
+from .counts import EYES, HANDS, regard_key, touch_key
 
 Entries = Sequence[Mapping[str, Any]]
 WINDOW = 10000

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 from gymnasium import spaces
@@ -41,24 +41,26 @@ class Observer:
         block[...] = 0
         self.boxes = self._boxes(world.layout.views(block))
 
-    def see(self, views: Observation) -> Dict[str, NDArray[Any]]:
-        """The dictionary, in arrays of its own."""
-        seen: Dict[str, NDArray[Any]] = {"observation": self._row(views)}
+    def see(self, views: Observation, worlds: int = 0) -> Dict[str, NDArray[Any]]:
+        """The dictionary, in arrays of its own; of several worlds with their number, the arrays' first axis."""
+        lead = (worlds,) if worlds else ()
+        seen: Dict[str, NDArray[Any]] = {"observation": self._row(views, lead)}
         if self.touch is not None:
-            seen["touch"] = self.touch.row(views)
+            seen["touch"] = self.touch.row(views, lead)
         for name in self._cameras:
             seen[name] = views[f"vision/{name}"].copy()
         if self._vestibular:
-            seen["vestibular"] = np.concatenate([views[name] for name in self._vestibular], dtype=np.float64)
+            parts = [views[name] for name in self._vestibular]
+            seen["vestibular"] = np.concatenate(parts, axis=-1, dtype=np.float64)
         return seen
 
-    def _row(self, views: Observation) -> NDArray[np.float64]:
+    def _row(self, views: Observation, lead: Tuple[int, ...]) -> NDArray[np.float64]:
         rows: List[NDArray[Any]] = []
         for name in self._parts:
-            values = views[name].ravel()
+            values = views[name].reshape((*lead, -1))
             picks = self._torques if name == "proprioception/torque" else None
-            rows.append(values if picks is None else values[picks])
-        return np.concatenate(rows, dtype=np.float64)
+            rows.append(values if picks is None else values[..., picks])
+        return np.concatenate(rows, axis=-1, dtype=np.float64)
 
     def _boxes(self, views: Observation) -> Dict[str, spaces.Box]:
         """Unbounded, as the original's; pictures are 0 to 255."""

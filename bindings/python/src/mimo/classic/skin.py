@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping
+from typing import Any, Dict, Mapping, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,18 +34,18 @@ class Touch:
         self._names = {int(body): world.name(Kind.BODY, int(body)) for body in numbers}
         self.sensor_positions: ByBody = {body: receptors.position[rows] for body, rows in self._rows.items()}
 
-    def row(self, views: Observation) -> NDArray[np.float32]:
-        """All sensors' forces, flattened; also kept for sensor_outputs."""
+    def row(self, views: Observation, lead: Tuple[int, ...] = ()) -> NDArray[np.float32]:
+        """All sensors' forces, flattened (after the first axes `lead`); also kept for sensor_outputs."""
         force = views[self._field]
         # The normal force alone presses against the skin. The original gives three numbers here as well.
         felt: NDArray[np.float32] = -force * self._normals if self._alone else np.array(force, np.float32)
         self._felt = felt
-        return felt.ravel().copy()
+        return felt.reshape((*lead, -1)).copy()
 
     @property
     def sensor_outputs(self) -> ByBody:
         """Forces of the last observation by number of body: N x 3, N."""
-        return {body: self._felt[rows] for body, rows in self._rows.items()}
+        return {body: self._felt[..., rows, :] for body, rows in self._rows.items()}
 
     @property
     def body_names(self) -> Dict[int, str]:

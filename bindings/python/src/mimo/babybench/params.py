@@ -1,0 +1,43 @@
+"""What a configuration says of senses, motors and time, as arguments of the original's environments."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Optional
+
+from ..classic.actuation import MuscleModel, PositionalModel, SpringDamperModel
+from ..classic.params import COMPONENTS, DEFAULT_TOUCH_PARAMS, DEFAULT_TOUCH_PARAMS_V2
+from .config import Config, on
+from .counts import COUNTS
+from .groups import of_groups
+from .rooms import body_of
+
+MODELS = {"spring_damper": SpringDamperModel, "muscle": MuscleModel, "positional": PositionalModel}
+
+
+def arguments_of(config: Config) -> Dict[str, Any]:
+    """Those of mimo.classic.MIMoEnv."""
+    pixels = {"width": config["vision_resolution"], "height": config["vision_resolution"]}
+    return {
+        "frame_skip": config["frame_skip"],
+        "proprio_params": {"components": [part for part in COMPONENTS if config[f"proprio_{part}"]]},
+        "vestibular_params": {} if config["vestibular_active"] else None,
+        "vision_params": {"eye_left": pixels, "eye_right": pixels} if config["vision_active"] else None,
+        "touch_params": _touch(config),
+        "actuation_model": MODELS[config["actuation_model"]],
+        "parameters": COUNTS[config["behavior"]].parameters,
+    }
+
+
+def _touch(config: Config) -> Optional[Dict[str, Any]]:
+    """Bodies of the groups that sense, with their distances times `touch_scale`; None without touch."""
+    if not config["touch_active"] or config["touch_scale"] == 0:
+        return None
+    usual = DEFAULT_TOUCH_PARAMS_V2 if body_of(config) == "fingers" else DEFAULT_TOUCH_PARAMS
+    bodies = of_groups(usual["scales"], on(config, "touch"))
+    if not bodies:
+        return None
+    return {
+        "scales": {body: usual["scales"][body] * config["touch_scale"] for body in bodies},
+        "touch_function": config["touch_function"],
+        "response_function": config["touch_response"],
+    }

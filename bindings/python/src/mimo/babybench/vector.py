@@ -1,0 +1,136 @@
+"""Many worlds of BabyBench as one environment, which the library's threads step."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+
+import numpy as np
+from gymnasium import spaces
+from gymnasium.vector.utils import batch_space
+from numpy.typing import NDArray
+
+from ..classic.model import ModelView
+from ..classic.params import Senses, senses_of
+from ..classic.scenes import scene_of
+from ..classic.senses import Observer
+from ..constants import Autoreset, Quantity
+from ..scene import Scene
+from ..vector import Flags, Results, VectorEnv
+from .config import Config, Given, load
+from .counts import COUNTS
+from .logs import Entry, log_of
+from .params import arguments_of
+from .rooms import room_of
+
+Reward = Callable[[Mapping[str, NDArray[Any]]], Any]
+
+
+class BabyBenchVectorEnv(VectorEnv):
+    """Worlds of one configuration, with the observations of BabyBenchEnv.
+
+    `infos` has its counts in arrays, one row a world: of self-touch for each geom of the body whether it was touched.
+    Rewards are 0, or what `reward` makes of the observations: touch_count, touched_sensors, saliency_of_eyes, or any
+    function of theirs. With `training` each episode is logged, as BabyBenchEnv does. Further options are those of
+    mimo.VectorEnv.
+    """
+
+    def __init__(
+        self,
+        config: Given = "test_installation",
+        num_envs: int = 1,
+        *,
+        training: bool = True,
+        reward: Optional[Reward] = None,
+        **options: Any,
+    ) -> None:
+        self.config: Config = load(config)
+        scene, senses = _scene_of(self.config)
+        steps = {"max_steps": self.config["max_episode_steps"], "frame_skip": self.config["frame_skip"]}
+        super().__init__(scene, num_envs, **{**steps, **options})
+        first = self.batch.world(0)
+        self._view: Any = _Shown(Observer(first, senses))
+        self.single_observation_space = self._view.space
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])
+        self._log = log_of(self.config) if training else None
+        self._counts = COUNTS[self.config["behavior"]](ModelView(first))
+        self._reward = reward
+        self._steps = np.zeros(num_envs, int)
+        self._achieved = self._now()
+
+    # ---- Episodes ------------------------------------------------------------------------------------------------
+
+    def reset(self, *, seed: Any = None, options: Optional[Dict[str, Any]] = None) -> Tuple[Any, Dict[str, Any]]:
+        """Starts episodes; as VectorEnv does."""
+        started = super().reset(seed=seed, options=options)
+        mask = (options or {}).get("reset_mask")
+        self._end_episodes(np.ones(self.num_envs, np.bool_) if mask is None else np.asarray(mask, np.bool_))
+        return started
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Logs the episodes that run, and closes the batch."""
+        if getattr(self, "_log", None) is not None:
+            self._end_episodes(self._steps > 0)
+            self._log.flush()  # type: ignore[union-attr]
+        super().close_extras(**kwargs)
+
+    @property
+    def log(self) -> List[Entry]:
+        """The episodes that have ended, in the order in which they did."""
+        return [] if self._log is None else self._log.entries
+
+    def _results(self) -> Results:
+        begins = self._over if self._mode == Autoreset.NEXT_STEP else np.zeros_like(self._over)
+        acted = ~begins
+        observation, reward, terminated, truncated, infos = super()._results()
+        if self._reward is not None:
+            reward = np.where(acted, self._reward(observation), 0.0)
+            for index in np.flatnonzero(infos.get("_final_obs", ())):
+                reward[index] = self._reward(infos["final_obs"][index])
+        return observation, reward, terminated, truncated, infos
+
+    def _infos(self, over: Flags, acted: Flags, judged: Any) -> Dict[str, Any]:
+        """The counts of the step's worlds. Episodes that end are logged here, before new ones begin."""
+        self._achieved = self._now()
+        infos = {"steps": self._steps.copy(), **self._counts.told_of_all(self._achieved)}
+        infos = {**super()._infos(over, acted, judged), **self._masked(infos, acted)}
+        self._steps[acted] += 1
+        self._end_episodes(over)
+        return infos
+
+    def _end_episodes(self, over: Flags) -> None:
+        """As in the competition a reset without steps is an entry, too."""
+        for index in np.flatnonzero(over):
+            if self._log is not None:
+                self._log.add({**self._counts.told(self._achieved[index]), "steps": int(self._steps[index])})
+        self._steps[over], self._achieved[over] = 0, 0
+
+    def _now(self) -> NDArray[np.float64]:
+        return self.batch.get(Quantity.AGENT_ACHIEVED).reshape(self.num_envs, -1)
+
+
+class _Shown:
+    """The observations of many worlds, as VectorEnv asks for them."""
+
+    def __init__(self, observer: Observer) -> None:
+        self._observer = observer
+        self.space = spaces.Dict(observer.boxes)
+
+    def show(self, views: Mapping[str, NDArray[Any]], own: Any = None, worlds: int = 0) -> Dict[str, NDArray[Any]]:
+        """Of several worlds with their number, which is then the arrays' first axis."""
+        del own
+        return self._observer.see(views, worlds)
+
+
+def _scene_of(config: Config) -> Tuple[Scene, Senses]:
+    """What BabyBenchEnv makes of the same configuration."""
+    given = arguments_of(config)
+    senses = senses_of(*(given[f"{sense}_params"] for sense in ("proprio", "touch", "vision", "vestibular")))
+    infant = {**senses.options, "actuation": given["actuation_model"].actuation}
+    return scene_of(room_of(config), infant, senses, {}, given["parameters"]), senses
+
+
+def make_vec(config: Given = "test_installation", num_envs: int = 1, **options: Any) -> BabyBenchVectorEnv:
+    """Many worlds as a YAML file or a dict describes them; see BabyBenchVectorEnv for the options."""
+    return BabyBenchVectorEnv(config, num_envs, **options)
