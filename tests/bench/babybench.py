@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a step of BabyBench costs, over a bare mj_step of the same model (docs/guide/babybench.md).
 
-    tests/bench/babybench.py [TURNS]    20 by default; a minute or two
+    tests/bench/babybench.py [TURNS [CONFIGURATION...]]    20 turns of all by default; some minutes
 
 All sides take turns in one process; the numbers are medians over turns, of ours over that turn's bare steps. Needs mimo
 (MIMO_LIBRARY=build/lib/libmimo.so PYTHONPATH=bindings/python/src).
@@ -83,9 +83,10 @@ def of_batch(config, threads):
     return turn
 
 
-def main(turns):
+def main(turns, titles):
     print(f"{'':26} {'bare mj_step':>13} {'one world':>10} {f'{WORLDS}, 1 thread':>13} {f'{WORLDS}, 2 threads':>14}")
-    for title, (name, switches) in CONFIGURATIONS.items():
+    for title in titles or CONFIGURATIONS:
+        name, switches = CONFIGURATIONS[title]
         config = {**mimo.babybench.load(name), **switches, "save_dir": None}
         env = mimo.babybench.make(config, training=False)
         sides = [of_env(env), of_batch(config, 1), of_batch(config, 2)]
@@ -100,4 +101,4 @@ def main(turns):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 20)
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 20, sys.argv[2:])
