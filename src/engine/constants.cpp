@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/fail.h"
+#include "engine/data.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {
@@ -59,11 +60,8 @@ void Constants::scale_mass(int body, double mass) {
 }
 
 void Constants::derive() {
-  mjData* data = nullptr;
-  Complaint complaint = guarded([&] { data = mj_makeData(&model_); });
-  if (complaint.failed || data == nullptr) fail(Status::kOutOfMemory, "no memory to find out what follows from masses");
-  complaint = guarded([&] { mj_setConst(&model_, data); });
-  mj_deleteData(data);
+  const DataPtr data = make_data(model_);
+  const Complaint complaint = guarded([&] { mj_setConst(&model_, data.get()); });
   bool sound = !complaint.failed;
   visit_derived(model_, [&](auto array, int count) {
     sound = sound && std::all_of(model_.*array, model_.*array + count, [](double x) { return std::isfinite(x); });

@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "engine/callbacks.h"
 #include "engine/compat.h"
+#include "engine/data.h"
 #include "engine/newton.h"
 
 namespace mimo::engine {
@@ -46,21 +47,13 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 }  // namespace
 
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
-    : shared_(std::move(model)),
-      model_(*shared_),
-      overrides_(*shared_),
-      data_(nullptr, [](mjData* data) { mj_deleteData(data); }) {
+    : shared_(std::move(model)), model_(*shared_), overrides_(*shared_), data_(nullptr, nullptr) {
   apply(options, model_.opt);
   step_ = options.own_solver && newton_step_serves(model_) ? newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
   positions_.resize(static_cast<std::size_t>(model_.nq));
   start_.assign(model_.qpos0, model_.qpos0 + model_.nq);
-  mjData* data = nullptr;
-  const Complaint complaint = guarded([&] { data = mj_makeData(&model_); });
-  if (complaint.failed || data == nullptr) {
-    fail(Status::kOutOfMemory, "no memory for the simulation's data: {}", complaint.error.data());
-  }
-  data_.reset(data);
+  data_ = make_data(model_);  // whose size depends on the options
   reset();
 }
 

@@ -1,0 +1,146 @@
+#include "engine/data.h"
+
+#include <algorithm>
+#include <climits>
+#include <initializer_list>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/fail.h"
+#include "engine/compat.h"
+#include "engine/guard.h"
+
+namespace mimo::engine {
+namespace {
+
+void free_data(mjData* data) { mj_deleteData(data); }
+
+DataPtr made(const mjModel& model) {
+  mjData* data = nullptr;
+  const Complaint complaint = guarded([&] { data = mj_makeData(&model); });
+  DataPtr owned(data, free_data);
+  if (complaint.failed || data == nullptr) {
+    fail(Status::kOutOfMemory, "no memory for the simulation's data: {}", complaint.error.data());
+  }
+  return owned;
+}
+
+}  // namespace
+
+// Rows concern one joint, or what moves one of two bodies; those of tendons any number: friction, two limits,
+// equalities.
+std::size_t jacobian_room(const mjModel& model) {
+  const auto count = [](int number) { return static_cast<std::size_t>(number); };
+  const std::size_t all = count(model.njmax) * count(model.nv);
+  if (mj_isSparse(&model) == 0) return all;
+  std::vector<int> depth(count(model.nv));
+  int deepest = 0;
+  for (int dof = 0; dof < model.nv; ++dof) {
+    const int parent = model.dof_parentid[dof];
+    deepest = std::max(deepest, depth[count(dof)] = 1 + (parent < 0 ? 0 : depth[count(parent)]));
+  }
+  const auto of_tendons = std::count(model.eq_type, model.eq_type + model.neq, mjEQ_TENDON);
+  const std::size_t tendon_rows = 3 * count(model.ntendon) + static_cast<std::size_t>(of_tendons);
+  return std::min(all, 2 * count(deepest) * count(model.njmax) + count(model.nv) * tendon_rows);
+}
+
+#if MIMO_MUJOCO_4
+
+// The constraints' matrices lie in an arena there, as large as they are in this very step.
+DataPtr make_data(const mjModel& model) { return made(model); }
+
+#else
+
+namespace {
+
+constexpr bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  for (const std::string_view one : names) {
+    if (name == one) return true;
+  }
+  return false;
+}
+
+// What each step that has constraints writes before it reads it.
+constexpr bool is_of_jacobian(std::string_view name) {
+  return is_one_of(name, {"efc_J", "efc_J_colind", "efc_JT", "efc_JT_colind"});
+}
+
+// How many numbers arrays have that mjData lists as if full. The Jacobian's transpose does need all of that room:
+// MuJoCo makes its rows apart from each other before it moves them together.
+struct Room {
+  std::size_t jacobian;
+  std::size_t dual;  // of what only solvers in the space of forces read
+
+  constexpr std::size_t count(std::string_view name, std::size_t listed) const {
+    if (is_one_of(name, {"efc_J", "efc_J_colind"})) return jacobian;
+    return is_one_of(name, {"efc_AR", "efc_AR_colind"}) ? dual : listed;
+  }
+};
+
+Room room_of(const mjModel& model) {
+  const auto rows = static_cast<std::size_t>(model.njmax);
+  return {jacobian_room(model), mj_isDual(&model) != 0 ? rows * rows : 0};
+}
+
+// Shows each array of mjData with the bytes that it takes: those of the Jacobian, or all others.
+template <bool kOfJacobian, typename Visit>
+void visit_arrays(const mjModel* m, mjData& data, const Room& room, Visit&& visit) {
+  MJDATA_POINTERS_PREAMBLE(m)
+#define X(type, name, rows, columns)                  \
+  if constexpr (is_of_jacobian(#name) == kOfJacobian) \
+    visit(data.name,                                  \
+          sizeof(type) * room.count(#name, static_cast<std::size_t>(m->rows) * static_cast<std::size_t>(columns)));
+  MJDATA_POINTERS
+#undef X
+}
+
+constexpr std::size_t aligned(std::size_t bytes) {
+  constexpr std::size_t kAlignment = 64;  // as MuJoCo's own
+  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+template <bool kOfJacobian>
+std::size_t bytes_of(const mjModel& model, mjData& data, const Room& room) {
+  std::size_t bytes = 0;
+  visit_arrays<kOfJacobian>(&model, data, room, [&](const auto*, std::size_t size) { bytes += aligned(size); });
+  return bytes;
+}
+
+// Gives arrays their places from `at` on.
+template <bool kOfJacobian>
+void lay_out(const mjModel& model, mjData& data, const Room& room, unsigned char* at) {
+  visit_arrays<kOfJacobian>(&model, data, room, [&](auto*& array, std::size_t size) {
+    array = reinterpret_cast<std::remove_reference_t<decltype(array)> >(at);
+    at += aligned(size);
+  });
+}
+
+}  // namespace
+
+// The Jacobian lies behind what MuJoCo takes for the whole buffer and clears in a reset: of memory that nobody touches
+// the system gives none.
+DataPtr make_data(const mjModel& model) {
+  mjModel unconstrained = model;  // the struct only
+  unconstrained.njmax = 0;
+  DataPtr data = made(unconstrained);
+  const Room room = room_of(model);
+  const std::size_t cleared = bytes_of<false>(model, *data, room), behind = bytes_of<true>(model, *data, room);
+  void* buffer = nullptr;
+  const Complaint complaint = guarded([&] { buffer = mju_malloc(cleared + behind); });
+  if (complaint.failed || buffer == nullptr || cleared > INT_MAX) {
+    mju_free(buffer);
+    fail(Status::kOutOfMemory, "no memory for the simulation's data of {} bytes", cleared + behind);
+  }
+  mju_free(data->buffer);
+  data->buffer = buffer;
+  data->nbuffer = static_cast<int>(cleared);
+  lay_out<false>(model, *data, room, static_cast<unsigned char*>(buffer));
+  lay_out<true>(model, *data, room, static_cast<unsigned char*>(buffer) + cleared);
+  mj_resetData(&model, data.get());
+  return data;
+}
+
+#endif
+
+}  // namespace mimo::engine
