@@ -1,6 +1,7 @@
 #include "scene/composition.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 
 #include "base/status.h"
@@ -8,9 +9,27 @@
 #include "scene/compiler.h"
 #include "scene/library.h"
 #include "scene/lines.h"
+#include "scene/pictures.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
+namespace {
+
+bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
+
+// They are most of what a compiler does, and tell nothing of where things are.
+void drop_pictures(pugi::xml_node root) {
+  for (pugi::xml_node assets : root.children("asset")) {
+    while (assets.child("texture")) assets.remove_child("texture");
+  }
+  walk(root, [](pugi::xml_node node) {
+    if (!is(node, "material")) return;
+    node.remove_attribute("texture");
+    while (node.child("layer")) node.remove_child("layer");
+  });
+}
+
+}  // namespace
 
 std::vector<AssetFile> asset_files(pugi::xml_node root) {
   std::vector<AssetFile> files;
@@ -48,9 +67,10 @@ Composition packed(const pugi::xml_document& document, const Limits& limits) {
     // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
     std::string name = attribute.value();
     std::replace(name.begin(), name.end(), '/', ':');
-    set(node, attribute.name(), name);
+    set(node, attribute.name(), decoded_name(name));
     if (seen.insert(name).second) composition.assets.push_back({name, bytes});
   }
+  decode_pictures(composition.assets);
   composition.xml = print(changed);
   return composition;
 }
@@ -64,7 +84,9 @@ engine::ModelPtr compile(const Composition& composition, const LogSink& log) {
 }
 
 engine::ModelPtr compile_quietly(const pugi::xml_document& document, const Limits& limits) {
-  return compile(packed(document, limits), {});
+  pugi::xml_document unpainted = copy(document);
+  drop_pictures(unpainted.document_element());
+  return compile(packed(unpainted, limits), {});
 }
 
 }  // namespace mimo::scene

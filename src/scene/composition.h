@@ -27,7 +27,7 @@ Composition packed(const pugi::xml_document& document, const Limits& limits);
 // Throws what engine::compile throws; its messages name files and lines of the user's.
 engine::ModelPtr compile(const Composition& composition, const LogSink& log);
 
-// For a look at what a document means; warnings are told when a world is made of it.
+// For a look at where things are, without pictures; warnings are told when a world is made of it.
 engine::ModelPtr compile_quietly(const pugi::xml_document& document, const Limits& limits);
 
 // Attributes that name the file of an asset.
