@@ -20,8 +20,30 @@ class Level {
   int width() const { return width_; }
   int height() const { return height_; }
 
+  // Pixels of so many bytes, row by row.
+  template <int kChannels>
+  void read(const unsigned char* from) const {
+    const int green = engine::compat::channel_of(kChannels, 1), blue = engine::compat::channel_of(kChannels, 2);
+    for (int y = 0; y < height_; ++y) {
+      std::uint32_t* row = &at(0, y);
+      for (int x = 0; x < width_; ++x, from += kChannels) {
+        row[x] = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[green]) << 8 |
+                 static_cast<std::uint32_t>(from[blue]) << 16;
+      }
+    }
+  }
+  void read(const unsigned char* from, int channels) const {
+    switch (channels) {
+      case 1: return read<1>(from);
+      case 2: return read<2>(from);
+      case 3: return read<3>(from);
+      default: return read<4>(from);
+    }
+  }
+
   // Each texel becomes the mean of the larger level's texels that it covers: two a side, or three at an odd edge.
   void shrink(const Level& from) const {
+    if (from.width_ == 2 * width_ && from.height_ == 2 * height_) return halve(from);
     for (int y = 0; y < height_; ++y) {
       const int y0 = y * from.height_ / height_;
       const int y1 = std::max(y0 + 1, (y + 1) * from.height_ / height_);
@@ -44,14 +66,34 @@ class Level {
 
   void fill_border(bool wrap) const {
     const auto inside = [wrap](int i, int size) { return wrap ? (i + size) % size : std::clamp(i, 0, size - 1); };
-    for (int y = -1; y <= height_; ++y) {
-      for (int x = -1; x <= width_; ++x) {
-        if (x < 0 || y < 0 || x == width_ || y == height_) at(x, y) = at(inside(x, width_), inside(y, height_));
-      }
+    const auto fill = [&](int x, int y) { at(x, y) = at(inside(x, width_), inside(y, height_)); };
+    for (int x = -1; x <= width_; ++x) {
+      fill(x, -1);
+      fill(x, height_);
+    }
+    for (int y = 0; y < height_; ++y) {
+      fill(-1, y);
+      fill(width_, y);
     }
   }
 
  private:
+  // The same where each texel covers four: red and blue are added in one word, green in another.
+  void halve(const Level& from) const {
+    constexpr std::uint32_t kRedBlue = 0xff00ff, kGreen = 0xff;
+    for (int y = 0; y < height_; ++y) {
+      const std::uint32_t* upper = &from.at(0, 2 * y);
+      const std::uint32_t* lower = &from.at(0, 2 * y + 1);
+      std::uint32_t* to = &at(0, y);
+      for (int x = 0; x < width_; ++x, upper += 2, lower += 2) {
+        const std::uint32_t a = upper[0], b = upper[1], c = lower[0], d = lower[1];
+        const std::uint32_t red_blue = (a & kRedBlue) + (b & kRedBlue) + (c & kRedBlue) + (d & kRedBlue) + 0x20002;
+        const std::uint32_t green = (a >> 8 & kGreen) + (b >> 8 & kGreen) + (c >> 8 & kGreen) + (d >> 8 & kGreen) + 2;
+        to[x] = (red_blue >> 2 & kRedBlue) | (green >> 2 & kGreen) << 8;
+      }
+    }
+  }
+
   std::uint32_t* origin_;
   int width_, height_;
 };
@@ -85,7 +127,6 @@ Textures::Textures(const mjModel& model) {
     const Texture& texture = textures_[i];
     const unsigned char* pixels = model.*engine::compat::kPixels + model.tex_adr[i];
     const int channels = engine::compat::channels(model, i);
-    const int green = engine::compat::channel_of(channels, 1), blue = engine::compat::channel_of(channels, 2);
     // A cube texture as high as wide is one picture for all six faces.
     const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
     for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
@@ -97,12 +138,7 @@ Textures::Textures(const mjModel& model) {
       Level level = level_at(0);
       const unsigned char* from =
           pixels + (same_faces ? 0 : static_cast<std::size_t>(channels) * width * height * face);
-      for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x, from += channels) {
-          level.at(x, y) = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[green]) << 8 |
-                           static_cast<std::uint32_t>(from[blue]) << 16;
-        }
-      }
+      level.read(from, channels);
       level.fill_border(!texture.cube);
       for (int k = 1; k < texture.levels; ++k) {
         width = std::max(width / 2, 1);

@@ -76,7 +76,7 @@ class Walk {
       queue_.pop_back();
       const Place here = places_[static_cast<std::size_t>(sensor)];
       if (length > here.length) continue;  // a shorter way had been found
-      if (std::abs(here.offset) <= reach_) {
+      if (within_reach(here.offset)) {
         map.push_back({first + sensor, static_cast<float>(here.offset.real()), static_cast<float>(here.offset.imag())});
       }
       for (const Step& step : graph_.from(static_cast<std::size_t>(sensor))) walk(source, here, step);
@@ -89,6 +89,14 @@ class Walk {
     double length = 0;
     Plane offset{0, 0}, turn{1, 0};
   };
+
+  // Its length says so, and needs to be calculated only where the square cannot tell.
+  bool within_reach(const Plane& offset) const {
+    constexpr double kRounding = 1e-9;
+    const double square = std::norm(offset), limit = reach_ * reach_;
+    if (std::abs(square - limit) > kRounding * limit) return square < limit;
+    return std::abs(offset) <= reach_;
+  }
 
   void walk(int source, const Place& here, const Step& step) {
     // Ways along the mesh are up to a fifth longer than the straight line on the map.
