@@ -47,6 +47,7 @@ RENDER = ["bench_render", "8"]
 TOUCH = ["bench_touch", "500"]
 MUSCLE = ["bench_muscle"]
 WORLDS = ["bench_worlds", "reach"]
+MAKING = ["bench_making", "benchmark"]
 CONTACTS = ["bench_extras", "contacts"]
 DELAYS = ["bench_extras", "delays", "1500"]
 EYES = ["bench_extras", "eyes"]
@@ -127,6 +128,8 @@ RATIOS = [
     ("ray renderer at 64 pixels, over OSMesa", RENDER, renderers(64)),  # depends on the processor
     ("ray renderer at 256 pixels, over OSMesa", RENDER, renderers(256)),  # depends on the processor
     ("batch on a thread, over its worlds one by one", WORLDS, in_text(r"a batch takes ([\d.]+)")),
+    ("making a world, in physics steps", MAKING, in_text(r"making takes [\d.]+ ms \(([\d.]+) steps\)")),
+    ("a clone, in physics steps", MAKING, in_text(r"a clone [\d.]+ ms \(([\d.]+) steps\)")),
     ("two threads, bare physics' scaling over ours", THREADS, threads_lost),
     ("allocations in a step at V256", USUAL, allocations),
     ("allocations in a step of muscles", MUSCLES, allocations),
