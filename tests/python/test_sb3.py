@@ -30,6 +30,22 @@ def test_checker(scene):
     assert [str(w.message) for w in said if EXPLAINED not in str(w.message)] == []
 
 
+def test_environments_that_are_there_already():
+    envs = mimo.make_vec("reach", 2, max_steps=2, autoreset_mode="SameStep")
+    worlds, own = SB3VecEnv(envs), SB3VecEnv("reach", 2, max_steps=2)
+    assert worlds.envs is envs
+    for made in (worlds, own):
+        made.seed(7)
+        made.reset()
+    actions = np.zeros((2, 8))
+    for _ in range(3):
+        (_, rewards, done, _), (_, expected, expected_done, _) = worlds.step(actions), own.step(actions)
+        np.testing.assert_array_equal(rewards, expected)
+        np.testing.assert_array_equal(done, expected_done)
+    with pytest.raises(ValueError, match="autoreset_mode is 'NextStep', expected 'SameStep'"):
+        SB3VecEnv(mimo.make_vec("reach", 2))
+
+
 def test_a_step_that_ends_an_episode():
     envs, plain = SB3VecEnv("reach", 2, max_steps=2), mimo.make_vec("reach", 2, autoreset_mode="Disabled")
     envs.seed(7)

@@ -34,7 +34,7 @@ class BabyBenchEnv(MIMoEnv):
         self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])
         self._log = log_of(self.config) if training else None
         self._counts = COUNTS[self.config["behavior"]](self.model)
-        self._last = self._told()
+        self._last = self._counted()
         self._settle()
 
     def _settle(self) -> None:
@@ -60,7 +60,7 @@ class BabyBenchEnv(MIMoEnv):
     def step(self, action: NDArray[Any]) -> Tuple[Observation, float, bool, bool, Dict[str, Any]]:
         """Goes one step on, of `frame_skip` physics steps."""
         self.world.step(action)
-        self._last = {"steps": self.steps, **self._told()}
+        self._last = {"steps": self.steps, **self._counted()}
         self.steps += 1
         if self.render_mode == "human":
             self.render()
@@ -73,7 +73,7 @@ class BabyBenchEnv(MIMoEnv):
             self._log.flush()
         super().close()
 
-    def _told(self) -> Dict[str, Any]:
+    def _counted(self) -> Dict[str, Any]:
         told: Dict[str, Any] = self._counts.told(self.world.get(Quantity.AGENT_ACHIEVED).ravel())
         return told
 

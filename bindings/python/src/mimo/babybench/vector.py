@@ -15,6 +15,7 @@ from ..classic.params import Senses, senses_of
 from ..classic.scenes import scene_of
 from ..classic.senses import Observer
 from ..constants import Autoreset, Quantity
+from ..layout import Observation
 from ..scene import Scene
 from ..vector import Flags, Results, VectorEnv
 from .config import Config, Given, load
@@ -115,9 +116,10 @@ class _Shown:
 
     def __init__(self, observer: Observer) -> None:
         self._observer = observer
-        self.space = spaces.Dict(observer.boxes)
+        boxes: Dict[str, spaces.Space[Any]] = dict(observer.boxes)
+        self.space = spaces.Dict(boxes)
 
-    def show(self, views: Mapping[str, NDArray[Any]], own: Any = None, worlds: int = 0) -> Dict[str, NDArray[Any]]:
+    def show(self, views: Observation, own: Any = None, worlds: int = 0) -> Dict[str, NDArray[Any]]:
         """Of several worlds with their number, which is then the arrays' first axis."""
         del own
         return self._observer.see(views, worlds)
