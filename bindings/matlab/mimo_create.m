@@ -33,7 +33,7 @@ function world = mimo_create(scene, varargin)
 %     physics      task, parameters ({'reach/success_reward', 5; ...}), frame_skip, max_steps, jacobian, disable,
 %                  step_contacts (1: mimo_get has what touched what in a step),
 %                  timing (1: mimo_timing counts)
-%     pictures     renderer ("ray", "osmesa", "none"), render, samples, render_threads
+%     pictures     renderer ("ray", "osmesa", "gl", "none"), render, samples, render_threads
 %     the room     objects, models, cameras and fields: struct arrays with the members that mimo_scene_add has; a camera with
 %                  look_at is a new one; a cell array of elements goes into struct() in braces, {{'ball', 'cup'}}
 %     the file     confined (1: what it names must lie in its folder), model_dir (a folder to take built-in models from),

@@ -37,8 +37,8 @@ typedef struct mimo_env_config {
                                 in built-in scenes. Default 0: the scene's own, mostly 2. */
   int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
   uint32_t disable;        /**< MIMO_DISABLE_ bits. */
-  const char *renderer;    /**< "ray" (our own, on the CPU), "osmesa" (MuJoCo's), "auto" (default): ray where the scene
-                                allows, else osmesa; or "none": then eyes must be off. */
+  const char *renderer;    /**< "ray" (our own, on the CPU), "auto" (default): ray where the scene allows, else osmesa;
+                                "osmesa", "gl" (MuJoCo's, on the CPU or a graphics card); "none": eyes must be off. */
   uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's parameter episode_steps. */
   uint32_t timing;         /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
   mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
@@ -46,8 +46,8 @@ typedef struct mimo_env_config {
   const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
   uint32_t render;         /**< MIMO_RENDER_ bits: what pictures show; what is left out costs nothing. Default: all but
                                 fog. */
-  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or
-                                what the model tells OSMesa. */
+  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may give fewer); 0: one ray, or
+                                what the model tells OpenGL. */
   uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
                                 Pictures do not differ. Default 1, which is best in batches. */
   uint32_t step_contacts;  /**< 1: what touched what during a step is recorded (MIMO_STEP_CONTACT). Default 0, which

@@ -260,13 +260,13 @@ void add_touch_option(CLI::App& command, WorldOptions& options) {
 }
 
 void add_renderer_option(CLI::App& command, WorldOptions& options) {
-  command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray or osmesa")
+  command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray, osmesa or gl")
       ->type_name("NAME")
       ->capture_default_str();
   command
       .add_option(
           "--samples", options.samples,
-          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, what the scene says with OSMesa")
+          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, what the scene says with OpenGL")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4, 16, 64}).description(""));
   command

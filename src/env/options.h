@@ -101,10 +101,10 @@ struct Identity {
 // Makes a task of the user's own for one agent of a world.
 using CustomTask = std::function<std::unique_ptr<tasks::Task>(const Identity& world, std::size_t agent)>;
 
-// What draws. Auto: rays where the model allows it, else OSMesa, which is said in the log. None: nothing is observed,
-// and who asks for a picture gets it as by auto.
-enum class RendererChoice { kAuto, kRay, kOsmesa, kNone };
-// By its name, "auto", "ray", "osmesa" or "none"; throws for another one.
+// What draws. Auto: rays where the model allows it, else OSMesa, which is said in the log. Gl: EGL. None: nothing is
+// observed, and who asks for a picture gets it as by auto.
+enum class RendererChoice { kAuto, kRay, kOsmesa, kGl, kNone };
+// By its name, "auto", "ray", "osmesa", "gl" or "none"; throws for another one.
 RendererChoice renderer_from(const std::string& name);
 
 constexpr int kMostFrameSkip = 1000;

@@ -3,14 +3,14 @@
 
 #include "base/fail.h"
 #include "env/kit.h"
-#include "osmesa/renderer.h"
+#include "opengl/renderer.h"
 #include "rays/renderer.h"
 #include "render/shelf.h"
 
 namespace mimo::env {
 namespace {
 
-constexpr std::array<const char*, 4> kNames{"auto", "ray", "osmesa", "none"};  // as RendererChoice numbers them
+constexpr std::array<const char*, 5> kNames{"auto", "ray", "osmesa", "gl", "none"};  // as RendererChoice numbers them
 
 std::unique_ptr<render::Renderer> make_rays(const engine::ModelPtr& model, const render::Quality& quality,
                                             const Services& services) {
@@ -29,19 +29,23 @@ RendererChoice renderer_from(const std::string& name) {
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (name == kNames[i]) return static_cast<RendererChoice>(i);
   }
-  fail(Status::kInvalidArgument, "renderer is \"{}\", expected auto, ray, osmesa or none", name);
+  fail(Status::kInvalidArgument, "renderer is \"{}\", expected auto, ray, osmesa, gl or none", name);
 }
 
 std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, const EnvOptions& options,
                                                 const Services& services) {
   const RendererChoice choice = options.renderer;
-  if (choice == RendererChoice::kOsmesa) return osmesa::make_renderer(model, options.quality, services.log);
+  const auto by = [&](const opengl::PlatformPtr& platform) {
+    return opengl::make_renderer(model, options.quality, services.log, platform);
+  };
+  if (choice == RendererChoice::kOsmesa) return by(opengl::osmesa());
+  if (choice == RendererChoice::kGl) return by(opengl::egl());
   try {
     return make_rays(model, options.quality, services);
   } catch (const Error& error) {
     if (choice == RendererChoice::kRay || error.status() != Status::kUnsupported) throw;
     services.log(LogLevel::kInfo, "drawing with OSMesa: " + error.message());
-    return osmesa::make_renderer(model, options.quality, services.log);
+    return by(opengl::osmesa());
   }
 }
 

@@ -33,8 +33,8 @@ struct Quality {
   bool skybox = true;
   bool haze = true;  // the strip of haze that MuJoCo draws at the horizon of an endless plane
   bool fog = false;
-  int samples = 0;  // a pixel, for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa
-  int threads = 1;  // that draw one picture, the caller's among them; OSMesa has its own. Pictures do not differ.
+  int samples = 0;  // a pixel, for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL
+  int threads = 1;  // that draw one picture, the caller's among them; OpenGL has its own. Pictures do not differ.
 };
 
 // Throws for a number of samples that is not known.

@@ -17,7 +17,7 @@
 #include "base/format.h"
 #include "base/status.h"
 #include "engine/physics.h"
-#include "osmesa/renderer.h"
+#include "opengl/renderer.h"
 #include "rays/renderer.h"
 #include "render/renderer.h"
 #include "support/scenes.h"
@@ -56,7 +56,7 @@ int run(int states, const std::string& simd) {
   for (const int pixels : {64, 128, 256, 512}) sizes.push_back({pixels});
   for (Size& size : sizes) {
     try {
-      size.reference = osmesa::make_renderer(model, {}, {});
+      size.reference = opengl::make_renderer(model, {}, {}, opengl::osmesa());
     } catch (const Error& error) {
       std::cout << format("without OSMesa: {}\n", error.message());
     }

@@ -5,8 +5,9 @@
 
 /* Strings that mean something, and else whatever the input holds. */
 static const char* take_text(input* in, char* room) {
-  static const char* const known_texts[] = {NULL,  "",     "free",   "mitten", "scene",  "anna",      "left_hand",
-                                            "ray", "none", "osmesa", "auto",   "custom", "benchmark", "selfbody"};
+  static const char* const known_texts[] = {NULL,   "",          "free",   "mitten",    "scene",
+                                            "anna", "left_hand", "ray",    "none",      "osmesa",
+                                            "gl",   "auto",      "custom", "benchmark", "selfbody"};
   const uint8_t which = take_byte(in);
   if (which < sizeof known_texts / sizeof *known_texts) return known_texts[which];
   take(in, room, NAME_BYTES - 1);

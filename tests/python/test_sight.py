@@ -1,6 +1,7 @@
 """Faces, gaze, further cameras, and what pictures show."""
 
 import math
+import multiprocessing
 import pickle
 
 import numpy as np
@@ -136,3 +137,21 @@ def test_what_pictures_show():
     np.testing.assert_array_equal(pictures[2], same)
     with pytest.raises(ValueError, match="samples is 3"):
         mimo.World("benchmark", samples=3, **BLIND)
+
+
+def drawn_by(renderer):
+    """Of a process of its own: MuJoCo keeps to the first OpenGL that it draws with."""
+    picture = mimo.World("benchmark", renderer=renderer, **BLIND).draw(width=128, height=128)
+    return picture.rgb, picture.depth, picture.segmentation
+
+
+def test_a_graphics_card_draws_what_osmesa_draws():
+    with multiprocessing.get_context("spawn").Pool(1, maxtasksperchild=1) as pool:
+        try:
+            card, mesa = pool.map(drawn_by, ["gl", "osmesa"], chunksize=1)
+        except mimo.UnsupportedError as missing:
+            pytest.skip(str(missing))
+    assert np.abs(card[0].astype(int) - mesa[0]).mean() < 0.25  # of 255; as tests/capi/gl.c
+    assert np.isclose(card[1], mesa[1], rtol=1e-3, atol=1e-3).mean() > 0.999
+    assert (card[2] == mesa[2]).mean() > 0.999
+    assert len(np.unique(card[2])) > 5  # it shows something

@@ -80,7 +80,7 @@ TEST_P(Switches, LooksTheSame) {
   quality.*GetParam().on = GetParam().value;
   const auto reference = osmesa_for(model, quality);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
-  const auto plain = osmesa::make_renderer(model, {}, {});
+  const auto plain = opengl::make_renderer(model, {}, {}, opengl::osmesa());
   Studio studio(model, rays::Options(quality));
   const render::View view = render::orbit_view({0, 0, 0.3}, 2, 60, -15, 60);
   Shot theirs(160, 160), before(160, 160);

@@ -50,7 +50,7 @@ namespace Mimo
     {
         /// <summary>One of Tasks.Names, "none", "reach", ...; null: the scene's own.</summary>
         public string Task;
-        /// <summary>"ray", "osmesa", "none"; null: what works.</summary>
+        /// <summary>"ray", "osmesa", "gl" (a graphics card), "none"; null: what works.</summary>
         public string Renderer;
         /// <summary>Physics steps of 5 ms per step; 0: the scene's own.</summary>
         public uint FrameSkip;
@@ -66,7 +66,7 @@ namespace Mimo
         public bool StepContacts;
         /// <summary>What pictures show; null: everything but fog.</summary>
         public Render? Render;
-        /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.</summary>
+        /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL.</summary>
         public uint Samples;
         /// <summary>Threads that draw one picture, 1 to 64; 1 is best in batches.</summary>
         public uint RenderThreads = 1;

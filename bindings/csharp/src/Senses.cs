@@ -7,11 +7,11 @@ namespace Mimo
     {
         /// <summary>Seconds between two calls of Advance; 0: the model's time step.</summary>
         public double Step;
-        /// <summary>"ray", "osmesa", "none"; null: what works.</summary>
+        /// <summary>"ray", "osmesa", "gl" (a graphics card), "none"; null: what works.</summary>
         public string Renderer;
         /// <summary>What pictures show; null: everything but fog.</summary>
         public Render? Render;
-        /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.</summary>
+        /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL.</summary>
         public uint Samples;
         /// <summary>Threads that draw one picture, 1 to 64.</summary>
         public uint RenderThreads = 1;

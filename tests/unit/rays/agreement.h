@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/status.h"
-#include "osmesa/renderer.h"
+#include "opengl/renderer.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {
@@ -19,7 +19,7 @@ namespace mimo::test {
 inline std::unique_ptr<render::Renderer> osmesa_for(const engine::ModelPtr& model,
                                                     const render::Quality& quality = {}) {
   try {
-    return osmesa::make_renderer(model, quality, {});
+    return opengl::make_renderer(model, quality, {}, opengl::osmesa());
   } catch (const Error& error) {
     if (error.status() != Status::kUnsupported) throw;
     return nullptr;

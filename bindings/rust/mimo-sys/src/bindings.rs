@@ -1442,8 +1442,8 @@ pub struct mimo_env_config {
     pub jacobian: i32,
     #[doc = "MIMO_DISABLE_ bits."]
     pub disable: u32,
-    #[doc = "\"ray\" (our own, on the CPU), \"osmesa\" (MuJoCo's), \"auto\" (default): ray where the scene"]
-    #[doc = "allows, else osmesa; or \"none\": then eyes must be off."]
+    #[doc = "\"ray\" (our own, on the CPU), \"auto\" (default): ray where the scene allows, else osmesa;"]
+    #[doc = "\"osmesa\", \"gl\" (MuJoCo's, on the CPU or a graphics card); \"none\": eyes must be off."]
     pub renderer: *const std::os::raw::c_char,
     #[doc = "Steps after which an episode is truncated; 0: the task's parameter episode_steps."]
     pub max_steps: u32,
@@ -1458,8 +1458,8 @@ pub struct mimo_env_config {
     #[doc = "MIMO_RENDER_ bits: what pictures show; what is left out costs nothing. Default: all but"]
     #[doc = "fog."]
     pub render: u32,
-    #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OSMesa may give fewer); 0: one ray, or"]
-    #[doc = "what the model tells OSMesa."]
+    #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may give fewer); 0: one ray, or"]
+    #[doc = "what the model tells OpenGL."]
     pub samples: u32,
     #[doc = "Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them."]
     #[doc = "Pictures do not differ. Default 1, which is best in batches."]

@@ -43,7 +43,7 @@ impl EnvConfig {
         Ok(self)
     }
 
-    /// "ray", "osmesa", "auto", or "none": then eyes must be off.
+    /// "ray", "osmesa", "gl" (a graphics card), "auto", or "none": then eyes must be off.
     pub fn renderer(&mut self, name: &str) -> Result<&mut Self> {
         self.renderer = Some(c_string(name)?);
         Ok(self)
@@ -73,7 +73,7 @@ impl EnvConfig {
         self
     }
 
-    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.
+    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL.
     pub fn samples(&mut self, samples: u32) -> &mut Self {
         self.raw.samples = samples;
         self

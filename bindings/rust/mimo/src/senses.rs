@@ -65,7 +65,7 @@ impl SensesConfig {
         self
     }
 
-    /// "ray", "osmesa", "auto", or "none": then eyes must be off.
+    /// "ray", "osmesa", "gl" (a graphics card), "auto", or "none": then eyes must be off.
     pub fn renderer(&mut self, name: &str) -> Result<&mut Self> {
         self.renderer = Some(c_string(name)?);
         Ok(self)
@@ -77,7 +77,7 @@ impl SensesConfig {
         self
     }
 
-    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OSMesa.
+    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL.
     pub fn samples(&mut self, samples: u32) -> &mut Self {
         self.raw.samples = samples;
         self

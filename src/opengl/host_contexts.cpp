@@ -1,6 +1,6 @@
-#include "osmesa/host_contexts.h"
+#include "opengl/host_contexts.h"
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 namespace {
 
 // The functions' types are spelled out here: GLX's and EGL's headers are not needed to build libmimo.
@@ -50,15 +50,21 @@ HostEgl::~HostEgl() {
   library_.find<EglMakeCurrent>("eglMakeCurrent")(display_, draw_, read_, context_);
 }
 
-HostOsmesa::HostOsmesa(const Library& library) : library_(library), context_(library.GetCurrentContext()) {
+HostOsmesa::HostOsmesa() : library_({"libOSMesa.so"}) {
+  const auto get_context = library_.find<decltype(&OSMesaGetCurrentContext)>("OSMesaGetCurrentContext");
+  if (get_context == nullptr) return;
+  context_ = get_context();
   if (context_ == nullptr) return;
   GLint format = 0;  // belongs to the context, not needed to make it current
-  if (!library_.GetColorBuffer(context_, &width_, &height_, &format, &buffer_)) context_ = nullptr;
-  library_.GetIntegerv(OSMESA_TYPE, &type_);
+  const auto get_buffer = library_.find<decltype(&OSMesaGetColorBuffer)>("OSMesaGetColorBuffer");
+  if (!get_buffer(context_, &width_, &height_, &format, &buffer_)) context_ = nullptr;
+  library_.find<decltype(&OSMesaGetIntegerv)>("OSMesaGetIntegerv")(OSMESA_TYPE, &type_);
 }
 
 HostOsmesa::~HostOsmesa() {
-  if (context_ != nullptr) library_.MakeCurrent(context_, buffer_, static_cast<GLenum>(type_), width_, height_);
+  if (context_ == nullptr) return;
+  const auto make_current = library_.find<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+  make_current(context_, buffer_, static_cast<GLenum>(type_), width_, height_);
 }
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

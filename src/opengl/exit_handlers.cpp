@@ -1,4 +1,4 @@
-#include "osmesa/exit_handlers.h"
+#include "opengl/exit_handlers.h"
 
 #include <dlfcn.h>
 #include <unistd.h>
@@ -7,12 +7,12 @@
 #include <mutex>
 #include <new>
 
-#include "osmesa/import_slot.h"
+#include "opengl/import_slot.h"
 
 // What atexit() is made of.
 extern "C" int __cxa_atexit(void (*function)(void*), void* argument, void* library);  // NOLINT: the C library's name
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 namespace {
 
 struct Handler {
@@ -52,4 +52,4 @@ void keep_exit_handlers_from_children(const void* inside) {
   });
 }
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

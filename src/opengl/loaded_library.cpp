@@ -1,4 +1,4 @@
-#include "osmesa/loaded_library.h"
+#include "opengl/loaded_library.h"
 
 #include <dlfcn.h>
 #include <link.h>
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 namespace {
 
 struct Search {
@@ -38,6 +38,16 @@ std::array<char, 4096> first_loaded(std::initializer_list<const char*> prefixes)
   return search.path;
 }
 
+void* load_first(const std::vector<std::string>& names, std::string& why) {
+  for (const std::string& name : names) {
+    // RTLD_LOCAL: with its 1300 gl* functions in the global scope, OSMesa would take the place of the OpenGL that
+    // libraries loaded later by the host mean.
+    if (void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return handle;
+    if (why.empty()) why = dlerror();
+  }
+  return nullptr;
+}
+
 LoadedLibrary::LoadedLibrary(std::initializer_list<const char*> prefixes) {
   // Asking dlopen alone (RTLD_NOLOAD) would search the file system in every picture of a process without it.
   const std::array<char, 4096> path = first_loaded(prefixes);
@@ -50,4 +60,4 @@ LoadedLibrary::~LoadedLibrary() {
 
 void* LoadedLibrary::address(const char* name) const { return handle_ == nullptr ? nullptr : dlsym(handle_, name); }
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

@@ -2,10 +2,11 @@
 // again afterwards, as if nothing had happened.
 #pragma once
 
-#include "osmesa/library.h"
-#include "osmesa/loaded_library.h"
+#include <GL/osmesa.h>
 
-namespace mimo::osmesa {
+#include "opengl/loaded_library.h"
+
+namespace mimo::opengl {
 
 class HostGlx {
  public:
@@ -39,13 +40,13 @@ class HostEgl {
 
 class HostOsmesa {
  public:
-  explicit HostOsmesa(const Library& library);
+  HostOsmesa();
   ~HostOsmesa();
   HostOsmesa(const HostOsmesa&) = delete;
   HostOsmesa& operator=(const HostOsmesa&) = delete;
 
  private:
-  const Library& library_;
+  LoadedLibrary library_;
   OSMesaContext context_ = nullptr;
   void* buffer_ = nullptr;
   GLint width_ = 0;
@@ -57,7 +58,7 @@ class HostOsmesa {
 // take a context of the others for its own. So it is asked last, when the others have none.
 class HostContexts {
  public:
-  explicit HostContexts(const Library& library) : osmesa_(library) {}
+  HostContexts() = default;
 
  private:
   HostGlx glx_;
@@ -65,4 +66,4 @@ class HostContexts {
   HostOsmesa osmesa_;
 };
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

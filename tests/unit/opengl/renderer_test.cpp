@@ -4,7 +4,7 @@
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
 
-#include "osmesa/renderer.h"
+#include "opengl/renderer.h"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -21,8 +21,8 @@
 #include <thread>
 
 #include "engine/guard.h"
-#include "osmesa/library.h"
-#include "unit/osmesa/fixture.h"
+#include "opengl/osmesa.h"
+#include "unit/opengl/fixture.h"
 
 // Counts what this program's C++ code allocates. Sanitizers have allocators of their own.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -43,7 +43,7 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 #endif
 
-namespace mimo::osmesa::test {
+namespace mimo::opengl::test {
 namespace {
 
 TEST(Osmesa, DepthIsTheDistanceAlongTheAxis) {
@@ -107,7 +107,7 @@ TEST(Osmesa, IdsAndDepthAreNotAveragedByMultisampling) {
   mjModel single = *world.model;
   single.vis.quality.offsamples = 0;
   const auto smooth = renderer_for(world);
-  const auto sharp = make_renderer({&single, [](const mjModel*) {}}, Quality{}, LogSink{});
+  const auto sharp = make_renderer({&single, [](const mjModel*) {}}, Quality{}, LogSink{}, osmesa());
   const Image with = take(*smooth, world, 200, 150), without = take(*sharp, world, 200, 150);
   EXPECT_NE(with.rgb, without.rgb);  // edges are smooth
   EXPECT_EQ(with.segmentation, without.segmentation);
@@ -180,7 +180,7 @@ TEST(Osmesa, IsMujocosOwnPicture) {
   const World world;
   const auto renderer = renderer_for(world);
   const Image image = take(*renderer, world, 96, 64);
-  const Library library = load_library();
+  const Osmesa library = load_osmesa();
   OSMesaContext context = library.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr);
   std::array<unsigned char, 4> pixel{};
   ASSERT_TRUE(library.MakeCurrent(context, pixel.data(), GL_UNSIGNED_BYTE, 1, 1));
@@ -302,7 +302,7 @@ TEST(Osmesa, DoesNotAllocateOnceItHasDrawn) {
 TEST(Osmesa, MissingLibraryNamesThePackage) {
   const World world;
   try {
-    make_renderer(world.model, Quality{}, LogSink{}, {"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
+    make_renderer(world.model, Quality{}, LogSink{}, osmesa({"libNoSuchMesa.so.1", "libNoSuchMesa.so"}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::kUnsupported);
@@ -313,12 +313,14 @@ TEST(Osmesa, MissingLibraryNamesThePackage) {
 
 TEST(Osmesa, AnotherLibraryOfThatNameIsRefused) {
   const World world;
-  EXPECT_EQ(status_of([&] { make_renderer(world.model, Quality{}, LogSink{}, {"libm.so.6"}); }), Status::kUnsupported);
+  EXPECT_EQ(status_of([&] { make_renderer(world.model, Quality{}, LogSink{}, osmesa({"libm.so.6"})); }),
+            Status::kUnsupported);
 }
 
 TEST(Osmesa, NextNameIsTried) {
   const World world;
-  take(*make_renderer(world.model, Quality{}, LogSink{}, {"libNoSuchMesa.so", "libOSMesa.so.8", "libOSMesa.so.6"}),
+  take(*make_renderer(world.model, Quality{}, LogSink{},
+                      osmesa({"libNoSuchMesa.so", "libOSMesa.so.8", "libOSMesa.so.6"})),
        world);
 }
 
@@ -362,4 +364,4 @@ TEST(Osmesa, RefusesMoreTexturesThanMujocoHasRoomFor) {
 }
 
 }  // namespace
-}  // namespace mimo::osmesa::test
+}  // namespace mimo::opengl::test

@@ -10,11 +10,11 @@
 #include <cstdlib>
 
 #include "engine/guard.h"
-#include "osmesa/import_slot.h"
-#include "osmesa/library.h"
-#include "unit/osmesa/fixture.h"
+#include "opengl/import_slot.h"
+#include "opengl/osmesa.h"
+#include "unit/opengl/fixture.h"
 
-namespace mimo::osmesa::test {
+namespace mimo::opengl::test {
 namespace {
 
 // Runs the scenario in a new process and expects it to return true.
@@ -46,7 +46,7 @@ bool draws_right() {
 
 // A host that draws with OSMesa itself.
 struct OsmesaHost {
-  OsmesaHost() : osmesa(load_library()), context(osmesa.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)) {
+  OsmesaHost() : osmesa(load_osmesa()), context(osmesa.CreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)) {
     osmesa.MakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 3, 2);
     clear_color = reinterpret_cast<decltype(&glClearColor)>(osmesa.GetProcAddress("glClearColor"));
     clear = reinterpret_cast<decltype(&glClear)>(osmesa.GetProcAddress("glClear"));
@@ -62,7 +62,7 @@ struct OsmesaHost {
     finish();
   }
 
-  Library osmesa;
+  Osmesa osmesa;
   OSMesaContext context;
   unsigned char pixels[3 * 2 * 4] = {};
   decltype(&glClearColor) clear_color;
@@ -74,7 +74,7 @@ TEST(Host, NothingIsCurrentAfterwardsIfNothingWasBefore) {
   const World world;
   const auto renderer = renderer_for(world);
   EXPECT_TRUE(draws_right(*renderer, world));
-  EXPECT_EQ(load_library().GetCurrentContext(), nullptr);
+  EXPECT_EQ(load_osmesa().GetCurrentContext(), nullptr);
 }
 
 TEST(Host, OsmesaContextStaysCurrent) {
@@ -340,4 +340,4 @@ TEST(Host, ImportSlotIsThatOfTheFunction) {
 }
 
 }  // namespace
-}  // namespace mimo::osmesa::test
+}  // namespace mimo::opengl::test

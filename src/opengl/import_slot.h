@@ -1,7 +1,7 @@
 // Where a loaded library keeps the address of a function that it imports.
 #pragma once
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 
 class ImportSlot {
  public:
@@ -22,4 +22,4 @@ class ImportSlot {
   bool read_only_ = false;  // write-protected by the dynamic linker after loading
 };
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

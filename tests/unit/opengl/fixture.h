@@ -3,16 +3,16 @@
 
 #include <memory>
 
-#include "osmesa/renderer.h"
+#include "opengl/renderer.h"
 #include "unit/render/fixture.h"
 
-namespace mimo::osmesa::test {
+namespace mimo::opengl::test {
 
 using namespace render;
 using namespace render::test;
 
 inline std::unique_ptr<Renderer> renderer_for(const World& world) {
-  return osmesa::make_renderer(world.model, Quality{}, LogSink{});
+  return make_renderer(world.model, Quality{}, LogSink{}, osmesa());
 }
 
-}  // namespace mimo::osmesa::test
+}  // namespace mimo::opengl::test

@@ -2,10 +2,10 @@
 // or waits for ever.
 #pragma once
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 
 // What the library that holds the address `inside` registers from now on for the end of the process is run in the
 // process that registered it, and not in its children. As far as the dynamic linker's tables can be read.
 void keep_exit_handlers_from_children(const void* inside);
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

@@ -1,4 +1,4 @@
-#include "osmesa/import_slot.h"
+#include "opengl/import_slot.h"
 
 #include <link.h>
 #include <sys/mman.h>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 
 struct ImportSlot::Search {
   const void* inside;
@@ -106,4 +106,4 @@ void* ImportSlot::exchange(void* function) {
   return before;
 }
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

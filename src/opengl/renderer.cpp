@@ -1,4 +1,4 @@
-#include "osmesa/renderer.h"
+#include "opengl/renderer.h"
 
 #include <mujoco/mujoco.h>
 
@@ -8,13 +8,13 @@
 
 #include "base/fail.h"
 #include "engine/guard.h"
-#include "osmesa/context.h"
-#include "osmesa/library.h"
-#include "osmesa/mujoco_binding.h"
+#include "opengl/context.h"
+#include "opengl/mujoco_binding.h"
+#include "opengl/platform.h"
 #include "render/pixels.h"
 #include "render/visual_scene.h"
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
 namespace {
 
 using Current = Context::Current;
@@ -32,7 +32,7 @@ void run(const char* what, const LogSink& log, Call&& call) {
 class Canvas {
  public:
   // `samples` a pixel; 0: what the model says. OpenGL may give fewer.
-  Canvas(const mjModel& model, int samples, const Library& library, const Context& context, const LogSink& log);
+  Canvas(const mjModel& model, int samples, const Context& context, const LogSink& log);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -45,13 +45,14 @@ class Canvas {
  private:
   void store(GLuint buffer, GLenum format, int samples);
 
+  const char* platform_;
   const Context::Functions& gl_;
   const LogSink& log_;
   mjrContext buffers_;
 };
 
-Canvas::Canvas(const mjModel& model, int samples, const Library& library, const Context& context, const LogSink& log)
-    : gl_(context.gl()), log_(log) {
+Canvas::Canvas(const mjModel& model, int samples, const Context& context, const LogSink& log)
+    : platform_(context.platform().name()), gl_(context.gl()), log_(log) {
   mjr_defaultContext(&buffers_);
   // MuJoCo 2.2.2 checks for 1000 textures but has room for 100.
   if (model.ntex > static_cast<int>(std::size(buffers_.texture))) {
@@ -61,8 +62,8 @@ Canvas::Canvas(const mjModel& model, int samples, const Library& library, const 
   mjModel sized = model;  // the struct only
   if (samples > 0) sized.vis.quality.offsamples = samples == 1 ? 0 : samples;
   sized.vis.global.offwidth = sized.vis.global.offheight = 1;
-  MujocoBinding binding(library);
-  run("MuJoCo cannot draw with OSMesa (has this process drawn with MuJoCo and another OpenGL before?)", log_,
+  MujocoBinding binding(context.platform());
+  run("MuJoCo cannot draw with this OpenGL (has this process drawn with MuJoCo and another OpenGL before?)", log_,
       [&] { mjr_makeContext(&sized, &buffers_, mjFONTSCALE_100); });
   binding.confirm();
   run("MuJoCo has no buffer to draw into", log_, [&] { mjr_setBuffer(mjFB_OFFSCREEN, &buffers_); });
@@ -76,8 +77,8 @@ void Canvas::make_room(int width, int height) {
   if (width <= buffers_.offWidth && height <= buffers_.offHeight) return;
   GLint most = 0;
   gl_.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
-  require(width <= most && height <= most, "a picture of {}x{} pixels: OSMesa draws at most {}x{}", width, height, most,
-          most);
+  require(width <= most && height <= most, "a picture of {}x{} pixels: {} draws at most {}x{}", width, height,
+          platform_, most, most);
   buffers_.offWidth = std::max(width, buffers_.offWidth);
   buffers_.offHeight = std::max(height, buffers_.offHeight);
   store(buffers_.offColor, GL_RGBA8, buffers_.offSamples);
@@ -90,7 +91,7 @@ void Canvas::make_room(int width, int height) {
   const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   const GLenum error = gl_.GetError();
   if (status == GL_FRAMEBUFFER_COMPLETE && error == GL_NO_ERROR) return;
-  fail(Status::kRender, "OSMesa has no buffer of {}x{} pixels with {} samples (status {:#x}, error {:#x})",
+  fail(Status::kRender, "{} has no buffer of {}x{} pixels with {} samples (status {:#x}, error {:#x})", platform_,
        buffers_.offWidth, buffers_.offHeight, buffers_.offSamples, status, error);
 }
 
@@ -106,11 +107,15 @@ void Canvas::draw(mjvScene* scene, int width, int height, unsigned char* rgb, fl
   run("MuJoCo cannot read the picture", log_, [&] { mjr_readPixels(rgb, depth, rectangle, &buffers_); });
 }
 
-class OsmesaRenderer final : public render::Renderer {
+class OpenGlRenderer final : public render::Renderer {
  public:
-  OsmesaRenderer(engine::ModelPtr model, const render::Quality& quality, const LogSink& log, const Library& library)
-      : model_(std::move(model)), samples_(quality.samples), log_(log), library_(library), scene_(*model_, quality) {}
-  ~OsmesaRenderer() override { forget(); }
+  OpenGlRenderer(engine::ModelPtr model, const render::Quality& quality, const LogSink& log, PlatformPtr platform)
+      : model_(std::move(model)),
+        samples_(quality.samples),
+        log_(log),
+        platform_(std::move(platform)),
+        scene_(*model_, quality) {}
+  ~OpenGlRenderer() override { forget(); }
 
   void draw(const mjModel& model, const mjData& data, const render::View& view,
             const render::Picture& picture) override;
@@ -124,7 +129,7 @@ class OsmesaRenderer final : public render::Renderer {
   engine::ModelPtr model_;
   int samples_;
   LogSink log_;
-  const Library library_;
+  const PlatformPtr platform_;
   render::VisualScene scene_;
   std::vector<unsigned char> ids_;
   // Made for the first picture: a world that never draws pays nothing.
@@ -138,12 +143,12 @@ void check(const render::View& view, const render::Picture& picture) {
           view.fovy);
 }
 
-void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const render::View& view,
+void OpenGlRenderer::draw(const mjModel& model, const mjData& data, const render::View& view,
                           const render::Picture& picture) {
   check(view, picture);
   scene_.update(model, data, view);
   try {
-    if (!context_) context_ = std::make_unique<Context>(library_);
+    if (!context_) context_ = std::make_unique<Context>(platform_);
     draw_current(picture);
   } catch (...) {
     forget();  // an error amid OpenGL calls leaves a context in no known state; the next picture begins with a new one
@@ -151,15 +156,15 @@ void OsmesaRenderer::draw(const mjModel& model, const mjData& data, const render
   }
 }
 
-void OsmesaRenderer::draw_current(const render::Picture& picture) {
+void OpenGlRenderer::draw_current(const render::Picture& picture) {
   const Current current(*context_);
-  if (!canvas_) canvas_ = std::make_unique<Canvas>(*model_, samples_, library_, *context_, log_);
+  if (!canvas_) canvas_ = std::make_unique<Canvas>(*model_, samples_, *context_, log_);
   canvas_->make_room(picture.width, picture.height);
   if (picture.rgb != nullptr) paint(picture);
   if (picture.depth != nullptr || picture.segmentation != nullptr) measure(picture);
 }
 
-void OsmesaRenderer::paint(const render::Picture& picture) {
+void OpenGlRenderer::paint(const render::Picture& picture) {
   scene_.show_ids(false);
   canvas_->draw(scene_.get(), picture.width, picture.height, picture.rgb, nullptr);
   render::flip_rows(picture.rgb, static_cast<std::size_t>(picture.width) * 3, picture.height);
@@ -168,7 +173,7 @@ void OsmesaRenderer::paint(const render::Picture& picture) {
 // Depth and ids come from a drawing of their own. The samples of the coloured one lie beside the pixels' centres, and
 // it leaves transparent geoms out of the depth; in this one MuJoCo switches multisampling off and everything is opaque,
 // so ids are not averaged and each pixel's depth is that of the geom it names.
-void OsmesaRenderer::measure(const render::Picture& picture) {
+void OpenGlRenderer::measure(const render::Picture& picture) {
   const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   const bool segment = picture.segmentation != nullptr;
   if (segment && ids_.size() < 3 * count) ids_.resize(3 * count);
@@ -187,7 +192,7 @@ void OsmesaRenderer::measure(const render::Picture& picture) {
 }
 
 // Gives back everything of OpenGL.
-void OsmesaRenderer::forget() noexcept {
+void OpenGlRenderer::forget() noexcept {
   if (!context_) return;
   try {
     const Current current(*context_);
@@ -203,13 +208,8 @@ void OsmesaRenderer::forget() noexcept {
 }  // namespace
 
 std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
-                                                const LogSink& log, const std::vector<std::string>& libraries) {
-  return std::make_unique<OsmesaRenderer>(std::move(model), quality, log, load_library(libraries));
+                                                const LogSink& log, const PlatformPtr& platform) {
+  return std::make_unique<OpenGlRenderer>(std::move(model), quality, log, platform);
 }
 
-std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const render::Quality& quality,
-                                                const LogSink& log) {
-  return make_renderer(std::move(model), quality, log, kLibraryNames);
-}
-
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl

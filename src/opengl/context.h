@@ -1,20 +1,24 @@
-// An OpenGL context of OSMesa, made current for the length of a call only: so it may move between threads.
+// An OpenGL context, made current for the length of a call only: so it may move between threads.
 #pragma once
 
-#include <GL/osmesa.h>
+#include <GL/gl.h>
+#include <GL/glext.h>
 
-#include <array>
+#include <memory>
 
-#include "osmesa/host_contexts.h"
-#include "osmesa/library.h"
+#include "opengl/host_contexts.h"
+#include "opengl/platform.h"
 
-namespace mimo::osmesa {
+namespace mimo::opengl {
+
+// This process begins to draw. Throws Status::kForked in a child of one that has begun.
+void begin_drawing();
 
 class Context {
  public:
   // Throws Status::kRender, Status::kUnsupported, and Status::kForked in a process that was forked from one that has
   // drawn.
-  explicit Context(const Library& library);
+  explicit Context(PlatformPtr platform);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -29,8 +33,8 @@ class Context {
     Current& operator=(const Current&) = delete;
 
    private:
-    const Library& library_;
     HostContexts host_;
+    Handle& handle_;
   };
 
   // The few functions of OpenGL that MuJoCo does not call for us.
@@ -43,13 +47,12 @@ class Context {
     decltype(&glGetError) GetError = nullptr;
   };
   const Functions& gl() const { return gl_; }
+  const Platform& platform() const { return *platform_; }
 
  private:
-  const Library library_;
+  const PlatformPtr platform_;
   Functions gl_;
-  OSMesaContext context_ = nullptr;
-  // The context's own frame buffer, of one pixel: MuJoCo draws into another.
-  std::array<unsigned char, 4> pixel_{};
+  std::unique_ptr<Handle> handle_;
 };
 
-}  // namespace mimo::osmesa
+}  // namespace mimo::opengl
