@@ -81,24 +81,31 @@ void PaintTransparent(const Frame& frame, const Tile& tile, Canvas& canvas) {
   }
 }
 
-// Colours of all rays of a tile: bytes red, green, blue, and one that does not count.
+// The aspects that a tile shows, once each.
+struct Parts {
+  int count = 0;
+  std::int32_t index[kRays];
+
+  void add(std::int32_t id) {
+    if (id >= 0 && std::find(index, index + count, id) == index + count) index[count++] = id;
+  }
+};
+
+// Colours of all rays of a tile, as Packed() gives them.
 void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
 
   Shade shades[kMaxLights];
-  for (int k = 0; k < frame.lights.caster_count() && tile.nearest <= tile.farthest; ++k) {
-    const Caster& caster = frame.lights.caster(k);
-    switch (caster.rays) {
-      case Rays::kPerspective: CastShadows<Rays::kPerspective>(frame.solids, caster, tile, shades[k]); break;
-      case Rays::kParallel: CastShadows<Rays::kParallel>(frame.solids, caster, tile, shades[k]); break;
-      case Rays::kAround: CastShadows<Rays::kAround>(frame.solids, caster, tile, shades[k]); break;
-    }
+  if (tile.nearest <= tile.farthest) {
+    LookForShadows(frame, tile, nullptr, shades);
+    CastShadows(frame, tile, shades);
   }
 
   // The sky hides what is farther away than it is.
   const Sky& sky = frame.backdrop.sky;
   alignas(64) std::int32_t shown[kRays];
-  bool solids = false;
+  Parts parts;
+  std::int32_t last = -1;
   bool empty = false;
   for (int i = 0; i < kRays; i += lanes) {
     VI id = hn::Load(DI(), tile.id + i);
@@ -110,9 +117,9 @@ void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
       id = hn::IfThenElse(hn::RebindMask(DI(), hidden), SetI(-1), id);
     }
     hn::Store(id, DI(), shown + i);
-    const auto nothing = hn::Lt(id, hn::Zero(DI()));
-    solids = solids || !hn::AllTrue(DI(), nothing);
-    empty = empty || !hn::AllFalse(DI(), nothing);
+    empty = empty || !hn::AllFalse(DI(), hn::Lt(id, hn::Zero(DI())));
+    if (hn::AllTrue(DI(), hn::Eq(id, SetI(last)))) continue;
+    for (int lane = 0; lane < lanes; ++lane) parts.add(last = shown[i + lane]);
   }
 
   Canvas canvas;
@@ -121,13 +128,11 @@ void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
     std::fill_n(canvas.g, kRays, 0.0F);
     std::fill_n(canvas.b, kRays, 0.0F);
   }
-  if (solids) {
-    for (int k = 0; k < frame.camera.count; ++k) {
-      const Aspect& aspect = frame.camera.aspects[k];
-      if (frame.solids[aspect.solid].transparent) continue;
-      const Window w = WindowOf(aspect, tile);
-      if (IsEmpty(w)) continue;
-      Paint<Brush::kPut>({&frame, &frame.camera, k, &tile, tile.t, shown, tile.face, shades, 1.0F}, w, canvas);
+  if (parts.count > 0) {
+    for (int k = 0; k < parts.count; ++k) {
+      const int index = parts.index[k];
+      const Window w = WindowOf(frame.camera.aspects[index], tile);
+      Paint<Brush::kPut>({&frame, &frame.camera, index, &tile, tile.t, shown, tile.face, shades, 1.0F}, w, canvas);
     }
     if (frame.backdrop.fog.shown) PaintFog(frame.backdrop.fog, tile, shown, canvas);
     if (frame.mirror.solid >= 0) PaintMirror(frame, tile, shown, canvas);
@@ -136,14 +141,9 @@ void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
   if (frame.backdrop.haze.shown) PaintHaze(frame.backdrop, tile, canvas);
   if (frame.camera.transparent_count > 0) PaintTransparent(frame, tile, canvas);
 
-  const V one = Set(1.0F);
-  const V scale = Set(255.0F);
   for (int i = 0; i < kRays; i += lanes) {
-    const VI r = Low16(hn::Min(Load(canvas.r + i), one) * scale);
-    const VI g = Low16(hn::Min(Load(canvas.g + i), one) * scale);
-    const VI b = Low16(hn::Min(Load(canvas.b + i), one) * scale);
-    hn::Store(hn::Or(r, hn::Or(hn::ShiftLeft<8>(g), hn::ShiftLeft<16>(b))), DI(),
-              reinterpret_cast<std::int32_t*>(out) + i);
+    const V3 color = AtMostWhite({Load(canvas.r + i), Load(canvas.g + i), Load(canvas.b + i)});
+    hn::Store(Packed(color), DI(), reinterpret_cast<std::int32_t*>(out) + i);
   }
 }
 

@@ -200,6 +200,10 @@ void Eye::look_at(const Solid& solid, int index, double near_depth) {
     if (middle - std::abs(x) * wide - std::abs(y) * high >= 0) return;
     aspect.facing = narrow({middle, x, y});
   }
+  if (rays == Rays::kPerspective && solid.kind == Form::kPlane) {
+    const double side = from_solid[2] < 0 ? -1 : 1;
+    aspect.facing = narrow({side * ahead[2], side * right[2], side * up[2]});
+  }
   aspect.bx = narrow(right);
   aspect.by = narrow(up);
   const std::array<float, 3> forward = narrow(ahead);

@@ -21,7 +21,7 @@ struct Grid {
   std::int32_t* segmentation = nullptr;  // likewise
 
   int tile_columns() const { return (columns + kTile - 1) / kTile; }
-  int tiles() const { return tile_columns() * ((rows + kTile - 1) / kTile); }
+  int tile_rows() const { return (rows + kTile - 1) / kTile; }
 };
 
 }  // namespace mimo::rays

@@ -26,6 +26,7 @@
 #include "base/processor.h"
 #include "rays/coloring-inl.h"
 #include "rays/lanes-inl.h"
+#include "rays/plain-inl.h"
 #include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -49,7 +50,7 @@ HWY_INLINE std::uint32_t Average(const std::uint32_t* color, int samples) {
 // Leaves out every fourth byte. What is written too much is overwritten next, and the last pixel writes none.
 HWY_INLINE void PackOneByOne(const std::uint32_t* from, int count, std::uint8_t* to) {
   for (int k = 0; k + 1 < count; ++k) std::memcpy(to + 3 * k, from + k, 4);
-  std::memcpy(to + 3 * (count - 1), from + count - 1, 3);
+  if (count > 0) std::memcpy(to + 3 * (count - 1), from + count - 1, 3);
 }
 
 HWY_INLINE void Pack(const std::uint32_t* from, int count, std::uint8_t* to) {
@@ -58,9 +59,16 @@ HWY_INLINE void Pack(const std::uint32_t* from, int count, std::uint8_t* to) {
   const hn::Full128<std::uint8_t> d;
   alignas(16) static constexpr std::uint8_t kOrder[16] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
   const auto order = hn::Load(d, kOrder);
-  for (; done + 8 <= count; done += 4) {
+  for (; done + 4 <= count; done += 4) {
     const auto four = hn::Load(hn::Full128<std::uint32_t>(), from + done);
-    hn::StoreU(hn::TableLookupBytes(hn::BitCast(d, four), order), d, to + 3 * done);
+    const auto bytes = hn::TableLookupBytes(hn::BitCast(d, four), order);
+    if (done + 8 <= count) {
+      hn::StoreU(bytes, d, to + 3 * done);
+    } else {  // no more than these twelve
+      alignas(16) std::uint8_t last[16];
+      hn::Store(bytes, d, last);
+      std::memcpy(to + 3 * done, last, 12);
+    }
   }
 #endif
   PackOneByOne(from + done, count - done, to + 3 * done);
@@ -86,12 +94,6 @@ void WriteColor(const Grid& grid, int tile_row, int tile_column, const std::uint
   }
 }
 
-// Where the rays of a tile meet the solid that one of the camera's aspects shows.
-void Meet(const Solids& solids, const Camera& camera, int index, Tile& tile) {
-  const Window w = WindowOf(camera.aspects[index], tile);
-  if (!IsEmpty(w)) Cast<false>(solids, camera, index, tile, w, &camera.near_plane, tile.t, tile.id, tile.face);
-}
-
 void WriteShapes(const Grid& grid, int tile_row, int tile_column, const Tile& tile) {
   const Frame& frame = *grid.frame;
   const int width = std::min(kTile, grid.columns - tile_column * kTile);
@@ -109,33 +111,59 @@ void WriteShapes(const Grid& grid, int tile_row, int tile_column, const Tile& ti
   }
 }
 
-void DrawOneTile(const Grid& grid, int index) {
+// Colours alone, where that is simple.
+bool ColorPlainTile(const Frame& frame, Tile& tile, std::uint32_t* color) {
+  const int only = OnlyAspect(frame.camera, tile);
+  if (only == kSeveral) return false;
+  if (only == kNone) return ColorSky(frame.backdrop, frame.texels, tile, color);
+  return ColorPlane(frame, only, tile, color);
+}
+
+void DrawOneTile(const Grid& grid, int tile_row, int tile_column, Tile& tile) {
   const Frame& frame = *grid.frame;
-  const int tile_row = index / grid.tile_columns();
-  const int tile_column = index % grid.tile_columns();
-  Tile tile;
-  tile.dx = grid.dx;
-  tile.dy = grid.dy;
-  for (int k = 0; k < kTile; ++k) {
-    tile.x[k] = grid.x + static_cast<float>(tile_column * kTile + k) * grid.dx;
-    tile.y[k] = grid.y + static_cast<float>(tile_row * kTile + k) * grid.dy;
-  }
-  std::fill_n(tile.t, kRays, kMiss);
-  std::fill_n(tile.id, kRays, -1);
-  if (frame.solids.meshes()) std::fill_n(tile.face, kRays, 0);
+  const bool shapes = grid.depth != nullptr || grid.segmentation != nullptr;
+  alignas(64) std::uint32_t color[kRays];
+  const bool plain = grid.rgb != nullptr && ColorPlainTile(frame, tile, color);
+  if (plain) WriteColor(grid, tile_row, tile_column, color);
+  if (plain && !shapes) return;
+  StartTile(frame.solids, tile);
   for (int k = 0; k < frame.camera.count; ++k) {
     if (!frame.solids[frame.camera.aspects[k].solid].transparent) Meet(frame.solids, frame.camera, k, tile);
   }
-  if (grid.rgb != nullptr) {
+  if (grid.rgb != nullptr && !plain) {
     FindDepths(tile);
-    alignas(64) std::uint32_t color[kRays];
     ColorTile(frame, tile, color);
     WriteColor(grid, tile_row, tile_column, color);
   }
-  if (grid.depth == nullptr && grid.segmentation == nullptr) return;
+  if (!shapes) return;
   for (int k = 0; k < frame.camera.transparent_count; ++k)
     Meet(frame.solids, frame.camera, frame.camera.transparent[k], tile);
   WriteShapes(grid, tile_row, tile_column, tile);
+}
+
+// As many tiles side by side as 0.15 radians hold.
+int TilesOfStrip(const Grid& grid) {
+  int tiles = kMostTiles;
+  while (tiles > 1 && static_cast<float>(tiles * kTile) * grid.dx > 0.15F) tiles /= 2;
+  return tiles;
+}
+
+void DrawRow(const Grid& grid, int row) {
+  const auto x = [&grid](int column) { return grid.x + static_cast<float>(column) * grid.dx; };
+  const int tiles = TilesOfStrip(grid);
+  Strip strip;
+  Tile tile;
+  tile.strip = &strip;
+  tile.dx = grid.dx;
+  tile.dy = grid.dy;
+  for (int k = 0; k < kTile; ++k) tile.y[k] = grid.y + static_cast<float>(row * kTile + k) * grid.dy;
+  for (int column = 0; column < grid.tile_columns(); ++column) {
+    const int place = column % tiles;
+    if (place == 0) strip.start({x(column * kTile), tile.y[0], tiles * kTile});
+    tile.place = place * kTile;
+    for (int k = 0; k < kTile; ++k) tile.x[k] = x(column * kTile + k);
+    DrawOneTile(grid, row, column, tile);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -150,19 +178,19 @@ std::vector<Path> paths() {
   std::vector<Path> result;
 #if HWY_ARCH_X86
 #if HWY_TARGETS & HWY_AVX3
-  if (has_avx512()) result.push_back({"AVX3", &N_AVX3::DrawOneTile});
+  if (has_avx512()) result.push_back({"AVX3", &N_AVX3::DrawRow});
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  if (has_avx2()) result.push_back({"AVX2", &N_AVX2::DrawOneTile});
+  if (has_avx2()) result.push_back({"AVX2", &N_AVX2::DrawRow});
 #endif
 #if HWY_TARGETS & HWY_SSE4
-  if (has_sse4()) result.push_back({"SSE4", &N_SSE4::DrawOneTile});
+  if (has_sse4()) result.push_back({"SSE4", &N_SSE4::DrawRow});
 #endif
 #endif
   // What the compiler may assume of every machine that this build is for.
   const char* const baseline = HWY_STATIC_TARGET == HWY_EMU128 ? "portable" : hwy::TargetName(HWY_STATIC_TARGET);
   if (result.empty() || std::strcmp(result.back().name, baseline) != 0) {
-    result.push_back({baseline, &HWY_STATIC_DISPATCH(DrawOneTile)});
+    result.push_back({baseline, &HWY_STATIC_DISPATCH(DrawRow)});
   }
   return result;
 }

@@ -7,11 +7,12 @@
 
 namespace mimo::rays {
 
-using DrawTile = void (*)(const Grid& grid, int tile);
+// Draws a row of tiles.
+using DrawRow = void (*)(const Grid& grid, int row);
 
 struct Path {
   const char* name;
-  DrawTile draw;
+  DrawRow draw;
 };
 
 // What this build has for this machine, best first; never empty.

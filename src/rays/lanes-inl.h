@@ -55,6 +55,7 @@ HWY_INLINE V3 Set(const std::array<float, 3>& v) { return {Set(v[0]), Set(v[1]),
 HWY_INLINE V Dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 HWY_INLINE V3 operator+(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 HWY_INLINE V3 operator-(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE V3 operator*(const V3& a, const V3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 HWY_INLINE V3 operator*(const V3& a, V k) { return {a.x * k, a.y * k, a.z * k}; }
 HWY_INLINE V3 Pick(M m, const V3& a, const V3& b) { return {Pick(m, a.x, b.x), Pick(m, a.y, b.y), Pick(m, a.z, b.z)}; }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "rays/canvas-inl.h"
 #include "rays/frame.h"
 #include "rays/lanes-inl.h"
 #include "rays/mesh-inl.h"
@@ -35,15 +36,6 @@ HWY_INLINE V3 Fogged(const Fog& fog, const V3& color, V depth) {
   return color * (Set(1.0F) - f) + Set(fog.rgb) * f;
 }
 
-// The colours of a tile's rays.
-struct Canvas {
-  alignas(64) float r[kRays];
-  float g[kRays];
-  float b[kRays];
-};
-
-enum class Brush { kPut, kAdd, kBlend };
-
 // What is painted: the rays of a tile that met the solid which aspect `index` shows.
 struct Subject {
   const Frame* frame;
@@ -57,6 +49,10 @@ struct Subject {
   float dim;                 // what the colour is multiplied by
   float sharp = 0;           // of a textured plane: up to this t no pixel spans more than a texel
 };
+
+HWY_INLINE const Material& MaterialOf(const Subject& subject) {
+  return subject.frame->solids[subject.eye->aspects[subject.index].solid].material;
+}
 
 // The rays that met what is painted.
 HWY_INLINE M Mine(const Subject& subject, int i) {
@@ -163,11 +159,6 @@ HWY_INLINE bool Shine(const Light& light, const LocalLight& place, const Materia
   return true;
 }
 
-HWY_INLINE V3 AtMostWhite(const V3& color) {
-  const V one = Set(1.0F);
-  return {hn::Min(color.x, one), hn::Min(color.y, one), hn::Min(color.z, one)};
-}
-
 // Colour that one light gives a solid of colour rgb. Of grey light, only x is looked at.
 template <bool kGray>
 HWY_INLINE V3 Reflected(const Light& light, const Beam& beam, const V3& rgb) {
@@ -269,18 +260,18 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
       const V y = surface.change(1, step) * high;
       return x * x + y * y;
     };
-    return Sample<false>(frame.texels, texture, hn::Zero(DI()), Repeated(surface.texture(0)),
-                         Repeated(surface.texture(1)), LevelOf(hn::Max(spread(steps.x), spread(steps.y))));
+    return Unpacked(Filter<false>(frame.texels, texture, hn::Zero(DI()), Repeated(surface.texture(0)),
+                                  Repeated(surface.texture(1)), LevelOf(hn::Max(spread(steps.x), spread(steps.y)))));
   }
   if (!cube) {
     const V u = Repeated(p.x * Set(material.mapping.scale[0]) - Set(0.5F));
     const V v = Repeated(p.y * Set(material.mapping.scale[1]) - Set(0.5F));
     // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
     if (kKind == Form::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
-      return SampleLarge<false>(frame.texels, texture, hn::Zero(DI()), u, v);
+      return Unpacked(FilterLarge<false>(frame.texels, texture, hn::Zero(DI()), u, v));
     }
     const V spread = Spread<kKind>(subject, aspect, material, ray, n, t, false);
-    return Sample<false>(frame.texels, texture, hn::Zero(DI()), u, v, LevelOf(spread));
+    return Unpacked(Filter<false>(frame.texels, texture, hn::Zero(DI()), u, v, LevelOf(spread)));
   }
   const V fold = Set(material.mapping.fold);
   const V z = hn::Min(hn::Max(p.z, Zero() - fold), fold);

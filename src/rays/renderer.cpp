@@ -31,16 +31,13 @@ int rays_along_an_edge(int samples) {
 // A picture in pieces: its rows of tiles.
 class Rows final : public Job {
  public:
-  Rows(const Grid& picture, DrawTile draw) : picture_(picture), draw_(draw) {}
-  std::size_t count() const { return static_cast<std::size_t>(picture_.tiles() / picture_.tile_columns()); }
-  void run(std::size_t row, std::size_t) noexcept override {
-    const int columns = picture_.tile_columns();
-    for (int i = 0; i < columns; ++i) draw_(picture_, static_cast<int>(row) * columns + i);
-  }
+  Rows(const Grid& picture, DrawRow draw) : picture_(picture), draw_(draw) {}
+  std::size_t count() const { return static_cast<std::size_t>(picture_.tile_rows()); }
+  void run(std::size_t row, std::size_t) noexcept override { draw_(picture_, static_cast<int>(row)); }
 
  private:
   const Grid& picture_;
-  DrawTile draw_;
+  DrawRow draw_;
 };
 
 class RayRenderer final : public render::Renderer {
@@ -103,7 +100,7 @@ class RayRenderer final : public render::Renderer {
   engine::ModelPtr model_;
   std::shared_ptr<const Assets> assets_;
   int samples_;  // rays along a pixel's edge
-  DrawTile draw_;
+  DrawRow draw_;
   render::Quality quality_;
   Frame frame_;
   std::unique_ptr<Pool> pool_;  // null: the calling thread does it all

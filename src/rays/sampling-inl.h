@@ -24,13 +24,14 @@ constexpr std::int32_t kFull = 255 * kWeights;
 // The weight of a fraction 0..1 in 1/32768, in the lower 16 bits.
 HWY_INLINE VI Weight(V fraction) { return Low16(fraction * Set(32767.0F)); }
 
-// The weights of a texel (first byte) and its neighbour to the right (second byte).
-HWY_INLINE VI PairWeights(V fraction) {
-  const V all = Set(static_cast<float>(kWeights));
-  const V rounder = Set(8388608.0F);
-  const V right = (fraction * all + rounder) - rounder;
-  return Low16(right * Set(255.0F) + all);  // right * 256 + all - right
-}
+// The weight of a texel's neighbour to the right, in the lowest byte; the texel's own is what is left of all.
+HWY_INLINE VI PairWeight(V fraction) { return Low16(fraction * Set(static_cast<float>(kWeights))); }
+
+// Light 0..kBrightest as the weight of Lighted().
+constexpr float kBrightest = 1.9999F;
+// From the half of a filtered colour to bytes, in 1/32768.
+constexpr std::int32_t kByte = 516;
+HWY_INLINE VI LightWeight(V light) { return Low16(hn::Min(light, Set(kBrightest)) * Set(16384.0F)); }
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -47,13 +48,23 @@ HWY_INLINE Texel Mix(const Texel& a, const Texel& b, VI weight) {
 }
 
 HWY_INLINE Texel FetchRow(const std::uint32_t* texels, const std::uint32_t* at, VI weights) {
+  const std::int32_t weight = weights.raw & 255;
   Texel texel;
   for (int k = 0; k < 3; ++k) {
     const std::int32_t left = texels[*at] >> (8 * k) & 255;
     const std::int32_t right = texels[*at + 1] >> (8 * k) & 255;
-    texel.channel[k] = left * (weights.raw & 255) + right * (weights.raw >> 8 & 255);
+    texel.channel[k] = left * (kWeights - weight) + right * weight;
   }
   return texel;
+}
+
+HWY_INLINE VI Lighted(const Texel& texel, VI light) {
+  std::int32_t bytes = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t half = (texel.channel[k] * (light.raw & 0xFFFF) + 0x4000) >> 15;
+    bytes |= std::min((half * kByte + 0x4000) >> 15, 255) << (8 * k);
+  }
+  return SetI(bytes);
 }
 
 HWY_INLINE V3 Unpacked(const Texel& texel) {
@@ -120,6 +131,14 @@ HWY_INLINE hn::Vec<hn::Simd<std::int64_t, kCount, 0> > FetchPairs(const std::uin
   }
 }
 
+// The weights of texels and their neighbours to the right, in turns, for two pixels out of four.
+HWY_INLINE hn::Vec<DB> InTurns(VI weights, const std::uint8_t (&order)[16]) {
+  const auto right = hn::TableLookupBytes(hn::BitCast(DB(), weights), hn::LoadDup128(DB(), order));
+  return hn::Xor(right, hn::BitCast(DB(), hn::Set(DS(), kWeights)));  // kWeights - w = kWeights ^ w
+}
+alignas(16) constexpr std::uint8_t kLowByte[16] = {0, 0, 0, 0, 0, 0, 0, 0, 4, 4, 4, 4, 4, 4, 4, 4};
+alignas(16) constexpr std::uint8_t kHighByte[16] = {8, 8, 8, 8, 8, 8, 8, 8, 12, 12, 12, 12, 12, 12, 12, 12};
+
 // Texels and their neighbours to the right, mixed.
 HWY_INLINE Texel FetchRow(const std::uint32_t* texels, const std::uint32_t* at, VI weights) {
   constexpr std::size_t kPairs = hn::MaxLanes(D()) / 2;
@@ -127,7 +146,37 @@ HWY_INLINE Texel FetchRow(const std::uint32_t* texels, const std::uint32_t* at, 
   const auto order = hn::LoadDup128(DB(), kSideBySide);
   const auto low = hn::TableLookupBytes(hn::BitCast(DB(), FetchPairs<kPairs>(texels, at)), order);
   const auto high = hn::TableLookupBytes(hn::BitCast(DB(), FetchPairs<kPairs>(texels, at + 2)), order);
-  return {MulPairs(low, FourTimes(weights, kLow)), MulPairs(high, FourTimes(weights, kHigh))};
+  return {MulPairs(low, InTurns(weights, kLowByte)), MulPairs(high, InTurns(weights, kHighByte))};
+}
+
+// The channels of pixels as bytes, cut at 255.
+HWY_INLINE hn::Vec<DB> Bytes(hn::Vec<DS> low, hn::Vec<DS> high) {
+#if HWY_TARGET == HWY_AVX3
+  return hn::Vec<DB>{_mm512_packus_epi16(low.raw, high.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return hn::Vec<DB>{_mm256_packus_epi16(low.raw, high.raw)};
+#elif HWY_TARGET == HWY_SSE4
+  return hn::Vec<DB>{_mm_packus_epi16(low.raw, high.raw)};
+#else
+  alignas(16) static constexpr std::uint8_t kLower[16] = {0,   2,   4,   6,   8,   10,  12,  14,
+                                                          128, 128, 128, 128, 128, 128, 128, 128};
+  alignas(16) static constexpr std::uint8_t kUpper[16] = {128, 128, 128, 128, 128, 128, 128, 128,
+                                                          0,   2,   4,   6,   8,   10,  12,  14};
+  const auto cut = [](hn::Vec<DS> v) { return hn::BitCast(DB(), hn::Min(v, hn::Set(DS(), 255))); };
+  return hn::Or(hn::TableLookupBytesOr0(cut(low), hn::LoadDup128(DB(), kLower)),
+                hn::TableLookupBytesOr0(cut(high), hn::LoadDup128(DB(), kUpper)));
+#endif
+}
+
+// Filtered colours in grey light: bytes as Packed() gives them, cut at white.
+HWY_INLINE VI Lighted(const Texel& texel, VI light) {
+  const auto byte = hn::Set(DS(), kByte);
+  const auto half = [&](hn::Vec<DS> channels, const std::uint8_t(&order)[16]) {
+    return hn::MulFixedPoint15(channels, hn::BitCast(DS(), FourTimes(light, order)));
+  };
+  const auto low = hn::MulFixedPoint15(half(texel.low, kLow), byte);
+  const auto high = hn::MulFixedPoint15(half(texel.high, kHigh), byte);
+  return hn::BitCast(DI(), Bytes(low, high));
 }
 
 HWY_INLINE V3 Unpacked(const Texel& texel) {
@@ -143,17 +192,22 @@ HWY_INLINE V3 Unpacked(const Texel& texel) {
 
 #endif
 
-// Where one begins, and its size.
+// Where one begins, less what Marked() adds to the places in it; and its size.
 struct Mipmap {
   VI origin, stride;
   V width, height;
 };
 
+// A whole number in -2^22..2^22, and kMark. (The mark is taken off where it costs nothing.)
+constexpr std::uint32_t kMark = 0x4B400000;
+HWY_INLINE VI Marked(V whole) { return hn::BitCast(DI(), whole + Set(12582912.0F)); }
+
 template <bool kCube>
 HWY_INLINE Mipmap MipmapOf(const Texture& texture, int level, VI face) {
   const int width = std::max(texture.width >> level, 1);
   const int height = std::max(texture.height >> level, 1);
-  VI origin = SetI(texture.origin[level]);
+  const std::uint32_t marks = kMark * static_cast<std::uint32_t>(width + 3);
+  VI origin = SetI(static_cast<std::int32_t>(static_cast<std::uint32_t>(texture.origin[level]) - marks));
   if (kCube) origin = hn::Add(origin, hn::Mul(face, SetI((width + 2) * (height + 2))));
   return {origin, SetI(width + 2), Set(static_cast<float>(width)), Set(static_cast<float>(height))};
 }
@@ -166,13 +220,14 @@ HWY_NOINLINE Mipmap MipmapOf(const Texture& texture, VI level, VI face) {
   const VI height = hn::Max(hn::Shr(SetI(texture.height), level), one);
   VI origin = hn::GatherIndex(DI(), texture.origin.data(), level);
   if (kCube) origin = hn::Add(origin, hn::Mul(face, hn::Mul(hn::Add(width, two), hn::Add(height, two))));
+  origin = hn::Sub(origin, hn::Mul(hn::Add(width, SetI(3)), SetI(static_cast<std::int32_t>(kMark))));
   return {origin, hn::Add(width, two), Real(width), Real(height)};
 }
 
 // The four texels between which a point lies, and their weights.
 struct Tap {
   VI upper, lower;  // index of the left ones
-  VI weights;       // of left and right
+  VI weights;       // of the right ones
   VI mix;           // of upper and lower
 };
 
@@ -182,8 +237,8 @@ HWY_INLINE Tap Aim(const Mipmap& mipmap, V s, V t) {
   const V v = t * mipmap.height - Set(0.5F);
   const V u0 = hn::Floor(u);
   const V v0 = hn::Floor(v);
-  const VI upper = hn::Add(hn::Add(mipmap.origin, Whole(u0)), hn::Mul(Whole(v0), mipmap.stride));
-  return {upper, hn::Add(upper, mipmap.stride), PairWeights(u - u0), Weight(v - v0)};
+  const VI upper = hn::Add(hn::Add(mipmap.origin, Marked(u0)), hn::Mul(Marked(v0), mipmap.stride));
+  return {upper, hn::Add(upper, mipmap.stride), PairWeight(u - u0), Weight(v - v0)};
 }
 
 HWY_INLINE Texel Fetch(const std::uint32_t* texels, const Tap& tap) {
@@ -233,39 +288,19 @@ HWY_INLINE Taps AimBetween(const Texture& texture, VI face, V s, V t, V wanted) 
   return {Aim(MipmapOf<kCube>(texture, l0, face), s, t), Aim(MipmapOf<kCube>(texture, l1, face), s, t), mix};
 }
 
-// Colour 0..1 where no pixel spans more than a texel.
+// Colour where no pixel spans more than a texel.
 template <bool kCube>
-HWY_INLINE V3 SampleLarge(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t) {
-  return Unpacked(Fetch(texels, AimLarge<kCube>(texture, face, s, t)));
+HWY_INLINE Texel FilterLarge(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t) {
+  return Fetch(texels, AimLarge<kCube>(texture, face, s, t));
 }
 
-// Colour 0..1 at any mipmap.
+// Colour at any mipmap.
 template <bool kCube>
-HWY_INLINE V3 Sample(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t, V wanted) {
-  if (texture.levels == 1 || All(hn::Le(wanted, Zero()))) return SampleLarge<kCube>(texels, texture, face, s, t);
+HWY_INLINE Texel Filter(const std::uint32_t* texels, const Texture& texture, VI face, V s, V t, V wanted) {
+  if (texture.levels == 1 || All(hn::Le(wanted, Zero()))) return FilterLarge<kCube>(texels, texture, face, s, t);
   const Taps taps = AimBetween<kCube>(texture, face, s, t, wanted);
-  return Unpacked(Mix(Fetch(texels, taps.fine), Fetch(texels, taps.coarse), taps.mix));
+  return Mix(Fetch(texels, taps.fine), Fetch(texels, taps.coarse), taps.mix);
 }
-
-// The taps of a tile's rays. To aim at all and then to fetch all is faster than one after the other: the chains of
-// instructions that wait for each other are half as long.
-struct TapStore {
-  alignas(64) std::uint32_t upper[kRays];
-  std::uint32_t lower[kRays];
-  std::int32_t weights[kRays];
-  std::int32_t mix[kRays];
-
-  HWY_INLINE void put(const Tap& tap, int i) {
-    hn::Store(hn::BitCast(DU(), tap.upper), DU(), upper + i);
-    hn::Store(hn::BitCast(DU(), tap.lower), DU(), lower + i);
-    hn::Store(tap.weights, DI(), weights + i);
-    hn::Store(tap.mix, DI(), mix + i);
-  }
-  HWY_INLINE Texel fetch(const std::uint32_t* texels, int i) const {
-    const VI both = hn::Load(DI(), weights + i);
-    return Mix(FetchRow(texels, upper + i, both), FetchRow(texels, lower + i, both), hn::Load(DI(), mix + i));
-  }
-};
 
 // A cube texture in direction q, which changes by the root of `stretch` from pixel to pixel.
 HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, const V3& q, V stretch) {
@@ -284,8 +319,8 @@ HWY_INLINE V3 SampleCube(const std::uint32_t* texels, const Texture& texture, co
                            hn::IfThenElse(hn::RebindMask(DI(), on_y), SetI(2), SetI(4)));
   face = hn::Add(face, hn::IfThenElse(hn::RebindMask(DI(), negative), SetI(1), hn::Zero(DI())));
   const V texels_each = half * Set(static_cast<float>(texture.width));
-  return Sample<true>(texels, texture, face, sc * half + Set(0.5F), tc * half + Set(0.5F),
-                      LevelOf(stretch * (texels_each * texels_each)));
+  return Unpacked(Filter<true>(texels, texture, face, sc * half + Set(0.5F), tc * half + Set(0.5F),
+                               LevelOf(stretch * (texels_each * texels_each))));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rays/frame.h"
 #include "rays/intersect-inl.h"
 #include "rays/lanes-inl.h"
 #include "rays/lights.h"
@@ -19,31 +20,85 @@ HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
-// The points of a tile as a light sees them, and how far they are lit.
+// Bounds of points in a light's frame: of their slopes for a perspective light, else of their places.
+struct Reach {
+  float low[3], high[3];
+};
+
+// Some rows of a tile, whose points are near each other.
+constexpr int kBandRows = 4;
+constexpr int kBandRays = kBandRows * kTile;
+constexpr int kBands = kTile / kBandRows;
+struct Band {
+  Reach reach;
+  bool lit;  // whether anything in it still is
+};
+
+enum class Shadows { kNone, kSome, kAll };
+
+// The points of a tile as a light sees them, and how far they are lit. All but `of_all` is set where there are some.
 struct Shade {
   alignas(64) float u[kRays];
   float v[kRays];
   float w[kRays];  // depth; negative where there is nothing to light
   float lit[kRays];
-  bool dark;  // whether anything may keep light from the tile; else nothing of the above is set
+  Band bands[kBands];
+  Shadows of_all;
 };
 
-HWY_INLINE V LitAt(const Shade& shade, int i) { return shade.dark ? Load(shade.lit + i) : Set(1.0F); }
+HWY_INLINE V LitAt(const Shade& shade, int i) {
+  if (shade.of_all == Shadows::kSome) return Load(shade.lit + i);
+  return Set(shade.of_all == Shadows::kNone ? 1.0F : 0.0F);
+}
 
 // How far a mesh is out of its own shadow, relative to its size.
 constexpr float kMeshMargin = 1e-3F;
 
-// Whether anything is still lit.
+// Which points a solid keeps the light from, where it is in the way before so much of the way is left. `own`: those of
+// its own surface.
 template <Form kKind, Rays kRaysKind>
-HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile& tile, Shade& shade) {
-  const int lanes = static_cast<int>(hn::Lanes(D()));
+HWY_INLINE M IsBehind(const Solid& solid, const Aspect& aspect, V u, V v, V w, M own, float rest) {
   const V3 a = Set(aspect.a);
   const V3 bx = Set(aspect.bx);
   const V3 by = Set(aspect.by);
   const V3 o = Set(aspect.o);
+  Ray ray;
+  if (kRaysKind == Rays::kPerspective) {
+    ray.o = o;
+    ray.d = a + bx * u + by * v;
+  } else if (kRaysKind == Rays::kParallel) {
+    ray.o = a + bx * u + by * v;
+    ray.d = o;
+  } else {
+    ray.o = o;
+    ray.d = a * w + bx * u + by * v;
+  }
+  const V t = Enter<kKind>(solid, ray);
+  // What is convex does not shade itself; a mesh may, where what is in the way is not the very point.
+  V end = w;
+  if (kRaysKind == Rays::kAround) end = Set(1.0F);
+  if (kKind == Form::kMesh) {
+    V margin = Set(kMeshMargin * solid.size[0]);
+    if (kRaysKind == Rays::kAround) margin = margin * Rsqrt(hn::Max(Dot(ray.d, ray.d), Set(1e-20F)));
+    end = end - hn::IfThenElseZero(own, margin);
+  }
+  M dark;
+  if (kRaysKind == Rays::kParallel) {
+    dark = hn::Lt(t, end - Set(0.5F * rest) * hn::Abs(end) - Set(0.5F * rest));
+  } else {
+    dark = hn::And(hn::Gt(t, Zero()), hn::Lt(t, end * Set(1 - rest)));
+  }
+  return kKind == Form::kMesh ? dark : hn::AndNot(own, dark);
+}
+
+// Takes the light from what lies behind a solid in a band of the tile that begins with the ray `first`; whether
+// anything there is still lit.
+template <Form kKind, Rays kRaysKind>
+HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile& tile, int first, Shade& shade) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
   const VI self = hn::Set(DI(), aspect.self);
   V any = Zero();
-  for (int i = 0; i < kRays; i += lanes) {
+  for (int i = first; i < first + kBandRays; i += lanes) {
     const V u = Load(shade.u + i);
     const V v = Load(shade.v + i);
     const V w = Load(shade.w + i);
@@ -56,34 +111,8 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
         continue;
       }
     }
-    Ray ray;
-    if (kRaysKind == Rays::kPerspective) {
-      ray.o = o;
-      ray.d = a + bx * u + by * v;
-    } else if (kRaysKind == Rays::kParallel) {
-      ray.o = a + bx * u + by * v;
-      ray.d = o;
-    } else {
-      ray.o = o;
-      ray.d = a * w + bx * u + by * v;
-    }
-    const V t = Enter<kKind>(solid, ray);
     const M own = hn::RebindMask(D(), hn::Eq(hn::Load(DI(), tile.id + i), self));
-    // What is convex does not shade itself; a mesh may, where what is in the way is not the very point.
-    V end = w;
-    if (kRaysKind == Rays::kAround) end = Set(1.0F);
-    if (kKind == Form::kMesh) {
-      V margin = Set(kMeshMargin * solid.size[0]);
-      if (kRaysKind == Rays::kAround) margin = margin * Rsqrt(hn::Max(Dot(ray.d, ray.d), Set(1e-20F)));
-      end = end - hn::IfThenElseZero(own, margin);
-    }
-    M dark;
-    if (kRaysKind == Rays::kParallel) {
-      dark = hn::Lt(t, end - Set(1e-5F) * hn::Abs(end) - Set(1e-5F));
-    } else {
-      dark = hn::And(hn::Gt(t, Zero()), hn::Lt(t, end * Set(0.99998F)));
-    }
-    if (kKind != Form::kMesh) dark = hn::AndNot(own, dark);
+    const M dark = IsBehind<kKind, kRaysKind>(solid, aspect, u, v, w, own, 2e-5F);
     const V left = hn::IfThenZeroElse(dark, lit);
     any = hn::Max(any, left);
     Store(left, shade.lit + i);
@@ -92,23 +121,18 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
 }
 
 template <Rays kRaysKind>
-bool Shadow(const Solid& solid, const Aspect& aspect, const Tile& tile, Shade& shade) {
+bool Shadow(const Solid& solid, const Aspect& aspect, const Tile& tile, int first, Shade& shade) {
   switch (solid.kind) {
-    case Form::kPlane: return ShadowAt<Form::kPlane, kRaysKind>(solid, aspect, tile, shade);
-    case Form::kSphere: return ShadowAt<Form::kSphere, kRaysKind>(solid, aspect, tile, shade);
-    case Form::kCapsule: return ShadowAt<Form::kCapsule, kRaysKind>(solid, aspect, tile, shade);
-    case Form::kEllipsoid: return ShadowAt<Form::kEllipsoid, kRaysKind>(solid, aspect, tile, shade);
-    case Form::kCylinder: return ShadowAt<Form::kCylinder, kRaysKind>(solid, aspect, tile, shade);
-    case Form::kBox: return ShadowAt<Form::kBox, kRaysKind>(solid, aspect, tile, shade);
-    case Form::kMesh: return ShadowAt<Form::kMesh, kRaysKind>(solid, aspect, tile, shade);
+    case Form::kPlane: return ShadowAt<Form::kPlane, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kSphere: return ShadowAt<Form::kSphere, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kCapsule: return ShadowAt<Form::kCapsule, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kEllipsoid: return ShadowAt<Form::kEllipsoid, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kCylinder: return ShadowAt<Form::kCylinder, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kBox: return ShadowAt<Form::kBox, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kMesh: return ShadowAt<Form::kMesh, kRaysKind>(solid, aspect, tile, first, shade);
   }
   return true;
 }
-
-// Bounds of points in a light's frame: of their slopes for a perspective light, else of their places.
-struct Reach {
-  float low[3], high[3];
-};
 
 // Whether a solid may come between the light and points within these bounds.
 template <Rays kRaysKind>
@@ -167,10 +191,9 @@ bool BoundTile(const Caster& light, const Tile& tile, Reach& reach) {
   return true;
 }
 
-// The tile's points in the light's frame, all of them lit, and their bounds; false if there are none. (Behind a
-// spotlight nothing is lit.)
+// A band's points in the light's frame, all of them lit, and their bounds. (Behind a spotlight nothing is lit.)
 template <Rays kRaysKind>
-bool PlacePoints(const Caster& light, const Tile& tile, Shade& shade, Reach& reach) {
+HWY_INLINE void PlacePoints(const Caster& light, const Tile& tile, int first, Shade& shade, Band& band) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 a = Set(light.a);
   const V3 bx = Set(light.bx);
@@ -179,47 +202,168 @@ bool PlacePoints(const Caster& light, const Tile& tile, Shade& shade, Reach& rea
   V3 low = {big, big, big};
   V3 high = low * Set(-1.0F);
   const V3 lowest = high;
-  for (int row = 0; row < kTile; ++row) {
-    const V3 base = a + Set(light.by) * Set(tile.y[row]);
-    for (int column = 0; column < kTile; column += lanes) {
-      const int i = row * kTile + column;
-      V3 p = o + (base + bx * Load(tile.x + column)) * Load(tile.t + i);
-      M valid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), tile.id + i), SetI(-1)));
-      if (kRaysKind == Rays::kPerspective) {
-        valid = hn::And(valid, hn::Gt(p.z, Zero()));
-        const V over = Set(1.0F) / p.z;
-        p.x = p.x * over;
-        p.y = p.y * over;
-      }
-      const V3 least = Pick(valid, p, V3{big, big, big});
-      const V3 most = Pick(valid, p, lowest);
-      Store(p.x, shade.u + i);
-      Store(p.y, shade.v + i);
-      Store(most.z, shade.w + i);
-      Store(hn::IfThenElseZero(valid, Set(1.0F)), shade.lit + i);
-      low = {hn::Min(low.x, least.x), hn::Min(low.y, least.y), hn::Min(low.z, least.z)};
-      high = {hn::Max(high.x, most.x), hn::Max(high.y, most.y), hn::Max(high.z, most.z)};
+  for (int i = first; i < first + kBandRays; i += lanes) {
+    const V3 base = a + Set(light.by) * Set(tile.y[i / kTile]);
+    V3 p = o + (base + bx * Load(tile.x + i % kTile)) * Load(tile.t + i);
+    M valid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), tile.id + i), SetI(-1)));
+    if (kRaysKind == Rays::kPerspective) {
+      valid = hn::And(valid, hn::Gt(p.z, Zero()));
+      const V over = Set(1.0F) / p.z;
+      p.x = p.x * over;
+      p.y = p.y * over;
     }
+    const V3 least = Pick(valid, p, V3{big, big, big});
+    const V3 most = Pick(valid, p, lowest);
+    Store(p.x, shade.u + i);
+    Store(p.y, shade.v + i);
+    Store(most.z, shade.w + i);
+    Store(hn::IfThenElseZero(valid, Set(1.0F)), shade.lit + i);
+    low = {hn::Min(low.x, least.x), hn::Min(low.y, least.y), hn::Min(low.z, least.z)};
+    high = {hn::Max(high.x, most.x), hn::Max(high.y, most.y), hn::Max(high.z, most.z)};
   }
   const V lows[3] = {low.x, low.y, low.z};
   const V highs[3] = {high.x, high.y, high.z};
   for (int k = 0; k < 3; ++k) {
-    reach.low[k] = hn::GetLane(hn::MinOfLanes(D(), lows[k]));
-    reach.high[k] = hn::GetLane(hn::MaxOfLanes(D(), highs[k]));
+    band.reach.low[k] = hn::GetLane(hn::MinOfLanes(D(), lows[k]));
+    band.reach.high[k] = hn::GetLane(hn::MaxOfLanes(D(), highs[k]));
   }
-  return reach.low[0] <= reach.high[0];
+  band.lit = band.reach.low[0] <= band.reach.high[0];
+}
+
+// Bounds of all bands; false if nothing is lit.
+inline bool Unite(const Band (&bands)[kBands], Reach& reach) {
+  reach = bands[0].reach;
+  bool lit = bands[0].lit;
+  for (int k = 1; k < kBands; ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      reach.low[axis] = std::min(reach.low[axis], bands[k].reach.low[axis]);
+      reach.high[axis] = std::max(reach.high[axis], bands[k].reach.high[axis]);
+    }
+    lit = lit || bands[k].lit;
+  }
+  return lit;
 }
 
 template <Rays kRaysKind>
 void CastShadows(const Solids& solids, const Caster& light, const Tile& tile, Shade& shade) {
+  for (int k = 0; k < kBands; ++k) PlacePoints<kRaysKind>(light, tile, k * kBandRays, shade, shade.bands[k]);
   Reach reach;
-  const Aspect* const first = light.aspects.data();
-  const Aspect* const end = first + light.count;
-  const auto shades = [&reach](const Aspect& aspect) { return MayShade<kRaysKind>(aspect, reach); };
-  shade.dark = !BoundTile<kRaysKind>(light, tile, reach) || std::any_of(first, end, shades);
-  if (!shade.dark || !PlacePoints<kRaysKind>(light, tile, shade, reach)) return;
-  for (const Aspect* aspect = first; aspect < end; ++aspect) {
-    if (shades(*aspect) && !Shadow<kRaysKind>(solids[aspect->solid], *aspect, tile, shade)) return;
+  bool lit = Unite(shade.bands, reach);
+  const Aspect* const end = light.aspects.data() + light.count;
+  for (const Aspect* aspect = light.aspects.data(); lit && aspect < end; ++aspect) {
+    if (!MayShade<kRaysKind>(*aspect, reach)) continue;
+    lit = false;
+    for (int k = 0; k < kBands; ++k) {
+      Band& band = shade.bands[k];
+      if (band.lit && MayShade<kRaysKind>(*aspect, band.reach)) {
+        band.lit = Shadow<kRaysKind>(solids[aspect->solid], *aspect, tile, k * kBandRays, shade);
+      }
+      lit = lit || band.lit;
+    }
+  }
+}
+
+// The corners of a tile on a plane, a hair outside of it, so that all of the tile is between them.
+struct FlatTile {
+  static constexpr int kPoints = kTile;  // four, again and again: no fewer than a vector has
+  const Tile& tile;
+  const Aspect& plane;
+
+  template <Rays kRaysKind>
+  void place(const Caster& light, float (&points)[3][kPoints]) const {
+    const auto slope = [](const float* v, float step, bool last) {
+      return last ? v[kTile - 1] + 0.02F * step : v[0] - 0.02F * step;
+    };
+    for (int i = 0; i < kPoints; ++i) {
+      const float x = slope(tile.x, tile.dx, (i & 1) != 0);
+      const float y = slope(tile.y, tile.dy, (i & 2) != 0);
+      const float t = -plane.o[2] / (plane.a[2] + plane.by[2] * y + plane.bx[2] * x);
+      for (int k = 0; k < 3; ++k) points[k][i] = light.o[k] + (light.a[k] + light.by[k] * y + light.bx[k] * x) * t;
+      if (kRaysKind != Rays::kPerspective) continue;
+      points[0][i] /= points[2][i];
+      points[1][i] /= points[2][i];
+    }
+  }
+};
+
+template <Form kForm>
+struct FormTag {
+  static constexpr Form value = kForm;
+};
+
+// Whether a solid keeps the light from all points: what is convex does if it hides the corners of a flat tile.
+template <Rays kRaysKind>
+bool HidesAll(const Solid& solid, const Aspect& aspect, const float (&points)[3][FlatTile::kPoints]) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  for (int i = 0; i < 4; i += lanes) {
+    const V u = Load(points[0] + i);
+    const V v = Load(points[1] + i);
+    const V w = Load(points[2] + i);
+    const auto hidden = [&](auto form) {
+      constexpr Form kKind = decltype(form)::value;
+      return IsBehind<kKind, kRaysKind>(solid, aspect, u, v, w, hn::Lt(Zero(), Zero()), 1e-3F);
+    };
+    bool all = false;
+    switch (solid.kind) {
+      case Form::kSphere: all = All(hidden(FormTag<Form::kSphere>())); break;
+      case Form::kCapsule: all = All(hidden(FormTag<Form::kCapsule>())); break;
+      case Form::kEllipsoid: all = All(hidden(FormTag<Form::kEllipsoid>())); break;
+      case Form::kCylinder: all = All(hidden(FormTag<Form::kCylinder>())); break;
+      case Form::kBox: all = All(hidden(FormTag<Form::kBox>())); break;
+      default: break;
+    }
+    if (!all) return false;
+  }
+  return true;
+}
+
+// Whether a tile lies in a light's shadow: not at all, perhaps, or, of a flat one, all of it.
+template <Rays kRaysKind>
+Shadows LookForShadows(const Solids& solids, const Caster& light, const Tile& tile, const FlatTile* flat) {
+  Reach reach;
+  if (!BoundTile<kRaysKind>(light, tile, reach)) return Shadows::kSome;
+  alignas(64) float points[3][FlatTile::kPoints];
+  bool placed = false;
+  Shadows result = Shadows::kNone;
+  const Aspect* const end = light.aspects.data() + light.count;
+  for (const Aspect* aspect = light.aspects.data(); aspect < end; ++aspect) {
+    if (!MayShade<kRaysKind>(*aspect, reach)) continue;
+    result = Shadows::kSome;
+    if (flat == nullptr) break;
+    if (!placed) flat->template place<kRaysKind>(light, points);
+    placed = true;
+    if (HidesAll<kRaysKind>(solids[aspect->solid], *aspect, points)) return Shadows::kAll;
+  }
+  return result;
+}
+
+void LookForShadows(const Frame& frame, const Tile& tile, const FlatTile* flat, Shade* shades) {
+  for (int k = 0; k < frame.lights.caster_count(); ++k) {
+    const Caster& caster = frame.lights.caster(k);
+    Shadows& found = shades[k].of_all;
+    switch (caster.rays) {
+      case Rays::kPerspective: found = LookForShadows<Rays::kPerspective>(frame.solids, caster, tile, flat); break;
+      case Rays::kParallel: found = LookForShadows<Rays::kParallel>(frame.solids, caster, tile, flat); break;
+      case Rays::kAround: found = LookForShadows<Rays::kAround>(frame.solids, caster, tile, flat); break;
+    }
+  }
+}
+
+// Whether any light leaves the tile in part.
+inline bool AnyInPart(const Lights& lights, const Shade* shades) {
+  return std::any_of(shades, shades + lights.caster_count(),
+                     [](const Shade& shade) { return shade.of_all == Shadows::kSome; });
+}
+
+void CastShadows(const Frame& frame, const Tile& tile, Shade* shades) {
+  for (int k = 0; k < frame.lights.caster_count(); ++k) {
+    if (shades[k].of_all != Shadows::kSome) continue;
+    const Caster& caster = frame.lights.caster(k);
+    switch (caster.rays) {
+      case Rays::kPerspective: CastShadows<Rays::kPerspective>(frame.solids, caster, tile, shades[k]); break;
+      case Rays::kParallel: CastShadows<Rays::kParallel>(frame.solids, caster, tile, shades[k]); break;
+      case Rays::kAround: CastShadows<Rays::kAround>(frame.solids, caster, tile, shades[k]); break;
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-// What changes little across a tile of a plane: computed at a few rays only, interpolated between them.
+// What changes little across a patch of a plane: computed at a few rays only, interpolated between them.
 // Compiled once for each instruction set, see kernels.cpp.
 #if defined(MIMO_RAYS_SMOOTH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIMO_RAYS_SMOOTH_INL_H
@@ -19,7 +19,13 @@ HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
-// Where a tile is probed, from -1 to 1 between its first and last column or row: three times three points that a
+// What is probed: a tile, or several side by side.
+struct Patch {
+  float x, y;  // slopes of its first ray
+  int width;   // rays in a row of it
+};
+
+// Where a patch is probed, from -1 to 1 between its first and last column or row: three times three points that a
 // quadratic goes through, and others where it must hold. The first four are the corners.
 constexpr int kProbes = 16;
 alignas(64) constexpr float kProbeX[kProbes] = {-1, 1, -1, 1, 0, 0, -1, 1, 0, -.5F, .5F, -.5F, .5F, 0, 0, .5F};
@@ -29,10 +35,11 @@ constexpr int kNodes = 9;
 // A number that is a quadratic along rows and columns: of each row, the coefficients of 1, x and x^2.
 struct Sheet {
   alignas(64) float c[3][kTile];
+  float most;  // more than it is anywhere
 };
 
-HWY_INLINE V AcrossTile(int first) {
-  return hn::Iota(D(), static_cast<float>(first)) * Set(2.0F / (kTile - 1)) - Set(1.0F);
+HWY_INLINE V AcrossPatch(int first, int width) {
+  return hn::Iota(D(), static_cast<float>(first)) * Set(2.0F / static_cast<float>(width - 1)) - Set(1.0F);
 }
 
 HWY_INLINE V At(const Sheet& sheet, int row, V x) {
@@ -60,21 +67,32 @@ inline bool Stretch(const float* f, float tolerance, Sheet& sheet) {
     if (!All(hn::Le(hn::Abs(value - Load(f + i)), Set(tolerance)))) return false;
   }
   for (int row = 0; row < kTile; row += lanes) {
-    for (int k = 0; k < 3; ++k) Store(along_y(k, AcrossTile(row)), sheet.c[k] + row);
+    for (int k = 0; k < 3; ++k) Store(along_y(k, AcrossPatch(row, kTile)), sheet.c[k] + row);
   }
+  sheet.most = d[0][0] + 1e-3F;
+  for (int k = 1; k < 9; ++k) sheet.most += std::abs(d[k / 3][k % 3]);
   return true;
 }
 
-// A tile's light on a plane without its shadows and texture, and the level of its texture.
+// Tiles side by side have their light in common where all of them are smooth, at most so many.
+constexpr int kMostTiles = 4;
+
+// A patch's light on a plane without its shadows and texture, and the level of its texture.
 struct Smooth {
-  int channels;                // 1 where all three are equal
-  Sheet color[3];              // of all lights without shadows
-  Sheet extra[kMaxLights][3];  // of each other light: not set where there is none
-  bool reached[kMaxLights];    // by that light
+  alignas(64) float x[kMostTiles * kTile];  // where its columns are, from -1 to 1
+  const float* first;                       // where the columns of the tile are that is painted
+  bool gray;                                // all three channels are equal
+  Sheet color[3];                           // of all lights without shadows
+  Sheet extra[kMaxLights][3];               // of each other light: not set where there is none
+  bool reached[kMaxLights];                 // by that light
+  Sheet total;  // of all lights where nothing is in shadow; only of grey ones none of which is cut at white
+  bool has_total;
   Sheet level;
+
+  HWY_INLINE V across(int column) const { return Load(first + column); }
 };
 
-// The probes of a tile on a plane.
+// The probes of a patch on a plane.
 struct Probes {
   alignas(64) float dx[kProbes], dy[kProbes], dz[kProbes];  // rays
   float px[kProbes], py[kProbes];                           // points
@@ -83,14 +101,14 @@ struct Probes {
   float wide;     // how far apart the points are, at most
 };
 
-// False where the tile reaches beyond the horizon.
-inline bool Probe(const Aspect& aspect, const Tile& tile, Probes& probes) {
+// False where the patch reaches beyond the horizon.
+inline bool Probe(const Aspect& aspect, const Tile& tile, const Patch& patch, Probes& probes) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
-  const float half_x = 0.5F * (kTile - 1) * tile.dx;
+  const float half_x = 0.5F * static_cast<float>(patch.width - 1) * tile.dx;
   const float half_y = 0.5F * (kTile - 1) * tile.dy;
   for (int i = 0; i < kProbes; i += lanes) {
-    const V x = (Load(kProbeX + i) + Set(1.0F)) * Set(half_x) + Set(tile.x[0]);
-    const V y = (Load(kProbeY + i) + Set(1.0F)) * Set(half_y) + Set(tile.y[0]);
+    const V x = (Load(kProbeX + i) + Set(1.0F)) * Set(half_x) + Set(patch.x);
+    const V y = (Load(kProbeY + i) + Set(1.0F)) * Set(half_y) + Set(patch.y);
     const V3 d = Set(aspect.a) + Set(aspect.by) * y + Set(aspect.bx) * x;
     const V t = Set(-aspect.o[2]) / d.z;
     if (!All(hn::Gt(t, Zero()))) return false;
@@ -109,7 +127,7 @@ inline bool Probe(const Aspect& aspect, const Tile& tile, Probes& probes) {
   return true;
 }
 
-// Whether a spotlight's cone holds all of the tile: it does if it holds the corners.
+// Whether a spotlight's cone holds all of the patch: it does if it holds the corners.
 inline bool IsWithin(const Light& light, const LocalLight& place, const Probes& probes) {
   const float least = light.cos_cutoff + 1e-5F;
   for (int i = 0; i < 4 && least > 0; ++i) {
@@ -121,7 +139,7 @@ inline bool IsWithin(const Light& light, const LocalLight& place, const Probes& 
   return least > 0;
 }
 
-// Whether it does not touch the tile, across which the direction to the light turns by so much.
+// Whether it does not touch the patch, across which the direction to the light turns by so much.
 inline bool IsWithout(const Light& light, const LocalLight& place, const Probes& probes, float turn) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   for (int i = 0; i < kProbes; i += lanes) {
@@ -134,7 +152,7 @@ inline bool IsWithout(const Light& light, const LocalLight& place, const Probes&
 
 // Whether a light has no edges or peaks that fit between the probes.
 inline bool IsGentle(const Light& light, const LocalLight& place, const Material& material, const Probes& probes) {
-  float turn = 0;  // of the direction to the light across the tile, at most
+  float turn = 0;  // of the direction to the light across the patch, at most
   if (!light.directional) {
     float square = place.position[2] * place.position[2];
     const float x = place.position[0] - probes.px[8];
@@ -155,10 +173,11 @@ inline bool IsGentle(const Light& light, const LocalLight& place, const Material
 }
 
 // Colour up to white.
-HWY_INLINE V3 ColorAt(const Sheet (&sheets)[3], int channels, int row, V x) {
+template <bool kGray>
+HWY_INLINE V3 ColorAt(const Sheet (&sheets)[3], int row, V x) {
   const V one = Set(1.0F);
   const V r = hn::Min(At(sheets[0], row, x), one);
-  if (channels == 1) return {r, r, r};
+  if (kGray) return {r, r, r};
   return {r, hn::Min(At(sheets[1], row, x), one), hn::Min(At(sheets[2], row, x), one)};
 }
 
@@ -169,7 +188,8 @@ inline bool SmoothLight(const Subject& subject, const Aspect& aspect, const Prob
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 rgb = Set(material.rgb);
   const auto equal = [](const std::array<float, 3>& v) { return v[0] == v[1] && v[1] == v[2]; };
-  smooth.channels = frame.lights.gray() && equal(material.rgb) && equal(material.emission) ? 1 : 3;
+  smooth.gray = frame.lights.gray() && equal(material.rgb) && equal(material.emission);
+  const int channels = smooth.gray ? 1 : 3;
   alignas(64) float color[3][kProbes];
   alignas(64) float extra[3][kProbes];
   for (int k = 0; k < 3; ++k)
@@ -202,14 +222,30 @@ inline bool SmoothLight(const Subject& subject, const Aspect& aspect, const Prob
     }
     if (!separate) continue;
     smooth.reached[light.caster] = reached;
-    for (int c = 0; c < smooth.channels && reached; ++c) {
+    for (int c = 0; c < channels && reached; ++c) {
       if (!Stretch(extra[c], kTolerance, smooth.extra[light.caster][c])) return false;
     }
   }
-  for (int c = 0; c < smooth.channels; ++c) {
+  for (int c = 0; c < channels; ++c) {
     if (!Stretch(color[c], kTolerance, smooth.color[c])) return false;
   }
   return true;
+}
+
+// Adds up light that no shadow and no cutting at white keeps apart.
+inline void AddUp(const Lights& lights, Smooth& smooth) {
+  smooth.has_total = smooth.gray && smooth.color[0].most < 1;
+  if (!smooth.has_total) return;
+  smooth.total = smooth.color[0];
+  for (int k = 0; k < lights.caster_count(); ++k) {
+    if (!smooth.reached[k]) continue;
+    const Sheet& extra = smooth.extra[k][0];
+    smooth.has_total = smooth.has_total && extra.most < 1;
+    for (int c = 0; c < 3; ++c) {
+      for (int row = 0; row < kTile; ++row) smooth.total.c[c][row] += extra.c[c][row];
+    }
+    smooth.total.most += extra.most;
+  }
 }
 
 inline bool SmoothLevel(const Subject& subject, const Aspect& aspect, const Probes& probes, Smooth& smooth) {
@@ -223,6 +259,51 @@ inline bool SmoothLevel(const Subject& subject, const Aspect& aspect, const Prob
     Store(Set(0.5F) * Log2(hn::Max(spread, Set(1e-12F))), level + i);
   }
   return Stretch(level, 0.02F, smooth.level);
+}
+
+// Whether all that is asked for is smooth on a patch.
+inline bool Smoothen(const Subject& subject, const Patch& patch, Smooth& smooth) {
+  const Aspect& aspect = subject.eye->aspects[subject.index];
+  const Material& material = subject.frame->solids[aspect.solid].material;
+  if (material.mapping.kind == Mapping::kCube) return false;
+  Probes probes;
+  if (!Probe(aspect, *subject.tile, patch, probes) || !SmoothLight(subject, aspect, probes, smooth)) return false;
+  if (material.mapping.kind == Mapping::kFlat && !SmoothLevel(subject, aspect, probes, smooth)) return false;
+  AddUp(subject.frame->lights, smooth);
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  for (int column = 0; column < patch.width; column += lanes) {
+    Store(AcrossPatch(column, patch.width), smooth.x + column);
+  }
+  return true;
+}
+
+// Tiles side by side, and what is smooth across all of them on the plane that was asked for last.
+struct Strip {
+  Patch patch;
+  int index;  // of the plane's aspect, -1 for none
+  bool is_smooth;
+  Smooth smooth;
+
+  void start(const Patch& next) {
+    patch = next;
+    index = -1;
+  }
+};
+
+// What is smooth on a plane across a tile, from its strip if that is smooth; null if it is not.
+inline const Smooth* SmoothAcross(const Subject& subject, Smooth& own) {
+  Strip& strip = *subject.tile->strip;
+  if (strip.index != subject.index) {
+    strip.index = subject.index;
+    strip.is_smooth = Smoothen(subject, strip.patch, strip.smooth);
+  }
+  if (strip.is_smooth) {
+    strip.smooth.first = strip.smooth.x + subject.tile->place;
+    return &strip.smooth;
+  }
+  if (strip.patch.width == kTile) return nullptr;
+  own.first = own.x;
+  return Smoothen(subject, {subject.tile->x[0], subject.tile->y[0], kTile}, own) ? &own : nullptr;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "rays/eye.h"
+#include "rays/camera.h"
 #include "rays/intersect-inl.h"
 #include "rays/lanes-inl.h"
 
@@ -18,8 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
+struct Strip;
+
 // The rays of one tile and what they meet.
 struct Tile {
+  Strip* strip;                // the tiles side by side that it is one of
+  int place;                   // of its first column in that
   alignas(64) float x[kTile];  // slopes
   float y[kTile];
   float dx, dy;
@@ -131,6 +135,19 @@ void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, con
     case Form::kBox: CastAt<Form::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
     case Form::kMesh: CastAt<Form::kMesh, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
   }
+}
+
+// Forgets what the rays have met.
+inline void StartTile(const Solids& solids, Tile& tile) {
+  std::fill_n(tile.t, kRays, kMiss);
+  std::fill_n(tile.id, kRays, -1);
+  if (solids.meshes()) std::fill_n(tile.face, kRays, 0);
+}
+
+// Where the rays of a tile meet the solid that one of the camera's aspects shows.
+inline void Meet(const Solids& solids, const Camera& camera, int index, Tile& tile) {
+  const Window w = WindowOf(camera.aspects[index], tile);
+  if (!IsEmpty(w)) Cast<false>(solids, camera, index, tile, w, &camera.near_plane, tile.t, tile.id, tile.face);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -30,7 +30,7 @@ TEST_P(Smooth, PlanesLookLikeBoxes) {
     Studio plane(world(format("{}<geom type='plane' size='5 5 1' material='{}'/>", lights, material), assets, visual));
     Studio box(world(format("{}<geom type='box' size='5 5 1' pos='0 0 -1' material='{}'/>", lights, material), assets,
                      visual));
-    for (const int pixels : {48, 200}) {
+    for (const int pixels : {48, 200, 440}) {  // tiles by themselves, two and four side by side
       for (const double distance : {0.25, 1.0, 3.0}) {
         for (const double elevation : {-80.0, -35.0}) {
           const render::View view = render::orbit_view({0.05, 0, 0}, distance, 70, elevation, 50);
@@ -62,6 +62,78 @@ INSTANTIATE_TEST_SUITE_P(
                            "directional='true' pos='0 0 3' dir='.3 -.4 -1' specular='1 1 1' diffuse='.3 .3 .3'"},
                       Lamp{"Below", "pos='0 0 -.5' dir='0 0 1' cutoff='80' ambient='.2 .2 .2' castshadow='false'"}),
     [](const auto& given) { return given.param.name; });
+
+// A wall behind the sky is not seen, but tiles in which it may be take the way of those that show several things: each
+// ray is cast, and each coloured by itself.
+class Plain : public ::testing::TestWithParam<const char*> {
+ protected:
+  static constexpr const char* kAssets =
+      "<texture type='skybox' builtin='gradient' mark='random' random='.1' markrgb='.6 .2 .1' width='64' height='64' "
+      "rgb1='.2 .5 .9' rgb2='.9 .8 .7'/>"
+      "<texture name='check' type='2d' builtin='checker' width='64' height='64' rgb1='.4 .6 .7' rgb2='.9 .8 .7'/>"
+      "<material name='floor' texture='check' texrepeat='3 2' texuniform='true' specular='.3'/>";
+  static constexpr const char* kWall = "<geom type='box' size='.01 30 30' pos='40 0 0'/>";
+
+  std::string floor() const {
+    return std::string("<light ") + GetParam() + "/><geom type='plane' size='0 0 1' material='floor'/>" +
+           "<geom type='sphere' size='.3' pos='0 0 .31'/><geom type='capsule' size='.1 .3' pos='.6 0 .4'/>";
+  }
+  static render::View to_the_wall(double elevation, double height = 0.2) {
+    return render::orbit_view({0, 0, height}, 2, 0, elevation, 60);
+  }
+};
+
+TEST_P(Plain, TilesLookAsIfTheyShowedMore) {
+  Studio alone(world(floor(), kAssets));
+  Studio walled(world(floor() + kWall, kAssets));
+  // From above all, from the floor to its horizon, and from high up, where much of the floor is in the haze.
+  const render::View views[] = {to_the_wall(-80), to_the_wall(-40), to_the_wall(-10), to_the_wall(-2),
+                                to_the_wall(-25, 5)};
+  int different = 0;
+  for (const render::View& view : views) {
+    for (const int pixels : {64, 400}) {
+      const Shot a = alone.shoot(view, pixels, pixels);
+      const Shot b = walled.shoot(view, pixels, pixels);
+      ASSERT_EQ(a.rgb.size(), b.rgb.size());
+      for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        const int difference = std::abs(a.rgb[i] - b.rgb[i]);
+        ASSERT_LE(difference, 1) << pixels << " pixels, from " << view.position.transpose() << ", byte " << i;
+        different += difference > 0;
+      }
+    }
+  }
+  // 16 bits a channel are exact to a twentieth of a level: of 20 bytes, not more than 2 are rounded to the other side.
+  EXPECT_LT(different, 5 * 3 * (64 * 64 + 400 * 400) / 10);
+}
+
+TEST_P(Plain, ColorsDoNotDependOnWhatElseIsAskedFor) {
+  Studio studio(world(floor(), kAssets));
+  const render::View view = to_the_wall(-40);
+  const Shot all = studio.shoot(view, 200, 200);
+  Shot colors(200, 200);
+  studio.renderer().draw(studio.model(), studio.physics().data(), view, {200, 200, colors.rgb.data()});
+  EXPECT_EQ(colors.rgb, all.rgb);
+}
+
+TEST_P(Plain, SkyIsTheSame) {
+  Studio alone(world("", kAssets));
+  const std::string above_and_below =
+      "<geom type='box' size='40 40 .01' pos='0 0 40'/><geom type='box' size='40 40 .01' pos='0 0 -40'/>";
+  Studio walled(world(kWall + above_and_below, kAssets));
+  for (const double elevation : {-89.0, -20.0, 10.0, 60.0, 89.0}) {
+    const Shot a = alone.shoot(to_the_wall(elevation), 300, 300);
+    EXPECT_EQ(a.rgb, walled.shoot(to_the_wall(elevation), 300, 300).rgb) << elevation;
+    EXPECT_GT(*std::max_element(a.rgb.begin(), a.rgb.end()), 100);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RaySmooth, Plain,
+                         ::testing::Values("pos='0 0 4' dir='.1 .1 -1' diffuse='.6 .6 .6'",
+                                           "directional='true' pos='0 0 3' dir='.3 -.4 -1' diffuse='.6 .6 .6'",
+                                           "pos='.3 .4 2' dir='0 0 -1' cutoff='180' diffuse='.6 .6 .6'"),
+                         [](const auto& given) {
+                           return std::string(given.index == 0 ? "Spot" : given.index == 1 ? "Directional" : "Around");
+                         });
 
 }  // namespace
 }  // namespace mimo::test
