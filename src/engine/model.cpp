@@ -53,13 +53,15 @@ void require_plain_streams() {
        locale.name());
 }
 
-// A MuJoCo in the host's global scope takes the place of the one that we were linked with; its structs may be others.
+// A MuJoCo in the host's global scope, or in the place of its file, comes before the one that we were linked with; its
+// structs may be others.
 void require_our_mujoco() {
   const int found = mj_version();
   if (found == mjVERSION_HEADER) return;
   fail(Status::kUnsupported,
-       "libmimo was made for MuJoCo {}, but the program has MuJoCo {} in its global scope, which comes first; load "
-       "that one with RTLD_LOCAL, or libmimo with RTLD_DEEPBIND",
+       "libmimo was made for MuJoCo {}, but got MuJoCo {}: either it lies in libmimo's folder in place of the one that "
+       "came with it, or the program has it in its global scope, which comes first; load that one with RTLD_LOCAL, or "
+       "libmimo with RTLD_DEEPBIND",
        compiled_version(), mj_versionString());
 }
 

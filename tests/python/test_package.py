@@ -121,6 +121,19 @@ def test_a_missing_library_is_named(tmp_path):
         _load(tmp_path / "nothing.so")
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="the name is Linux's; ./dev test --windows has its own")
+def test_another_mujoco_in_place_of_ours_is_refused(tmp_path):
+    """A library that lacks what libmimo calls, as other versions do: here a copy of libmimo."""
+    for name in (library_path().name, f"libmujoco.so.{mimo.mujoco_version()}"):
+        shutil.copy(library_path(), tmp_path / name)
+    environment = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    environment.update(MIMO_LIBRARY=str(tmp_path / library_path().name), PYTHONPATH=str(Path(mimo.__file__).parents[1]))
+    done = subprocess.run([sys.executable, "-c", "import mimo"], capture_output=True, text=True, env=environment)
+    said = done.stderr.splitlines()[-1]
+    assert said.startswith(f"ImportError: {tmp_path / library_path().name} cannot be loaded: "), said
+    assert said.endswith("the MuJoCo in its folder has to be the one that came with it")
+
+
 def test_version_and_scenes(root):
     header = (root / "include/mimo/status.h").read_text()
     numbers = re.findall(r"#define MIMO_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header)

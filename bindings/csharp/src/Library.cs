@@ -59,8 +59,8 @@ namespace Mimo
             }
             catch (DllNotFoundException)
             {
-                throw Unusable("libmimo was not found, or not what it needs: put libmimo.so and MuJoCo's library beside the program, " +
-                    "in Unity into Assets/Plugins/x86_64, or their folders into LD_LIBRARY_PATH");
+                throw Unusable("libmimo was not found, or not the MuJoCo that came with it: put both libraries beside the program, " +
+                    "in Unity into Assets/Plugins/x86_64, or on Linux their folders into LD_LIBRARY_PATH");
             }
             catch (EntryPointNotFoundException)
             {

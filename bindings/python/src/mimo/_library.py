@@ -52,7 +52,11 @@ def _load(path: Path) -> Any:
             f"there is no {path}; install the package with pip, or set MIMO_LIBRARY to the path of libmimo"
         )
     # Its own scope (ctypes' default): another MuJoCo in this process neither disturbs nor is disturbed.
-    library = ctypes.CDLL(str(path))
+    try:
+        library = ctypes.CDLL(str(path))
+    except OSError as error:
+        advice = "the MuJoCo in its folder has to be the one that came with it"
+        raise ImportError(f"{path} cannot be loaded: {error}; {advice}") from None
     for name, (result, arguments) in _abi.FUNCTIONS.items():
         function = getattr(library, name, None)
         if function is None:
