@@ -73,6 +73,26 @@ build_csharp() {
   done
 }
 
+# Microsoft's .NET (Core 3.1) for linux or windows, in build/dotnet/SYSTEM: a Python package brings it along. It runs what
+# Mono's compiler made: dotnet exec --runtimeconfig tests/package/dotnet.json PROGRAM.exe.
+fetch_dotnet() {
+  local folder=build/dotnet/$1 tag sum
+  case $1 in
+    linux) tag=manylinux1_x86_64 sum=5f076ddc39da0c685e7de20ecb91ee81185928918ec86fbeb3bffc55dd867ab5 ;;
+    windows) tag=win_amd64 sum=e2528813677d7a080522336cb530442408d1e2aea76fa8657018fb532c03c252 ;;
+  esac
+  [[ ! -d $folder ]] || return 0
+  need "${python_packages[@]}"
+  [[ -x build/dotnet/bin/pip ]] || new_venv dotnet
+  build/dotnet/bin/pip download -q --no-deps --only-binary=:all: --platform "$tag" -d build/dotnet dotnetcore2==3.1.23 ||
+    fail ".NET for $1 cannot be fetched"
+  sha256sum --quiet -c <<<"$sum  $(echo build/dotnet/*"$tag".whl)" || fail ".NET for $1 is not the one that is expected"
+  "$(system_python)" -m zipfile -e build/dotnet/*"$tag".whl build/dotnet/unpacked
+  chmod +x build/dotnet/unpacked/dotnetcore2/bin/dotnet*
+  mv build/dotnet/unpacked/dotnetcore2/bin "$folder"
+  rm -rf build/dotnet/unpacked build/dotnet/*.whl
+}
+
 # csharp_refuses FOLDER MESSAGE: what each way into a library says that cannot be used; the folder is where it is looked for.
 csharp_refuses() {
   local said
@@ -98,6 +118,10 @@ test_csharp() {
   local -x LD_LIBRARY_PATH=$PWD/build/lib
   tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
   mono build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
+  if [[ $(uname -sm) == "Linux x86_64" ]]; then
+    fetch_dotnet linux
+    build/dotnet/linux/dotnet exec --runtimeconfig tests/package/dotnet.json build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
+  fi
   test_loading_in_csharp
   mono build/csharp/Game.exe 1
   mono build/csharp/OwnGoal.exe

@@ -221,7 +221,8 @@ test_release() {
   echo "Tests of the packages for all systems"
   tests/package/check_archive "build/package/libmimo-$version-linux-x64.tar.gz"
   tests/package/check_msvc "build/package/libmimo-$version-win-x64.zip"
-  tests/package/check_nuget "build/package/Mimo.$version.nupkg"
+  fetch_dotnet linux
+  tests/package/check_nuget "build/package/Mimo.$version.nupkg" build/dotnet/linux/dotnet
   tests/package/check_unity "build/package/org.libmimo.mimo-$version.tgz"
   tests/package/check_crates "build/package/mimo-$version.crate" build/package
 }
