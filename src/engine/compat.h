@@ -1,5 +1,5 @@
-// Where MuJoCo 2.2 and 4.0 call a thing otherwise, or keep it elsewhere. Only the guard, the fingerprint and the check
-// of a host's model also ask which of the two this is compiled for.
+// Where MuJoCo 2.2 and 4.0 call a thing otherwise, or keep it elsewhere. Only the guard, the fingerprint, the check of
+// a host's model and what a step does before its constraints are solved also ask which of the two this is compiled for.
 #pragma once
 
 #include <mujoco/mjxmacro.h>

@@ -1,210 +1,327 @@
 #include "engine/hessian.h"
 
 #include <algorithm>
+#include <cstdint>
 
+#include "engine/constraint_states.h"
 #include "engine/solver_stack.h"
 
 namespace mimo::engine {
 namespace {
 
 constexpr int kMostRows = 6;  // of a contact
+constexpr int kLanes = 4;
 
-bool any_value(const mjData& data, int row, int rows, int at) {
-  for (int i = row; i < row + rows; ++i) {
-    if (data.efc_J[data.efc_J_rowadr[i] + at] != 0) return true;
+int whole_lanes(int count) { return (count + kLanes - 1) / kLanes * kLanes; }
+
+// sums[0 .. count) += factor * numbers, in whole lanes: both have room for them.
+inline void add_scaled(double* __restrict sums, const double* __restrict numbers, double factor, int count) {
+  for (int k = 0; k < count; k += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) sums[k + lane] += factor * numbers[k + lane];
   }
-  return false;
 }
 
-using Mark = unsigned char;
+// A row of marks, one bit for each column.
+using Word = std::uint64_t;
+constexpr int kBits = 64;
+
+int words_of(int size) { return (size + kBits - 1) / kBits; }
+void mark(Word* row, int column) { row[column / kBits] |= Word{1} << (column % kBits); }
 
 // Where the matrix itself is not zero. A block's columns meet in the rows of all of them; its last row will do, as
 // elimination carries them up into the others.
-void mark_entries(const mjModel& model, const Blocks& blocks, Mark* marks) {
+void mark_entries(const mjModel& model, const Blocks& blocks, Word* marks) {
+  const int words = words_of(model.nv);
   for (int dof = 0; dof < model.nv; ++dof) {
-    for (int other = dof; other >= 0; other = model.dof_parentid[other]) marks[dof * model.nv + other] = 1;
+    Word* row = marks + dof * words;
+    const int parent = model.dof_parentid[dof];
+    if (parent < 0) {
+      std::fill_n(row, words, Word{0});
+    } else {
+      std::copy_n(marks + parent * words, words, row);
+    }
+    mark(row, dof);
   }
   for (int i = 0; i < blocks.count; ++i) {
     const Block& block = blocks.all[i];
-    for (int k = 0; k < block.width; ++k) marks[block.columns[block.width - 1] * model.nv + block.columns[k]] = 1;
+    if (block.width < 2) continue;
+    Word* row = marks + block.columns[block.width - 1] * words;
+    for (int k = 0; k < block.width; ++k) mark(row, block.columns[k]);
   }
 }
 
-// Eliminating a row leaves its entries in the row of the last of them. Returns how many there are then.
-int fill_in(int size, Mark* marks) {
-  int entries = 0;
-  for (int row = size - 1; row >= 0; --row) {
-    const Mark* line = marks + row * size;
-    int next = row - 1;
-    while (next >= 0 && line[next] == 0) --next;
-    for (int column = 0; column <= next; ++column) marks[next * size + column] |= line[column];
-    for (int column = 0; column <= row; ++column) entries += line[column];
-  }
-  return entries;
+int last_mark(const Word* row, int words) {
+  while (words > 0 && row[words - 1] == 0) --words;
+  return words == 0 ? -1 : words * kBits - 1 - __builtin_clzll(row[words - 1]);
 }
 
-void list_columns(int size, const Mark* marks, int* starts, int* columns) {
-  int count = 0;
+// Eliminating a row leaves its entries in the row of the last of them but itself.
+void fill_in(int size, Word* marks) {
+  const int words = words_of(size);
+  for (int row = size - 1; row > 0; --row) {
+    Word* line = marks + row * words;
+    const Word diagonal = Word{1} << (row % kBits);
+    line[row / kBits] ^= diagonal;
+    const int next = last_mark(line, row / kBits + 1);
+    for (int i = 0; next >= 0 && i <= next / kBits; ++i) marks[next * words + i] |= line[i];
+    line[row / kBits] ^= diagonal;
+  }
+}
+
+int place_rows(int size, const Word* marks, int* starts, int* ends) {
+  const int words = words_of(size);
+  int at = 0;
   for (int row = 0; row < size; ++row) {
-    starts[row] = count;
-    for (int column = 0; column <= row; ++column) {
-      if (marks[row * size + column] != 0) columns[count++] = column;
+    starts[row] = ends[row] = at;
+    for (int i = 0; i < words; ++i) ends[row] += __builtin_popcountll(marks[row * words + i]);
+    at += whole_lanes(ends[row] - at);
+  }
+  return at;
+}
+
+void list_columns(int size, const Word* marks, const int* starts, int* columns) {
+  const int words = words_of(size);
+  for (int row = 0; row < size; ++row) {
+    int* to = columns + starts[row];
+    for (int i = 0; i < words; ++i) {
+      for (Word rest = marks[row * words + i]; rest != 0; rest &= rest - 1) *to++ = i * kBits + __builtin_ctzll(rest);
     }
   }
-  starts[size] = count;
 }
 
 // Adds to a row of the matrix numbers in some of its columns; mostly these are all.
-inline void add_to_row(const Hessian& hessian, int row, int count, const int* columns, const double* __restrict numbers,
-                       double factor) {
+inline void add_to_row(const Hessian& hessian, double* matrix, int row, int count, const int* columns,
+                       const double* numbers, double factor) {
   const int start = hessian.starts[row];
-  const int* own = hessian.columns + start;
-  double* __restrict values = hessian.values + start;
-  if (count == hessian.starts[row + 1] - start) {
-    for (int k = 0; k < count; ++k) values[k] += factor * numbers[k];
+  double* values = matrix + start;
+  if (count == hessian.ends[row] - start) {
+    add_scaled(values, numbers, factor, count);
     return;
   }
+  const int* own = hessian.columns + start;
   for (int k = 0, at = 0; k < count; ++k) {
     while (own[at] != columns[k]) ++at;
     values[at] += factor * numbers[k];
   }
 }
 
-void write_inertia(const mjModel& model, const mjData& data, const int* starts, const int* columns, double* inertia) {
+void write_inertia(const mjModel& model, const mjData& data, const Hessian& hessian, double* inertia) {
+  std::fill_n(inertia, hessian.entries, 0.0);
   for (int dof = 0; dof < model.nv; ++dof) {
-    int at = starts[dof + 1] - 1;
+    int at = hessian.ends[dof] - 1;
     compat::visit_inertia(model, data, dof, [&](int other, double value) {
-      for (; columns[at] != other; --at) inertia[at] = 0;
+      while (hessian.columns[at] != other) --at;
       inertia[at--] = value;
     });
-    for (; at >= starts[dof]; --at) inertia[at] = 0;
   }
 }
 
-// J' W J, where `weighted` is W J.
+// J' W J, where `weighted` is W J. Known numbers of rows keep a sum in a register.
+template <int kRows>
+void add_product_of(const Hessian& hessian, const Block& block, const double* weighted) {
+  double* __restrict sums = hessian.scratch + kMostRows * (hessian.size + kLanes);
+  const int width = block.width;
+  for (int i = 0; i < width; ++i) {
+    double factors[kRows];
+    for (int r = 0; r < kRows; ++r) factors[r] = block.values[r * width + i];
+    for (int k = 0; k <= i; k += kLanes) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        double sum = factors[0] * weighted[k + lane];
+        for (int r = 1; r < kRows; ++r) sum += factors[r] * weighted[r * width + k + lane];
+        sums[k + lane] = sum;
+      }
+    }
+    add_to_row(hessian, hessian.values, block.columns[i], i + 1, block.columns, sums, 1);
+  }
+}
+
 void add_product(const Hessian& hessian, const Block& block, const double* weighted) {
-  double* sums = hessian.scratch + kMostRows * hessian.size;
-  for (int i = 0; i < block.width; ++i) {
-    std::fill_n(sums, i + 1, 0.0);
-    for (int r = 0; r < block.rows; ++r) {
-      const double factor = block.values[r * block.width + i];
-      const double* line = weighted + r * block.width;
-      for (int k = 0; k <= i; ++k) sums[k] += factor * line[k];
-    }
-    add_to_row(hessian, block.columns[i], i + 1, block.columns, sums, 1);
+  switch (block.rows) {
+    case 1: return add_product_of<1>(hessian, block, weighted);
+    case 3: return add_product_of<3>(hessian, block, weighted);
+    case 4: return add_product_of<4>(hessian, block, weighted);
+    default: return add_product_of<6>(hessian, block, weighted);
   }
 }
 
-void add_block(const Hessian& hessian, const mjData& data, const Block& block) {
-  double* weighted = hessian.scratch;
+void weigh_evenly(const mjData& data, const Block& block, double* weighted) {
+  for (int r = 0; r < block.rows; ++r) {
+    for (int k = 0; k < block.width; ++k) {
+      weighted[r * block.width + k] = data.efc_D[block.row + r] * block.values[r * block.width + k];
+    }
+  }
+}
+
+void weigh_slipping(const Slip& slip, const Block& block, double* weighted) {
+  for (int k = 0; k < block.width; ++k) {
+    const double* column = block.values + k;
+    double slide = 0;
+    for (int r = 1; r < block.rows; ++r) slide += slip.slide[r] * (slip.scales[r] * column[r * block.width]);
+    const double across = slip.stiffness * (slip.scales[0] * column[0] - slip.friction * slide);
+    weighted[k] = slip.scales[0] * across;
+    const double bend = slip.stiffness * slip.bend, along = bend * slide + slip.friction * across;
+    for (int r = 1; r < block.rows; ++r) {
+      const double scaled = slip.scales[r] * column[r * block.width];
+      weighted[r * block.width + k] = slip.scales[r] * (bend * scaled - slip.slide[r] * along);
+    }
+  }
+}
+
+bool is_single(const Block& block) { return block.rows == 1 && block.width == 1; }
+bool is_quiet(const Hessian& hessian, const Block& block) {
+  return is_single(block) && hessian.quiet[block.columns[0]];
+}
+
+void add_single(const Hessian& hessian, const mjData& data, const Block& block, double* matrix) {
+  matrix[hessian.ends[block.columns[0]] - 1] += data.efc_D[block.row] * block.values[0] * block.values[0];
+}
+
+void add_block(const Hessian& hessian, const mjData& data, const Block& block, const double* violation) {
   const int state = data.efc_state[block.row];
-  if (state == mjCNSTRSTATE_QUADRATIC) {
-    for (int r = 0; r < block.rows; ++r) {
-      for (int k = 0; k < block.width; ++k) {
-        weighted[r * block.width + k] = data.efc_D[block.row + r] * block.values[r * block.width + k];
-      }
-    }
+  if (state == mjCNSTRSTATE_QUADRATIC && is_single(block)) {
+    add_single(hessian, data, block, hessian.values);
+  } else if (state == mjCNSTRSTATE_QUADRATIC) {
+    weigh_evenly(data, block, hessian.scratch);
+    add_product(hessian, block, hessian.scratch);
   } else if (state == mjCNSTRSTATE_CONE) {
-    const double* cone = data.contact[data.efc_id[block.row]].H;
-    std::fill_n(weighted, block.rows * block.width, 0.0);
-    for (int r = 0; r < block.rows; ++r) {
-      for (int s = 0; s < block.rows; ++s) {
-        const double factor = cone[r * block.rows + s];
-        for (int k = 0; k < block.width; ++k)
-          weighted[r * block.width + k] += factor * block.values[s * block.width + k];
-      }
-    }
-  } else {
-    return;
-  }
-  add_product(hessian, block, weighted);
-}
-
-}  // namespace
-
-Blocks gather_blocks(mjData& data) {
-  const int last = data.nefc - 1;
-  const int entries = data.efc_J_rowadr[last] + data.efc_J_rownnz[last];
-  Block* blocks = take<Block>(data, data.nefc);
-  int* columns = take<int>(data, entries);
-  double* values = take<double>(data, entries);
-  int count = 0;
-  for (int row = 0; row < data.nefc;) {
-    const bool cone = data.efc_type[row] == mjCNSTR_CONTACT_ELLIPTIC;
-    Block& block = blocks[count++];
-    block = {row, cone ? data.contact[data.efc_id[row]].dim : 1, 0, columns, values};
-    const int first = data.efc_J_rowadr[row];
-    for (int at = 0; at < data.efc_J_rownnz[row]; ++at) {
-      if (any_value(data, row, block.rows, at)) columns[block.width++] = at;
-    }
-    for (int r = 0; r < block.rows; ++r) {
-      const double* line = data.efc_J + data.efc_J_rowadr[row + r];
-      for (int k = 0; k < block.width; ++k) values[r * block.width + k] = line[columns[k]];
-    }
-    for (int k = 0; k < block.width; ++k) columns[k] = data.efc_J_colind[first + columns[k]];
-    columns += block.width;
-    values += block.rows * block.width;
-    row += block.rows;
-  }
-  return {count, blocks};
-}
-
-Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
-  const int size = model.nv;
-  int* starts = take<int>(data, size + 1);
-  Mark* marks = take<Mark>(data, size * size);
-  std::fill_n(marks, size * size, Mark{0});
-  mark_entries(model, blocks, marks);
-  const int entries = fill_in(size, marks);
-  int* columns = take<int>(data, entries);
-  list_columns(size, marks, starts, columns);
-  double* inertia = take<double>(data, entries);
-  write_inertia(model, data, starts, columns, inertia);
-  return {size, starts, columns, inertia, take<double>(data, entries), take<double>(data, (kMostRows + 1) * size)};
-}
-
-void multiply_inertia(const Hessian& hessian, const double* vector, double* product) {
-  for (int row = 0; row < hessian.size; ++row) {
-    const int diagonal = hessian.starts[row + 1] - 1;
-    double sum = hessian.inertia[diagonal] * vector[row];
-    for (int at = hessian.starts[row]; at < diagonal; ++at) {
-      sum += hessian.inertia[at] * vector[hessian.columns[at]];
-      product[hessian.columns[at]] += hessian.inertia[at] * vector[row];
-    }
-    product[row] = sum;
+    weigh_slipping(slip_of(data, block, violation), block, hessian.scratch);
+    add_product(hessian, block, hessian.scratch);
   }
 }
 
-void factorize(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
-  std::copy_n(hessian.inertia, hessian.starts[hessian.size], hessian.values);
-  for (int i = 0; i < blocks.count; ++i) add_block(hessian, data, blocks.all[i]);
+void find_quiet(const Hessian& hessian, const Blocks& blocks, bool* quiet) {
+  std::fill_n(quiet, hessian.size, true);
+  for (int i = 0; i < blocks.count; ++i) {
+    const Block& block = blocks.all[i];
+    for (int k = 0; k < block.width && !is_single(block); ++k) quiet[block.columns[k]] = false;
+  }
+  for (int row = hessian.size - 1; row >= 0; --row) {
+    for (int at = hessian.starts[row]; at < hessian.ends[row] && !quiet[row]; ++at) quiet[hessian.columns[at]] = false;
+  }
+}
+
+// Rows of one kind, into those above them.
+void eliminate(const Hessian& hessian, bool quiet, double* matrix) {
   double* line = hessian.scratch;
   for (int row = hessian.size - 1; row >= 0; --row) {
-    double* values = hessian.values + hessian.starts[row];
+    if (hessian.quiet[row] != quiet) continue;
+    double* values = matrix + hessian.starts[row];
     const int* columns = hessian.columns + hessian.starts[row];
-    const int count = hessian.starts[row + 1] - hessian.starts[row] - 1;  // without the diagonal
+    const int count = hessian.ends[row] - hessian.starts[row] - 1;  // without the diagonal
     values[count] = std::max(values[count], mjMINVAL);
     const double inverse = 1 / values[count];
     std::copy_n(values, count, line);
     for (int i = 0; i < count; ++i) {
       values[i] = line[i] * inverse;
-      add_to_row(hessian, columns[i], i + 1, columns, line, -values[i]);
+      add_to_row(hessian, matrix, columns[i], i + 1, columns, line, -values[i]);
     }
   }
+}
+
+// Whether the quiet rows' constraints are in other states than when these were eliminated; notes the present ones.
+bool quiet_changed(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  int& begun = hessian.counted[blocks.count];
+  bool changed = begun == 0;
+  begun = 1;
+  for (int i = 0; i < blocks.count; ++i) {
+    if (!is_quiet(hessian, blocks.all[i])) continue;
+    const int counts = data.efc_state[blocks.all[i].row] == mjCNSTRSTATE_QUADRATIC ? 1 : 0;
+    changed = changed || hessian.counted[i] != counts;
+    hessian.counted[i] = counts;
+  }
+  return changed;
+}
+
+void begin(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  std::copy_n(hessian.inertia, hessian.entries, hessian.begun);
+  for (int i = 0; i < blocks.count; ++i) {
+    const Block& block = blocks.all[i];
+    if (is_quiet(hessian, block) && hessian.counted[i] == 1) add_single(hessian, data, block, hessian.begun);
+  }
+  eliminate(hessian, true, hessian.begun);
+}
+
+}  // namespace
+
+Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
+  const int size = model.nv;
+  int* starts = take<int>(data, size);
+  int* ends = take<int>(data, size);
+  Word* marks = take<Word>(data, size * words_of(size));
+  mark_entries(model, blocks, marks);
+  fill_in(size, marks);
+  const int entries = place_rows(size, marks, starts, ends);
+  int* columns = take<int>(data, entries);
+  list_columns(size, marks, starts, columns);
+  double* inertia = take<double>(data, entries);
+  bool* quiet = take<bool>(data, size);
+  int* counted = take<int>(data, blocks.count + 1);
+  const int room = (kMostRows + 1) * (size + kLanes);
+  const Hessian hessian = {size,
+                           entries,
+                           starts,
+                           ends,
+                           columns,
+                           inertia,
+                           quiet,
+                           take<double>(data, entries),
+                           counted,
+                           take<double>(data, entries),
+                           take<double>(data, room)};
+  write_inertia(model, data, hessian, inertia);
+  std::fill_n(hessian.scratch, room, 0.0);
+  find_quiet(hessian, blocks, quiet);
+  std::fill_n(counted, blocks.count + 1, 0);
+  return hessian;
+}
+
+void multiply_inertia(const Hessian& hessian, const double* vector, double* product) {
+  for (int row = 0; row < hessian.size; ++row) {
+    const int diagonal = hessian.ends[row] - 1;
+    const double value = vector[row];
+    double even = hessian.inertia[diagonal] * value, odd = 0;  // two sums, as each waits for itself
+    int at = hessian.starts[row];
+    for (; at + 1 < diagonal; at += 2) {
+      const int first = hessian.columns[at], second = hessian.columns[at + 1];
+      even += hessian.inertia[at] * vector[first];
+      odd += hessian.inertia[at + 1] * vector[second];
+      product[first] += hessian.inertia[at] * value;
+      product[second] += hessian.inertia[at + 1] * value;
+    }
+    if (at < diagonal) {
+      even += hessian.inertia[at] * vector[hessian.columns[at]];
+      product[hessian.columns[at]] += hessian.inertia[at] * value;
+    }
+    product[row] = even + odd;
+  }
+}
+
+void factorize(const Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation) {
+  if (quiet_changed(hessian, data, blocks)) begin(hessian, data, blocks);
+  std::copy_n(hessian.begun, hessian.entries, hessian.values);
+  for (int i = 0; i < blocks.count; ++i) {
+    if (!is_quiet(hessian, blocks.all[i])) add_block(hessian, data, blocks.all[i], violation);
+  }
+  eliminate(hessian, false, hessian.values);
 }
 
 void solve(const Hessian& hessian, double* vector) {
   for (int row = hessian.size - 1; row >= 0; --row) {
     const double value = vector[row];
-    for (int at = hessian.starts[row]; at < hessian.starts[row + 1] - 1; ++at) {
+    for (int at = hessian.starts[row]; at < hessian.ends[row] - 1; ++at) {
       vector[hessian.columns[at]] -= hessian.values[at] * value;
     }
   }
   for (int row = 0; row < hessian.size; ++row) {
-    const int diagonal = hessian.starts[row + 1] - 1;
-    double value = vector[row] / hessian.values[diagonal];
-    for (int at = hessian.starts[row]; at < diagonal; ++at) value -= hessian.values[at] * vector[hessian.columns[at]];
-    vector[row] = value;
+    const int diagonal = hessian.ends[row] - 1;
+    double even = vector[row] / hessian.values[diagonal], odd = 0;  // two sums, as each waits for itself
+    int at = hessian.starts[row];
+    for (; at + 1 < diagonal; at += 2) {
+      even -= hessian.values[at] * vector[hessian.columns[at]];
+      odd -= hessian.values[at + 1] * vector[hessian.columns[at + 1]];
+    }
+    if (at < diagonal) even -= hessian.values[at] * vector[hessian.columns[at]];
+    vector[row] = even + odd;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "engine/compat.h"
 #include "engine/line_search.h"
 #include "engine/newton.h"
+#include "support/random_model.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
 
@@ -107,6 +108,20 @@ TEST_P(EngineNewtonZoo, EveryConstraintIsAsMujocos) {
 INSTANTIATE_TEST_SUITE_P(Each, EngineNewtonZoo,
                          ::testing::Combine(::testing::Values("elliptic", "pyramidal"),
                                             ::testing::Values("enable", "disable"), ::testing::Values("50", "2")));
+
+// Heaps of shapes of all kinds on chains of joints: contacts of all dimensions, bodies that no contact reaches.
+TEST(EngineNewton, MovesRandomModelsAsMujoco) {
+  Random random(1);
+  int most = 0;
+  for (int i = 0; i < 20 && !HasFatalFailure(); ++i) {
+    SCOPED_TRACE(format("model {}", i));
+    const engine::ModelPtr model = engine::compile(
+        random_model(random, "timestep='0.002' cone='elliptic' jacobian='sparse' solver='Newton'"), {}, {});
+    ASSERT_TRUE(engine::newton_step_serves(*model));
+    most = std::max(most, compare(*model, 60));
+  }
+  EXPECT_GT(most, 60);
+}
 
 // A ball that bounces: steps with a contact and steps without any constraint.
 TEST(EngineNewton, LeavesNoForceWhereConstraintsEnded) {
