@@ -2,10 +2,12 @@
 
     python learning_curves.py runs --out curves.png --value mean_return training_success
 
-Reads the folders that train.py and babybench.py write, and prints the last values.
+Reads the folders that train.py and babybench.py write, and prints the last values, and of self-body the success by
+target.
 """
 
 import argparse
+import csv
 import re
 from collections import defaultdict
 from pathlib import Path
@@ -60,7 +62,19 @@ def draw_curves(place, task, algorithms, value):
         seeds = "1 seed" if len(runs) == 1 else f"{len(runs)} seeds"
         (line,) = place.plot(steps, mean, label=f"{ALGORITHMS.get(algorithm, algorithm)} ({seeds})")
         place.fill_between(steps, mean - spread, mean + spread, color=line.get_color(), alpha=0.2, linewidth=0)
-        print(f"{task} {algorithm}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
+        print(f"{task} {algorithm}, {seeds}: {value} {mean[-1]:.3f} +- {spread[-1]:.3f} at {steps[-1]:.0f} steps")
+
+
+def print_targets(folder):
+    """Of the last evaluations: how often each target was touched, by all seeds of an algorithm together."""
+    counts = defaultdict(lambda: np.zeros(2, int))
+    for file in sorted(folder.glob("*/targets.csv")):
+        algorithm = file.parent.name.split("-")[1]
+        with file.open(newline="") as rows:
+            for row in csv.DictReader(rows):
+                counts[algorithm, row["target"]] += int(row["successes"]), int(row["episodes"])
+    for (algorithm, target), (successes, episodes) in sorted(counts.items()):
+        print(f"{algorithm}, {target}: {successes} of {episodes}")
 
 
 def draw(folder, values):
@@ -90,3 +104,4 @@ if __name__ == "__main__":
     parser.add_argument("--value", nargs="+", default=["mean_return"], choices=VALUES)
     options = parser.parse_args()
     draw(options.runs, options.value).savefig(options.out, dpi=150)
+    print_targets(options.runs)

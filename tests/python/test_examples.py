@@ -39,7 +39,7 @@ def test_example(name, root, tmp_path):
 
 
 def test_no_example_is_forgotten(root):
-    in_test_sb3 = {"train.py", "learning_curves.py", "profile_ppo.py", "single_file_ppo.py"}
+    in_test_sb3 = {"train.py", "learning_curves.py", "profile_training.py", "figure4.py", "single_file_ppo.py"}
     elsewhere = in_test_sb3 | {"cluster.py", "torchrl_ppo.py"}  # in test_ray and test_torchrl
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | elsewhere
 

@@ -1,6 +1,7 @@
 """Stable-Baselines3: its checker, its contract of vectorised environments, and a very short training."""
 
 import copy
+import importlib.util
 import re
 import subprocess
 import sys
@@ -17,6 +18,10 @@ from stable_baselines3.common.env_checker import check_env  # noqa: E402
 from stable_baselines3.common.vec_env import SubprocVecEnv, VecMonitor, VecNormalize  # noqa: E402
 
 from mimo.sb3 import SB3VecEnv  # noqa: E402
+
+# The same algorithms, compiled by JAX.
+has_sbx = importlib.util.find_spec("sbx") is not None
+needs_sbx = pytest.mark.skipif(not has_sbx, reason="sbx-rl (extra [train]) is not installed")
 
 # Torques have three axes a sensor, touch three a place; policies flatten them themselves.
 EXPLAINED = "has an unconventional shape"
@@ -101,61 +106,112 @@ def test_learning_runs(algorithm):
     assert action.shape == (2, 8)
 
 
-def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path):
-    scripts = root / "examples/python"
-    train = [sys.executable, scripts / "train.py", "--task", "reach", "--algorithm", "ppo", "--worlds", "2"]
-    train += ["--out", tmp_path, "--evaluate-every", "64", "--evaluation-episodes", "1", "--max-steps", "8", "--quiet"]
-    train += ["--rollout", "32"]
-    for seed in ("0", "1"):
-        subprocess.run([*train, "--steps", "128", "--seed", seed], check=True)
-    told = subprocess.run([*train, "--steps", "192", "--seed", "0"], check=True, capture_output=True, text=True)
-    assert "goes on from step 128" in told.stdout
-    curve = np.genfromtxt(tmp_path / "reach-ppo-0" / "curve.csv", delimiter=",", names=True)
+FEW = "--worlds 2 --evaluate-every 64 --evaluation-episodes 3 --max-steps 8 --rollout 32 --batch 16 --random-steps 16"
+
+
+@pytest.fixture
+def train(root, tmp_path, monkeypatch, capsys):
+    """Trains for seconds, and returns what was said."""
+    monkeypatch.syspath_prepend(root / "examples/python")
+    script = importlib.import_module("train")
+
+    def run(options, out=tmp_path):
+        script.run(script.parse([*FEW.split(), "--quiet", "--out", str(out), *options.split()]))
+        return capsys.readouterr().out
+
+    return run
+
+
+def said(*command):
+    return subprocess.run(list(map(str, command)), check=True, capture_output=True, text=True).stdout
+
+
+def read_curve(folder):
+    return np.genfromtxt(folder / "curve.csv", delimiter=",", names=True)
+
+
+@pytest.mark.parametrize("library", ["sb3", pytest.param("sbx", marks=needs_sbx)])
+def test_train_script_trains_resumes_and_its_curves_are_drawn(root, tmp_path, train, library):
+    reach = f"--task reach --algorithm ppo --library {library}"
+    train(f"{reach} --steps 128 --seed 0")
+    train(f"{reach} --steps 128 --seed 1")
+    assert "goes on from step 128" in train(f"{reach} --steps 192 --seed 0")
+    curve = read_curve(tmp_path / "reach-ppo-0")
     assert curve["steps"].tolist() == [64, 128, 192]
     assert (curve["training_return"] < 0).all()
-    told = subprocess.run([*train, "--steps", "192", "--seed", "0"], check=True, capture_output=True, text=True)
-    assert re.search(r"return -\d\.\d+ \+- 0, success 0\.000\n$", told.stdout)
-    assert "goes on" not in told.stdout
-    subprocess.run(
-        [sys.executable, scripts / "learning_curves.py", tmp_path, "--out", tmp_path / "curves.png"], check=True
-    )
-    assert (tmp_path / "curves.png").stat().st_size > 1000
+    assert (curve["training_success"] == 0).all()
+    told = train(f"{reach} --steps 192 --seed 0")
+    assert re.search(r"return -\d\.\d+ \+- \d\.\d+, success 0\.000\n$", told)
+    assert "goes on" not in told
+    curves = tmp_path / "curves.png"
+    told = said(sys.executable, root / "examples/python/learning_curves.py", tmp_path, "--out", curves)
+    assert "reach ppo, 2 seeds: mean_return -" in told
+    assert curves.stat().st_size > 1000
 
 
-def test_train_script_keeps_the_scale_of_rewards_and_tells_targets(root, tmp_path):
-    train = [
-        sys.executable,
-        root / "examples/python/train.py",
-        "--task",
-        "selfbody",
-        "--algorithm",
-        "ppo",
-        "--out",
-        tmp_path,
-    ]
-    train += ["--worlds", "2", "--evaluate-every", "64", "--evaluation-episodes", "3", "--max-steps", "8", "--quiet"]
-    train += ["--rollout", "32", "--batch", "16", "--normalize-rewards", "--noise-steps", "4"]
-    subprocess.run([*train, "--steps", "64"], check=True)
-    scale = tmp_path / "selfbody-ppo-0" / "reward_scale.pkl"
-    before = VecNormalize.load(scale, VecMonitor(SB3VecEnv("selfbody", 2))).ret_rms.count
-    subprocess.run([*train, "--steps", "128"], check=True)
-    assert VecNormalize.load(scale, VecMonitor(SB3VecEnv("selfbody", 2))).ret_rms.count == pytest.approx(
-        2 * before, rel=0.01
-    )
-    told = subprocess.run([*train, "--steps", "0"], check=True, capture_output=True, text=True).stdout
+@needs_sbx
+@pytest.mark.parametrize("algorithm", ["ppo", "sac"])
+def test_equal_seeds_learn_equally_and_others_do_not(tmp_path, train, algorithm):
+    options = f"--task reach --algorithm {algorithm} --library sbx --steps 128 --note-every 32 --temperature 0.01"
+
+    def curve(out, seed):
+        train(f"{options} --normalize-observations --normalize-rewards --seed {seed}", tmp_path / out)
+        return read_curve(tmp_path / out / f"reach-{algorithm}-{seed}")
+
+    first, again, other = curve("first", 3), curve("again", 3), curve("other", 4)
+    assert first["steps"].tolist() == [32, 64, 96, 128]
+    assert np.isfinite(first["mean_return"]).tolist() == [False, True, False, True]  # evaluated every 64 steps
+    for column in ("mean_return", "training_return"):
+        np.testing.assert_array_equal(first[column], again[column])
+        assert first[column][-1] != other[column][-1]
+
+
+def test_train_script_keeps_scales_and_tells_targets(root, tmp_path, train):
+    selfbody = "--task selfbody --algorithm ppo --noise-steps 4 --normalize-rewards --normalize-observations"
+    folder = tmp_path / "selfbody-ppo-0"
+
+    def scales():
+        return VecNormalize.load(folder / "scales.pkl", VecMonitor(SB3VecEnv("selfbody", 2, flatten=True)))
+
+    train(f"{selfbody} --steps 64")
+    before = scales()
+    assert before.obs_rms.mean.shape == before.observation_space.shape
+    train(f"{selfbody} --steps 128")
+    assert scales().ret_rms.count == pytest.approx(2 * before.ret_rms.count, rel=0.01)
+    told = train(f"{selfbody} --steps 0")
     assert sum(int(count) for count in re.findall(r": \d of (\d)\n", told)) == 3
+    told = said(sys.executable, root / "examples/python/learning_curves.py", tmp_path, "--out", tmp_path / "all.png")
+    assert sum(int(count) for count in re.findall(r"^ppo, \w+: \d of (\d)$", told, flags=re.MULTILINE)) == 3
 
 
-def test_examples_of_learning(root, tmp_path):
+def test_lasting_noise_is_refused_where_there_is_none(train, capsys):
+    with pytest.raises(SystemExit):
+        train("--task reach --algorithm ppo --library sbx --noise-steps 4")
+    assert "--noise-steps is 4, expected 0 with --library sbx" in capsys.readouterr().err
+
+
+@needs_sbx
+def test_figure4_trains_what_is_left(root, tmp_path):
+    figure = [sys.executable, root / "examples/python/figure4.py", "--seeds", "1", "--out", tmp_path, "--steps", "64"]
+    figure += FEW.split()
+    both = said(*figure, "--task", "reach")
+    assert re.findall(r"(\w+-\w+-\d): \d+ steps", both) == ["reach-ppo-0", "reach-sac-0"]
+    assert said(*figure, "--task", "reach") == ""  # all is done
+
+
+def test_where_training_spends_its_time(root):
+    profile = [sys.executable, root / "examples/python/profile_training.py", "--task", "reach", "--algorithm", "ppo"]
+    told = said(*profile, "--steps", 64, "--worlds", 2, "--rollout", 32, "--batch", 16)
+    shares = [int(share) for share in re.findall(r" (\d+) %\n", told)]
+    assert len(shares) == 3
+    assert sum(shares) == pytest.approx(100, abs=2)
+
+
+def test_examples_of_learning(root):
     scripts = root / "examples/python"
-
-    def said(*arguments):
-        command = [sys.executable, *map(str, arguments)]
-        return subprocess.run(command, check=True, capture_output=True, text=True, cwd=tmp_path).stdout
-
-    told = said(scripts / "her.py", "--steps", "320")
+    told = said(sys.executable, scripts / "her.py", "--steps", "320")
     assert float(told.split()[-1]) > 0  # "future" may choose the step itself
-    told = said(scripts / "single_file_ppo.py", "--worlds", "2", "--rollout", "32", "--updates", "2")
+    told = said(sys.executable, scripts / "single_file_ppo.py", "--worlds", "2", "--rollout", "32", "--updates", "2")
     assert re.fullmatch(r"(update \d: mean reward -\d\.\d{4}\n){2}", told)
 
 

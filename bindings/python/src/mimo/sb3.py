@@ -45,8 +45,10 @@ class SB3VecEnv(VecEnv):
         """Waits for the step."""
         observation, reward, terminated, truncated, infos = self.envs.receive()
         done = terminated | truncated
-        told = infos.get("final_info", infos)
-        listed = [{"TimeLimit.truncated": False, **_of_world(told, index)} for index in range(self.num_envs)]
+        listed: List[Dict[str, Any]] = [{"TimeLimit.truncated": False} for _ in range(self.num_envs)]
+        if told := infos.get("final_info", infos):  # the library's tasks tell something of ends only
+            for index, info in enumerate(listed):
+                info.update(_of_world(told, index))
         for index in np.flatnonzero(done):
             listed[index]["TimeLimit.truncated"] = bool(truncated[index] and not terminated[index])
             listed[index]["terminal_observation"] = infos["final_obs"][index]
