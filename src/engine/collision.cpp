@@ -24,7 +24,7 @@ namespace {
 
 using Mark = unsigned char;
 
-// What comparing every shape with every other is worth; beyond, MuJoCo's sorting is faster.
+// Comparing every shape with every other grows with the square; beyond, MuJoCo sorts.
 constexpr int kMostShapes = 512;
 
 // Spheres around all shapes that can touch something, in single precision and larger by more than its rounding.
