@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "engine/pictures.h"
-#include "scene/resources.h"
 
 namespace mimo::scene {
 namespace {
@@ -16,27 +15,31 @@ bool ends_with(const std::string& name, const std::string& end) {
   return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
 }
 
-// A decoded resource. Without a lock, which a child forked at the wrong time would find closed for ever.
-class Slot {
- public:
-  ~Slot() { delete bytes_.load(); }
-  const engine::Bytes* get() const { return bytes_.load(); }
-  // The first one that is brought stays.
-  void keep(engine::Bytes bytes) {
-    auto brought = std::make_unique<const engine::Bytes>(std::move(bytes));
-    const engine::Bytes* none = nullptr;
-    if (bytes_.compare_exchange_strong(none, brought.get())) static_cast<void>(brought.release());
-  }
-
- private:
-  std::atomic<const engine::Bytes*> bytes_{nullptr};
+// A built-in file and what is decoded of it.
+struct Picture {
+  const unsigned char* file;
+  engine::Bytes pixels;
+  const Picture* before;
 };
 
-Slot& slot_of(const engine::Asset& asset) {
-  static const auto slots = std::make_unique<Slot[]>(kResourceCount);
-  std::size_t i = 0;
-  while (kResources[i].data != asset.bytes.data()) ++i;
-  return slots[i];
+// The one that was decoded last. There is no lock, which a child forked at the wrong time would find closed for ever,
+// not even that of a table made at its first use; and nothing is given back at the process's exit, when other threads
+// may still make worlds.
+std::atomic<const Picture*> last_decoded{nullptr};
+
+const engine::Bytes* find(const Picture* picture, const unsigned char* file) {
+  while (picture != nullptr && picture->file != file) picture = picture->before;
+  return picture == nullptr ? nullptr : &picture->pixels;
+}
+
+const engine::Bytes* find(const unsigned char* file) { return find(last_decoded.load(), file); }
+
+// Of one file that several threads decode at a time, the first that is brought stays.
+void keep(const unsigned char* file, engine::Bytes pixels) {
+  auto brought = std::make_unique<Picture>(Picture{file, std::move(pixels), last_decoded.load()});
+  while (find(brought->before, file) == nullptr) {
+    if (last_decoded.compare_exchange_weak(brought->before, brought.get())) return static_cast<void>(brought.release());
+  }
 }
 
 }  // namespace
@@ -50,13 +53,13 @@ void decode_pictures(std::vector<engine::Asset>& assets) {
   if (!engine::takes_decoded()) return;
   std::vector<engine::Asset> encoded;
   for (const engine::Asset& asset : assets) {
-    if (ends_with(asset.name, kEncoded) && slot_of(asset).get() == nullptr) encoded.push_back(asset);
+    if (ends_with(asset.name, kEncoded) && find(asset.bytes.data()) == nullptr) encoded.push_back(asset);
   }
   std::vector<engine::Bytes> decoded = engine::decode(encoded);
-  for (std::size_t i = 0; i < encoded.size(); ++i) slot_of(encoded[i]).keep(std::move(decoded[i]));
+  for (std::size_t i = 0; i < encoded.size(); ++i) keep(encoded[i].bytes.data(), std::move(decoded[i]));
   for (engine::Asset& asset : assets) {
     if (!ends_with(asset.name, kEncoded)) continue;
-    const engine::Bytes& bytes = *slot_of(asset).get();
+    const engine::Bytes& bytes = *find(asset.bytes.data());
     asset = {decoded_name(asset.name), {bytes.data(), bytes.size()}};
   }
 }
