@@ -60,6 +60,7 @@ Composition packed(const pugi::xml_document& document, const Limits& limits) {
   const pugi::xml_document changed = copy(document);
   settle(changed.document_element());
   composition.lines = take_lines(changed.document_element());
+  std::vector<engine::Asset> pictures;  // decoded for textures only: of heights, MuJoCo knows no such form
   std::set<std::string> seen;
   for (const auto& [node, attribute] : asset_files(changed.document_element())) {
     const auto bytes = built_in_asset(attribute.value());
@@ -67,10 +68,13 @@ Composition packed(const pugi::xml_document& document, const Limits& limits) {
     // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
     std::string name = attribute.value();
     std::replace(name.begin(), name.end(), '/', ':');
-    set(node, attribute.name(), decoded_name(name));
-    if (seen.insert(name).second) composition.assets.push_back({name, bytes});
+    const bool is_texture = is(node, "texture");
+    const std::string given = is_texture ? decoded_name(name) : name;
+    set(node, attribute.name(), given);
+    if (seen.insert(given).second) (is_texture ? pictures : composition.assets).push_back({name, bytes});
   }
-  decode_pictures(composition.assets);
+  decode_pictures(pictures);
+  composition.assets.insert(composition.assets.end(), pictures.begin(), pictures.end());
   composition.xml = print(changed);
   return composition;
 }

@@ -1,6 +1,7 @@
 // Where a scene's parts come from: built-in files, a user's files and text, and the assets that they name.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -219,6 +220,19 @@ TEST_F(SceneSources, TextStartsFromTheWorkingDirectory) {
   folder.copy_of(kPicture, "pictures/mine.png");
   const WorkingDirectory there(folder.path());
   EXPECT_EQ(compile(scene::Scene(from_text(with_picture("", "pictures/mine.png"))))->ntex, 1);
+}
+
+// The same built-in picture as heights and as a texture: 512 x 512 of both, three bytes of the texture's a pixel.
+TEST_F(SceneSources, ABuiltInPictureGivesHeightsToo) {
+  const std::string heights = "<hfield name='hills' file='mimo/textures/floor.png' size='1 1 0.1 0.1'/>";
+  const std::string texture = "<texture name='floor' type='2d' file='mimo/textures/floor.png'/>";
+  for (const std::string& assets : {heights, heights + texture, texture + heights}) {
+    SCOPED_TRACE(assets);
+    const engine::ModelPtr model = compile(scene::Scene(from_text("<mujoco><asset>" + assets + "</asset></mujoco>")));
+    ASSERT_EQ(model->nhfielddata, 512 * 512);
+    EXPECT_EQ(*std::max_element(model->hfield_data, model->hfield_data + model->nhfielddata), 1.0F);
+    EXPECT_EQ(model->ntexdata, model->ntex * 3 * 512 * 512);
+  }
 }
 
 // The user's folders are for the user's files only: the infant's own pictures are still found.
