@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cstdint>
 #include <initializer_list>
 #include <string_view>
 #include <type_traits>
@@ -116,11 +117,20 @@ void lay_out(const mjModel& model, mjData& data, const Room& room, unsigned char
   });
 }
 
+// MuJoCo counts the Jacobian's entries by int.
+void require_countable(const mjModel& model) {
+  if (static_cast<std::int64_t>(model.njmax) * model.nv <= INT_MAX) return;
+  fail(Status::kOutOfMemory,
+       "no memory for {} constraints (njmax) of {} degrees of freedom: there is room for {} at most", model.njmax,
+       model.nv, INT_MAX / model.nv);
+}
+
 }  // namespace
 
 // The Jacobian lies behind what MuJoCo takes for the whole buffer and clears in a reset: of memory that nobody touches
 // the system gives none.
 DataPtr make_data(const mjModel& model) {
+  require_countable(model);
   mjModel unconstrained = model;  // the struct only
   unconstrained.njmax = 0;
   DataPtr data = made(unconstrained);

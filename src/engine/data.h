@@ -14,7 +14,8 @@ using DataPtr = std::unique_ptr<mjData, void (*)(mjData*)>;
 // As mj_makeData makes it, but without room that no step of this model can fill, and without touching what a step need
 // not: MuJoCo 2.2 sizes the constraints' matrices as if all were full, which is most of the 200 MB that ten infants in
 // one scene took. `model` and its solver and Jacobian stay what they are. Only MuJoCo's functions that know no other
-// layout (mj_copyData) do not take it. Throws Status::kOutOfMemory.
+// layout (mj_copyData) do not take it, nor does a MuJoCo that is compiled with ADDRESS_SANITIZER defined: its
+// mj_resetData clears each array at the size that is listed. Throws Status::kOutOfMemory.
 DataPtr make_data(const mjModel& model);
 
 // How many numbers the constraints' Jacobian can have, all rows together.
