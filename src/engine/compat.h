@@ -106,6 +106,9 @@ void visit_more_state(const mjModel& model, Data& data, Visit&& visit) {
   visit("plugin_state", data.plugin_state, static_cast<int>(model.npluginstate));
 }
 
+// What MuJoCo's solver alone makes use of: which constraints belong together.
+inline void leave_out_islands(mjOption& option) { option.disableflags |= mjDSBL_ISLAND; }
+
 // Sensors of acceleration are computed once a step, and this one says whether that has been.
 inline void expect_accelerations(mjData& data) { data.flg_rnepost = false; }
 
@@ -170,6 +173,7 @@ void visit_more_poses(const mjModel&, Visit&&) {}
 template <typename Data, typename Visit>
 void visit_more_state(const mjModel&, Data&, Visit&&) {}
 
+inline void leave_out_islands(mjOption&) {}
 inline void expect_accelerations(mjData&) {}
 
 inline double ray_mesh(const mjModel& model, const mjData& data, int geom, const double* from, const double* along) {

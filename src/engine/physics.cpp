@@ -49,7 +49,9 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
     : shared_(std::move(model)), model_(*shared_), overrides_(*shared_), data_(nullptr, nullptr) {
   apply(options, model_.opt);
-  step_ = options.own_solver && newton_step_serves(model_) ? newton_step : mj_step;
+  const bool own = options.own_solver && newton_step_serves(model_);
+  if (own) compat::leave_out_islands(model_.opt);
+  step_ = own ? newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
   positions_.resize(static_cast<std::size_t>(model_.nq));
   start_.assign(model_.qpos0, model_.qpos0 + model_.nq);

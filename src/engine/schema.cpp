@@ -81,6 +81,8 @@ const SchemaElement& schema() {
   return root;
 }
 
+bool is_mujoco_2() { return mj_version() / 100 == 2; }
+
 std::string compiler_name() { return std::string("MuJoCo ") + mj_versionString(); }
 
 }  // namespace mimo::engine

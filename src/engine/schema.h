@@ -16,6 +16,9 @@ struct SchemaElement {
 // The element <mujoco>, asked of the MuJoCo that runs; the same object every time.
 const SchemaElement& schema();
 
+// Whether a MuJoCo 2 runs, whose documents newer versions do not all understand, nor it theirs.
+bool is_mujoco_2();
+
 // "MuJoCo 2.2.2", the one that runs.
 std::string compiler_name();
 

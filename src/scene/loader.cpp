@@ -3,11 +3,13 @@
 #include <array>
 
 #include "base/fail.h"
+#include "engine/schema.h"
 #include "scene/compiler.h"
 #include "scene/composition.h"
 #include "scene/files.h"
 #include "scene/lines.h"
 #include "scene/newer.h"
+#include "scene/older.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -48,6 +50,17 @@ constexpr std::array<FileAttribute, 10> kFiles = {{{"mesh", "file", "meshdir"},
                                                    {"texture", "filefront", "texturedir"},
                                                    {"texture", "fileback", "texturedir"}}};
 
+// One folder for all assets is what newer versions of MuJoCo have besides.
+void name_folders(pugi::xml_node root) {
+  for (pugi::xml_node compiler : root.children("compiler")) {
+    const std::string folder = compiler.attribute("assetdir").value();
+    for (const char* own : {"meshdir", "texturedir"}) {
+      if (!folder.empty() && !compiler.attribute(own)) set(compiler, own, folder);
+    }
+    compiler.remove_attribute("assetdir");
+  }
+}
+
 }  // namespace
 
 pugi::xml_document Loader::built_in(const std::string& path) {
@@ -72,9 +85,18 @@ pugi::xml_document Loader::load(const std::string& text, const std::string& name
   const pugi::xml_node root = document.document_element();
   expand_includes(root, origin, in_radians(root));
   require_shallow(document, name);
-  if (foreign(origin)) translate_newer(root, log_);
+  if (foreign(origin)) translate(root);
+  require_shallow(document, name);
   locate_assets(root, origin);
   return document;
+}
+
+// Into words of the MuJoCo that runs.
+void Loader::translate(pugi::xml_node root) const {
+  name_folders(root);
+  Report report;
+  engine::is_mujoco_2() ? translate_newer(root, report) : upgrade_older(root, limits_, report);
+  report.write(log_);
 }
 
 pugi::xml_document Loader::parsed(const std::string& text, const std::string& name, const Origin& origin) const {

@@ -32,6 +32,7 @@ class Loader {
   };
 
   pugi::xml_document load(const std::string& text, const std::string& name, const Origin& origin);
+  void translate(pugi::xml_node root) const;
   void expand_includes(pugi::xml_node root, const Origin& origin, bool host_in_radians);
   void insert(pugi::xml_node include, const Origin& origin, bool host_in_radians);
   bool names_built_in(const std::string& path) const;

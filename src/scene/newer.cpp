@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "base/fail.h"
 #include "base/format.h"
 #include "engine/schema.h"
 #include "scene/defaults.h"
 #include "scene/lines.h"
 #include "scene/names.h"
 #include "scene/newer_actuators.h"
+#include "scene/report.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -116,32 +116,6 @@ bool is_harmless(pugi::xml_node node, pugi::xml_attribute attribute) {
   });
 }
 
-// Warnings of one kind are one message, whose place is the first.
-class Report {
- public:
-  void add(pugi::xml_node node, const std::string& what) {
-    const auto same = [&](const Entry& entry) { return entry.what == what; };
-    const auto found = std::find_if(entries_.begin(), entries_.end(), same);
-    if (found == entries_.end()) return entries_.push_back({what, where(node), 1});
-    ++found->count;
-  }
-  void write(const LogSink& log) const {
-    for (const Entry& entry : entries_) {
-      const std::string more = entry.count > 1 ? format(" (and {} more)", entry.count - 1) : "";
-      log(LogLevel::kWarning, format("{}{}: {}", entry.place, more, entry.what));
-    }
-  }
-
- private:
-  struct Entry {
-    std::string what, place;
-    int count;
-  };
-  std::vector<Entry> entries_;
-};
-
-std::string nobody_knows() { return engine::compiler_name() + " does not know "; }
-
 void take_nearest(pugi::xml_node root, Report& report) {
   walk(root, [&](pugi::xml_node node) {
     for (const Nearest& entry : kNearest) {
@@ -182,11 +156,6 @@ void take_shells(pugi::xml_node root) {
 // What has another name or form now, and the same meaning.
 void take_same(pugi::xml_node root) {
   for (const pugi::xml_node compiler : root.children("compiler")) {
-    const std::string folder = compiler.attribute("assetdir").value();
-    for (const char* own : {"meshdir", "texturedir"}) {
-      if (!folder.empty() && !compiler.attribute(own)) set(compiler, own, folder);
-    }
-    pugi::xml_node(compiler).remove_attribute("assetdir");
     for (const pugi::xml_node lengths : compiler.children("lengthrange")) rename(lengths, "interval", "inteval");
   }
   walk(root, [](pugi::xml_node node) {
@@ -201,17 +170,13 @@ void take_same(pugi::xml_node root) {
   });
 }
 
-[[noreturn]] void refuse(pugi::xml_node place, const std::string& what) {
-  fail(Status::kModel, "{}: {}{}", where(place), nobody_knows(), what);
-}
-
 void check_attributes(pugi::xml_node node, const SchemaElement& known, Report& report) {
   for (pugi::xml_attribute attribute = node.first_attribute(); attribute;) {
     const pugi::xml_attribute next = attribute.next_attribute();
     const std::string name = attribute.name();
     if (known.attributes.count(name) == 0 && !is_note(attribute)) {
       const std::string what = format("the attribute {} of <{}>", name, node.name());
-      if (!is_harmless(node, attribute)) refuse(node, format("{} (\"{}\")", what, attribute.value()));
+      if (!is_harmless(node, attribute)) refuse_unknown(node, format("{} (\"{}\")", what, attribute.value()));
       report.add(node, nobody_knows() + what + "; it is left out");
       node.remove_attribute(attribute);
     }
@@ -240,7 +205,7 @@ void check_children(const Known& parent, std::vector<Known>& known, Report& repo
       known.push_back({child, kind});
     } else if (child.type() == pugi::node_element) {
       const std::string what = format("<{}> in <{}>", child.name(), node.name());
-      if (!is_harmless_element(child)) refuse(child, what);
+      if (!is_harmless_element(child)) refuse_unknown(child, what);
       report.add(child, nobody_knows() + what + "; it is left out");
       node.remove_child(child);
     }
@@ -263,14 +228,12 @@ void check(pugi::xml_node root, const SchemaElement& known, Report& report) {
 
 }  // namespace
 
-void translate_newer(pugi::xml_node root, const LogSink& log) {
-  Report report;
+void translate_newer(pugi::xml_node root, Report& report) {
   take_same(root);
   take_shells(root);
   translate_actuators(root);
   take_nearest(root, report);
   check(root, engine::schema(), report);
-  report.write(log);
 }
 
 }  // namespace mimo::scene

@@ -95,6 +95,18 @@ pugi::xml_node append(pugi::xml_node parent, const char* name) {
   return node;
 }
 
+pugi::xml_node prepend(pugi::xml_node parent, const char* name) {
+  pugi::xml_node node = parent.prepend_child(name);
+  must(!node.empty());
+  return node;
+}
+
+pugi::xml_node insert_before(pugi::xml_node place, const char* name) {
+  pugi::xml_node node = place.parent().insert_child_before(name, place);
+  must(!node.empty());
+  return node;
+}
+
 pugi::xml_node section(pugi::xml_node root, const char* name) {
   const pugi::xml_node found = root.child(name);
   return found.empty() ? append(root, name) : found;

@@ -19,6 +19,8 @@ void require_shallow(const pugi::xml_document& document, const std::string& orig
 std::string print(const pugi::xml_document& document);
 
 pugi::xml_node append(pugi::xml_node parent, const char* name);
+pugi::xml_node prepend(pugi::xml_node parent, const char* name);
+pugi::xml_node insert_before(pugi::xml_node place, const char* name);
 // A document's first section of that name, made if there is none.
 pugi::xml_node section(pugi::xml_node root, const char* name);
 // Copies of all that a node or document holds.
