@@ -39,9 +39,10 @@ struct Frame {
 
 thread_local Frame* current = nullptr;
 
+// In one line: MuJoCo 4 writes more.
 void copy_text(std::array<char, 512>& to, const char* from) {
   const std::size_t length = from == nullptr ? 0 : std::min(std::strlen(from), to.size() - 1);
-  std::copy_n(from, length, to.data());
+  std::replace_copy(from, from + length, to.data(), '\n', ' ');
   to[length] = '\0';
 }
 

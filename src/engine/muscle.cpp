@@ -31,7 +31,7 @@ double muscle_passive_force(const MuscleShape& shape, double length) {
 }
 
 double muscle_activation_rate(double control, double activation, double rise, double fall) {
-  const std::array<mjtNum, 2> prm = {rise, fall};
+  const std::array<mjtNum, 3> prm = {rise, fall, 0};  // newer versions have a third: how smoothly one becomes the other
   return mju_muscleDynamics(control, activation, prm.data());
 }
 

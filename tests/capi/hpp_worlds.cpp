@@ -54,7 +54,7 @@ void check_versions() {
   CHECK(mimo::version() == std::to_string(MIMO_VERSION_MAJOR) + "." + std::to_string(MIMO_VERSION_MINOR) + "." +
                                std::to_string(MIMO_VERSION_PATCH) + MIMO_VERSION_LABEL);
   CHECK(mimo::abi_version() == MIMO_ABI_VERSION);
-  CHECK(mimo::mujoco_version() == "2.2.2");
+  CHECK(mimo::mujoco_version() == "2.2.2" || mimo::mujoco_version() == "4.0.1");
   CHECK_TEXT("MIMO_E_NOT_FOUND", mimo::status_name(MIMO_E_NOT_FOUND));
 }
 

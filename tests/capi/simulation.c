@@ -126,6 +126,8 @@ static void check_divergence(void) {
   mimo_env_destroy(fresh);
 }
 
+static int on_mujoco_4(void) { return strncmp(mimo_mujoco_version(), "4.", 2) == 0; }
+
 /* An infant in the floor with room for two contacts: the log hears of it, the world lives. */
 static void check_warnings(void) {
   mimo_scene_config room;
@@ -164,8 +166,9 @@ static void check_bad_models(void) {
       "<mujoco><asset><mesh file='no/such.stl' name='m'/></asset></mujoco>",
       "<mujoco><asset><texture file='no/such.png' name='t' type='2d'/></asset></mujoco>",
       "<mujoco><size nstack='10'/><worldbody><body><freejoint/><geom size='1'/></body></worldbody></mujoco>"};
+  const size_t count = sizeof documents / sizeof documents[0] - (on_mujoco_4() ? 1 : 0); /* which heeds no nstack */
   size_t i;
-  for (i = 0; i < sizeof documents / sizeof documents[0]; ++i) {
+  for (i = 0; i < count; ++i) {
     mimo_scene_config room;
     mimo_scene* scene = NULL;
     mimo_env* env = NULL;
@@ -189,7 +192,7 @@ int main(void) {
   dup2(fileno(out), 1);
   dup2(fileno(out), 2);
   check_divergence();
-  check_warnings();
+  if (!on_mujoco_4()) check_warnings(); /* where contacts are not limited by their number */
   check_bad_models();
   fflush(NULL);
   dup2(saved_out, 1);

@@ -8,7 +8,7 @@ int main(void) {
   CHECK(mimo_api_version() == MIMO_API_MAJOR * 1000 + MIMO_API_MINOR);
   sprintf(version, "%d.%d.%d%s", MIMO_VERSION_MAJOR, MIMO_VERSION_MINOR, MIMO_VERSION_PATCH, MIMO_VERSION_LABEL);
   CHECK_TEXT(version, mimo_version());
-  CHECK(strncmp(mimo_mujoco_version(), "2.2.", 4) == 0);
+  CHECK(strncmp(mimo_mujoco_version(), "2.2.", 4) == 0 || strncmp(mimo_mujoco_version(), "4.0.", 4) == 0);
   CHECK_TEXT("MIMO_OK", mimo_status_name(MIMO_OK));
   CHECK_TEXT("MIMO_E_INVALID_ARGUMENT", mimo_status_name(MIMO_E_INVALID_ARGUMENT));
   CHECK_TEXT("MIMO_E_BAD_HANDLE", mimo_status_name(MIMO_E_BAD_HANDLE));

@@ -179,8 +179,12 @@ engine::ModelPtr held_under_a_ball(const Json& recorded) {
   return model;
 }
 
+// What contacts push with follows from the version of MuJoCo, where the infant and the ball lie does not.
 TEST(GoldenTouch, ForcesOfABallAtRest) {
-  for (const Json& recorded : read_json("touch_static.json")) {
+  const Json scenes = read_json("touch_static.json"), by_mujoco_4 = read_json("mujoco4/touch_static.json");
+  for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
+    const Json& recorded = scenes[scene];
+    const Json& forces = MIMO_MUJOCO_4 ? by_mujoco_4[scene] : recorded.at("reference_from_mj_contactForce");
     SCOPED_TRACE("scene " + recorded.at("id").dump());
     const engine::ModelPtr model = held_under_a_ball(recorded);
     env::World world(model, {blind()}, without_renderer());
@@ -189,7 +193,7 @@ TEST(GoldenTouch, ForcesOfABallAtRest) {
     world.observe(block.data());
     const auto felt = sum_by_body(world, block["touch/force"]);
     const auto acting = loads(*model, world.data());
-    for (const auto& [name, reference] : recorded.at("reference_from_mj_contactForce").items()) {
+    for (const auto& [name, reference] : forces.items()) {
       const int body = engine::find_or_fail(*model, Kind::kBody, name);
       const Vec3 force = rotation_of(world.data(), body) * felt.at(body);
       const std::vector<double> expected = reference.at("force_world");

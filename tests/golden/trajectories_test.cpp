@@ -69,7 +69,7 @@ constexpr Recording kMitten = {"mitten", "v1"};
 constexpr Recording kFingers = {"fingers", "v2"};
 
 Json recorded(const Recording& recording, const char* which) {
-  return read_json(std::string("trajectories_") + recording.version + ".json").at(which);
+  return recorded_motion(std::string("trajectories_") + recording.version + ".json").at(which);
 }
 
 void expect_passive_fall(const Recording& recording, Jacobian jacobian, int last_step,
@@ -78,29 +78,33 @@ void expect_passive_fall(const Recording& recording, Jacobian jacobian, int last
   expect_trajectory(recorded(recording, "passive_fall"), physics, {}, last_step, tolerance);
 }
 
-void expect_floating(const Recording& recording, Jacobian jacobian) {
+void expect_floating(const Recording& recording, Jacobian jacobian, const Tolerance& tolerance = {}) {
   engine::Physics physics(benchmark_model(recording.body), floating(jacobian));
   expect_trajectory(recorded(recording, "floating_no_contact_no_gravity_random_control"), physics,
-                    recorded_controls(physics.model(), recording.version), 200);
+                    recorded_controls(physics.model(), recording.version), 200, tolerance);
 }
 
-// With a dense Jacobian, as the original solves, every state agrees; the last ones lie deep in the contacts.
+// With a dense Jacobian, as the original solves, every state agrees; the last ones lie deep in the contacts. So they do
+// with MuJoCo 4's recordings, whose dense and sparse solutions stay within 1e-9 of each other all the way.
 TEST(GoldenTrajectories, MittenFallsDense) { expect_passive_fall(kMitten, Jacobian::kDense, 200); }
 TEST(GoldenTrajectories, FingersFallDense) { expect_passive_fall(kFingers, Jacobian::kDense, 200); }
 
 // The sparse solution differs by rounding, which contacts amplify: compared up to step 120. Velocities near zero agree
-// to 3e-11, hence the larger floor.
+// to 3e-11, hence the larger floor. On MuJoCo 4 our solver comes to the end by other steps than MuJoCo's, whose own
+// end is up to 1e-6 (positions) and 4e-5 (velocities) away from that of a tolerance of 1e-16 in these falls, and 1e-7
+// and 5e-7 in floating (record.py, run with both).
+constexpr double kFallFloor = MIMO_MUJOCO_4 ? 1e-5 : 1e-10, kFloatFloor = MIMO_MUJOCO_4 ? 1e-7 : kFloor;
 TEST(GoldenTrajectories, MittenFallsSparse) {
-  expect_passive_fall(kMitten, Jacobian::kSparse, 120, {kRelative, 1e-10});
+  expect_passive_fall(kMitten, Jacobian::kSparse, 120, {kRelative, kFallFloor});
 }
 TEST(GoldenTrajectories, FingersFallSparse) {
-  expect_passive_fall(kFingers, Jacobian::kSparse, 120, {kRelative, 1e-10});
+  expect_passive_fall(kFingers, Jacobian::kSparse, 120, {kRelative, kFallFloor});
 }
 
 TEST(GoldenTrajectories, MittenFloatsDense) { expect_floating(kMitten, Jacobian::kDense); }
-TEST(GoldenTrajectories, MittenFloatsSparse) { expect_floating(kMitten, Jacobian::kSparse); }
+TEST(GoldenTrajectories, MittenFloatsSparse) { expect_floating(kMitten, Jacobian::kSparse, {kRelative, kFloatFloor}); }
 TEST(GoldenTrajectories, FingersFloatDense) { expect_floating(kFingers, Jacobian::kDense); }
-TEST(GoldenTrajectories, FingersFloatSparse) { expect_floating(kFingers, Jacobian::kSparse); }
+TEST(GoldenTrajectories, FingersFloatSparse) { expect_floating(kFingers, Jacobian::kSparse, {kRelative, kFloatFloor}); }
 
 }  // namespace
 }  // namespace mimo::test

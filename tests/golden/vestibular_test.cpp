@@ -13,7 +13,8 @@ namespace {
 
 using engine::Kind;
 
-constexpr Tolerance kAtRest = {kRelative, 1e-11};
+// On MuJoCo 4, which has a recording of its own, our solver ends elsewhere within its tolerance than MuJoCo's.
+constexpr Tolerance kAtRest = {kRelative, MIMO_MUJOCO_4 ? 1e-7 : 1e-11};
 
 const double* sensor(const engine::Physics& physics, const std::string& name) {
   const mjModel& model = physics.model();
@@ -21,7 +22,7 @@ const double* sensor(const engine::Physics& physics, const std::string& name) {
 }
 
 TEST(GoldenVestibular, AtRest) {
-  const Json recordings = read_json("vestibular.json");
+  const Json recordings = recorded_motion("vestibular.json");
   ASSERT_EQ(recordings.size(), 2u);
   for (const Json& recorded : recordings) {
     SCOPED_TRACE(recorded.at("orientation").get<std::string>());

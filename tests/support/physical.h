@@ -15,7 +15,8 @@ namespace mimo::test {
 // How things look and what they are called is no physics.
 inline bool is_physical(const std::string& array) {
   for (const char* prefix :
-       {"tex_", "mat_", "name", "light_", "skin_", "text_", "mesh_texcoord", "numeric_", "cam_user"}) {
+       {"tex_", "mat_", "name", "light_", "skin_", "text_", "mesh_texcoord", "numeric_", "cam_user", "paths",
+        "mesh_path", "hfield_path", "mesh_contenttype", "hfield_contenttype"}) {
     if (array.rfind(prefix, 0) == 0) return false;
   }
   static const std::set<std::string> looks = {"geom_rgba",  "geom_matid",  "site_rgba",

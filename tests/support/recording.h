@@ -23,6 +23,9 @@ inline Json read_json(const std::string& name) {
   return content;
 }
 
+// What the MuJoCo that runs does by itself, recorded with it.
+inline Json recorded_motion(const std::string& name) { return read_json(MIMO_MUJOCO_4 ? "mujoco4/" + name : name); }
+
 // Every joint of the model must be in the recording.
 inline void set_positions(const mjModel& model, const Json& recorded, double* qpos) {
   for (int joint = 0; joint < model.njnt; ++joint) {

@@ -24,6 +24,13 @@ inline std::string pile(int spheres, const std::string& extra) {
          "</worldbody></mujoco>";
 }
 
+// Room for a few contacts only. MuJoCo 4 has no limit of their number, but of their bytes.
+#if mjVERSION_HEADER >= 4000000
+constexpr const char* kFewContacts = "<size memory='10K'/>";
+#else
+constexpr const char* kFewContacts = "<size nconmax='5'/>";
+#endif
+
 // One sphere on a slide that a spring pulls at.
 inline std::string spring(double stiffness) {
   return format(

@@ -82,7 +82,7 @@ TEST(Warnings, NoneInACleanRun) {
 }
 
 TEST(Warnings, CountStepsThatDropContacts) {
-  env::World world(compiled(pile(16, "<size nconmax='5'/>")), {}, {});
+  env::World world(compiled(pile(16, kFewContacts)), {}, {});
   world.physics().step(5);
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), 0) << "they have not landed yet";
   world.physics().step(200);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/scenes.h"
 #include "unit/rays/agreement.h"
 #include "unit/rays/support.h"
 
@@ -68,7 +69,7 @@ engine::ModelPtr model_of(const Case& given) {
           given.body,
       assets() + given.assets, "<headlight ambient='.2 .2 .2' diffuse='.4 .4 .4'/>");
   xml.insert(xml.rfind("</mujoco>"), given.rest);
-  return engine::compile(xml, {}, {});
+  return compile(scene::Scene(from_text(xml)));  // which MuJoCo 4 needs for composites
 }
 
 // Joints are moved: extras are those of the pose, not of the model.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/format.h"
+#include "engine/compat.h"
 #include "unit/rays/agreement.h"
 #include "unit/rays/support.h"
 
@@ -77,6 +78,9 @@ struct Case {
 class Meshes : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Meshes, LookTheSame) {
+  if (MIMO_MUJOCO_4 && std::string(GetParam().name) == "MappedRing") {
+    GTEST_SKIP() << "MuJoCo 4 repeats textures otherwise on meshes that bring places in them; rays as 2.2 does";
+  }
   const engine::ModelPtr model = scene(GetParam().body);
   const auto reference = osmesa_for(model);
   if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";

@@ -165,7 +165,7 @@ TEST(Reach, KinematicsIsUpToDateWithTheTurnedHead) {
   const Eigen::Vector3d camera(world->data().cam_xpos + 3 * id_of(*world, Kind::kCamera, "eye_left"));
   world->physics().update_poses();
   const Eigen::Vector3d now(world->data().cam_xpos + 3 * id_of(*world, Kind::kCamera, "eye_left"));
-  EXPECT_LT((now - camera).norm(), 1e-5);
+  EXPECT_LT((now - camera).norm(), 2e-5) << "but for the trunk's sway within a physics step, of a few mm/s";
   EXPECT_GT((place_of(*world, "right_fingers") - fingers).norm(), 0) << "the hand was a step behind";
 }
 

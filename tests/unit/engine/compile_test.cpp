@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/compat.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
 
@@ -43,21 +44,28 @@ TEST_F(EngineCompile, BodyWithoutMass) {
 TEST_F(EngineCompile, MissingMeshFile) {
   expect_refused(with_asset("<mesh name='m' file='no/such/mesh.stl'/>"), "mesh.stl");
 }
-// MuJoCo names the texture, not its file.
+// MuJoCo 2 names the texture, not its file; MuJoCo 4 the file that it cannot open, and what it cannot decode by both.
+#if MIMO_MUJOCO_4
+constexpr const char *kWallMissing = "no/such/picture.png", *kHillsMissing = "no/such/hills.png";
+constexpr const char *kWallDamaged = "name 'wall'", *kSmallStack = "<size memory='1K'/>", *kOverflow = "stack overflow";
+#else
+constexpr const char *kWallMissing = "name = wall", *kHillsMissing = "name = hills", *kWallDamaged = "name = wall";
+constexpr const char *kSmallStack = "<size nstack='10'/>", *kOverflow = "Stack overflow";
+#endif
 TEST_F(EngineCompile, MissingTextureFile) {
-  expect_refused(with_asset("<texture name='wall' type='2d' file='no/such/picture.png'/>"), "name = wall");
+  expect_refused(with_asset("<texture name='wall' type='2d' file='no/such/picture.png'/>"), kWallMissing);
 }
 TEST_F(EngineCompile, MissingHeightField) {
-  expect_refused(with_asset("<hfield name='hills' file='no/such/hills.png' size='1 1 1 1'/>"), "name = hills");
+  expect_refused(with_asset("<hfield name='hills' file='no/such/hills.png' size='1 1 1 1'/>"), kHillsMissing);
 }
 TEST_F(EngineCompile, DamagedTextureFile) {
   const std::string broken = "this is no picture";
   const engine::Asset asset{"broken.png", {reinterpret_cast<const unsigned char*>(broken.data()), broken.size()}};
   const std::string xml = with_asset("<texture name='wall' type='2d' file='broken.png'/>");
-  expect_error(Status::kModel, "name = wall", [&] { engine::compile(xml, {asset}, {}); });
+  expect_error(Status::kModel, kWallDamaged, [&] { engine::compile(xml, {asset}, {}); });
 }
 // The compiler runs the physics once: a stack of a few numbers is not enough even for that.
-TEST_F(EngineCompile, StackTooSmallForTheCompiler) { expect_refused(pile(4, "<size nstack='10'/>"), "Stack overflow"); }
+TEST_F(EngineCompile, StackTooSmallForTheCompiler) { expect_refused(pile(4, kSmallStack), kOverflow); }
 
 TEST_F(EngineCompile, MessageHasOneLine) {
   const std::string xml = "<mujoco>\n<worldbody>\n<body name='ghost'>\n<freejoint/>\n</body></worldbody></mujoco>";

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/compat.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
 
@@ -28,12 +29,22 @@ void PrintTo(const Trouble& trouble, std::ostream* stream) { *stream << trouble.
 // So few spheres are solved by MuJoCo, with a dense Jacobian, unless one asks for the other: then by ourselves.
 std::string small_pile(const char* jacobian) { return pile(4, format("<option jacobian='{}'/>", jacobian)); }
 
+// MuJoCo 4 has one buffer for contacts, constraints and the stack, and so for what two sizes limited before. As bare
+// mj_step tells: of 36 kB the solver gets too little once all spheres touch, with 16 kB constraints are dropped.
+#if MIMO_MUJOCO_4
+constexpr const char *kSmallStack = "<size memory='36K'/>", *kOverflow = "stack overflow";
+constexpr const char* kFewConstraints = "<size memory='16K'/>";
+#else
+constexpr const char *kSmallStack = "<size nstack='3000'/>", *kOverflow = "Stack overflow";
+constexpr const char* kFewConstraints = "<size njmax='20'/>";
+#endif
+
 std::vector<Trouble> troubles() {
   const auto nothing = [](engine::Physics&) {};
   const auto push = [](double force) { return [force](engine::Physics& p) { p.data().xfrc_applied[6] = force; }; };
   return {
       // Enough for the fall, too little for the solver once all spheres touch.
-      {"StackOverflow", pile(16, "<size nstack='3000'/>"), nothing, "Stack overflow"},
+      {"StackOverflow", pile(16, kSmallStack), nothing, kOverflow},
       {"PositionNaN", pile(4, ""), [](engine::Physics& p) { p.data().qpos[2] = kNaN; }, "QPOS"},
       {"PositionInfinite", pile(4, ""), [](engine::Physics& p) { p.data().qpos[2] = kInfinity; }, "QPOS"},
       {"VelocityNaN", pile(4, ""), [](engine::Physics& p) { p.data().qvel[3] = kNaN; }, "QVEL"},
@@ -128,21 +139,21 @@ void expect_warning(const std::string& size, engine::Warning kind, const std::st
   physics.step(200);
   EXPECT_FALSE(physics.failed());
   const std::vector<engine::Note> notes = physics.take_warnings();
-  ASSERT_EQ(notes.size(), 1u);
+  ASSERT_FALSE(notes.empty());
   EXPECT_EQ(notes[0].kind, kind);
   EXPECT_TRUE(contains(notes[0].text, part));
   physics.step(10);
   EXPECT_TRUE(physics.take_warnings().empty()) << "a warning comes once";
   physics.reset();
   physics.step(200);
-  EXPECT_EQ(physics.take_warnings().size(), 1u) << "a new episode, a new warning";
+  EXPECT_EQ(physics.take_warnings().size(), notes.size()) << "a new episode, new warnings";
 }
 
 TEST_F(EngineSurvival, ContactBufferFull) {
-  expect_warning("<size nconmax='5'/>", engine::Warning::kContactsDropped, "contact");
+  expect_warning(kFewContacts, engine::Warning::kContactsDropped, "contact");
 }
 TEST_F(EngineSurvival, ConstraintBufferFull) {
-  expect_warning("<size njmax='20'/>", engine::Warning::kConstraintsDropped, "onstraint");
+  expect_warning(kFewConstraints, engine::Warning::kConstraintsDropped, "onstraint");
 }
 
 // MuJoCo replaces a control that is not a number by zero, and we say so.

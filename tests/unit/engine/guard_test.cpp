@@ -11,19 +11,24 @@
 #include <thread>
 #include <vector>
 
+#include "engine/compat.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
-
-extern "C" {
-void (*_mjPRIVATE__get_tls_error_fn())(const char*);
-void (*_mjPRIVATE__get_tls_warning_fn())(const char*);
-void _mjPRIVATE__set_tls_error_fn(void (*)(const char*));
-void _mjPRIVATE__set_tls_warning_fn(void (*)(const char*));
-}
 
 // MuJoCo writes the text of its first warning into one buffer for all threads, even when nobody reads it.
 extern "C" const char* __tsan_default_suppressions();
 extern "C" const char* __tsan_default_suppressions() { return "race:mju_warningText\n"; }
+
+extern "C" {
+#if MIMO_MUJOCO_4
+mjfLogHandler _mjPRIVATE_setTlsLogHandler(mjfLogHandler);
+#else
+void (*_mjPRIVATE__get_tls_error_fn())(const char*);
+void (*_mjPRIVATE__get_tls_warning_fn())(const char*);
+void _mjPRIVATE__set_tls_error_fn(void (*)(const char*));
+void _mjPRIVATE__set_tls_warning_fn(void (*)(const char*));
+#endif
+}
 
 namespace mimo::test {
 namespace {
@@ -31,6 +36,31 @@ namespace {
 using engine::Complaint;
 using engine::guarded;
 using EngineGuard = QuietTest;
+
+// What a thread's errors and warnings are given to, beside what all threads' are; MuJoCo 4 gives both to one.
+struct ThreadHandlers {
+#if MIMO_MUJOCO_4
+  mjfLogHandler of_messages = nullptr;
+  static ThreadHandlers now() {
+    const ThreadHandlers found{_mjPRIVATE_setTlsLogHandler(nullptr)};
+    found.set();
+    return found;
+  }
+  void set() const { _mjPRIVATE_setTlsLogHandler(of_messages); }
+  bool operator==(const ThreadHandlers& other) const { return of_messages == other.of_messages; }
+#else
+  void (*of_errors)(const char*) = nullptr;
+  void (*of_warnings)(const char*) = nullptr;
+  static ThreadHandlers now() { return {_mjPRIVATE__get_tls_error_fn(), _mjPRIVATE__get_tls_warning_fn()}; }
+  void set() const {
+    _mjPRIVATE__set_tls_error_fn(of_errors);
+    _mjPRIVATE__set_tls_warning_fn(of_warnings);
+  }
+  bool operator==(const ThreadHandlers& other) const {
+    return of_errors == other.of_errors && of_warnings == other.of_warnings;
+  }
+#endif
+};
 
 TEST_F(EngineGuard, ErrorIsCaught) {
   bool went_on = false;
@@ -78,7 +108,7 @@ TEST_F(EngineGuard, Nested) {
 
 TEST_F(EngineGuard, ExceptionsPassAndTheGuardStillWorks) {
   EXPECT_THROW(guarded([] { throw std::bad_alloc(); }), std::bad_alloc);
-  EXPECT_EQ(_mjPRIVATE__get_tls_error_fn(), nullptr);
+  EXPECT_TRUE(ThreadHandlers::now() == ThreadHandlers());
   EXPECT_STREQ(guarded([] { mju_error("later"); }).error.data(), "later");
 }
 
@@ -89,6 +119,15 @@ void host_error(const char*) {
   throw std::runtime_error("host");
 }
 void host_warning(const char*) { ++host_warnings; }
+
+#if MIMO_MUJOCO_4
+void host_message(const mjLogMessage* message) {
+  message->level == mjLOG_ERROR ? host_error(message->subject) : host_warning(message->subject);
+}
+ThreadHandlers hosts() { return {host_message}; }
+#else
+ThreadHandlers hosts() { return {host_error, host_warning}; }
+#endif
 
 class HostHandlers : public EngineGuard {
  protected:
@@ -120,16 +159,13 @@ TEST_F(HostHandlers, GlobalOnesAreBack) {
 }
 
 TEST_F(HostHandlers, ThreadLocalOnesAreBack) {
-  _mjPRIVATE__set_tls_error_fn(host_error);
-  _mjPRIVATE__set_tls_warning_fn(host_warning);
+  hosts().set();
   use_the_engine();
-  EXPECT_EQ(_mjPRIVATE__get_tls_error_fn(), host_error);
-  EXPECT_EQ(_mjPRIVATE__get_tls_warning_fn(), host_warning);
+  EXPECT_TRUE(ThreadHandlers::now() == hosts());
   EXPECT_EQ(host_errors + host_warnings, 0);
   mju_warning("the host's own");
   EXPECT_EQ(host_warnings, 1);
-  _mjPRIVATE__set_tls_error_fn(nullptr);
-  _mjPRIVATE__set_tls_warning_fn(nullptr);
+  ThreadHandlers().set();
 }
 
 // Worlds that fail and worlds that do not, on eight threads at once. For the thread sanitizer, and for the numbers.

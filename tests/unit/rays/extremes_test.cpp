@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "base/status.h"
+#include "engine/compat.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {
@@ -112,7 +114,12 @@ class Strange {
   mjData& data() { return studio_.physics().data(); }
   void draw() {
     Guarded guarded;
-    studio_.renderer().draw(model(), data(), view, guarded.picture());
+    try {
+      studio_.renderer().draw(model(), data(), view, guarded.picture());
+    } catch (const Error& error) {  // MuJoCo 4 lays out nothing that begins too near
+      if (!MIMO_MUJOCO_4 || error.message().find("frustum_near too small") == std::string::npos) throw;
+      return;
+    }
     guarded.expect_whole(model().ngeom);
   }
 

@@ -73,7 +73,8 @@ TEST_P(TouchSlip, IsTheSpeedOfASlidingBlock) {
     feeler.feel();
   }
   const double speed = kGravity * (std::sin(angle) - kFriction * std::cos(angle)) / kDrag;
-  EXPECT_NEAR(feeler.physics.data().qvel[0], speed, 0.05 * speed);
+  // So few joints are moved by mj_step itself; a block of MuJoCo 4 on a pyramidal cone hops more.
+  EXPECT_NEAR(feeler.physics.data().qvel[0], speed, (mjVERSION_HEADER >= 4000000 ? 0.07 : 0.05) * speed);
   const Vec3 velocity(feeler.physics.data().qvel[0], 0, 0);
   expect_slip(feeler, kSlab, velocity);
   expect_slip(feeler, kBlock, -velocity);  // the slab slides backwards over the block's skin
