@@ -1,5 +1,6 @@
 // Slip and friction use, on a slope: a block that slides with a known speed, and one that sticks.
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include <cmath>
 
