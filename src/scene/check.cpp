@@ -33,8 +33,8 @@ void check_option(pugi::xml_node option, const Limits& limits) {
     fail(Status::kModel, "{}: timestep=\"{}\", expected seconds above 0", where(option),
          option.attribute("timestep").value());
   }
-  for (const char* name : {"iterations", "noslip_iterations", "mpr_iterations", "ccd_iterations", "ls_iterations",
-                           "sdf_iterations"}) {
+  for (const char* name :
+       {"iterations", "noslip_iterations", "mpr_iterations", "ccd_iterations", "ls_iterations", "sdf_iterations"}) {
     require_at_most(option, name, static_cast<double>(limits.iterations), "max_iterations");
   }
 }

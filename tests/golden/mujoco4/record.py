@@ -1,8 +1,8 @@
 """Records trajectories and motors' responses with MuJoCo 4.0.1 alone: record.py SCENE.xml VERSION FOLDER
 
-SCENE.xml is what mimo_scene_save writes for scene "benchmark" with a mitten-handed (VERSION v1) or a five-fingered infant
-(v2); FOLDER has what was recorded with MuJoCo 2.2.2, of which the controls and the names of motors are taken, and gets
-the recordings in its folder mujoco4. Needs the packages mujoco-core and numpy.
+SCENE.xml is what mimo_scene_save writes for scene "benchmark" with a mitten-handed (VERSION v1) or a five-fingered
+infant (v2); FOLDER has what was recorded with MuJoCo 2.2.2, of which the controls and the names of motors are taken,
+and gets the recordings in its folder mujoco4. Needs the packages mujoco-core and numpy.
 """
 
 import csv
@@ -26,7 +26,9 @@ def by_joint(model, values, addresses, widths):
     }
 
 
-FREE, SLIDE, HINGE = (int(x) for x in (mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE))
+FREE, SLIDE, HINGE = (
+    int(x) for x in (mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE)
+)
 
 
 def positions(model, data):
@@ -51,7 +53,12 @@ def trajectory(model, controls, steps=200, every=20):
     states = []
     for step in range(steps + 1):
         if step % every == 0:
-            state = {"step": step, "qpos": positions(model, data), "qvel": velocities(model, data), "ncon": int(data.ncon)}
+            state = {
+                "step": step,
+                "qpos": positions(model, data),
+                "qvel": velocities(model, data),
+                "ncon": int(data.ncon),
+            }
             states.append(state)
         if controls is not None and step < steps:
             data.ctrl[:] = controls[step]
@@ -92,7 +99,10 @@ def main(scene, version, folder):
         "floating_no_contact_no_gravity_random_control": trajectory(floating, controls),
     }
     responses = {
-        name: {sign: response(floating, floating.actuator(name).id, control) for sign, control in (("plus", 1), ("minus", -1))}
+        name: {
+            sign: response(floating, floating.actuator(name).id, control)
+            for sign, control in (("plus", 1), ("minus", -1))
+        }
         for name in json.loads((folder / f"torque_response_{version}.json").read_text())
     }
     for name, recording in (("trajectories", trajectories), ("torque_response", responses)):

@@ -1,7 +1,7 @@
 """Records what MuJoCo 4.0.1 alone makes of infants at rest: record_rest.py GOLDEN_FOLDER
 
-The scenes are written by the package mimo, on whichever MuJoCo: one that settles, held infants, and such under a ball, as
-the tests make them. What they are compared with is MuJoCo's own: mj_step, mj_forward and mj_contactForce. Needs the
+The scenes are written by the package mimo, on whichever MuJoCo: one that settles, held infants, and such under a ball,
+as the tests make them. What they are compared with is MuJoCo's own: mj_step, mj_forward and mj_contactForce. Needs the
 packages mimo, mujoco-core and numpy.
 """
 
@@ -10,9 +10,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-import mimo
 import mujoco
 import numpy as np
+
+import mimo
 
 GOLDEN = Path(sys.argv[1])
 HOLD = "<equality><weld body1='mimo_location' solref='.01 1' solimp='.9999 .9999 .001 .5 1'/></equality>"
@@ -97,9 +98,10 @@ def contact_forces(model, data):
 def under_a_ball(recorded):
     ball = recorded["ball"]
     xml = (
-        f"<mujoco><include file='mimo/benchmark.xml'/><worldbody><body pos='{ball['x']} {ball['y']} {ball['z']}'><joint "
-        f"name='ball_slide' type='slide' axis='0 0 1' damping='{ball['damping']}'/><geom name='ball' class='room' "
-        f"size='{ball['size']}' mass='{ball['mass']}' condim='3'/></body></worldbody>{HOLD}</mujoco>"
+        "<mujoco><include file='mimo/benchmark.xml'/><worldbody>"
+        f"<body pos='{ball['x']} {ball['y']} {ball['z']}'>"
+        f"<joint name='ball_slide' type='slide' axis='0 0 1' damping='{ball['damping']}'/>"
+        f"<geom name='ball' class='room' size='{ball['size']}' mass='{ball['mass']}' condim='3'/></body></worldbody>{HOLD}</mujoco>"
     )
     model = held(xml, recorded["root_quat_wxyz"])
     data = mujoco.MjData(model)
