@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/format.h"
+#include "engine/compat.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -165,7 +166,7 @@ TEST(Reach, KinematicsIsUpToDateWithTheTurnedHead) {
   const Eigen::Vector3d camera(world->data().cam_xpos + 3 * id_of(*world, Kind::kCamera, "eye_left"));
   world->physics().update_poses();
   const Eigen::Vector3d now(world->data().cam_xpos + 3 * id_of(*world, Kind::kCamera, "eye_left"));
-  EXPECT_LT((now - camera).norm(), 2e-5) << "but for the trunk's sway within a physics step, of a few mm/s";
+  EXPECT_LT((now - camera).norm(), MIMO_MUJOCO_4 ? 2e-5 : 1e-5);  // the trunk sways a little more on MuJoCo 4
   EXPECT_GT((place_of(*world, "right_fingers") - fingers).norm(), 0) << "the hand was a step behind";
 }
 
