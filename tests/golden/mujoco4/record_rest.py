@@ -101,7 +101,8 @@ def under_a_ball(recorded):
         "<mujoco><include file='mimo/benchmark.xml'/><worldbody>"
         f"<body pos='{ball['x']} {ball['y']} {ball['z']}'>"
         f"<joint name='ball_slide' type='slide' axis='0 0 1' damping='{ball['damping']}'/>"
-        f"<geom name='ball' class='room' size='{ball['size']}' mass='{ball['mass']}' condim='3'/></body></worldbody>{HOLD}</mujoco>"
+        f"<geom name='ball' class='room' size='{ball['size']}' mass='{ball['mass']}' condim='3'/>"
+        f"</body></worldbody>{HOLD}</mujoco>"
     )
     model = held(xml, recorded["root_quat_wxyz"])
     data = mujoco.MjData(model)

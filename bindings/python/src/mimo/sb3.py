@@ -49,7 +49,7 @@ class SB3VecEnv(VecEnv):
         if told := infos.get("final_info", infos):  # the library's tasks tell something of ends only
             for index, info in enumerate(listed):
                 info.update(_of_world(told, index))
-        for index in np.flatnonzero(done):
+        for index in np.flatnonzero(done).tolist():
             listed[index]["TimeLimit.truncated"] = bool(truncated[index] and not terminated[index])
             listed[index]["terminal_observation"] = infos["final_obs"][index]
         return observation, reward.astype(np.float32), done, listed
