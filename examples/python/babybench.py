@@ -84,12 +84,13 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     config = {**mimo.babybench.load(arguments.config), "save_dir": folder}
     given = {"max_episode_steps": "episode_steps", "touch_scale": "touch_scale", "vision_resolution": "pixels"}
-    config.update({key: getattr(arguments, name) for key, name in given.items() if getattr(arguments, name)})
+    config.update({key: value for key, name in given.items() if (value := getattr(arguments, name)) is not None})
     if arguments.blind:
         config.update(vision_active=False, touch_active=False)
-    if arguments.baseline == "intrinsic" and config["behavior"] not in REWARDS:
-        parser.error(f"there is no reward for behavior {config['behavior']!r}")
-    reward = None if arguments.blind else REWARDS.get(config["behavior"])
+    without_sense = arguments.blind or (config["behavior"] == "self_touch" and config["touch_scale"] == 0)
+    reward = None if without_sense else REWARDS.get(config["behavior"])
+    if arguments.baseline == "intrinsic" and reward is None:
+        parser.error(f"there is no reward for behavior {config['behavior']!r} with these senses")
     envs = mimo.babybench.make_vec(
         config, arguments.worlds, reward=reward, threads=arguments.threads, autoreset_mode="SameStep"
     )

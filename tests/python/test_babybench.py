@@ -311,9 +311,9 @@ def test_what_each_hand_can_touch(root):
 
 def test_counters_are_those_of_the_poses():
     """Within a wide cone, so that there is something to count."""
-    env = made("handregard", vision_active=False).unwrapped
     wide = 1.1
-    env = babybench.make({**env.config, "save_dir": None}, parameters={"handregard/angle": wide}).unwrapped
+    config = {**babybench.load("handregard"), "vision_active": False, "save_dir": None}
+    env = babybench.make(config, parameters={"handregard/angle": wide}).unwrapped
     env.reset(seed=1)
     env.action_space.seed(1)
     found = dict.fromkeys(counts.REGARD_KEYS, 0)
@@ -328,16 +328,31 @@ def test_counters_are_those_of_the_poses():
                     found[counts.regard_key(eye, hand, in_view)] += bool(np.arccos(cosine) < wide)
         assert {key: info[key] for key in found} == found
     assert any(found.values())
+    env.close()
+
+
+def test_parameters_go_beside_those_of_the_behaviour():
+    """Without a behaviour nothing moves at random, whatever else is given: seeds make no difference."""
+    config = {"behavior": "none", "save_dir": None, **BLIND}
+    given = {"parameters": {"selftouch/settle_steps": 7}}
+    usual, single, many = made(**config), babybench.make(config, **given), babybench.make_vec(config, 2, **given)
+    starts = [single.reset(seed=seed)[0]["observation"] for seed in (1, 2)]
+    np.testing.assert_array_equal(starts[0], starts[1])
+    np.testing.assert_array_equal(many.reset(seed=1)[0]["observation"], starts)
+    assert np.abs(usual.reset(seed=1)[0]["observation"] - starts[0]).max() > 1e-3  # 100 steps
+    for env in (usual, single, many):
+        env.close()
 
 
 # ---- Many worlds -----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep", "Disabled"])
 @pytest.mark.parametrize("name", ["selftouch", "handregard"])
-def test_a_batch_does_what_single_worlds_do(name):
+def test_a_batch_does_what_single_worlds_do(name, mode):
     small = {"vision_resolution": 16, "touch_scale": 5, "max_episode_steps": 20, "save_dir": None}
     config = {**babybench.load(name), **small}
-    envs = babybench.make_vec(config, 3)
+    envs = babybench.make_vec(config, 3, autoreset_mode=mode)
     seen, infos = envs.reset(seed=5)
     singles = [babybench.make(config) for _ in range(3)]
     firsts = [env.reset(seed=5 + number)[0] for number, env in enumerate(singles)]
@@ -354,10 +369,12 @@ def test_a_batch_does_what_single_worlds_do(name):
         seen, rewards, terminated, truncated, infos = envs.step(actions)
         for number, env in enumerate(singles):
             alone, _, _, cut, info = env.step(actions[number])
+            last = infos["final_obs"][number] if cut and mode == "SameStep" else None
             assert (rewards[number], terminated[number], truncated[number]) == (0, False, cut)
             assert infos["steps"][number] == info["steps"] == step
             for key, array in alone.items():
-                np.testing.assert_array_equal(seen[key][number], array, err_msg=key)
+                of_batch = seen[key][number] if last is None else last[key]
+                np.testing.assert_array_equal(of_batch, array, err_msg=key)
             for key in set(info) - {"steps"}:
                 told = infos[key][number]
                 if name == "selftouch":
@@ -367,14 +384,37 @@ def test_a_batch_does_what_single_worlds_do(name):
                     assert told == info[key]
     for env in singles:
         env.close()
+    if mode == "Disabled":
+        assert [entry["steps"] for entry in envs.log] == [0, 0, 0]  # they go on until the reset
+        envs.reset(options={"reset_mask": np.ones(3, bool)})
     # Three resets without steps, then three episodes.
     assert [entry["steps"] for entry in envs.log] == [0, 0, 0, 20, 20, 20]
     assert envs.log[3:] == [env.unwrapped.log[1] for env in singles]
     assert babybench.scores_of(envs.log).episodes == 3
-    infos = envs.step(envs.action_space.sample())[4]  # begins new episodes
-    assert not infos["_steps"].any()
-    assert envs.step(envs.action_space.sample())[4]["steps"].tolist() == [0, 0, 0]
+    if mode == "NextStep":
+        infos = envs.step(envs.action_space.sample())[4]  # begins new episodes
+        assert not infos["_steps"].any()
+    for step in range(3):
+        assert envs.step(envs.action_space.sample())[4]["steps"].tolist() == [step] * 3
     envs.close()
+    assert [entry["steps"] for entry in envs.log[6:]] == [3, 3, 3]
+
+
+def test_without_automatic_resets_an_episode_is_logged_once():
+    config = {**babybench.load("handregard"), "max_episode_steps": 5, "save_dir": None, **BLIND}
+    wide = {"handregard/angle": np.pi}  # every step counts
+    envs = babybench.make_vec(config, 2, autoreset_mode="Disabled", parameters=wide)
+    envs.reset(seed=1)
+    for _ in range(8):
+        envs.step(envs.action_space.sample())
+    assert [entry["steps"] for entry in envs.log] == [0, 0]
+    envs.reset(options={"reset_mask": np.array([True, False])})
+    envs.step(envs.action_space.sample())
+    envs.close()
+    assert [entry["steps"] for entry in envs.log] == [0, 0, 8, 1, 9]
+    for entry in envs.log:
+        assert {entry[key] for key in counts.REGARD_KEYS} == {entry["steps"]}
+    assert babybench.scores_of(envs.log).competition == 1
 
 
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])

@@ -38,6 +38,14 @@ def test_example(name, root, tmp_path):
     assert run([sys.executable, root / "examples/python" / name, *EXAMPLES[name]], tmp_path)
 
 
+def test_babybench_takes_a_scale_of_0(root, tmp_path):
+    """That is no skin: for the reward of touching there is nothing to go by."""
+    example = [sys.executable, root / "examples/python/babybench.py", "selftouch", "--touch-scale", "0"]
+    run([*example, "--steps", "8"], tmp_path)
+    done = subprocess.run([*example, "--baseline", "intrinsic"], cwd=tmp_path, capture_output=True, text=True)
+    assert "there is no reward for behavior 'self_touch' with these senses" in done.stderr
+
+
 def test_no_example_is_forgotten(root):
     in_test_sb3 = {"train.py", "learning_curves.py", "profile_training.py", "figure4.py", "single_file_ppo.py"}
     elsewhere = in_test_sb3 | {"cluster.py", "torchrl_ppo.py"}  # in test_ray and test_torchrl

@@ -49,6 +49,11 @@ def test_environments_that_are_there_already():
         np.testing.assert_array_equal(done, expected_done)
     with pytest.raises(ValueError, match="autoreset_mode is 'NextStep', expected 'SameStep'"):
         SB3VecEnv(mimo.make_vec("reach", 2))
+    with pytest.raises(ValueError, match="num_envs is 16, but the environment that was given has 2"):
+        SB3VecEnv(envs, 16)
+    with pytest.raises(TypeError, match="flatten comes too late: the environment that was given is made already"):
+        SB3VecEnv(envs, flatten=True)
+    assert SB3VecEnv(envs, 2).num_envs == 2
 
 
 def test_a_step_that_ends_an_episode():

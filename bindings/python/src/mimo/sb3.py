@@ -15,13 +15,19 @@ from .vector import VectorEnv
 
 
 class SB3VecEnv(VecEnv):
-    """Takes what mimo.make_vec takes: SB3VecEnv("reach", 16); or a mimo.VectorEnv made with autoreset_mode "SameStep".
+    """Takes what mimo.make_vec takes: SB3VecEnv("reach", 16); or, alone, a mimo.VectorEnv made with
+    autoreset_mode "SameStep".
 
     Seeds are given by seed() before a reset, as SB3 does.
     """
 
-    def __init__(self, scene: Union[str, Scene, VectorEnv] = "benchmark", num_envs: int = 1, **options: Any) -> None:
-        self.envs = _same_step(scene) if isinstance(scene, VectorEnv) else _made(scene, num_envs, options)
+    def __init__(
+        self, scene: Union[str, Scene, VectorEnv] = "benchmark", num_envs: Optional[int] = None, **options: Any
+    ) -> None:
+        if isinstance(scene, VectorEnv):
+            self.envs = _there_already(scene, num_envs, options)
+        else:
+            self.envs = VectorEnv(scene, 1 if num_envs is None else num_envs, autoreset_mode="SameStep", **options)
         self.render_mode = self.envs.render_mode
         super().__init__(self.envs.num_envs, self.envs.single_observation_space, self.envs.single_action_space)
         self.metadata = self.envs.metadata
@@ -86,11 +92,11 @@ class SB3VecEnv(VecEnv):
         return list(self.envs.render() or [None] * self.num_envs)
 
 
-def _made(scene: Union[str, Scene], num_envs: int, options: Dict[str, Any]) -> VectorEnv:
-    return VectorEnv(scene, num_envs, autoreset_mode="SameStep", **options)
-
-
-def _same_step(envs: VectorEnv) -> VectorEnv:
+def _there_already(envs: VectorEnv, num_envs: Optional[int], options: Dict[str, Any]) -> VectorEnv:
+    if num_envs not in (None, envs.num_envs):
+        raise ValueError(f"num_envs is {num_envs}, but the environment that was given has {envs.num_envs}")
+    for option in options:
+        raise TypeError(f"{option} comes too late: the environment that was given is made already")
     mode = getattr(envs.autoreset_mode, "value", envs.autoreset_mode)
     if mode != "SameStep":
         raise ValueError(f"the environment's autoreset_mode is {mode!r}, expected 'SameStep', as SB3 has it")

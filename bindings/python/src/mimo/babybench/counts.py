@@ -74,7 +74,7 @@ class Touches(Nothing):
         return {key: touched[:, place] for place, key in enumerate(TOUCH_KEYS)}
 
     def _in_order(self, steps: Numbers) -> List[int]:
-        """By the steps in which they were first touched; 0 is never."""
+        """By the steps in which they were first touched, those of one step by number; 0 is never."""
         touched = np.flatnonzero(steps)
         ordered: List[int] = self._geoms[touched[np.argsort(steps[touched], kind="stable")]].tolist()
         return ordered

@@ -14,7 +14,7 @@ from ..constants import Quantity
 from .config import Config, Given, load
 from .counts import COUNTS, HANDS, geoms_below
 from .logs import Entry, log_of
-from .params import arguments_of
+from .params import Parameters, arguments_of
 from .rooms import room_of
 
 
@@ -25,10 +25,18 @@ class BabyBenchEnv(MIMoEnv):
     logged in the folder `save_dir`/logs of the configuration.
     """
 
-    def __init__(self, config: Given = "test_installation", training: bool = True, **arguments: Any) -> None:
+    def __init__(
+        self,
+        config: Given = "test_installation",
+        training: bool = True,
+        *,
+        parameters: Parameters = None,
+        **arguments: Any,
+    ) -> None:
         self.config: Config = load(config)
         size = self.config["render_size"]
-        standard = {"goals_in_observation": False, "width": size, "height": size, **arguments_of(self.config)}
+        given = arguments_of(self.config, parameters)
+        standard = {"goals_in_observation": False, "width": size, "height": size, **given}
         super().__init__(room_of(self.config), **{**standard, **arguments})
         self.steps = 0
         self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])

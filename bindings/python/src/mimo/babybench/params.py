@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional
+from typing import Any, Dict, Mapping, Optional
 
 from ..classic.actuation import MuscleModel, PositionalModel, SpringDamperModel
 from ..classic.params import COMPONENTS, DEFAULT_TOUCH_PARAMS, DEFAULT_TOUCH_PARAMS_V2
@@ -11,11 +11,12 @@ from .counts import COUNTS
 from .groups import of_groups
 from .rooms import body_of
 
+Parameters = Optional[Mapping[str, float]]
 MODELS = {"spring_damper": SpringDamperModel, "muscle": MuscleModel, "positional": PositionalModel}
 
 
-def arguments_of(config: Config) -> Dict[str, Any]:
-    """Those of mimo.classic.MIMoEnv."""
+def arguments_of(config: Config, parameters: Parameters = None) -> Dict[str, Any]:
+    """Those of mimo.classic.MIMoEnv; `parameters` of the task count before those of the behaviour."""
     pixels = {"width": config["vision_resolution"], "height": config["vision_resolution"]}
     return {
         "frame_skip": config["frame_skip"],
@@ -24,7 +25,7 @@ def arguments_of(config: Config) -> Dict[str, Any]:
         "vision_params": {"eye_left": pixels, "eye_right": pixels} if config["vision_active"] else None,
         "touch_params": _touch(config),
         "actuation_model": MODELS[config["actuation_model"]],
-        "parameters": COUNTS[config["behavior"]].parameters,
+        "parameters": {**COUNTS[config["behavior"]].parameters, **(parameters or {})},
     }
 
 

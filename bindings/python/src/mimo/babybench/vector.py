@@ -21,7 +21,7 @@ from ..vector import Flags, Results, VectorEnv
 from .config import Config, Given, load
 from .counts import COUNTS
 from .logs import Entry, log_of
-from .params import arguments_of
+from .params import Parameters, arguments_of
 from .rooms import room_of
 
 Reward = Callable[[Mapping[str, NDArray[Any]]], Any]
@@ -32,8 +32,8 @@ class BabyBenchVectorEnv(VectorEnv):
 
     `infos` has its counts in arrays, one row a world: of self-touch for each geom of the body whether it was touched.
     Rewards are 0, or what `reward` makes of the observations: touch_count, touched_sensors, saliency_of_eyes, or any
-    function of theirs. With `training` each episode is logged, as BabyBenchEnv does. Further options are those of
-    mimo.VectorEnv.
+    function of theirs. With `training` each episode is logged when it ends; with autoreset_mode "Disabled" it goes on
+    until a reset or close(), as in BabyBenchEnv. Further options are those of mimo.VectorEnv.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class BabyBenchVectorEnv(VectorEnv):
         **options: Any,
     ) -> None:
         self.config: Config = load(config)
-        scene, senses = _scene_of(self.config)
+        scene, senses = _scene_of(self.config, options.pop("parameters", None))
         steps = {"max_steps": self.config["max_episode_steps"], "frame_skip": self.config["frame_skip"]}
         super().__init__(scene, num_envs, **{**steps, **options})
         first = self.batch.world(0)
@@ -97,7 +97,8 @@ class BabyBenchVectorEnv(VectorEnv):
         infos = {"steps": self._steps.copy(), **self._counts.told_of_all(self._achieved)}
         infos = {**super()._infos(over, acted, judged), **self._masked(infos, acted)}
         self._steps[acted] += 1
-        self._end_episodes(over)
+        if self._mode != Autoreset.NONE:
+            self._end_episodes(over)
         return infos
 
     def _end_episodes(self, over: Flags) -> None:
@@ -125,9 +126,9 @@ class _Shown:
         return self._observer.see(views, worlds)
 
 
-def _scene_of(config: Config) -> Tuple[Scene, Senses]:
+def _scene_of(config: Config, parameters: Parameters) -> Tuple[Scene, Senses]:
     """What BabyBenchEnv makes of the same configuration."""
-    given = arguments_of(config)
+    given = arguments_of(config, parameters)
     senses = senses_of(*(given[f"{sense}_params"] for sense in ("proprio", "touch", "vision", "vestibular")))
     infant = {**senses.options, "actuation": given["actuation_model"].actuation}
     return scene_of(room_of(config), infant, senses, {}, given["parameters"]), senses
