@@ -85,7 +85,7 @@ static void check_episode(const char* scene, const char* name, int limit, int fr
   mimo_env_destroy(env);
 }
 
-/* BabyBench's score of an episode: what was achieved over what was to be, by the competition's rules and by ours. */
+/* BabyBench's score of an episode: entries above 0 over the sum of the goal, by the competition's rules and by ours. */
 static void check_counts(void) {
   static double touched[4 * 36], wanted[4 * 36];
   static const double asked[4] = {34, 34, 32, 32};
