@@ -1,5 +1,6 @@
-// What a further world of a batch costs in resident memory, against its mjData and its block; and how long saving and
-// loading a state takes; and what a batch on one thread costs beyond stepping its worlds one after the other.
+// What a further world of a batch costs in resident memory, against its mjData (but for the constraints' Jacobian,
+// which lies behind what MuJoCo counts) and its block; and how long saving and loading a state takes; and what a batch
+// on one thread costs beyond stepping its worlds one after the other.
 //
 //   cmake --build build --target bench_worlds && build/bin/bench_worlds [SCENE...]
 #include <unistd.h>
@@ -61,8 +62,9 @@ void bench_memory(const char* scene) {
   const double data = (static_cast<double>(sizeof(mjData)) + world.data().nbuffer + 8.0 * world.data().nstack) / 1024;
   const double block = static_cast<double>(world.layout().bytes()) / 1024;
   std::printf(
-      "%s: a further world takes %.0f kB; its mjData has %.0f, its block %.0f: %.2f x mjData beyond the block\n", scene,
-      of_one, data, block, (of_one - block) / data);
+      "%s: a further world takes %.0f kB; its mjData has %.0f without the Jacobian, its block %.0f: %.2f x that "
+      "mjData beyond the block\n",
+      scene, of_one, data, block, (of_one - block) / data);
 }
 
 void bench_state(const char* scene) {
