@@ -254,6 +254,14 @@ TEST(State, AFailedWorldHasNoneButTakesOne) {
   EXPECT_EQ(step(*world, 1), step(*healthy, 1));
 }
 
+// What the task has counted in the episode, of tasks that have goals.
+std::vector<double> achieved(const env::World& world) {
+  const std::unique_ptr<tasks::Task>& task = world.agents()[0].task;
+  std::vector<double> numbers(task == nullptr ? 0 : static_cast<std::size_t>(task->goal_size()));
+  if (!numbers.empty()) task->achieved(world.data(), numbers.data());
+  return numbers;
+}
+
 // Two worlds, one in the middle of an episode and one elsewhere, that become one.
 void expect_to_continue(env::World& world, env::World& other) {
   const std::uint64_t seeds[] = {11, 12};
@@ -275,6 +283,21 @@ void expect_to_continue(env::World& world, env::World& other) {
   world.reset(nullptr, nullptr);
   other.reset(nullptr, nullptr);
   EXPECT_EQ(saved(world), saved(other));
+}
+
+// In a cone that holds everything there is something to count.
+TEST(State, HoldsWhatIsCounted) {
+  env::EnvOptions options;
+  options.parameters.set("handregard/angle", 3.14);
+  const engine::ModelPtr model = room_with_infant("babybench-cubes");
+  const auto world = make_world(model, options), other = make_world(model, options);
+  world->reset(nullptr, nullptr);
+  other->reset(nullptr, nullptr);
+  for (int i = 0; i < 7; ++i) step(*world, i);
+  load(*other, saved(*world));
+  EXPECT_EQ(achieved(*other), std::vector<double>(8, 7));
+  step(*other, 7);
+  EXPECT_EQ(achieved(*other), std::vector<double>(8, 8));
 }
 
 class TaskState : public testing::TestWithParam<const char*> {};
