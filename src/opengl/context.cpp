@@ -18,14 +18,14 @@ bool forked() {
   return process != 0 && process != getpid();
 }
 
+}  // namespace
+
 void refuse_forked() {
   if (!forked()) return;
   fail(Status::kForked,
        "OpenGL was used before fork(), and its threads do not exist in the child; spawn instead of forking, or fork "
        "before the first picture");
 }
-
-}  // namespace
 
 void begin_drawing() {
   refuse_forked();

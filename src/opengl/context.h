@@ -11,7 +11,10 @@
 
 namespace mimo::opengl {
 
-// This process begins to draw. Throws Status::kForked in a child of one that has begun.
+// Throws Status::kForked in a child of a process that had begun to draw.
+void refuse_forked();
+
+// This process begins to draw. Throws what refuse_forked() throws.
 void begin_drawing();
 
 class Context {

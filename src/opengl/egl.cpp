@@ -113,6 +113,7 @@ class EglHandle final : public Handle {
     const OpenGlBound bound(egl_);
     surface_ = egl_.CreatePbufferSurface(display_, screen.config, kOnePixel);
     if (surface_ != nullptr) context_ = egl_.CreateContext(display_, screen.config, nullptr, nullptr);
+    if (context_ == nullptr) error_ = egl_.GetError();  // the next call of EGL, eglBindAPI, forgets it
   }
   ~EglHandle() override {
     if (context_ != nullptr) egl_.DestroyContext(display_, context_);
@@ -122,6 +123,7 @@ class EglHandle final : public Handle {
   EglHandle& operator=(const EglHandle&) = delete;
 
   bool works() const { return context_ != nullptr; }
+  std::int32_t error() const { return error_; }  // why it does not
 
   void make_current() override {
     const OpenGlBound bound(egl_);
@@ -138,6 +140,7 @@ class EglHandle final : public Handle {
   Display display_;
   Surface surface_ = nullptr;
   GlContext context_ = nullptr;
+  std::int32_t error_ = 0;
 };
 
 // All displays without a window, those of graphics cards first: Mesa lists its own on the CPU behind them.
@@ -164,6 +167,7 @@ Screen find_screen(const Egl& egl) {
     Screen screen{display, nullptr};
     std::int32_t count = 0;
     if (display == nullptr || egl.Initialize(display, nullptr, nullptr) == 0) continue;
+    begin_drawing();  // a driver's threads start with its display
     const bool chosen = egl.ChooseConfig(display, kConfig, &screen.config, 1, &count) != 0 && count > 0;
     if (chosen && EglHandle(egl, screen).works()) return screen;
   }
@@ -181,7 +185,7 @@ class EglPlatform final : public Platform {
   void* find(const char* function) const override { return egl_.GetProcAddress(function); }
   std::unique_ptr<Handle> make_handle() const override {
     auto handle = std::make_unique<EglHandle>(egl_, screen_);
-    if (!handle->works()) fail(Status::kRender, "EGL cannot create a context (error {:#x})", egl_.GetError());
+    if (!handle->works()) fail(Status::kRender, "EGL cannot create a context (error {:#x})", handle->error());
     return handle;
   }
 
@@ -193,9 +197,8 @@ class EglPlatform final : public Platform {
 }  // namespace
 
 PlatformPtr egl(const std::vector<std::string>& libraries) {
-  const Egl loaded = load_egl(libraries);
-  begin_drawing();  // the driver's threads start with the first look at it
-  return std::make_shared<EglPlatform>(loaded);
+  refuse_forked();
+  return std::make_shared<EglPlatform>(load_egl(libraries));
 }
 
 PlatformPtr egl() { return egl({"libEGL.so.1", "libEGL.so"}); }

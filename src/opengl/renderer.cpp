@@ -132,7 +132,7 @@ class OpenGlRenderer final : public render::Renderer {
   const PlatformPtr platform_;
   render::VisualScene scene_;
   std::vector<unsigned char> ids_;
-  // Made for the first picture: a world that never draws pays nothing.
+  // Made for the first picture: a world that never draws has no context. (EGL has looked for a display before.)
   std::unique_ptr<Context> context_;
   std::unique_ptr<Canvas> canvas_;
 };

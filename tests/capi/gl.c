@@ -37,7 +37,7 @@ static mimo_status draw(const char* renderer, image* into) {
   return status;
 }
 
-/* In a child, which has no OpenGL yet. */
+/* In a child, which has no OpenGL yet. False where the renderer is absent; whatever else goes wrong is a failure. */
 static int draw_elsewhere(const char* renderer, image* into) {
   int ends[2], status = 0;
   size_t read_so_far = 0;
@@ -47,7 +47,10 @@ static int draw_elsewhere(const char* renderer, image* into) {
   child = fork();
   if (child == 0) {
     size_t written = 0;
-    if (draw(renderer, into) != MIMO_OK) _exit(1);
+    const mimo_status drawn = draw(renderer, into);
+    if (drawn != MIMO_OK) fprintf(stderr, "%s: %s\n", renderer, mimo_last_error());
+    if (drawn == MIMO_E_UNSUPPORTED) _exit(failures() ? 1 : SKIPPED);
+    if (drawn != MIMO_OK || failures()) _exit(1);
     while (written < sizeof *into) {
       const ssize_t sent = write(ends[1], (const char*)into + written, sizeof *into - written);
       if (sent <= 0) _exit(2);
@@ -59,7 +62,10 @@ static int draw_elsewhere(const char* renderer, image* into) {
   while ((got = read(ends[0], (char*)into + read_so_far, sizeof *into - read_so_far)) > 0) read_so_far += (size_t)got;
   close(ends[0]);
   CHECK(waitpid(child, &status, 0) == child);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 && read_so_far == sizeof *into;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == SKIPPED) return 0;
+  CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  CHECK(read_so_far == sizeof *into);
+  return 1;
 }
 
 /* Both are Mesa's, and round alike but for the edges of triangles. */
