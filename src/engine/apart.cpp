@@ -1,5 +1,6 @@
 #include "engine/apart.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

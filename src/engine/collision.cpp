@@ -45,7 +45,7 @@ bool is_endless(const mjModel& model, int geom) {
 void add_sphere(const mjModel& model, const mjData& data, int geom, Spheres& spheres) {
   constexpr double kRounding = 1e-6;
   const double* center = data.geom_xpos + 3 * geom;
-  const double reach = model.geom_rbound[geom] + std::max(0.0, model.geom_margin[geom]);
+  const double reach = model.geom_rbound[geom] + model.geom_margin[geom];
   const double spread = reach + std::abs(center[0]) + std::abs(center[1]) + std::abs(center[2]);
   const int at = spheres.count++;
   spheres.geoms[at] = geom;
@@ -57,9 +57,9 @@ void add_sphere(const mjModel& model, const mjData& data, int geom, Spheres& sph
 }
 
 // False for what only MuJoCo's own search treats as it does: a plane of a body that stands on the world is compared
-// with some shapes twice.
+// with some shapes twice, and a negative margin shrinks the box around a body but not what its shapes touch.
 bool gather(const mjModel& model, mjData& data, Spheres& spheres) {
-  const int most = model.ngeom;
+  const int most = std::min(model.ngeom, kMostShapes);
   spheres = {0,
              take<int>(data, most),
              take<float>(data, most),
@@ -69,7 +69,7 @@ bool gather(const mjModel& model, mjData& data, Spheres& spheres) {
   for (int geom = 0; geom < model.ngeom; ++geom) {
     if (!can_touch(model, geom)) continue;
     if (is_endless(model, geom) && model.geom_bodyid[geom] != 0) return false;
-    if (spheres.count == kMostShapes) return false;
+    if (model.geom_margin[geom] < 0 || spheres.count == kMostShapes) return false;
     add_sphere(model, data, geom, spheres);
   }
   return true;
@@ -174,8 +174,7 @@ bool is_off(const mjModel& model) {
 }
 
 bool has_usual_rules(const mjModel& model) {
-  return model.opt.collision != mjCOL_PAIR && (model.opt.enableflags & mjENBL_OVERRIDE) == 0 &&
-         mjcb_contactfilter == nullptr;
+  return model.opt.collision != mjCOL_PAIR && (model.opt.enableflags & mjENBL_OVERRIDE) == 0;
 }
 
 }  // namespace

@@ -130,7 +130,8 @@ void solve_constraints(const mjModel& model, mjData& data) {
 #if MIMO_MUJOCO_4
 void begin_step(const mjModel& model, mjData& data) { mj_step1(&model, &data); }
 #else
-// mj_step1 with our own search for contacts.
+// mj_step1 with our own search for contacts. It calls neither mjcb_control nor mjcb_contactfilter: while a host has set
+// one of them, Physics takes no step (engine/callbacks.h).
 void begin_step(const mjModel& model, mjData& data) {
   mj_checkPos(&model, &data);
   mj_checkVel(&model, &data);

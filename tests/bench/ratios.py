@@ -132,6 +132,7 @@ RATIOS = [
     ("a clone, in physics steps", MAKING, in_text(r"a clone [\d.]+ ms \(([\d.]+) steps\)")),
     ("two threads, bare physics' scaling over ours", THREADS, threads_lost),
     ("allocations in a step at V256", USUAL, allocations),
+    ("allocations in a step of five fingers", FINGERS, allocations),
     ("allocations in a step of muscles", MUSCLES, allocations),
     ("allocations in a step of a batch", THREADS, allocations),
 ]

@@ -6,6 +6,7 @@
 
 #include "base/format.h"
 #include "base/random.h"
+#include "engine/guard.h"
 #include "engine/model.h"
 #include "support/random_model.h"
 
@@ -43,8 +44,9 @@ int compare(const mjModel& model, Random& random, int poses) {
     for (int i = 0; i < model.nq; ++i) theirs->qpos[i] = random.uniform(-0.4, 0.4);
     mj_kinematics(&model, theirs.get());
     mj_copyData(ours.get(), &model, theirs.get());
-    mj_collision(&model, theirs.get());
-    engine::collide(model, *ours);
+    engine::guarded([&] { mj_collision(&model, theirs.get()); });  // which may warn that its buffer is full
+    engine::guarded([&] { engine::collide(model, *ours); });
+    EXPECT_EQ(ours->warning[mjWARN_CONTACTFULL].number, theirs->warning[mjWARN_CONTACTFULL].number) << "pose " << pose;
     EXPECT_EQ(ours->ncon, theirs->ncon) << "pose " << pose;
     for (int i = 0; i < std::min(ours->ncon, theirs->ncon); ++i) {
       SCOPED_TRACE(format("pose {}, contact {} of geoms {} and {}", pose, i, theirs->contact[i].geom1,
@@ -73,11 +75,40 @@ TEST_P(EngineCollision, FindsMujocosContacts) {
   EXPECT_GT(found, GetParam().least);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, EngineCollision,
+constexpr char kField[] =
+    "/><asset><hfield name='field' nrow='3' ncol='3' size='1 1 .2 .1'/></asset>"
+    "<worldbody><geom type='hfield' hfield='field' pos='0 0 -.2'/></worldbody><option ";
+constexpr char kMocap[] =
+    "/><worldbody><body mocap='true' pos='.1 0 0'><geom type='capsule' size='.2 .3'/></body></worldbody><option ";
+
+INSTANTIATE_TEST_SUITE_P(OurSearch, EngineCollision,
                          ::testing::Values(Search{"", 2000}, Search{"collision='dynamic'", 2000},
-                                           Search{"collision='predefined'", 50},
+                                           Search{"><flag filterparent='disable'/></option><option ", 2000},
+                                           Search{"/><size nconmax='5'/><option ", 1000}, Search{kField, 2000},
+                                           Search{kMocap, 2000}));
+
+// What collide() leaves to mj_collision; these fail where it does not.
+INSTANTIATE_TEST_SUITE_P(LeftToMujoco, EngineCollision,
+                         ::testing::Values(Search{"collision='predefined'", 50},
                                            Search{"o_margin='0.05'><flag override='enable'/></option><option ", 2000},
-                                           Search{"><flag filterparent='disable'/></option><option ", 2000}));
+                                           Search{"/><default><geom margin='-.05'/></default><option ", 1000}));
+
+// Up to 512 shapes the search is ours.
+TEST(EngineCollision, FindsMujocosContactsOfAnyNumberOfShapes) {
+  Random random(1);
+  for (const int shapes : {512, 513}) {
+    SCOPED_TRACE(format("{} shapes", shapes));
+    std::string xml = "<mujoco><size nconmax='1000'/><worldbody>";
+    for (int i = 0; i < 3; ++i) xml += "<body><freejoint/><geom size='.2'/></body>";
+    for (int i = 3; i < shapes; ++i) {
+      xml += format("<geom size='.05' pos='{} {} {}'/>", random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4),
+                    random.uniform(-0.4, 0.4));
+    }
+    const engine::ModelPtr model = engine::compile(xml + "</worldbody></mujoco>", {}, {});
+    ASSERT_EQ(model->ngeom, shapes);
+    EXPECT_GT(compare(*model, random, 20), 1000);
+  }
+}
 
 // MuJoCo compares such a plane's body with some others twice.
 TEST(EngineCollision, LeavesPlanesOfOtherBodiesToMujoco) {
