@@ -15,8 +15,9 @@ from .vector import VectorEnv
 
 
 class SB3VecEnv(VecEnv):
-    """Takes what mimo.make_vec takes: SB3VecEnv("reach", 16); or, alone, a mimo.VectorEnv made with
-    autoreset_mode "SameStep".
+    """Takes what mimo.make_vec takes, SB3VecEnv("reach", 16), or a mimo.VectorEnv alone.
+
+    The latter is made with autoreset_mode "SameStep".
 
     Seeds are given by seed() before a reset, as SB3 does.
     """
