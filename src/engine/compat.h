@@ -9,6 +9,7 @@
 #include <climits>
 #include <cstddef>
 #include <cstring>
+#include <string>
 
 #define MIMO_MUJOCO_4 (mjVERSION_HEADER >= 4000000)
 
@@ -29,6 +30,28 @@ inline int channel_of(int channels, int color) { return channels < 3 ? 0 : color
 inline constexpr auto kLockFlags = &mjModel::eq_active0;  // where resets lead to
 inline constexpr auto kPixels = &mjModel::tex_data;
 inline constexpr auto kPixelsName = "tex_data";
+inline const void* behind_pixels(const mjModel& model) { return model.tex_pathadr; }  // with its alignment
+
+// Boxes around geoms, a centre and half sides each: of geoms, and of the trees of bodies, whose frame is another. There
+// boxes grow with the radius around the geom: a box that is too large costs time only. A ball's is as large as it is.
+template <typename Own>
+void set_box(mjModel& model, int geom, const double* half_sides, double growth, Own&& own) {
+  std::copy_n(half_sides, 3, own(&mjModel::geom_aabb, 6 * static_cast<int>(model.ngeom)) + 6 * geom + 3);
+  double* boxes = own(&mjModel::bvh_aabb, 6 * static_cast<int>(model.nbvhstatic));
+  const int body = model.geom_bodyid[geom], first = model.body_bvhadr[body], count = model.body_bvhnum[body];
+  const bool ball = count == 1 && model.geom_type[geom] == mjGEOM_SPHERE;
+  for (int i = 6 * first; i < 6 * (first + count); ++i) {
+    if (i % 6 >= 3) boxes[i] = ball ? half_sides[i % 6 - 3] : boxes[i] + std::max(growth, 0.0);
+  }
+}
+template <typename Visit>
+void visit_boxes(const mjModel& model, Visit&& visit) {
+  visit("a box around a geom", &mjModel::geom_aabb, 6 * static_cast<int>(model.ngeom));
+  visit("a box around geoms", &mjModel::bvh_aabb, 6 * static_cast<int>(model.nbvhstatic));
+}
+
+// What of a document makes room for contacts and constraints.
+inline std::string room(const char*, const std::string&) { return "memory of <size>"; }
 
 // The name of a size that is more than an int holds, in which sizes are counted here; NULL where none is. The arena and
 // the buffer are counted in bytes, by MuJoCo only.
@@ -128,6 +151,14 @@ inline double ray_shape(const mjModel& model, const mjData& data, int geom, cons
 inline constexpr auto kLockFlags = &mjModel::eq_active;
 inline constexpr auto kPixels = &mjModel::tex_rgb;
 inline constexpr auto kPixelsName = "tex_rgb";
+inline const void* behind_pixels(const mjModel& model) { return model.mat_texid; }
+
+template <typename Own>
+void set_box(mjModel&, int, const double*, double, Own&&) {}
+template <typename Visit>
+void visit_boxes(const mjModel&, Visit&&) {}
+
+inline std::string room(const char* size, const std::string& limit) { return std::string(size) + " above " + limit; }
 
 inline const char* too_large(const mjModel&) { return nullptr; }  // they are ints
 
