@@ -119,14 +119,6 @@ std::vector<std::string> Recipe::still() const { return words_of(document_.docum
 
 bool Recipe::muscles() const { return custom_text(document_.document_element(), names::kActuation) == "muscle"; }
 
-int Recipe::movable() const {
-  int count = 0;
-  for (const pugi::xml_node world : document_.document_element().children("worldbody")) {
-    walk(world, [&](pugi::xml_node node) { count += std::strcmp(node.name(), "freejoint") == 0 ? 1 : 0; });
-  }
-  return count;
-}
-
 std::vector<std::string> Recipe::bodies() const { return words_of(document_.document_element(), names::kBodies); }
 
 void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_root) {

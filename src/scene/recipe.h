@@ -28,8 +28,6 @@ class Recipe {
   Senses senses() const;
   // Whether the infant acts with muscles; else with motors.
   bool muscles() const;
-  // How many things it brings that move by themselves.
-  int movable() const;
   // Bodies that it is made for, the usual one first; none if it does for all.
   std::vector<std::string> bodies() const;
   // Puts its content into the document that holds the infant, but for what concerns parts that the infant does not

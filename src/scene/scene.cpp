@@ -257,7 +257,6 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   } else {
     keep_motors(root, prefix, recipe.acts(), recipe.still());
   }
-  const int things = recipe.movable();
   recipe.apply(root, prefix, pose != nullptr);
   std::vector<std::string> to_check = to_check_;
   if (pose != nullptr || !built_in_) to_check.push_back(prefix);
@@ -273,7 +272,6 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   document_ = std::move(next);
   ++added.count;
   ++bodies_;
-  things_ += things;
 }
 
 void Scene::choose_motors(const std::string& prefix, unsigned groups) {
@@ -388,7 +386,7 @@ pugi::xml_document Scene::finished() const {
   pugi::xml_document document = copy(*document_);
   const pugi::xml_node root = document.document_element();
   const auto count = [&](const char* body) { return added_.count(body) > 0 ? added_.at(body).count : 0; };
-  size_buffers(root, count("mitten"), count("fingers"), objects_ + things_);
+  size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", names::kRootBody);
   if (infants) keep_hands_in_sight(root);
   if (bodies_ + objects_ > 0) {

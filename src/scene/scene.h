@@ -128,7 +128,6 @@ class Scene {
   std::vector<std::string> to_check_;            // prefixes of infants whose places may be taken
   int bodies_ = 0;
   int objects_ = 0;
-  int things_ = 0;                 // that move and came with infants
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last
   // How many infants of a body were added, and what the names of their default classes begin with.
   struct Added {

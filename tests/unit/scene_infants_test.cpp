@@ -109,23 +109,6 @@ TEST_F(SceneInfants, BuffersAreLargeEnough) {
   }
 }
 
-// Toys that come with infants get the room that objects get, each of the two sets of 16.
-TEST_F(SceneInfants, BuffersHaveRoomForWhatComesWithThem) {
-  scene::Scene toys(named("babybench-cubes")), objects(named("free"));
-  for (scene::Scene* scene : {&toys, &objects}) {
-    scene->add_body("mitten", "anna/", &kLeft);
-    scene->add_body("mitten", "ben/", &kRight);
-  }
-  for (int i = 0; i < 32; ++i) {
-    scene::Object ball;
-    ball.name = "ball" + std::to_string(i);
-    ball.size = {0.04, 0, 0};
-    objects.add_object(ball);
-  }
-  EXPECT_EQ(compile(toys)->nconmax, compile(objects)->nconmax);
-  EXPECT_EQ(compile(toys)->njmax, compile(objects)->njmax);
-}
-
 // A motor of Ben's moves Ben as it would move a sole infant, and Anna not at all.
 TEST_F(SceneInfants, TwoMoveIndependently) {
   engine::PhysicsOptions floating;
