@@ -36,8 +36,8 @@ EVALUATION_SEED = 1_000_000  # the episodes of an evaluation: the same each time
 
 def algorithm(options):
     """The class, which both libraries make and call in the same way."""
-    library = importlib.import_module({"sb3": "stable_baselines3", "sbx": "sbx"}[options.library])
-    return getattr(library, options.algorithm.upper())
+    package = importlib.import_module({"sb3": "stable_baselines3", "sbx": "sbx"}[options.package])
+    return getattr(package, options.algorithm.upper())
 
 
 def make_model(options, envs, folder):
@@ -195,7 +195,9 @@ def parse(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--task", required=True, choices=["reach", "standup", "selfbody", "catch", "rollover"])
     parser.add_argument("--algorithm", required=True, choices=["ppo", "sac"])
-    parser.add_argument("--library", default="sb3", choices=["sb3", "sbx"], help="PyTorch, or compiled by JAX")
+    parser.add_argument(
+        "--library", dest="package", default="sb3", choices=["sb3", "sbx"], help="PyTorch, or compiled by JAX"
+    )
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--steps", type=int, default=100_000, help="of all worlds together, also those before a resume")
     parser.add_argument("--worlds", type=int, default=16)
@@ -221,7 +223,7 @@ def parse(arguments=None):
     parser.add_argument("--drop-memory", action="store_true", help="SAC: else saved at the end, up to gigabytes")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     options = parser.parse_args(arguments)
-    if options.library == "sbx" and options.noise_steps:
+    if options.package == "sbx" and options.noise_steps:
         parser.error(f"--noise-steps is {options.noise_steps}, expected 0 with --library sbx: it has no lasting noise")
     return options
 
