@@ -1,7 +1,6 @@
 #include "scene/anatomy.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/angle.h"
 #include "base/fail.h"
@@ -20,8 +19,6 @@ using growth::Motor;
 using growth::Shape;
 
 constexpr const char* kEyes = "eye_";  // how the names of an infant's own cameras begin
-
-bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
 
 bool begins_with(const std::string& text, const std::string& beginning) {
   return text.compare(0, beginning.size(), beginning) == 0;

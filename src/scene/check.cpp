@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,6 @@
 
 namespace mimo::scene {
 namespace {
-
-bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
 
 void require_at_most(pugi::xml_node node, const char* attribute, double most, const char* limit) {
   const std::optional<double> value = number(node, attribute);

@@ -70,7 +70,7 @@ bool is_touched(pugi::xml_node root, const std::string& name) {
   bool touched = false;
   for (const pugi::xml_node world : root.children("worldbody")) {
     walk(world, [&](pugi::xml_node node) {
-      const bool shows = std::strcmp(node.name(), "geom") == 0 && name == defaults.find(node, "mesh").value() &&
+      const bool shows = is(node, "geom") && name == defaults.find(node, "mesh").value() &&
                          std::strcmp(defaults.find(node, "type").value(), "mesh") == 0;
       if (!shows) return;
       touched = touched || !is_zero(defaults.find(node, "contype")) || !is_zero(defaults.find(node, "conaffinity"));

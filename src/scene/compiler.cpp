@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::array<const char*, 3> kJointAngles = {"range", "ref", "springref"};
 
-bool is(pugi::xml_node node, const char* name) { return std::string(node.name()) == name; }
-
 bool in_defaults(pugi::xml_node node) { return is(node.parent(), "default"); }
 
 void scale(pugi::xml_node node, const char* name, double factor, std::size_t first = 0) {

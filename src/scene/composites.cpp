@@ -318,7 +318,7 @@ class Maker : CompositeParts {
   }
 };
 
-bool is_composite(pugi::xml_node node) { return std::string(node.name()) == "composite"; }
+bool is_composite(pugi::xml_node node) { return is(node, "composite"); }
 
 }  // namespace
 

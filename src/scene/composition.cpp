@@ -1,7 +1,6 @@
 #include "scene/composition.h"
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 
 #include "base/status.h"
@@ -14,8 +13,6 @@
 
 namespace mimo::scene {
 namespace {
-
-bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
 
 // They are most of what a compiler does, and tell nothing of where things are.
 void drop_pictures(pugi::xml_node root) {

@@ -8,12 +8,6 @@
 namespace mimo::scene {
 namespace {
 
-bool is(pugi::xml_node node, const char* name) { return std::string(node.name()) == name; }
-
-bool is_one_of(pugi::xml_node node, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [&](const char* name) { return is(node, name); });
-}
-
 // Whether an element of a class speaks for an element of the model. Tendons and equalities have one kind of defaults
 // for all; all kinds of actuators write into the same.
 bool speaks_for(pugi::xml_node setting, pugi::xml_node element) {

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "scene/defaults.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
-
-bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
-
-bool is_one_of(pugi::xml_node node, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [&](const char* name) { return is(node, name); });
-}
 
 // Every kind of actuator but the general one decides about the state by itself, in classes, too.
 bool has_state(pugi::xml_node actuator, const Defaults& defaults) {

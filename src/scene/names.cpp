@@ -19,11 +19,6 @@ constexpr const char* kReferences[] = {"name",     "body",          "body1",    
 // Those that name default classes and assets, wherever they stand; elements of a composite are named by its prefix.
 constexpr const char* kShared[] = {"class", "childclass", "material", "mesh", "hfield", "texture", "prefix"};
 
-bool is_element(pugi::xml_node node, std::initializer_list<const char*> elements) {
-  return std::any_of(elements.begin(), elements.end(),
-                     [&](const char* element) { return std::string(node.name()) == element; });
-}
-
 void prefix_attribute(pugi::xml_node node, const char* name, const std::string& prefix) {
   const pugi::xml_attribute attribute = node.attribute(name);
   if (attribute.empty()) return;
@@ -89,7 +84,7 @@ void prefix_all_names(pugi::xml_node root, const std::string& prefix) {
     });
   }
   walk(root, [&](pugi::xml_node node) {
-    if (is_element(node, {"composite"}) && !node.attribute("prefix")) set(node, "prefix", "");
+    if (is(node, "composite") && !node.attribute("prefix")) set(node, "prefix", "");
     for (const char* name : kShared) prefix_attribute(node, name, prefix);
   });
 }
@@ -109,7 +104,7 @@ std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<con
   std::vector<std::string> names;
   for (const pugi::xml_node world : root.children("worldbody")) {
     walk(world, [&](pugi::xml_node node) {
-      if (is_element(node, elements) && node.attribute("name")) names.emplace_back(node.attribute("name").value());
+      if (is_one_of(node, elements) && node.attribute("name")) names.emplace_back(node.attribute("name").value());
     });
   }
   return names;

@@ -77,16 +77,16 @@ constexpr Names kHarmlessSensors = {
     "camprojection", "jointactuatorfrc", "tendonactuatorfrc", "insidesite", "distance", "normal",
     "fromto",        "contact",          "e_potential",       "e_kinetic",  "tactile"};
 
-bool is(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
+bool equal(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
 
 bool holds(Names names, const char* name) {
-  return std::any_of(names.begin(), names.end(), [name](const char* one) { return is(one, name); });
+  return std::any_of(names.begin(), names.end(), [name](const char* one) { return equal(one, name); });
 }
 
 bool is_harmless_element(pugi::xml_node node) {
   const char *name = node.name(), *parent = node.parent().name();
-  if (is(parent, "sensor")) return holds(kHarmlessSensors, name);
-  return (is(parent, "default") && is(name, "texture")) || (is(parent, "material") && is(name, "layer"));
+  if (equal(parent, "sensor")) return holds(kHarmlessSensors, name);
+  return (equal(parent, "default") && equal(name, "texture")) || (equal(parent, "material") && equal(name, "layer"));
 }
 
 struct Nearest {
@@ -95,7 +95,7 @@ struct Nearest {
 constexpr Nearest kNearest[] = {{"option", "integrator", "implicitfast", "implicit"},
                                 {"general", "dyntype", "filterexact", "filter"}};
 
-bool is_picture_setting(pugi::xml_node node) { return is(node.parent().name(), "visual") || is(node.name(), "visual"); }
+bool is_picture_setting(pugi::xml_node node) { return is(node.parent(), "visual") || is(node, "visual"); }
 
 bool is_zero(pugi::xml_attribute attribute) {
   const std::vector<double> values = numbers(attribute);
@@ -104,7 +104,7 @@ bool is_zero(pugi::xml_attribute attribute) {
 
 bool is_harmless_word(pugi::xml_attribute attribute) {
   return std::any_of(std::begin(kHarmlessWords), std::end(kHarmlessWords), [&](const Word& word) {
-    return is(word.attribute, attribute.name()) && is(word.value, attribute.value());
+    return equal(word.attribute, attribute.name()) && equal(word.value, attribute.value());
   });
 }
 
@@ -112,14 +112,14 @@ bool is_harmless(pugi::xml_node node, pugi::xml_attribute attribute) {
   if (is_picture_setting(node) || is_harmless_word(attribute)) return true;
   if (holds(kHarmlessZeros, attribute.name()) && is_zero(attribute)) return true;
   return std::any_of(std::begin(kHarmlessAttributes), std::end(kHarmlessAttributes), [&](const Attributes& harmless) {
-    return is(harmless.element, node.name()) && holds(harmless.names, attribute.name());
+    return is(node, harmless.element) && holds(harmless.names, attribute.name());
   });
 }
 
 void take_nearest(pugi::xml_node root, Report& report) {
   walk(root, [&](pugi::xml_node node) {
     for (const Nearest& entry : kNearest) {
-      if (!is(node.name(), entry.element) || !is(node.attribute(entry.attribute).value(), entry.value)) continue;
+      if (!is(node, entry.element) || !equal(node.attribute(entry.attribute).value(), entry.value)) continue;
       set(node, entry.attribute, entry.instead);
       report.add(node, format("{}{}=\"{}\" of <{}>; \"{}\" comes nearest and is taken", nobody_knows(), entry.attribute,
                               entry.value, entry.element, entry.instead));
@@ -138,7 +138,7 @@ void take_shells(pugi::xml_node root) {
   std::set<std::string> shells;
   for (const pugi::xml_node assets : root.children("asset")) {
     for (pugi::xml_node mesh : assets.children("mesh")) {
-      if (!is(mesh.attribute("inertia").value(), "shell")) continue;
+      if (!equal(mesh.attribute("inertia").value(), "shell")) continue;
       shells.insert(mesh.attribute("name") ? mesh.attribute("name").value() : stem_of(mesh.attribute("file").value()));
       mesh.remove_attribute("inertia");
     }
@@ -147,7 +147,7 @@ void take_shells(pugi::xml_node root) {
   const Defaults defaults(root);
   for (const pugi::xml_node world : root.children("worldbody")) {
     walk(world, [&](pugi::xml_node node) {
-      const bool shows = is(node.name(), "geom") && shells.count(defaults.find(node, "mesh").value()) > 0;
+      const bool shows = is(node, "geom") && shells.count(defaults.find(node, "mesh").value()) > 0;
       if (shows) set(node, "shellinertia", "true");
     });
   }
@@ -159,12 +159,12 @@ void take_same(pugi::xml_node root) {
     for (const pugi::xml_node lengths : compiler.children("lengthrange")) rename(lengths, "interval", "inteval");
   }
   walk(root, [](pugi::xml_node node) {
-    if (is(node.name(), "light") && is(node.attribute("type").value(), "directional")) {
+    if (is(node, "light") && equal(node.attribute("type").value(), "directional")) {
       node.remove_attribute("type");
       set(node, "directional", "true");
     }
-    const bool paints = is(node.parent().name(), "material") && is(node.name(), "layer");
-    if (paints && is(node.attribute("role").value(), "rgb")) {
+    const bool paints = is(node.parent(), "material") && is(node, "layer");
+    if (paints && equal(node.attribute("role").value(), "rgb")) {
       set(node.parent(), "texture", node.attribute("texture").value());
     }
   });
@@ -185,7 +185,7 @@ void check_attributes(pugi::xml_node node, const SchemaElement& known, Report& r
 }
 
 const SchemaElement* find(const SchemaElement& known, const char* self, const char* name) {
-  if (known.nests && is(self, name)) return &known;
+  if (known.nests && equal(self, name)) return &known;
   const auto found = known.children.find(name);
   return found == known.children.end() ? nullptr : &found->second;
 }

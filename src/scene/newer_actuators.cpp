@@ -17,8 +17,6 @@
 namespace mimo::scene {
 namespace {
 
-bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
-
 // A number that position actuators have; all kinds of actuators share their defaults, but not what their words mean.
 double own_number(const Defaults& defaults, pugi::xml_node position, const char* name, double otherwise) {
   const pugi::xml_node giver = defaults.giver(position, name);

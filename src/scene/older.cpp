@@ -16,8 +16,6 @@
 namespace mimo::scene {
 namespace {
 
-bool is(const char* one, const char* two) { return std::strcmp(one, two) == 0; }
-
 struct Renamed {
   const char *element, *attribute, *instead;
 };
@@ -46,16 +44,16 @@ void visit_settings(pugi::xml_node root, Visit&& visit) {
 void replace_settings(pugi::xml_node root, Report& report) {
   visit_settings(root, [&](pugi::xml_node node) {
     for (const auto& [element, attribute, instead] : kRenamed) {
-      if (!is(node.name(), element) || !node.attribute(attribute)) continue;
+      if (!is(node, element) || !node.attribute(attribute)) continue;
       if (!node.attribute(instead)) set(node, instead, node.attribute(attribute).value());
       node.remove_attribute(attribute);
       report.add(node, about(element, attribute) + format("it is {} now", instead));
     }
     for (const auto& [element, attribute, why] : kGone) {
-      if (!is(node.name(), element) || !node.remove_attribute(attribute)) continue;
+      if (!is(node, element) || !node.remove_attribute(attribute)) continue;
       report.add(node, about(element, attribute) + why);
     }
-    if (is(node.name(), "flag") && node.attribute("passive")) {
+    if (is(node, "flag") && node.attribute("passive")) {
       for (const char* part : {"spring", "damper"}) set(node, part, node.attribute("passive").value());
       node.remove_attribute("passive");
       report.add(node, about("flag", "passive") + "it is spring and damper now");
@@ -67,7 +65,7 @@ template <typename Visit>
 void visit_geoms(pugi::xml_node root, Visit&& visit) {
   for (const pugi::xml_node world : root.children("worldbody")) {
     walk(world, [&](pugi::xml_node node) {
-      if (is(node.name(), "geom")) visit(node);
+      if (is(node, "geom")) visit(node);
     });
   }
 }
@@ -121,7 +119,7 @@ void replace_shells(pugi::xml_node root, Report& report) {
   visit_geoms(root, [&](pugi::xml_node geom) {
     const std::string mesh = defaults.find(geom, "mesh").value();
     if (mesh.empty()) return;
-    const bool shell = is(defaults.find(geom, "shellinertia").value(), "true");
+    const bool shell = std::strcmp(defaults.find(geom, "shellinertia").value(), "true") == 0;
     (shell ? shells : solids).insert(mesh);
     if (shell && solids.count(mesh) + shells.count(mesh) == 2) {
       refuse_unknown(geom, format("shellinertia of one geom of mesh \"{}\" and not of another", mesh));

@@ -1,7 +1,6 @@
 #include "scene/recipe.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -70,7 +69,7 @@ void merge(pugi::xml_node root, pugi::xml_node part) {
     if (element.type() != pugi::node_element) continue;
     const std::string name = element.attribute("name").value();
     const pugi::xml_node there = name.empty() ? pugi::xml_node() : find_named(root, part.name(), element.name(), name);
-    const bool switches = std::strcmp(element.name(), "joint") == 0 && element.attribute("joint1").empty();
+    const bool switches = is(element, "joint") && element.attribute("joint1").empty();
     if (there.empty()) {
       if (!switches) copy_into(added, element);
       continue;

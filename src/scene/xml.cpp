@@ -89,6 +89,12 @@ std::string print(const pugi::xml_document& document) {
   return std::move(writer.text);
 }
 
+bool is(pugi::xml_node node, const char* name) { return std::strcmp(node.name(), name) == 0; }
+
+bool is_one_of(pugi::xml_node node, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* name) { return is(node, name); });
+}
+
 pugi::xml_node append(pugi::xml_node parent, const char* name) {
   pugi::xml_node node = parent.append_child(name);
   must(!node.empty());

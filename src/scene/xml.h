@@ -1,6 +1,7 @@
 // Small helpers over pugixml, which reports a failed allocation by an empty node, or by a copy that is not whole.
 #pragma once
 
+#include <initializer_list>
 #include <new>
 #include <pugixml.hpp>
 #include <string>
@@ -17,6 +18,10 @@ pugi::xml_document parse(const std::string& text, const std::string& origin);
 void require_shallow(const pugi::xml_document& document, const std::string& origin);
 
 std::string print(const pugi::xml_document& document);
+
+// Whether an element has that name, or one of these.
+bool is(pugi::xml_node node, const char* name);
+bool is_one_of(pugi::xml_node node, std::initializer_list<const char*> names);
 
 pugi::xml_node append(pugi::xml_node parent, const char* name);
 pugi::xml_node prepend(pugi::xml_node parent, const char* name);
