@@ -25,7 +25,7 @@ SAC = (
 )
 ACTS_EACH_50_MS = "--frame-skip 10 --max-steps 50 --gamma 0.98 --worlds 32 --evaluation-episodes 64"
 SETTINGS = {
-    ("reach", "ppo"): f"{PPO} {NORMALIZED} --steps 100000 --batch 128 --rate 5e-4",
+    ("reach", "ppo"): f"{PPO} --steps 200000",
     ("reach", "sac"): f"{SAC} --steps 150000 --temperature 0.01",
     ("standup", "ppo"): f"{PPO} --steps 200000",
     ("standup", "sac"): f"{SAC} --steps 60000 --temperature 0.0005",
