@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <climits>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
+#include <string>
 
 #define MIMO_MUJOCO_4 (mjVERSION_HEADER >= 4000000)
 
@@ -29,6 +31,34 @@ inline int channel_of(int channels, int color) { return channels < 3 ? 0 : color
 inline constexpr auto kLockFlags = &mjModel::eq_active0;  // where resets lead to
 inline constexpr auto kPixels = &mjModel::tex_data;
 inline constexpr auto kPixelsName = "tex_data";
+inline const void* behind_pixels(const mjModel& model) { return model.tex_pathadr; }  // with its alignment
+
+// Boxes around geoms, a centre and half sides each: of geoms, and of the trees of bodies, whose frame is another. There
+// boxes grow with the radius around the geom: a box that is too large costs time only. A ball's is as large as it is.
+template <typename Own>
+void set_box(mjModel& model, int geom, const double* half_sides, double growth, Own&& own) {
+  std::copy_n(half_sides, 3, own(&mjModel::geom_aabb, 6 * static_cast<int>(model.ngeom)) + 6 * geom + 3);
+  double* boxes = own(&mjModel::bvh_aabb, 6 * static_cast<int>(model.nbvhstatic));
+  const int body = model.geom_bodyid[geom], first = model.body_bvhadr[body], count = model.body_bvhnum[body];
+  const bool ball = count == 1 && model.geom_type[geom] == mjGEOM_SPHERE;
+  for (int i = 6 * first; i < 6 * (first + count); ++i) {
+    if (i % 6 >= 3) boxes[i] = ball ? half_sides[i % 6 - 3] : boxes[i] + std::max(growth, 0.0);
+  }
+}
+// How far a radian of a ball's rotations moves its surface: what asks whether bodies are at rest.
+template <typename Own>
+void set_ball_length(mjModel& model, int body, double radius, Own&& own) {
+  std::fill_n(own(&mjModel::dof_length, static_cast<int>(model.nv)) + model.body_dofadr[body] + 3, 3, radius);
+}
+template <typename Visit>
+void visit_bounds(const mjModel& model, Visit&& visit) {
+  visit("a box around a geom", &mjModel::geom_aabb, 6 * static_cast<int>(model.ngeom));
+  visit("a box around geoms", &mjModel::bvh_aabb, 6 * static_cast<int>(model.nbvhstatic));
+  visit("a length that a joint turns", &mjModel::dof_length, static_cast<int>(model.nv));
+}
+
+// What of a document makes room for contacts and constraints.
+inline std::string room(const char*, const std::string&) { return "memory of <size>"; }
 
 // The name of a size that is more than an int holds, in which sizes are counted here; NULL where none is. The arena and
 // the buffer are counted in bytes, by MuJoCo only.
@@ -62,6 +92,18 @@ inline int first_normal(const mjModel& model, int mesh) { return model.mesh_norm
 
 inline void add_file(mjVFS& files, const char* name, const void* bytes, std::size_t size, int& result) {
   result = mj_addBufferVFS(&files, name, bytes, static_cast<int>(size));
+}
+
+// The model of a document among the files, NULL and why in `text` where it is wrong. Threads of the compiler would take
+// the host's signals, and end the process where no thread can be had: it works in ours.
+inline mjModel* load(const char* document, const mjVFS* files, char* text, int size) {
+  mjSpec* spec = mj_parseXML(document, files, text, size);
+  if (spec == nullptr) return nullptr;
+  spec->compiler.usethread = 0;
+  mjModel* model = mj_compile(spec, files);
+  if (model == nullptr || mjs_isWarning(spec)) std::snprintf(text, size, "%s", mjs_getError(spec));
+  mj_deleteSpec(spec);
+  return model;
 }
 
 // Room on the stack until release: what take_stack gave since mark is free then.
@@ -128,6 +170,16 @@ inline double ray_shape(const mjModel& model, const mjData& data, int geom, cons
 inline constexpr auto kLockFlags = &mjModel::eq_active;
 inline constexpr auto kPixels = &mjModel::tex_rgb;
 inline constexpr auto kPixelsName = "tex_rgb";
+inline const void* behind_pixels(const mjModel& model) { return model.mat_texid; }
+
+template <typename Own>
+void set_box(mjModel&, int, const double*, double, Own&&) {}
+template <typename Own>
+void set_ball_length(mjModel&, int, double, Own&&) {}
+template <typename Visit>
+void visit_bounds(const mjModel&, Visit&&) {}
+
+inline std::string room(const char* size, const std::string& limit) { return std::string(size) + " above " + limit; }
 
 inline const char* too_large(const mjModel&) { return nullptr; }  // they are ints
 
@@ -144,6 +196,10 @@ inline int first_normal(const mjModel& model, int mesh) { return model.mesh_vert
 inline void add_file(mjVFS& files, const char* name, const void* bytes, std::size_t size, int& result) {
   result = mj_makeEmptyFileVFS(&files, name, static_cast<int>(size));
   if (result == 0) std::memcpy(files.filedata[files.nfile - 1], bytes, size);
+}
+
+inline mjModel* load(const char* document, const mjVFS* files, char* text, int size) {
+  return mj_loadXML(document, files, text, size);
 }
 
 using StackMark = int;

@@ -127,7 +127,7 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
   const auto load = [&] {
     const CompileLock lock;
     complaint =
-        guarded([&] { model = mj_loadXML(kDocument, files.get(), text.data(), static_cast<int>(text.size())); });
+        guarded([&] { model = compat::load(kDocument, files.get(), text.data(), static_cast<int>(text.size())); });
   };
   load();
   // The streams by which MuJoCo reads numbers take missing memory for a wrong number. What is wrong is so twice.

@@ -1,6 +1,7 @@
 #include "engine/overrides.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -46,6 +47,7 @@ void visit_columns(const mjModel& model, Visit&& visit) {
   visit(column("a gear", &mjModel::actuator_gear, model.nu, 6));
   visit(not_negative("a size", &mjModel::geom_size, 3 * model.ngeom));
   visit(not_negative("the radius around a geom", &mjModel::geom_rbound, model.ngeom));
+  compat::visit_bounds(model, [&](const char* what, auto array, int count) { visit(column(what, array, count)); });
   visit(not_negative("a friction", &mjModel::geom_friction, 3 * model.ngeom));
   visit(column("a colour", &mjModel::geom_rgba, 4 * model.ngeom));
   visit(not_negative("a mass", &mjModel::body_mass, model.nbody));
@@ -72,6 +74,15 @@ double bound(int type, const double* size) {
     case mjGEOM_ELLIPSOID: return std::max({size[0], size[1], size[2]});
     case mjGEOM_BOX: return std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
     default: return size[0];
+  }
+}
+
+std::array<double, 3> half_sides(int type, const double* size) {
+  switch (type) {
+    case mjGEOM_CAPSULE: return {size[0], size[0], size[0] + size[1]};
+    case mjGEOM_CYLINDER: return {size[0], size[0], size[1]};
+    case mjGEOM_SPHERE: return {size[0], size[0], size[0]};
+    default: return {size[0], size[1], size[2]};
   }
 }
 
@@ -152,7 +163,8 @@ void Overrides::shape_ball(mjModel& model, int body, double radius, double mass)
   const int geom = model.body_geomadr[body], dof = model.body_dofadr[body];
   const double inertia = 0.4 * mass * radius * radius;
   own(model, &mjModel::geom_size, 3 * model.ngeom)[3 * geom] = radius;
-  own(model, &mjModel::geom_rbound, model.ngeom)[geom] = radius;
+  own_bounds(model, geom);
+  compat::set_ball_length(model, body, radius, [&](auto array, int length) { return own(model, array, length); });
   model.body_subtreemass[0] += mass - model.body_mass[body];
   model.body_subtreemass[body] = model.body_mass[body] = mass;
   std::fill_n(model.body_inertia + 3 * body, 3, inertia);
@@ -177,7 +189,17 @@ void Overrides::resize(mjModel& model, int geom, const double* size) {
   if (size_count(type) == 0) return;
   double* own_size = own(model, &mjModel::geom_size, 3 * model.ngeom) + 3 * geom;
   std::copy_n(size, size_count(type), own_size);
-  own(model, &mjModel::geom_rbound, model.ngeom)[geom] = bound(type, own_size);
+  own_bounds(model, geom);
+}
+
+// Radius and boxes around a geom of another size.
+void Overrides::own_bounds(mjModel& model, int geom) {
+  const int type = model.geom_type[geom];
+  const double* size = model.geom_size + 3 * geom;
+  const double radius = bound(type, size), growth = radius - model.geom_rbound[geom];
+  own(model, &mjModel::geom_rbound, model.ngeom)[geom] = radius;
+  compat::set_box(model, geom, half_sides(type, size).data(), growth,
+                  [&](auto array, int length) { return own(model, array, length); });
 }
 
 double* Overrides::friction(mjModel& model, int geom) {

@@ -61,6 +61,7 @@ class Overrides {
   T* own(mjModel& model, T* mjModel::*array, int length);
   void own_locks(mjModel& model);
   void own_masses(mjModel& model);
+  void own_bounds(mjModel& model, int geom);
 
   const mjModel& shared_;
   std::vector<std::unique_ptr<std::uint8_t[]>> arrays_;

@@ -27,8 +27,8 @@ std::string text_of(mjtWarning kind, const mjWarningStat& stat) {
   const std::string info = std::to_string(stat.lastinfo);
   switch (kind) {
     case mjWARN_INERTIA: return "the inertia matrix is nearly singular at degree of freedom " + info;
-    case mjWARN_CONTACTFULL: return "the contact buffer is full: raise nconmax above " + info;
-    case mjWARN_CNSTRFULL: return "the constraint buffer is full: raise njmax above " + info;
+    case mjWARN_CONTACTFULL: return "the contact buffer is full: raise " + compat::room("nconmax", info);
+    case mjWARN_CNSTRFULL: return "the constraint buffer is full: raise " + compat::room("njmax", info);
     case mjWARN_BADQPOS: return "NaN, infinite or huge value in QPOS at " + info + "; the simulation is unstable";
     case mjWARN_BADQVEL: return "NaN, infinite or huge value in QVEL at " + info + "; the simulation is unstable";
     case mjWARN_BADQACC: return "NaN, infinite or huge value in QACC at " + info + "; the simulation is unstable";

@@ -18,7 +18,7 @@ bool have_the_same(const mjModel& a, const mjModel& b) {
 // All but the textures' bytes; null where MuJoCo does not lay out its models as we know it.
 mjModel* copy_without_textures(const mjModel& model) {
   mjModel source = model;
-  const auto* end = reinterpret_cast<const mjtByte*>(model.mat_texid);  // the array behind them, with its alignment
+  const auto* end = static_cast<const mjtByte*>(compat::behind_pixels(model));
   source.nbuffer -= static_cast<int>(end - model.*compat::kPixels);
   source.ntexdata = 0;
   mjModel* copy = nullptr;

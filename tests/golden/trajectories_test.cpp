@@ -92,8 +92,8 @@ TEST(GoldenTrajectories, FingersFallDense) { expect_passive_fall(kFingers, Jacob
 // The sparse solution differs by rounding, which contacts amplify: compared up to step 120. Velocities near zero agree
 // to 3e-11, hence the larger floor. On MuJoCo 4 our solver comes to the end by other steps than MuJoCo's, whose own
 // end is up to 1e-6 (positions) and 4e-5 (velocities) away from that of a tolerance of 1e-16 in these falls, and 1e-7
-// and 5e-7 in floating (record.py, run with both).
-constexpr double kFallFloor = MIMO_MUJOCO_4 ? 1e-5 : 1e-10, kFloatFloor = MIMO_MUJOCO_4 ? 1e-7 : kFloor;
+// and 5e-7 in floating (record.py, run with both); ours may lie as far on the other side.
+constexpr double kFallFloor = MIMO_MUJOCO_4 ? 1e-5 : 1e-10, kFloatFloor = MIMO_MUJOCO_4 ? 1e-6 : kFloor;
 TEST(GoldenTrajectories, MittenFallsSparse) {
   expect_passive_fall(kMitten, Jacobian::kSparse, 120, {kRelative, kFallFloor});
 }

@@ -8,6 +8,7 @@
 
 #include "base/format.h"
 #include "base/status.h"
+#include "engine/compat.h"
 #include "engine/physics.h"
 #include "support/numbers.h"
 
@@ -25,7 +26,7 @@ inline std::string pile(int spheres, const std::string& extra) {
 }
 
 // Room for a few contacts only. MuJoCo 4 has no limit of their number, but of their bytes.
-#if mjVERSION_HEADER >= 4000000
+#if MIMO_MUJOCO_4
 constexpr const char* kFewContacts = "<size memory='10K'/>";
 #else
 constexpr const char* kFewContacts = "<size nconmax='5'/>";

@@ -82,7 +82,8 @@ TEST(Warnings, NoneInACleanRun) {
 }
 
 TEST(Warnings, CountStepsThatDropContacts) {
-  env::World world(compiled(pile(16, kFewContacts)), {}, {});
+  const std::string second_floor = "<worldbody><geom type='plane' size='1 1 .1'/></worldbody>";
+  env::World world(compiled(pile(16, kFewContacts + second_floor)), {}, {});
   world.physics().step(5);
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), 0) << "they have not landed yet";
   world.physics().step(200);

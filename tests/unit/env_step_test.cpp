@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "support/block.h"
@@ -221,7 +222,7 @@ TEST(EnvStep, RewardsAreFinite) {
 // A full buffer is reported once an episode, and the world goes on.
 TEST(EnvStep, WarningsReachTheLog) {
   // A box that lies on the floor with four corners.
-  const std::string size = MIMO_MUJOCO_4 ? "memory='3K'" : "nconmax='2'";
+  const std::string size = MIMO_MUJOCO_4 ? "memory='2K'" : "nconmax='2'";
   scene::Scene scene(from_text("<mujoco><size " + size +
                                "/><worldbody><geom type='plane' size='0 0 1'/><body pos='0 0 .099'><freejoint/><geom "
                                "type='box' size='.1 .1 .1'/></body></worldbody></mujoco>"));
@@ -235,10 +236,14 @@ TEST(EnvStep, WarningsReachTheLog) {
   EXPECT_EQ(heard[0].code, static_cast<int>(engine::Warning::kContactsDropped));
   EXPECT_TRUE(heard[0].in_world);
   EXPECT_EQ(heard[0].world, 7u);
+  const auto dropped = [&heard] {  // beside what else lacks room
+    const auto told = [](const LogRecord& r) { return r.code == static_cast<int>(engine::Warning::kContactsDropped); };
+    return std::count_if(heard.begin(), heard.end(), told);
+  };
   for (int step = 0; step < 5; ++step) world.step({}, nullptr, {});
-  EXPECT_EQ(heard.size(), 1u);
+  EXPECT_EQ(dropped(), 1);
   world.reset(nullptr, nullptr);
-  EXPECT_EQ(heard.size(), 2u);
+  EXPECT_EQ(dropped(), 2);
 }
 
 }  // namespace

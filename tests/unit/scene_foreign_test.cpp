@@ -34,6 +34,7 @@ const char* const kSettings[] = {"settotalmass='14'",
                                  "inertiafromgeom='true'",
 #if !MIMO_MUJOCO_4
                                  "exactmeshinertia='true'",
+                                 "convexhull='false'",
 #endif
                                  "discardvisual='true'",
                                  "fusestatic='true'",
@@ -42,7 +43,6 @@ const char* const kSettings[] = {"settotalmass='14'",
                                  "inertiagrouprange='3 4' settotalmass='5' fusestatic='true'",
                                  "autolimits='true'",
                                  "fitaabb='true'",
-                                 "convexhull='false'",
                                  "usethread='false'",
                                  "strippath='true'",
                                  "boundmass='2' boundinertia='1' balanceinertia='true'"};

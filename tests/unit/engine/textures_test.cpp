@@ -31,7 +31,7 @@ TEST(Textures, OfTheSamePicturesAreShared) {
   EXPECT_EQ(slim->ntexdata, 3 * 16 * 17);
   EXPECT_EQ(engine::fingerprint(*slim), engine::fingerprint(*model));
   EXPECT_EQ(slim->geom_size[0], 2);
-  EXPECT_EQ(slim->mat_texid[0], 0);
+  EXPECT_EQ(engine::compat::color_texture(*slim, 0), 0);
   EXPECT_STREQ(mj_id2name(slim.get(), mjOBJ_MATERIAL, 0), "m");
 }
 

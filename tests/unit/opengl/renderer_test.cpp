@@ -20,6 +20,7 @@
 #include <set>
 #include <thread>
 
+#include "engine/compat.h"
 #include "engine/guard.h"
 #include "opengl/osmesa.h"
 #include "unit/opengl/fixture.h"
@@ -211,9 +212,14 @@ TEST(Osmesa, IsMujocosOwnPicture) {
   mjv_freeScene(&scene);
   library.MakeCurrent(nullptr, nullptr, 0, 0, 0);
   library.DestroyContext(context);
-  for (std::size_t row = 0; row < 64; ++row) {
-    EXPECT_EQ(std::memcmp(&image.rgb[row * 96 * 3], &own[(63 - row) * 96 * 3], 96 * 3), 0) << "row " << row;
+  // An endless floor's corners are rounded on MuJoCo 4: 164 of these bytes differ, each by one level.
+  constexpr int kRounding = MIMO_MUJOCO_4 ? 1 : 0;
+  int most = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const std::size_t row = i / (96 * 3), upside_down = (63 - row) * 96 * 3 + i % (96 * 3);
+    most = std::max(most, std::abs(image.rgb[i] - own[upside_down]));
   }
+  EXPECT_LE(most, kRounding);
 }
 
 TEST(Osmesa, DrawsTheWorldsOwnModel) {
@@ -353,7 +359,7 @@ TEST(Osmesa, DrawsAgainAfterAnError) {
   EXPECT_TRUE(take(*renderer, world) == expected);
 }
 
-#if mjVERSION_HEADER < 4000000  // later there is no such limit
+#if !MIMO_MUJOCO_4  // later there is no such limit
 TEST(Osmesa, RefusesMoreTexturesThanMujocoHasRoomFor) {
   std::string textures;
   for (int i = 0; i < 101; ++i) {
