@@ -66,10 +66,10 @@ build_csharp() {
   need "${csharp_packages[@]}"
   local mcs=(mcs -nologo -langversion:7 -warnaserror) sources=(bindings/csharp/src/*.cs) example
   mkdir -p build/csharp
-  "${mcs[@]}" -target:library -doc:build/csharp/Mimo.xml -out:build/csharp/Mimo.dll "${sources[@]}"
+  "${mcs[@]}" -target:library -doc:build/csharp/MimoSharp.xml -out:build/csharp/MimoSharp.dll "${sources[@]}"
   "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/*.cs
   for example in examples/csharp/*.cs tests/same/*.cs; do
-    "${mcs[@]}" -r:build/csharp/Mimo.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
+    "${mcs[@]}" -r:build/csharp/MimoSharp.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
   done
 }
 

@@ -9,7 +9,7 @@ endif()
 
 if(mujoco_ROOT)
   file(GLOB mujoco_files ${mujoco_ROOT}/libmujoco.so* ${mujoco_ROOT}/lib/libmujoco.so* ${mujoco_ROOT}/libmujoco.*dylib
-       ${mujoco_ROOT}/mujoco.dll)
+       ${mujoco_ROOT}/mujoco-*.dll)
   find_path(mujoco_INCLUDE_DIR mujoco/mujoco.h PATHS ${mujoco_ROOT}/include NO_DEFAULT_PATH)
   if(mujoco_files AND mujoco_INCLUDE_DIR AND NOT TARGET mujoco::mujoco)
     list(GET mujoco_files 0 mujoco_library)

@@ -1,4 +1,4 @@
-# libmimo as Windows has it: bin/mimo.dll beside mujoco.dll, and lib/ with libmimo.dll.a for mingw, mimo.lib for MSVC.
+# libmimo as Windows has it: bin/mimo.dll beside its MuJoCo, and lib/ with libmimo.dll.a for mingw, mimo.lib for MSVC.
 set_target_properties(mimo PROPERTIES PREFIX "" IMPORT_PREFIX lib)
 find_program(MIMO_DLLTOOL NAMES llvm-dlltool llvm-dlltool-14 REQUIRED)
 mark_as_advanced(MIMO_DLLTOOL)

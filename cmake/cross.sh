@@ -94,8 +94,9 @@ fetch_cross_mujoco() {
   sha256sum --quiet -c <<<"$sum  build/cross/wheel/mujoco/$library" || fail "$library is not the one that is expected"
   mkdir -p build/cross/mujoco/new
   mv "build/cross/wheel/mujoco/$library" build/cross/wheel/mujoco/include build/cross/wheel/*.dist-info/LICENSE* build/cross/mujoco/new/
-  [[ $1 != windows ]] || (cd build/cross/mujoco/new && gendef mujoco.dll >/dev/null 2>&1 &&
-    x86_64-w64-mingw32-dlltool -d mujoco.def -l libmujoco.dll.a -D mujoco.dll)
+  # Windows gives a library of a name that a program has already to all who ask for it, whichever it is.
+  [[ $1 != windows ]] || (cd build/cross/mujoco/new && mv mujoco.dll mujoco-2.2.2.dll && gendef mujoco-2.2.2.dll >/dev/null 2>&1 &&
+    x86_64-w64-mingw32-dlltool -d mujoco-2.2.2.def -l libmujoco.dll.a -D mujoco-2.2.2.dll)
   if [[ $1 == macos* ]]; then  # it says of itself that it lies in a framework, and no longer runs when it says otherwise
     mkdir build/cross/mujoco/new/signed
     cp "build/cross/mujoco/new/$library" build/cross/mujoco/new/signed/
@@ -248,23 +249,74 @@ windows_program() {
   /usr/lib/wine/wine64 "$@" </dev/null 2>&1 | tr -d '\r'
 }
 
-# The C tests, the program, a Python wheel; and pictures that are to be those of the build for any Linux, byte by byte: the
-# renderer's vectors lie on a stack that Windows aligns less.
-test_windows() {
-  local -x WINEDEBUG=-all WINEPREFIX=$PWD/build-windows/wine
-  local python=$PWD/build/release/python-windows pictures=$PWD/build-windows/pictures
-  test_system windows
-  windows_program build-windows/bin/mimo.exe --version
+# Pictures are those of the build for any Linux, byte by byte: the renderer's vectors lie on a stack that Windows aligns less.
+same_pictures_on_windows() {
+  local pictures=$PWD/build-windows/pictures run=(run --scene benchmark --seconds 0.05 --seed 3 --vision 64 --out)
   build_for linux mimo mimo_program  # on the same MuJoCo
   rm -rf "$pictures"
-  local run=(run --scene benchmark --seconds 0.05 --seed 3 --vision 64 --out)
   windows_program build-windows/bin/mimo.exe "${run[@]}" "$pictures/windows" >/dev/null
   build-linux/bin/mimo "${run[@]}" "$pictures/here" >/dev/null
   diff -r "$pictures/here" "$pictures/windows" || fail "Windows draws other pictures"
   echo "The same pictures on Windows"
+}
+
+# csharp_on_windows FOLDER ARGUMENTS...: the tests of the classes on Windows' .NET, with the library of a folder.
+csharp_on_windows() {
+  WINEPATH=$(on_windows "$1") windows_program build/dotnet/windows/dotnet.exe exec --runtimeconfig tests/package/dotnet.json \
+    build/csharp/Tests.exe "${@:2}"
+}
+
+test_csharp_on_windows() {
+  build_csharp
+  fetch_dotnet windows
+  echo "Tests of the C# classes on Windows"
+  tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
+  csharp_on_windows "$PWD/build-windows/bin" tests/abi/layout.json build/csharp/mimo.h
+}
+
+# python_on_windows PACKAGES ARGUMENTS...: Windows' Python, with a folder of packages.
+python_on_windows() {
+  local python=$PWD/build/release/python-windows
+  PYTHONHOME=$(on_windows "$python") PYTHONPATH="$(on_windows "$python/lib");$(on_windows "$1")" \
+    windows_program "$python/python.exe" "${@:2}"
+}
+
+test_wheel_on_windows() {
+  local python=$PWD/build/release/python-windows
   windows_python "$python"
+  wheel_for linux
   wheel_for windows
+  put_wheel linux "$(python_version)" build/release/packages
   put_wheel windows 3.11 "$python/packages" 'numpy<2.1'  # what came later does not start under this wine
-  PYTHONHOME=$(on_windows "$python") PYTHONPATH="$(on_windows "$python/lib");$(on_windows "$python/packages")" \
-    windows_program "$python/python.exe" tests/package/first_steps.py
+  same_as_here first_steps python_on_windows "$python/packages" tests/package/first_steps.py
+}
+
+# A MuJoCo of another version: in the program already, it is left alone; in the place of ours, it is refused.
+test_other_mujoco_on_windows() {
+  local other=$PWD/build-windows/other packages=$PWD/build/release/python-windows/packages said
+  mkdir -p "$other/mimo"
+  x86_64-w64-mingw32-gcc-posix -shared -o "$other/mujoco.dll" tests/loading/stand_in.c
+  said=$(python_on_windows "$packages" -c \
+    "import ctypes; assert ctypes.CDLL(r'$(on_windows "$other/mujoco.dll")').mj_version() == 999; import mimo; mimo.make('reach').reset()")
+  [[ -z $said ]] || fail "beside another MuJoCo Windows' Python says: $said"
+  cp build-windows/bin/mimo.dll "$other/mimo/"
+  cp "$other/mujoco.dll" "$other/mimo/mujoco-2.2.2.dll"
+  said=$(MIMO_LIBRARY=$(on_windows "$other/mimo/mimo.dll") python_on_windows "$packages" -c 'import mimo') &&
+    fail "Windows' Python takes another MuJoCo"
+  [[ $said == *"ImportError: "*"the MuJoCo in its folder has to be the one that came with it"* ]] ||
+    fail "with another MuJoCo Windows' Python says: $said"
+  said=$(csharp_on_windows "$other/mimo") || fail "with another MuJoCo Windows' .NET says: $said"
+  [[ $(grep -c 'not the MuJoCo that came with it' <<<"$said") == 3 ]] || fail "with another MuJoCo Windows' .NET says: $said"
+  echo "Other MuJoCos are left alone or refused on Windows"
+}
+
+# The C tests, the program, the C# classes, a Python wheel.
+test_windows() {
+  local -x WINEDEBUG=-all WINEPREFIX=$PWD/build-windows/wine
+  test_system windows
+  windows_program build-windows/bin/mimo.exe --version
+  same_pictures_on_windows
+  test_csharp_on_windows
+  test_wheel_on_windows
+  test_other_mujoco_on_windows
 }

@@ -36,7 +36,7 @@ rust_condition() {
 natives() {
   case $1 in
     linux | arm) echo "build-$1/lib/libmimo.so.0 build-$1/lib/libmujoco.so.2.2.2" ;;
-    windows) echo build-windows/bin/mimo.dll build-windows/bin/mujoco.dll ;;
+    windows) echo build-windows/bin/mimo.dll build-windows/bin/mujoco-2.2.2.dll ;;
     macos | macos-x86) echo "build-$1/lib/libmimo.dylib build-$1/lib/libmujoco.2.2.2.dylib" ;;
   esac
 }
@@ -221,6 +221,8 @@ test_release() {
   echo "Tests of the packages for all systems"
   tests/package/check_archive "build/package/libmimo-$version-linux-x64.tar.gz"
   tests/package/check_msvc "build/package/libmimo-$version-win-x64.zip"
+  tests/package/check_macos "build/package/libmimo-$version-osx-arm64.tar.gz" arm64
+  tests/package/check_macos "build/package/libmimo-$version-osx-x64.tar.gz" x86_64
   fetch_dotnet linux
   tests/package/check_nuget "build/package/Mimo.$version.nupkg" build/dotnet/linux/dotnet
   tests/package/check_unity "build/package/org.libmimo.mimo-$version.tgz"

@@ -1,6 +1,6 @@
 // What a game does: steps an infant at 60 Hz, shows what its left eye sees, and puts its body where the engine wants it.
 //
-//   mcs -r:Mimo.dll Game.cs && mono Game.exe [SECONDS]
+//   mcs -r:MimoSharp.dll Game.cs && mono Game.exe [SECONDS]
 using System;
 using System.Diagnostics;
 using System.Globalization;

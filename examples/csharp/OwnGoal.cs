@@ -1,7 +1,7 @@
 // A task of one's own with a goal in the observation: the infant is to bring its left hand to a place that each episode
 // draws anew. The library asks the task within each step, and keeps goal and hand with the world's state.
 //
-//   mcs -r:Mimo.dll OwnGoal.cs && mono OwnGoal.exe
+//   mcs -r:MimoSharp.dll OwnGoal.cs && mono OwnGoal.exe
 using System;
 using System.Collections.Generic;
 using System.Globalization;

@@ -1,6 +1,6 @@
 """Makes a NuGet package: the classes, and below runtimes/ the library for each system, where .NET looks for it.
 
-make_nuget.py VERSION CLASSES OUT.nupkg RID=FOLDER...: CLASSES has Mimo.dll and Mimo.xml; RID is what NuGet calls a system,
+make_nuget.py VERSION CLASSES OUT.nupkg RID=FOLDER...: CLASSES has MimoSharp.dll and MimoSharp.xml; RID is what NuGet calls a system,
 whose FOLDER has libraries/ and licences/.
 """
 
@@ -62,7 +62,7 @@ def files(version, classes, systems):
         "LICENSE": (ROOT / "LICENSE").read_bytes(),
         "README.md": (ROOT / "bindings/csharp/package/README.md").read_bytes(),
     }
-    for name in ("Mimo.dll", "Mimo.xml"):
+    for name in ("MimoSharp.dll", "MimoSharp.xml"):
         found[f"lib/netstandard2.0/{name}"] = (classes / name).read_bytes()
     for rid, folder in systems.items():
         for file in sorted((folder / "libraries").iterdir()):

@@ -99,8 +99,8 @@ def fill(root, version, systems):
     """The package's folder."""
     scripts = root / "Runtime/Scripts"
     shutil.copytree(ROOT / "bindings/csharp/src", scripts)
-    assembly = {"name": "Mimo", "rootNamespace": "Mimo", "allowUnsafeCode": False, "autoReferenced": True}
-    (scripts / "Mimo.asmdef").write_text(json.dumps(assembly, indent=2) + "\n")
+    assembly = {"name": "MimoSharp", "rootNamespace": "Mimo", "allowUnsafeCode": False, "autoReferenced": True}
+    (scripts / "MimoSharp.asmdef").write_text(json.dumps(assembly, indent=2) + "\n")
     (root / "package.json").write_text(json.dumps(manifest(version), indent=2) + "\n")
     shutil.copyfile(ROOT / "bindings/csharp/package/README.md", root / "README.md")
     shutil.copyfile(ROOT / "CHANGELOG.md", root / "CHANGELOG.md")
