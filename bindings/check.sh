@@ -62,9 +62,10 @@ test_rust() {
 # ---- C# ---------------------------------------------------------------------------------------------------
 
 # Undocumented public members are warnings of the library, hence errors.
+# build_csharp [OPTION...] of the compiler
 build_csharp() {
   need "${csharp_packages[@]}"
-  local mcs=(mcs -nologo -langversion:7 -warnaserror) sources=(bindings/csharp/src/*.cs) example
+  local mcs=(mcs -nologo -langversion:7 -warnaserror "$@") sources=(bindings/csharp/src/*.cs) example
   mkdir -p build/csharp
   "${mcs[@]}" -target:library -doc:build/csharp/MimoSharp.xml -out:build/csharp/MimoSharp.dll "${sources[@]}"
   "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/*.cs

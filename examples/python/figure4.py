@@ -28,9 +28,9 @@ SETTINGS = {
     ("reach", "ppo"): f"{PPO} --steps 200000",
     ("reach", "sac"): f"{SAC} --steps 150000 --temperature 0.01",
     ("standup", "ppo"): f"{PPO} --steps 200000",
-    ("standup", "sac"): f"{SAC} --steps 60000 --temperature 0.0005",
+    ("standup", "sac"): f"{SAC} --steps 200000 --temperature 0.0005",
     ("selfbody", "ppo"): f"{PPO} --normalize-rewards --steps 400000 --rollout 4096 --batch 256 {ACTS_EACH_50_MS}",
-    ("selfbody", "sac"): f"{SAC} --steps 60000 --temperature 0.05 {ACTS_EACH_50_MS}",
+    ("selfbody", "sac"): f"{SAC} --steps 100000 --temperature 0.05 {ACTS_EACH_50_MS}",
 }
 
 

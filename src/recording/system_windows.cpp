@@ -9,7 +9,11 @@
 
 namespace mimo::recording {
 
-void* open_library(const char* name) { return LoadLibraryA(name); }
+// What a library of a given place needs lies beside it.
+void* open_library(const char* name) {
+  const std::filesystem::path path = std::filesystem::u8path(name);
+  return LoadLibraryExW(path.c_str(), nullptr, path.is_absolute() ? LOAD_WITH_ALTERED_SEARCH_PATH : 0);
+}
 
 void* symbol_of(void* library, const char* name) {
   const FARPROC found = GetProcAddress(static_cast<HMODULE>(library), name);

@@ -5,8 +5,8 @@
 
 enum { kDeepest = 600, kSide = 16 };
 
-/* MuJoCo 2.2's reader ends at about a hundred levels, that of 4 at some hundreds; what is deeper is refused, but we have
- * read it by then. */
+/* MuJoCo 2.2's reader ends at about a hundred levels, that of 4 at some hundreds; what is deeper is refused, but we
+ * have read it by then. */
 static void check_nested(size_t depth, int compiles) {
   static char text[64 * kDeepest + 200];
   mimo_scene_config room;
