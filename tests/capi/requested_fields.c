@@ -285,7 +285,7 @@ static int in_contact(mimo_env* env, int32_t body) {
   return i < 2 * count;
 }
 
-/* The body that the infant is told. A ball that is put into it is felt, and what else it lies on; one far away is not. */
+/* The body that the infant is told. A ball put into it is felt, and what else it lies on; one far away is not. */
 static void check_told(mimo_env* env, int felt) {
   const int32_t ball = find(env, MIMO_BODY, "ball");
   const float *told = values(env, "task/target"), *goal = values(env, "goal");
