@@ -3,6 +3,7 @@
 // on one thread costs beyond stepping its worlds one after the other.
 //
 //   cmake --build build --target bench_worlds && build/bin/bench_worlds [SCENE...]
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,7 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Without what malloc keeps for later.
 double resident_kb() {
+  malloc_trim(0);
   long total = 0, resident = 0;
   std::FILE* file = std::fopen("/proc/self/statm", "r");
   if (file == nullptr || std::fscanf(file, "%ld %ld", &total, &resident) != 2) std::perror("/proc/self/statm");
@@ -28,10 +31,17 @@ double resident_kb() {
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
 }
 
+// Worlds of one model have in common what those of the interface have.
+env::Kit kit_of(const char* scene) {
+  env::Services services;
+  services.skins = std::make_shared<env::Skins>();
+  return {room_with_infant(scene), {blind()}, without_renderer(), services};
+}
+
 // Worlds that have moved for a second: memory that was never touched is not resident.
 struct Moved {
-  Moved(const char* scene, std::size_t worlds)
-      : batch(kits_of({room_with_infant(scene), {blind()}, without_renderer(), {}}), options(worlds)),
+  Moved(const env::Kit& kit, std::size_t worlds)
+      : batch(kits_of(kit), options(worlds)),
         blocks(worlds * batch.world(0).layout().bytes()),
         actions(worlds * batch.world(0).action_size(), 0.3F) {
     batch::Output output;
@@ -53,11 +63,11 @@ struct Moved {
 
 void bench_memory(const char* scene) {
   constexpr std::size_t kFew = 8, kMore = 64;
+  const env::Kit kit = kit_of(scene);
+  const Moved few(kit, kFew);
   const double before = resident_kb();
-  const Moved few(scene, kFew);
-  const double with_few = resident_kb();
-  const Moved more(scene, kMore);
-  const double of_one = (resident_kb() - with_few - (with_few - before)) / (kMore - kFew);
+  const Moved more(kit, kMore);
+  const double of_one = (resident_kb() - before) / kMore;
   const env::World& world = few.batch.world(0);
   const double data = (static_cast<double>(sizeof(mjData)) + world.data().nbuffer + 8.0 * world.data().nstack) / 1024;
   const double block = static_cast<double>(world.layout().bytes()) / 1024;
@@ -68,7 +78,7 @@ void bench_memory(const char* scene) {
 }
 
 void bench_state(const char* scene) {
-  Moved moved(scene, 1);
+  Moved moved(kit_of(scene), 1);
   env::World& world = moved.batch.world(0);
   std::vector<std::uint8_t> state(world.state_bytes());
   std::vector<double> times;
@@ -89,7 +99,7 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 void bench_overhead(const char* scene) {
-  Moved moved(scene, 16);
+  Moved moved(kit_of(scene), 16);
   const std::size_t bytes = moved.batch.world(0).layout().bytes(), width = moved.batch.world(0).action_size();
   batch::Output output;
   output.blocks = moved.blocks.data();
