@@ -144,7 +144,11 @@ internal static partial class Tests
             var done = false;
             var collector = new Thread(() =>
             {
-                while (!Volatile.Read(ref done)) GC.Collect();
+                while (!Volatile.Read(ref done))
+                {
+                    GC.Collect();
+                    Thread.Sleep(1); // .NET's threads may come to nothing between collections that follow each other
+                }
             });
             batch.Reset(Enumerable.Range(1, worlds).Select(seed => (ulong)seed).ToArray());
             collector.Start();
