@@ -61,14 +61,20 @@ test_rust() {
 
 # ---- C# ---------------------------------------------------------------------------------------------------
 
-# Undocumented public members are warnings of the library, hence errors.
-# build_csharp [OPTION...] of the compiler
-build_csharp() {
+mcs=(mcs -nologo -langversion:7 -warnaserror)
+
+# csharp_tests PROGRAM [OPTION...] of the compiler
+csharp_tests() {
   need "${csharp_packages[@]}"
-  local mcs=(mcs -nologo -langversion:7 -warnaserror "$@") sources=(bindings/csharp/src/*.cs) example
   mkdir -p build/csharp
-  "${mcs[@]}" -target:library -doc:build/csharp/MimoSharp.xml -out:build/csharp/MimoSharp.dll "${sources[@]}"
-  "${mcs[@]}" -nowarn:1591 -out:build/csharp/Tests.exe "${sources[@]}" bindings/csharp/tests/*.cs
+  "${mcs[@]}" -nowarn:1591 "${@:2}" -out:"build/csharp/$1" bindings/csharp/src/*.cs bindings/csharp/tests/*.cs
+}
+
+# Undocumented public members are warnings of the library, hence errors.
+build_csharp() {
+  local example
+  csharp_tests Tests.exe
+  "${mcs[@]}" -target:library -doc:build/csharp/MimoSharp.xml -out:build/csharp/MimoSharp.dll bindings/csharp/src/*.cs
   for example in examples/csharp/*.cs tests/same/*.cs; do
     "${mcs[@]}" -r:build/csharp/MimoSharp.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
   done

@@ -260,19 +260,16 @@ same_pictures_on_windows() {
   echo "The same pictures on Windows"
 }
 
-# csharp_on_windows FOLDER ARGUMENTS...: the tests of the classes on Windows' .NET, with the library of a folder.
-csharp_on_windows() {
-  WINEPATH=$(on_windows "$1") MIMO_HDF5=$(on_windows "$PWD/build/release/python-windows/packages/h5py/hdf5.dll") \
-    windows_program build/dotnet/windows/dotnet.exe exec --runtimeconfig tests/package/dotnet.json build/csharp/Tests.exe "${@:2}"
-}
-
+# By Windows' .NET, with the HDF5 that the wheel's packages brought.
 test_csharp_on_windows() {
-  build_csharp -define:WINDOWS
+  csharp_tests WindowsTests.exe -define:WINDOWS
   fetch_dotnet windows
   echo "Tests of the C# classes on Windows"
   tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
-  csharp_on_windows "$PWD/build-windows/bin" tests/abi/layout.json build/csharp/mimo.h
-  build_csharp
+  WINEPATH=$(on_windows "$PWD/build-windows/bin") \
+    MIMO_HDF5=$(on_windows "$PWD/build/release/python-windows/packages/h5py/hdf5.dll") \
+    windows_program build/dotnet/windows/dotnet.exe exec --runtimeconfig tests/package/dotnet.json \
+    build/csharp/WindowsTests.exe tests/abi/layout.json build/csharp/mimo.h
 }
 
 # python_on_windows PACKAGES ARGUMENTS...: Windows' Python, with a folder of packages.
@@ -317,6 +314,6 @@ test_windows() {
   windows_program build-windows/bin/mimo.exe --version
   same_pictures_on_windows
   test_wheel_on_windows
-  test_csharp_on_windows  # with the HDF5 of the wheel's packages
+  test_csharp_on_windows
   test_other_mujoco_on_windows
 }
