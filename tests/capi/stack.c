@@ -68,6 +68,7 @@ static void check_infant(const char* name, const char* renderer) {
 
 static void* on_a_small_stack(void* unused) {
   check_nested(40, 1);
+  if (mimo_mujoco_version()[0] == '2') check_nested(250, 0); /* MuJoCo 4 reads it */
   check_infant("showroom", "ray");
 #ifndef MIMO_NO_OSMESA
   check_infant("benchmark", "osmesa");
