@@ -3,14 +3,15 @@
 //
 //   bench_extras contacts [STEPS]   what touches what within a step is recorded (step_contacts); no senses
 //   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
-//   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels
+//   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels, in steps of a third world without eyes: what
+//                                   pictures take depends on how wide the processor's vectors are
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
 //   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
 //   bench_extras voice [STEPS]      the same with a voice that speaks, against ears without one
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
 //   bench_extras recording [STEPS]  steps are recorded as usual: joints, proprioception, vestibular sense, a state a
-//   second bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move
-//   nothing
+//                                   second
+//   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
 #include <mimo/mimo.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ void mature(mimo_scene* scene, Extra extra) {
   check(mimo_scene_set_maturity(scene, 0, &perfect));
 }
 
-mimo_env* make(Extra extra, bool has) {
+mimo_env* make(Extra extra, bool has, bool sees) {
   mimo_scene_config named;
   check(mimo_scene_config_init(&named, sizeof named));
   named.name = "benchmark";
@@ -68,7 +69,7 @@ mimo_env* make(Extra extra, bool has) {
   check(mimo_scene_create(&named, &scene));
   mimo_agent_config agent;
   check(mimo_scene_default_agent(scene, &agent, sizeof agent));
-  if (extra != Extra::kEyes) agent.vision = 0;
+  if (!sees) agent.vision = 0;
   if (has && is_receptors(extra)) {
     agent.touch |= MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE |
                    MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
@@ -126,14 +127,18 @@ int main(int argc, char** argv) {
                                             : Extra::kContacts;
   const int usual_steps = extra == Extra::kEyes ? 200 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
-  mimo_env *const having = make(extra, true), *const usual = make(extra, false);
+  const bool eyes = extra == Extra::kEyes;
+  mimo_env *const having = make(extra, true, eyes), *const usual = make(extra, false, eyes);
+  mimo_env* const blind = eyes ? make(extra, false, false) : nullptr;
   const mimo_layout* layout = nullptr;
   mimo_layout_info info{};
   info.struct_size = sizeof info;
   check(mimo_env_layout(having, &layout));  // the larger block
   check(mimo_layout_describe(layout, &info));
   std::vector<std::uint8_t> block(extra == Extra::kContacts ? 0 : info.block_bytes);
-  for (mimo_env* env : {having, usual}) check(mimo_env_reset(env, nullptr, nullptr, 0));
+  for (mimo_env* env : {having, usual, blind}) {
+    if (env != nullptr) check(mimo_env_reset(env, nullptr, nullptr, 0));
+  }
 
   const char* const file = "bench_recording.h5";
   mimo_recorder* recorder = nullptr;
@@ -148,7 +153,8 @@ int main(int argc, char** argv) {
     if (step % 2 == 0) with.push_back(seconds(having, action, block));
     without.push_back(seconds(usual, mute, block));
     if (step % 2 != 0) with.push_back(seconds(having, action, block));
-    shares.push_back(with.back() / without.back() - 1);
+    const double unit = blind == nullptr ? without.back() : seconds(blind, mute, block);
+    shares.push_back((with.back() - without.back()) / unit);
   }
   std::printf("a step takes %.1f us, with %s %.1f us: %.4f of a step more (median)\n", median(without) * 1e6,
               what.c_str(), median(with) * 1e6, median(shares));
@@ -156,4 +162,5 @@ int main(int argc, char** argv) {
   if (recorder != nullptr) std::remove(file);
   mimo_env_destroy(having);
   mimo_env_destroy(usual);
+  mimo_env_destroy(blind);
 }

@@ -115,7 +115,7 @@ RATIOS = [
     ("other senses and the rest, over physics", BLIND, share("proprioception", "vestibular", "other")),
     ("contacts of a step recorded, over the step", CONTACTS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's nerves, over the step without eyes", DELAYS, in_text(r"(-?[\d.]+) of a step more")),
-    ("a newborn's eyes, over the step at V256", EYES, in_text(r"(-?[\d.]+) of a step more")),
+    ("a newborn's eyes, over the step without eyes", EYES, in_text(r"(-?[\d.]+) of a step more")),
     ("receptors of skin, over the step without eyes", SKIN, in_text(r"(-?[\d.]+) of a step more")),
     ("hearing, over the step without eyes", HEARING, in_text(r"(-?[\d.]+) of a step more")),
     ("a voice, over the step without eyes that hears", VOICE, in_text(r"(-?[\d.]+) of a step more")),
