@@ -13,6 +13,7 @@
 #include "rays/lanes-inl.h"
 #include "rays/lighting-inl.h"
 #include "rays/sampling-inl.h"
+#include "rays/sky-inl.h"
 #include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,6 +23,7 @@ namespace HWY_NAMESPACE {
 void PaintSky(const Backdrop& backdrop, const std::uint32_t* texels, const Tile& tile, const std::int32_t* id,
               Canvas& canvas) {
   const Sky& sky = backdrop.sky;
+  if (!backdrop.fog.shown && PaintSkyFace(sky, texels, tile, id, canvas)) return;
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 bx = Set(sky.bx);
   const V3 by = Set(sky.by);

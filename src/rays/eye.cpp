@@ -161,10 +161,23 @@ void add_bounds(const Solid& solid, const Vec& c, const Eigen::Matrix3d& axis, B
   }
 }
 
+// Most solids are wholly outside of what a camera shows: their bounding spheres tell, at a tenth of the cost of bounds.
+bool misses(const Eye& eye, const Vec& center, double radius, double near_depth) {
+  if (eye.rays != Rays::kPerspective || radius == 0) return false;
+  const double r = radius * (1 + 1e-4);
+  if (center[2] + r < near_depth || center[2] - r > eye.reach) return true;
+  const auto beyond = [&](double aside, double slope) {
+    const double distance = std::abs(aside) - slope * center[2];  // times the root below
+    return distance > 0 && distance * distance > r * r * (1 + slope * slope);
+  };
+  return beyond(center[0], eye.wide) || beyond(center[1], eye.high);
+}
+
 }  // namespace
 
 void Eye::look_at(const Solid& solid, int index, double near_depth) {
   const Vec c = seen_from(axes, solid.position - position);
+  if (misses(*this, c, solid.radius, near_depth)) return;
   Eigen::Matrix3d axis;  // of the solid in the eye's frame
   for (int k = 0; k < 3; ++k) axis.col(k) = seen_from(axes, solid.rotation.col(k));
   Aspect aspect;

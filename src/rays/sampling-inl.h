@@ -67,6 +67,12 @@ HWY_INLINE VI Lighted(const Texel& texel, VI light) {
   return SetI(bytes);
 }
 
+HWY_INLINE VI Unlighted(const Texel& texel) {
+  std::int32_t bytes = 0;
+  for (int k = 0; k < 3; ++k) bytes |= (texel.channel[k] + kWeights / 2) / kWeights << (8 * k);
+  return SetI(bytes);
+}
+
 HWY_INLINE V3 Unpacked(const Texel& texel) {
   const V k = Set(1.0F / kFull);
   return {Real(SetI(texel.channel[0])) * k, Real(SetI(texel.channel[1])) * k, Real(SetI(texel.channel[2])) * k};
@@ -177,6 +183,16 @@ HWY_INLINE VI Lighted(const Texel& texel, VI light) {
   const auto low = hn::MulFixedPoint15(half(texel.low, kLow), byte);
   const auto high = hn::MulFixedPoint15(half(texel.high, kHigh), byte);
   return hn::BitCast(DI(), Bytes(low, high));
+}
+
+// Filtered colours as they are: the bytes that Packed(Unpacked(texel)) gives, in a third of the time.
+HWY_INLINE VI Unlighted(const Texel& texel) {
+  // 258 / 32768 is a hair less than 1 / kWeights, by which up to 2 of kFull are missing.
+  const auto rounded = [](hn::Vec<DS> channels) {
+    const auto missing = hn::MulFixedPoint15(channels, hn::Set(DS(), 2));
+    return hn::MulFixedPoint15(hn::Add(channels, missing), hn::Set(DS(), kByte / 2));
+  };
+  return hn::BitCast(DI(), Bytes(rounded(texel.low), rounded(texel.high)));
 }
 
 HWY_INLINE V3 Unpacked(const Texel& texel) {

@@ -97,8 +97,8 @@ struct Probes {
   alignas(64) float dx[kProbes], dy[kProbes], dz[kProbes];  // rays
   float px[kProbes], py[kProbes];                           // points
   float t[kProbes];
-  float nearest;  // depth
-  float wide;     // how far apart the points are, at most
+  float wide;   // how far apart the points are, at most
+  float angle;  // between rays, at most
 };
 
 // False where the patch reaches beyond the horizon.
@@ -122,7 +122,7 @@ inline bool Probe(const Aspect& aspect, const Tile& tile, const Patch& patch, Pr
   const auto range = [](const float* v) {
     return std::max({v[0], v[1], v[2], v[3]}) - std::min({v[0], v[1], v[2], v[3]});
   };
-  probes.nearest = std::min({probes.t[0], probes.t[1], probes.t[2], probes.t[3]});
+  probes.angle = 2 * length_of(half_x, half_y);
   probes.wide = length_of(range(probes.px), range(probes.py));
   return true;
 }
@@ -166,7 +166,7 @@ inline bool IsGentle(const Light& light, const LocalLight& place, const Material
   }
   if (material.specular > 0 && light.bright) {
     // The vector half-way between light and eye turns half as much as both together.
-    turn = 0.5F * (turn + probes.wide / probes.nearest);
+    turn = 0.5F * (turn + probes.angle);
     if (!(turn * turn * material.shininess.exponent < 8)) return false;
   }
   return true;

@@ -132,6 +132,28 @@ TEST_P(Plain, SkyIsTheSame) {
   }
 }
 
+// With fog every ray looks for its face of the sky by itself; here the fog begins far behind all that is seen.
+TEST(RaySmooth, SkyOnOneFaceIsWhatEachRayFinds) {
+  constexpr const char* kSky =
+      "<texture type='skybox' builtin='gradient' mark='random' random='.1' markrgb='.6 .2 .1' width='256' "
+      "height='256' rgb1='.2 .5 .9' rgb2='.9 .8 .7'/>";
+  constexpr const char* kBall = "<geom type='sphere' size='.3'/>";
+  rays::Options foggy;
+  foggy.fog = true;
+  Studio clear(world(kBall, kSky));
+  Studio each(world(kBall, kSky, "<map fogstart='1e6' fogend='2e6'/>"), foggy);
+  for (const int pixels : {16, 64, 400}) {  // pixels of some 24, 6 and 1 texels
+    for (const double elevation : {-85.0, -50.0, -5.0, 40.0}) {
+      const render::View view = render::orbit_view({0.3, 0, 0}, 2, 25, elevation, 60);
+      const Shot a = clear.shoot(view, pixels, pixels);
+      const Shot b = each.shoot(view, pixels, pixels);
+      for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        ASSERT_LE(std::abs(a.rgb[i] - b.rgb[i]), 1) << pixels << " pixels, elevation " << elevation << ", byte " << i;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(RaySmooth, Plain,
                          ::testing::Values("pos='0 0 4' dir='.1 .1 -1' diffuse='.6 .6 .6'",
                                            "directional='true' pos='0 0 3' dir='.3 -.4 -1' diffuse='.6 .6 .6'",
