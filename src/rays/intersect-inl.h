@@ -16,12 +16,11 @@ namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 // Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids but meshes are
-// convex, and what is seen from inside is not drawn: the entry is all there is to know. Of a mesh it is where it is met
-// first, from either side.
+// convex, and what is seen from inside is not drawn: the entry is all there is to know.
 template <Form kKind>
 HWY_INLINE V Enter(const Solid& solid, const Ray& ray) {
   const V miss = Set(kMiss);
-  if (kKind == Form::kMesh) return MeetMesh<true>(*solid.mesh, ray, Set(-kMiss), miss).t;
+  static_assert(kKind != Form::kMesh);
   V3 o = ray.o;
   V3 d = ray.d;
   if (kKind == Form::kPlane) {

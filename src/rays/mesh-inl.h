@@ -73,10 +73,11 @@ HWY_INLINE M MeetBox(const Node& node, const Ray& ray, const V3& over, V from, V
   return hn::And(hn::Le(in - slack, out + slack), hn::And(hn::Le(in - slack, limit), hn::Ge(out + slack, from)));
 }
 
-template <bool kBackToo>
-HWY_NOINLINE Encounter MeetMesh(const Mesh& mesh, const Ray& ray, V from, V limit) {
+// The rays that meet anything of a mesh, from either side, from `from` on and before `limit`.
+HWY_NOINLINE M IsInTheWay(const Mesh& mesh, const Ray& ray, V from, V limit) {
   Encounter nearest = {limit, SetI(-1)};
-  if (mesh.nodes.empty()) return nearest;
+  const auto met = [&] { return hn::RebindMask(D(), hn::Gt(nearest.face, SetI(-1))); };
+  if (mesh.nodes.empty()) return met();
   const auto over = [](V d) {  // finite
     const V tiny = hn::CopySign(Set(1e-20F), d);
     return Set(1.0F) / Pick(hn::Lt(hn::Abs(d), Set(1e-20F)), tiny, d);
@@ -89,17 +90,19 @@ HWY_NOINLINE Encounter MeetMesh(const Mesh& mesh, const Ray& ray, V from, V limi
   while (depth > 0) {
     const Node& node = mesh.nodes[static_cast<std::size_t>(stack[--depth])];
     if (None(MeetBox(node, ray, inverse, from, nearest.t))) continue;
-    if (node.count == 0) {
+    if (node.child != 0) {
       const int nearer = ahead[node.axis] < 0;
-      stack[depth++] = node.first + 1 - nearer;
-      stack[depth++] = node.first + nearer;
+      stack[depth++] = node.child + 1 - nearer;
+      stack[depth++] = node.child + nearer;
       continue;
     }
     for (int i = node.first; i < node.first + node.count; ++i) {
-      MeetTriangle<kBackToo>(mesh.triangles[static_cast<std::size_t>(i)], i, ray, from, nearest);
+      MeetTriangle<true>(mesh.triangles[static_cast<std::size_t>(i)], i, ray, from, nearest);
     }
+    nearest.t = Pick(met(), Set(-kMiss), nearest.t);  // nothing more is asked of those
+    if (All(hn::Lt(nearest.t, from))) break;
   }
-  return nearest;
+  return met();
 }
 
 // What is known of points p of triangles `face`. Each of these must be one of this mesh: lanes whose result is not used

@@ -73,7 +73,7 @@ bool form(const Corners& corners, Triangle& triangle, Surface& surface) {
 void refit(Mesh& mesh) {
   if (mesh.nodes.empty()) return;
   for (auto node = mesh.nodes.rbegin(); node != mesh.nodes.rend(); ++node) {  // children come after their parents
-    if (node->count > 0) {
+    if (node->child == 0) {
       empty(*node);
       for (int i = node->first; i < node->first + node->count; ++i) {
         enclose(mesh.triangles[static_cast<std::size_t>(i)], *node);
@@ -81,8 +81,8 @@ void refit(Mesh& mesh) {
       add_slack(*node);
       continue;
     }
-    const Node& one = mesh.nodes[static_cast<std::size_t>(node->first)];
-    const Node& other = mesh.nodes[static_cast<std::size_t>(node->first) + 1];
+    const Node& one = mesh.nodes[static_cast<std::size_t>(node->child)];
+    const Node& other = mesh.nodes[static_cast<std::size_t>(node->child) + 1];
     for (int k = 0; k < 3; ++k) {
       node->low[k] = std::min(one.low[k], other.low[k]);
       node->high[k] = std::max(one.high[k], other.high[k]);
@@ -118,9 +118,10 @@ Mesh MeshBuilder::finish(bool textured) {
   std::iota(order_.begin(), order_.end(), 0);
   mesh.nodes.resize(1);
   split(0, 0, count, mesh.nodes);
-  for (const int i : order_) {
-    mesh.triangles.push_back(triangles_[i]);
-    mesh.surfaces.push_back(surfaces_[i]);
+  mesh.triangles.resize(triangles_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    mesh.triangles.set(i, triangles_[order_[i]]);
+    mesh.surfaces.push_back(surfaces_[order_[i]]);
   }
   measure(mesh);
   return mesh;
@@ -137,9 +138,9 @@ void MeshBuilder::split(int index, int first, int count, std::vector<Node>& node
   empty(node);
   for (int i = first; i < first + count; ++i) enclose(triangles_[order_[i]], node);
   add_slack(node);
+  node.first = first;
+  node.count = count;
   if (count <= kLeaf) {
-    node.first = first;
-    node.count = count;
     nodes[index] = node;
     return;
   }
@@ -160,11 +161,11 @@ void MeshBuilder::split(int index, int first, int count, std::vector<Node>& node
     return std::make_pair(middle(a, axis), a) < std::make_pair(middle(b, axis), b);
   });
   node.axis = axis;
-  node.first = static_cast<std::int32_t>(nodes.size());
+  node.child = static_cast<std::int32_t>(nodes.size());
   nodes[index] = node;
   nodes.resize(nodes.size() + 2);
-  split(node.first, first, half, nodes);
-  split(node.first + 1, first + half, count - half, nodes);
+  split(node.child, first, half, nodes);
+  split(node.child + 1, first + half, count - half, nodes);
 }
 
 }  // namespace mimo::rays

@@ -4,6 +4,7 @@
 #include <mujoco/mjmodel.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,35 @@ namespace mimo::rays {
 // A triangle as rays meet it, counter-clockwise seen from outside.
 struct Triangle {
   std::array<float, 3> corner{}, edge1{}, edge2{};
+};
+
+// Triangles by their nine numbers, each of which has an array of its own: a vector holds one of many triangles.
+class Triangles {
+ public:
+  static constexpr int kNumbers = 9;
+  static constexpr std::size_t kBeyond = 16;  // so many more may be read after the last
+
+  void resize(std::size_t count) {
+    for (auto& of_all : numbers_) of_all.resize(count + kBeyond);
+  }
+  void set(std::size_t i, const Triangle& triangle) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      numbers_[k][i] = triangle.corner[k];
+      numbers_[3 + k][i] = triangle.edge1[k];
+      numbers_[6 + k][i] = triangle.edge2[k];
+    }
+  }
+  Triangle operator[](std::size_t i) const {
+    const auto three = [&](std::size_t k) {
+      return std::array<float, 3>{numbers_[k][i], numbers_[k + 1][i], numbers_[k + 2][i]};
+    };
+    return {three(0), three(3), three(6)};
+  }
+  // Corner, edge1, edge2, of x, y, z each.
+  const float* number(int k, std::size_t from) const { return numbers_[static_cast<std::size_t>(k)].data() + from; }
+
+ private:
+  std::array<std::vector<float>, kNumbers> numbers_;
 };
 
 // What is known of each point p of a triangle. It lies at  corner + u edge1 + v edge2  with u = to_u . (p - corner) and
@@ -27,16 +57,16 @@ static_assert(sizeof(Surface) == kSurfaceFloats * sizeof(float));
 // A box of the tree that bounds triangles.
 struct Node {
   std::array<float, 3> low{}, high{};
-  std::int32_t first = 0;  // child (the other is the next), or triangle
-  std::int32_t count = 0;  // of triangles; 0 where there are children
-  std::int32_t axis = 0;   // along which the first child comes first
+  std::int32_t first = 0, count = 0;  // its triangles
+  std::int32_t child = 0;             // the other is the next; 0 for none
+  std::int32_t axis = 0;              // along which the first child comes first
 };
 
 struct Mesh {
   static constexpr int kDepth = 48;  // of the tree, at most
 
   std::vector<Node> nodes;  // the root first; none if there are no triangles
-  std::vector<Triangle> triangles;
+  Triangles triangles;
   std::vector<Surface> surfaces;  // of the same triangles
   std::array<float, 3> half{};    // of the box around the origin that holds it all
   bool textured = false;          // has texture coordinates of its own

@@ -73,7 +73,6 @@ HWY_INLINE M IsBehind(const Solid& solid, const Aspect& aspect, V u, V v, V w, M
     ray.o = o;
     ray.d = a * w + bx * u + by * v;
   }
-  const V t = Enter<kKind>(solid, ray);
   // What is convex does not shade itself; a mesh may, where what is in the way is not the very point.
   V end = w;
   if (kRaysKind == Rays::kAround) end = Set(1.0F);
@@ -82,13 +81,15 @@ HWY_INLINE M IsBehind(const Solid& solid, const Aspect& aspect, V u, V v, V w, M
     if (kRaysKind == Rays::kAround) margin = margin * Rsqrt(hn::Max(Dot(ray.d, ray.d), Set(1e-20F)));
     end = end - hn::IfThenElseZero(own, margin);
   }
-  M dark;
-  if (kRaysKind == Rays::kParallel) {
-    dark = hn::Lt(t, end - Set(0.5F * rest) * hn::Abs(end) - Set(0.5F * rest));
+  constexpr bool kHasPlace = kRaysKind != Rays::kParallel;
+  const V limit = kHasPlace ? end * Set(1 - rest) : end - Set(0.5F * rest) * hn::Abs(end) - Set(0.5F * rest);
+  if constexpr (kKind == Form::kMesh) {
+    return IsInTheWay(*solid.mesh, ray, Set(kHasPlace ? 1e-30F : -kMiss), limit);
   } else {
-    dark = hn::And(hn::Gt(t, Zero()), hn::Lt(t, end * Set(1 - rest)));
+    const V t = Enter<kKind>(solid, ray);
+    const M dark = kHasPlace ? hn::And(hn::Gt(t, Zero()), hn::Lt(t, limit)) : hn::Lt(t, limit);
+    return hn::AndNot(own, dark);
   }
-  return kKind == Form::kMesh ? dark : hn::AndNot(own, dark);
 }
 
 // Takes the light from what lies behind a solid in a band of the tile that begins with the ray `first`; whether

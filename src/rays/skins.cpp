@@ -57,7 +57,9 @@ Vec SkinPattern::drape(const float* vertices, const float* normals, Mesh& mesh) 
       corners[k].place = vertex(vertices, corners_[i][k]) - middle;
       corners[k].normal = vertex(normals, corners_[i][k]);
     }
-    if (!form(corners, mesh.triangles[i], mesh.surfaces[i])) mesh.triangles[i] = {};  // no ray meets it
+    Triangle triangle;
+    if (!form(corners, triangle, mesh.surfaces[i])) triangle = {};  // no ray meets it
+    mesh.triangles.set(i, triangle);
   }
   refit(mesh);
   return middle;

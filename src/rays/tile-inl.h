@@ -13,6 +13,7 @@
 #include "rays/camera.h"
 #include "rays/intersect-inl.h"
 #include "rays/lanes-inl.h"
+#include "rays/pencil-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
@@ -78,8 +79,7 @@ HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
 // Casts the tile's rays at one solid. `from` is the depth from which on it is seen: for all rays, or for each.
 template <Form kKind, bool kFromEach>
 HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, const Tile& tile, const Window& w,
-                         const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id,
-                         std::int32_t* HWY_RESTRICT face) {
+                         const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const int first = w.column0 / lanes * lanes;
   const V3 bx = Set(aspect.bx);
@@ -95,26 +95,104 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
       ray.d = base + bx * Load(tile.x + column);
       const V old = Load(best + i);
       const V start = kFromEach ? Load(from + i) : Set(*from);
-      V t;
-      VI triangle;
-      if constexpr (kKind == Form::kMesh) {
-        const Encounter met = MeetMesh<false>(*solid.mesh, ray, start, old);
-        t = met.t;
-        triangle = met.face;
-      } else {
-        t = Enter<kKind>(solid, ray);
-      }
+      const V t = Enter<kKind>(solid, ray);
       const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, start));
       if (None(seen)) continue;
-      if (kKind == Form::kMesh) {
-        const VI old_face = hn::Load(DI(), face + i);
-        hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), triangle, old_face), DI(), face + i);
-      }
       Store(Pick(seen, t, old), best + i);
       const VI old_id = hn::Load(DI(), id + i);
       hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), index_v, old_id), DI(), id + i);
     }
   }
+}
+
+// The rays of a tile on their way to a mesh.
+template <bool kFromEach>
+class MeshCast {
+ public:
+  MeshCast(const Aspect& aspect, const Tile& tile, const Window& w, const float* from, const float* best)
+      : tile_(tile), w_(w), from_(from), over_x_(1 / tile.dx), over_y_(1 / tile.dy) {
+    ray_.o = Set(aspect.o);
+    each([&](int row, int column, int i) {
+      const V3 d = Set(aspect.a) + Set(aspect.by) * Set(tile.y[row]) + Set(aspect.bx) * Load(tile.x + column);
+      Store(d.x, d_[0] + i);
+      Store(d.y, d_[1] + i);
+      Store(d.z, d_[2] + i);
+      Store(Load(best + i), t_ + i);
+      hn::Store(SetI(-1), DI(), face_ + i);
+    });
+  }
+
+  HWY_INLINE void meet(const Mesh& mesh, int index, const Outline& outline) {
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    // The rays whose slopes lie within; a fiftieth of their distance more, for what is rounded.
+    const float left = (outline.low[0] - tile_.x[0]) * over_x_ + (1 - 0.02F);
+    const float right = (outline.high[0] - tile_.x[0]) * over_x_ + 0.02F;
+    const float top = (outline.high[1] - tile_.y[0]) * over_y_ + (1 - 0.02F);
+    const float bottom = (outline.low[1] - tile_.y[0]) * over_y_ + 0.02F;
+    const int first = std::max(Clamped(left), w_.column0);
+    const int last = std::min(Clamped(right), w_.column1);
+    const int row0 = std::max(Clamped(top), w_.row0);
+    const int row1 = std::min(Clamped(bottom), w_.row1);
+    if (first > last || row0 > row1) return;
+    const Triangle triangle = mesh.triangles[static_cast<std::size_t>(index)];
+    for (int row = row0; row <= row1; ++row) {
+      for (int column = first / lanes * lanes; column <= last; column += lanes) {
+        const int i = row * kTile + column;
+        ray_.d = {Load(d_[0] + i), Load(d_[1] + i), Load(d_[2] + i)};
+        Encounter nearest = {Load(t_ + i), hn::Load(DI(), face_ + i)};
+        MeetTriangle<false>(triangle, index, ray_, kFromEach ? Load(from_ + i) : Set(*from_), nearest);
+        Store(nearest.t, t_ + i);
+        hn::Store(nearest.face, DI(), face_ + i);
+      }
+    }
+  }
+
+  void finish(int index, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id,
+              std::int32_t* HWY_RESTRICT face) const {
+    each([&](int, int, int i) {
+      const VI mine = hn::Load(DI(), face_ + i);
+      const auto seen = hn::Gt(mine, SetI(-1));
+      Store(Load(t_ + i), best + i);
+      hn::Store(hn::IfThenElse(seen, mine, hn::Load(DI(), face + i)), DI(), face + i);
+      hn::Store(hn::IfThenElse(seen, SetI(index), hn::Load(DI(), id + i)), DI(), id + i);
+    });
+  }
+
+ private:
+  template <class Each>
+  HWY_INLINE void each(const Each& function) const {
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    for (int row = w_.row0; row <= w_.row1; ++row) {
+      for (int column = w_.column0 / lanes * lanes; column <= w_.column1; column += lanes) {
+        function(row, column, row * kTile + column);
+      }
+    }
+  }
+
+  const Tile& tile_;
+  const Window& w_;
+  const float* const from_;
+  const float over_x_, over_y_;  // the second is negative: rows go down
+  Ray ray_;
+  alignas(64) float d_[3][kRays];
+  float t_[kRays];
+  std::int32_t face_[kRays];
+};
+
+template <bool kFromEach>
+HWY_NOINLINE void CastAtMesh(const Mesh& mesh, const Aspect& aspect, int index, const Tile& tile, const Window& w,
+                             const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id,
+                             std::int32_t* HWY_RESTRICT face) {
+  MeshCast<kFromEach> cast(aspect, tile, w, from, best);
+  float farthest = 0;
+  for (int row = w.row0; row <= w.row1; ++row) {
+    for (int column = w.column0; column <= w.column1; ++column) {
+      farthest = std::max(farthest, best[row * kTile + column]);
+    }
+  }
+  const Pencil pencil = {{tile.x[w.column0], tile.y[w.row1]}, {tile.x[w.column1], tile.y[w.row0]}, farthest};
+  Sifter<false>(mesh, aspect, pencil).each([&](int i, const Outline& outline) { cast.meet(mesh, i, outline); });
+  cast.finish(index, best, id, face);
 }
 
 template <bool kFromEach>
@@ -123,17 +201,13 @@ void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, con
   const Aspect& aspect = eye.aspects[index];
   const Solid& solid = solids[aspect.solid];
   switch (solid.kind) {
-    case Form::kPlane: CastAt<Form::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Form::kSphere: CastAt<Form::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Form::kCapsule: CastAt<Form::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Form::kEllipsoid:
-      CastAt<Form::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
-      break;
-    case Form::kCylinder:
-      CastAt<Form::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id, face);
-      break;
-    case Form::kBox: CastAt<Form::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
-    case Form::kMesh: CastAt<Form::kMesh, kFromEach>(solid, aspect, index, tile, w, from, best, id, face); break;
+    case Form::kPlane: CastAt<Form::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kSphere: CastAt<Form::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kCapsule: CastAt<Form::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kEllipsoid: CastAt<Form::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kCylinder: CastAt<Form::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kBox: CastAt<Form::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kMesh: CastAtMesh<kFromEach>(*solid.mesh, aspect, index, tile, w, from, best, id, face); break;
   }
 }
 
