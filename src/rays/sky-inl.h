@@ -122,14 +122,20 @@ class SkyMap {
 
 using SkyTexture = TileTexture<SkyMap>;
 
-// The directions of a tile's rays in the sky's frame.
-struct SkyCorners {
-  Corners direction[3];
-
-  SkyCorners(const Sky& sky, const Tile& tile)
-      : direction{Corners(tile, sky.a[0], sky.bx[0], sky.by[0]), Corners(tile, sky.a[1], sky.bx[1], sky.by[1]),
-                  Corners(tile, sky.a[2], sky.bx[2], sky.by[2])} {}
-};
+// Calls paint(texture) with the sky at the rays of a tile, or at those that `id` gives -1; false, and nothing is
+// painted, where not all of the tile lies on one face.
+template <class Paint>
+HWY_INLINE bool PaintOneFace(const Sky& sky, const std::uint32_t* texels, const Tile& tile, const std::int32_t* id,
+                             const Paint& paint) {
+  const Corners direction[3] = {Corners(tile, sky.a[0], sky.bx[0], sky.by[0]),
+                                Corners(tile, sky.a[1], sky.bx[1], sky.by[1]),
+                                Corners(tile, sky.a[2], sky.bx[2], sky.by[2])};
+  Face face;
+  if (!FindFace(direction, face)) return false;
+  const SkyMap map(sky, tile, face, direction[face.major]);
+  paint(SkyTexture(texels, *sky.texture, map, id, -1));
+  return true;
+}
 
 // Colours a tile that shows nothing but one face of the sky.
 inline bool ColorSky(const Backdrop& backdrop, const std::uint32_t* texels, const Tile& tile, std::uint32_t* out) {
@@ -137,30 +143,22 @@ inline bool ColorSky(const Backdrop& backdrop, const std::uint32_t* texels, cons
   if (sky.texture == nullptr || backdrop.fog.shown) return false;
   const Haze& haze = backdrop.haze;
   if (haze.shown && Corners(tile, haze.a[2], haze.bx[2], haze.by[2]).least() < kHair) return false;
-  const SkyCorners corners(sky, tile);
-  Face face;
-  if (!FindFace(corners.direction, face)) return false;
-  const SkyMap map(sky, tile, face, corners.direction[face.major]);
-  const SkyTexture texture(texels, *sky.texture, map, nullptr, 0);
-  texture.each([out](int i, const Texel& texel) {
-    hn::Store(Unlighted(texel), DI(), reinterpret_cast<std::int32_t*>(out) + i);
+  return PaintOneFace(sky, texels, tile, nullptr, [out](const SkyTexture& texture) {
+    texture.each([out](int i, const Texel& texel) {
+      hn::Store(Unlighted(texel), DI(), reinterpret_cast<std::int32_t*>(out) + i);
+    });
   });
-  return true;
 }
 
 // The rays of a tile that meet nothing, if all of it lies on one face of a sky without fog.
 inline bool PaintSkyFace(const Sky& sky, const std::uint32_t* texels, const Tile& tile, const std::int32_t* id,
                          Canvas& canvas) {
-  const SkyCorners corners(sky, tile);
-  Face face;
-  if (!FindFace(corners.direction, face)) return false;
-  const SkyMap map(sky, tile, face, corners.direction[face.major]);
-  const SkyTexture texture(texels, *sky.texture, map, id, -1);
-  for (int i = 0; i < kRays; i += static_cast<int>(hn::Lanes(D()))) {
-    const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
-    if (!None(empty)) Put<Brush::kPut>(Unpacked(texture.at(i / kTile, i % kTile)), empty, 1.0F, i, canvas);
-  }
-  return true;
+  return PaintOneFace(sky, texels, tile, id, [&](const SkyTexture& texture) {
+    for (int i = 0; i < kRays; i += static_cast<int>(hn::Lanes(D()))) {
+      const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
+      if (!None(empty)) Put<Brush::kPut>(Unpacked(texture.at(i / kTile, i % kTile)), empty, 1.0F, i, canvas);
+    }
+  });
 }
 
 }  // namespace HWY_NAMESPACE

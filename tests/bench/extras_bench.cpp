@@ -125,9 +125,9 @@ int main(int argc, char** argv) {
                       : what == "reflexes"  ? Extra::kReflexes
                       : what == "recording" ? Extra::kRecording
                                             : Extra::kContacts;
-  const int usual_steps = extra == Extra::kEyes ? 200 : 4000;
-  const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
   const bool eyes = extra == Extra::kEyes;
+  const int usual_steps = eyes ? 200 : 4000;
+  const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
   mimo_env *const having = make(extra, true, eyes), *const usual = make(extra, false, eyes);
   mimo_env* const blind = eyes ? make(extra, false, false) : nullptr;
   const mimo_layout* layout = nullptr;
