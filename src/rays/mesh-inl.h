@@ -100,7 +100,7 @@ HWY_NOINLINE M IsInTheWay(const Mesh& mesh, const Ray& ray, V from, V limit) {
       MeetTriangle<true>(mesh.triangles[static_cast<std::size_t>(i)], i, ray, from, nearest);
     }
     nearest.t = Pick(met(), Set(-kMiss), nearest.t);  // nothing more is asked of those
-    if (All(hn::Lt(nearest.t, from))) break;
+    if (All(hn::Le(nearest.t, from))) break;          // from is -kMiss towards lights without a place
   }
   return met();
 }

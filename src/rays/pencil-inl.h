@@ -77,9 +77,8 @@ class Sides {
   alignas(64) float distance_[kPlaces];
 };
 
-// Calls meet(index, outline) of triangles that rays of a pencil may meet: at least of all that they do meet; only of
-// those that turn to the eye unless kBackToo. An outline is a hair too large.
-template <bool kBackToo>
+// Calls meet(index, outline) of triangles that turn to the eye and that rays of a pencil may meet: at least of all that
+// they do meet. An outline is a hair too large.
 class Sifter {
  public:
   Sifter(const Mesh& mesh, const Aspect& aspect, const Pencil& pencil)
@@ -108,6 +107,7 @@ class Sifter {
   static constexpr int kMany = 16;  // triangles that are looked at without their own boxes
 
   HWY_INLINE V3 three(int k, int first) const {
+    static_assert(Triangles::kBeyond >= hn::MaxLanes(D()), "a vector may reach beyond the last triangle");
     const auto get = [&](int i) { return hn::LoadU(D(), mesh_.triangles.number(i, static_cast<std::size_t>(first))); };
     return {get(k), get(k + 1), get(k + 2)};
   }
@@ -122,13 +122,11 @@ class Sifter {
     q[2] = q[0] + e2;
     const int lanes = static_cast<int>(hn::Lanes(D()));
     M may = hn::FirstN(D(), static_cast<std::size_t>(std::min(count, lanes)));
-    if (!kBackToo) {
-      const V3 n = Cross(e1, e2);
-      const V hair = Set(1e-9F) * Dot(q[0], q[0]) * Dot(n, n);
-      const V away = Dot(q[0], n);
-      may = hn::And(may, hn::Or(hn::Le(away, Zero()), hn::Le(away * away, hair)));
-      if (None(may)) return;
-    }
+    const V3 n = Cross(e1, e2);
+    const V edgeways = Set(1e-9F) * Dot(q[0], q[0]) * Dot(n, n);
+    const V away = Dot(q[0], n);
+    may = hn::And(may, hn::Or(hn::Le(away, Zero()), hn::Le(away * away, edgeways)));
+    if (None(may)) return;
     V nearest = Dot(q[0], Set(aspect_.a));
     V farthest = nearest;
     V low[2] = {Set(kMiss), Set(kMiss)};

@@ -150,6 +150,21 @@ inline bool IsWithout(const Light& light, const LocalLight& place, const Probes&
   return true;
 }
 
+// By how much the vector half-way between light and eye turns across the patch: as much as both together, over the
+// length of their sum, which is short where light grazes the floor towards the eye.
+inline float TurnHalfWay(const Light& light, const LocalLight& place, const Probes& probes, float turn) {
+  V least = Set(4.0F);  // the square of that length
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  for (int i = 0; i < kProbes; i += lanes) {
+    const V3 ray = {Load(probes.dx + i), Load(probes.dy + i), Load(probes.dz + i)};
+    V3 to = Set(place.position);
+    if (!light.directional) to = to - V3{Load(probes.px + i), Load(probes.py + i), Zero()};
+    const V cosine = (Zero() - Dot(ray, to)) * Rsqrt(Dot(ray, ray)) * Rsqrt(Dot(to, to));
+    least = hn::Min(least, Set(2.0F) + Set(2.0F) * cosine);
+  }
+  return (turn + probes.angle) / std::sqrt(std::max(hn::GetLane(hn::MinOfLanes(D(), least)), 1e-6F));
+}
+
 // Whether a light has no edges or peaks that fit between the probes.
 inline bool IsGentle(const Light& light, const LocalLight& place, const Material& material, const Probes& probes) {
   float turn = 0;  // of the direction to the light across the patch, at most
@@ -165,8 +180,7 @@ inline bool IsGentle(const Light& light, const LocalLight& place, const Material
     if (light.spot && !IsWithin(light, place, probes) && !IsWithout(light, place, probes, turn)) return false;
   }
   if (material.specular > 0 && light.bright) {
-    // The vector half-way between light and eye turns half as much as both together.
-    turn = 0.5F * (turn + probes.angle);
+    turn = TurnHalfWay(light, place, probes, turn);
     if (!(turn * turn * material.shininess.exponent < 8)) return false;
   }
   return true;

@@ -191,7 +191,7 @@ HWY_NOINLINE void CastAtMesh(const Mesh& mesh, const Aspect& aspect, int index, 
     }
   }
   const Pencil pencil = {{tile.x[w.column0], tile.y[w.row1]}, {tile.x[w.column1], tile.y[w.row0]}, farthest};
-  Sifter<false>(mesh, aspect, pencil).each([&](int i, const Outline& outline) { cast.meet(mesh, i, outline); });
+  Sifter(mesh, aspect, pencil).each([&](int i, const Outline& outline) { cast.meet(mesh, i, outline); });
   cast.finish(index, best, id, face);
 }
 

@@ -63,6 +63,25 @@ INSTANTIATE_TEST_SUITE_P(
                       Lamp{"Below", "pos='0 0 -.5' dir='0 0 1' cutoff='80' ambient='.2 .2 .2' castshadow='false'"}),
     [](const auto& given) { return given.param.name; });
 
+// Light that grazes the floor towards the eye has a highlight as narrow as a pixel or two.
+TEST(RaySmooth, GrazingLightGlints) {
+  constexpr const char* kMaterial = "<material name='m' specular='1' shininess='1' rgba='.5 .5 .5 1'/>";
+  const std::string light =
+      "<light directional='true' castshadow='false' pos='0 0 3' dir='1 0 -.0105' specular='1 1 1' diffuse='.3 .3 .3'/>";
+  Studio plane(world(light + "<geom type='plane' size='20 20 1' material='m'/>", kMaterial));
+  Studio box(world(light + "<geom type='box' size='20 20 1' pos='0 0 -1' material='m'/>", kMaterial));
+  render::View view = render::orbit_view({0, 0, .3}, 1, 175.13, -11.59, 30);
+  view.position = {10, 0, .2};
+  const Shot a = plane.shoot(view, 256, 256);
+  const Shot b = box.shoot(view, 256, 256);
+  int glints = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    ASSERT_LE(std::abs(a.rgb[i] - b.rgb[i]), 1) << "byte " << i;
+    glints += a.rgb[i] > 200;
+  }
+  EXPECT_GT(glints, 0);
+}
+
 // A wall behind the sky is not seen, but tiles in which it may be take the way of those that show several things: each
 // ray is cast, and each coloured by itself.
 class Plain : public ::testing::TestWithParam<const char*> {
