@@ -48,7 +48,7 @@ REASONS = [
     ),
     (
         "MATLAB",
-        "mimo_env_(create|make|destroy|layout|reset|step|observe|set|state_save|state_load|clone)",
+        "mimo_env_(create|make|destroy|layout|reset|step|observe|set|state_size|state_save|state_load|clone)",
         "A number stands for a batch, if only of one world, and the batch's functions do it; a clone is a second one"
         " that loads the state.",
     ),

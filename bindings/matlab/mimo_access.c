@@ -153,7 +153,7 @@ static void save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 1, "expected a world");
   all = mimo_worlds_of(in[0]);
-  mimo_check(mimo_env_state_size(all->first, &bytes));
+  mimo_check(mimo_batch_state_size(all->batch, &bytes));
   out[0] = mxCreateNumericMatrix(bytes, all->count, mxUINT8_CLASS, mxREAL);
   mimo_check(mimo_batch_state_save(all->batch, NULL, 0, mxGetData(out[0]), bytes * all->count));
 }

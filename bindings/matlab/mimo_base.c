@@ -234,8 +234,8 @@ static mimo_status describe(worlds* all) {
 #define ROOM(member, count) ((member = calloc((count) + 1, sizeof *(member))) != NULL)
 
 static int room_for_results(mimo_batch_results* results) {
-  return ROOM(results->reward, results->agents) && ROOM(results->terminated, results->agents) &&
-         ROOM(results->truncated, results->agents) && ROOM(results->outcome, results->agents) &&
+  return ROOM(results->reward, results->agent_count) && ROOM(results->terminated, results->agent_count) &&
+         ROOM(results->truncated, results->agent_count) && ROOM(results->outcome, results->agent_count) &&
          ROOM(results->terms, results->term_count) && ROOM(results->was_reset, results->worlds) &&
          ROOM(results->final_written, results->worlds);
 }
@@ -246,7 +246,7 @@ static mimo_status prepare(worlds* all, int final_blocks) {
   const size_t bytes = all->count * all->sizes.block_bytes;
   if (status != MIMO_OK) return status;
   results->struct_size = sizeof *results;
-  results->agents = all->count * all->sizes.agents;
+  results->agent_count = all->count * all->sizes.agents;
   results->term_count = all->count * all->sizes.terms;
   results->worlds = all->count;
   if (!room_for_results(results) || !ROOM(all->blocks, bytes) || !ROOM(all->actions, all->count * all->sizes.actions) ||

@@ -60,13 +60,13 @@ static void mesh(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add(out[0], "triangles", triangles);
 }
 
-/* struct = material(number, geom, index) */
-static void material(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  mimo_material look = {0};
+/* struct = appearance(number, geom, index) */
+static void appearance(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_appearance look = {0};
   (void)nout;
   mimo_need(nin >= 2, "expected a world, and a geom");
   look.struct_size = sizeof look;
-  mimo_check(mimo_env_material(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 2), read_id(in[1], "geom"), &look));
+  mimo_check(mimo_env_appearance(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 2), read_id(in[1], "geom"), &look));
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   mimo_add_number(out[0], "visible", look.visible);
   mimo_add_number(out[0], "group", look.group);
@@ -160,6 +160,6 @@ static void convert(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = rows_of(values, 3, count);
 }
 
-const mimo_command mimo_engine_commands[] = {{"mesh", mesh},   {"material", material}, {"texture", texture},
-                                             {"light", light}, {"poses", poses},       {"convert", convert},
+const mimo_command mimo_engine_commands[] = {{"mesh", mesh},   {"appearance", appearance}, {"texture", texture},
+                                             {"light", light}, {"poses", poses},           {"convert", convert},
                                              {NULL, NULL}};

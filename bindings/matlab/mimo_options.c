@@ -35,7 +35,7 @@ const option mimo_agent_options[] = {
     OPTION(mimo_agent_config, vision_width, kUnsigned),
     OPTION(mimo_agent_config, vision_fovy, kNumber),
     OPTION(mimo_agent_config, vision_foveation, kNumber),
-    OPTION(mimo_agent_config, actuation, kUnsigned),
+    OPTION(mimo_agent_config, actuation, kSigned),
     OPTION(mimo_agent_config, acts, kUnsigned),
     OPTION(mimo_agent_config, normalize_actions, kUnsigned),
     OPTION(mimo_agent_config, touch, kUnsigned),

@@ -132,8 +132,8 @@ static void known(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   static const struct list {
     const char* kind;
     const char* (*name)(size_t);
-  } lists[] = {{"scene", mimo_scene_builtin},
-               {"room", mimo_scene_room},
+  } lists[] = {{"scene", mimo_scene_name},
+               {"room", mimo_room_name},
                {"task", mimo_task_name},
                {"face", mimo_face_name},
                {"material", mimo_material_name}};

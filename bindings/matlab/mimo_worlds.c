@@ -114,7 +114,7 @@ static mxArray* flags(const uint8_t* from, size_t rows, size_t columns) {
 static mxArray* outcomes(const worlds* all) {
   mxArray* array = mxCreateDoubleMatrix(all->sizes.agents, all->count, mxREAL);
   size_t i;
-  for (i = 0; i < all->results.agents; ++i) mxGetPr(array)[i] = all->results.outcome[i];
+  for (i = 0; i < all->results.agent_count; ++i) mxGetPr(array)[i] = all->results.outcome[i];
   return array;
 }
 
@@ -130,7 +130,7 @@ static mxArray* further_results(const worlds* all) {
 /* [reward, terminated, truncated, more]: agents x worlds, and a struct of what else a step gives */
 static void give_results(const worlds* all, int nout, mxArray* out[]) {
   out[0] = mxCreateDoubleMatrix(all->sizes.agents, all->count, mxREAL);
-  memcpy(mxGetPr(out[0]), all->results.reward, all->results.agents * sizeof *all->results.reward);
+  memcpy(mxGetPr(out[0]), all->results.reward, all->results.agent_count * sizeof *all->results.reward);
   if (nout > 1) out[1] = flags(all->results.terminated, all->sizes.agents, all->count);
   if (nout > 2) out[2] = flags(all->results.truncated, all->sizes.agents, all->count);
   if (nout > 3) out[3] = further_results(all);

@@ -68,7 +68,7 @@ int main(void) {
   results.reward = reward;
   results.terminated = terminated;
   results.truncated = truncated;
-  results.agents = WORLDS;
+  results.agent_count = WORLDS;
 
   for (i = 0; i < WORLDS; ++i) seeds[i] = i;
   memset(&start, 0, sizeof start);

@@ -34,7 +34,7 @@ static mimo_status lower_reset(void* user, mimo_env* env, const mimo_task_moment
   return status;
 }
 
-static mimo_status lower_evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
+static mimo_status lower_evaluate(void* user, mimo_env* env, const mimo_task_moment* moment,
                                   mimo_task_verdict* verdict) {
   const lower* task = user;
   double hand[3];
@@ -122,7 +122,7 @@ int main(void) {
   results.struct_size = sizeof results;
   results.terminated = terminated;
   results.truncated = truncated;
-  results.agents = WORLDS;
+  results.agent_count = WORLDS;
 
   for (i = 0; i < WORLDS; ++i) seeds[i] = i;
   memset(&start, 0, sizeof start);

@@ -56,8 +56,8 @@ GLuint upload(const mimo::Mesh& mesh) {
   return list;
 }
 
-// Phong's light at each pixel: a floor of two triangles has lamps in its middle. What mimo_light and mimo_material say
-// are OpenGL's own lights and materials.
+// Phong's light at each pixel: a floor of two triangles has lamps in its middle. What mimo_light and mimo_appearance
+// say are OpenGL's own lights and materials.
 const char* const kVertices =
     "varying vec3 place, normal; varying vec2 texel;"
     "void main() {"
@@ -102,7 +102,7 @@ GLuint make_program() {
 
 struct Shape {
   GLuint list;
-  mimo_material material;
+  mimo_appearance material;
 };
 
 struct World {
@@ -144,7 +144,7 @@ void World::upload() {
   }
   for (std::size_t i = 0; i < env.count(MIMO_GEOM); ++i) {
     const std::int32_t geom = static_cast<std::int32_t>(i);
-    shapes.push_back({::upload(env.mesh(geom, MIMO_AXES_MIMO, 32, 100)), env.material(geom)});
+    shapes.push_back({::upload(env.mesh(geom, MIMO_AXES_MIMO, 32, 100)), env.appearance(geom)});
   }
 }
 
@@ -235,7 +235,7 @@ void move(const float* pose) {
   glMultMatrixf(matrix);
 }
 
-void use(const mimo_material& material, const World& world) {
+void use(const mimo_appearance& material, const World& world) {
   const float* c = material.color;
   const float glow[] = {c[0] * material.emission, c[1] * material.emission, c[2] * material.emission, 1};
   const float shine[] = {material.specular, material.specular, material.specular, 1};
@@ -257,7 +257,7 @@ void draw(const World& world, const Camera& camera, int width, int height) {
   for (const bool clear : {false, true}) {  // what can be looked through comes last
     clear ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
     for (std::size_t i = 0; i < world.shapes.size(); ++i) {
-      const mimo_material& material = world.shapes[i].material;
+      const mimo_appearance& material = world.shapes[i].material;
       if (!material.visible || (material.color[3] < 1) != clear) continue;
       use(material, world);
       glPushMatrix();

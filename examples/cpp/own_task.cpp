@@ -11,7 +11,7 @@ class HoldYourHeadHigh : public mimo::Task {
   std::vector<std::string> terms() const override { return {"height", "effort"}; }
   std::vector<mimo::TaskField> fields() const override { return {mimo::TaskField("head_height", {}, "m", "world")}; }
 
-  void evaluate(const mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
+  void evaluate(mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
     const double height = env.get_values(MIMO_BODY_POSITION, {env.find(MIMO_BODY, "head")})[2];
     moment.fields[0] = static_cast<float>(height);
     verdict.terms[0] = height - kDown;

@@ -41,7 +41,12 @@ impl mimo::Task for Touch {
         self.feel(world, moment)
     }
 
-    fn evaluate(&self, world: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+    fn evaluate(
+        &self,
+        world: &mut World,
+        moment: &mut Moment,
+        verdict: &mut Verdict,
+    ) -> Result<()> {
         self.feel(world, moment)?;
         let (goal, hand) = moment.fields.split_at(3);
         let square: f64 = goal

@@ -117,7 +117,7 @@ extern "C" {
 #define MIMO_SITE_VELOCITY 51 /**< Site: 6, linear (m/s) of its position and angular (rad/s), world frame. */
 /**
  * Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
- * docs/tasks.md. None where a task has no such thing.
+ * docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
  */
 #define MIMO_AGENT_GOAL 52
 #define MIMO_AGENT_ACHIEVED 53 /**< Agent: see MIMO_AGENT_GOAL. */

@@ -5,6 +5,7 @@
 #ifndef MIMO_AGENT_H
 #define MIMO_AGENT_H
 
+#include "growth.h"
 #include "scene.h"
 
 #ifdef __cplusplus
@@ -141,7 +142,7 @@ typedef struct mimo_agent_config {
   uint32_t vision;             /**< MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB. */
   uint32_t vision_width;       /**< Pixels, 1 to 4096. Default 256. */
   uint32_t vision_height;      /**< Pixels, 1 to 4096. Default 256. */
-  uint32_t actuation;          /**< A MIMO_ACTUATION_ constant. Default torque. */
+  int32_t actuation;           /**< A MIMO_ACTUATION_ constant. Default torque. */
   double vision_fovy;          /**< Vertical field of view in degrees, 1 to 170; 0: the camera's own (60). */
   double vision_foveation;     /**< Of colour: the middle is shown L / ln(1 + L) times as large and the rim small, 0.01
                                     to 100; 0 (default): as drawn. See mimo_layout_directions. */
@@ -166,7 +167,8 @@ typedef struct mimo_agent_config {
 } mimo_agent_config;
 
 /**
- * Fills a config with defaults: the mitten body at the scene's place, all senses on.
+ * Fills a config with defaults: the mitten body at the scene's place, which feels its joints, balance and touch, and
+ * sees in colour.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t size) MIMO_NOEXCEPT;
@@ -174,8 +176,7 @@ MIMO_API mimo_status mimo_agent_config_init(mimo_agent_config *config, size_t si
 /**
  * Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and
  * orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in scenes that
- * are made for a task the senses of the task, mostly without eyes; in catch muscles; elsewhere the same as
- * mimo_agent_config_init.
+ * are made for a task the senses of that task; in catch muscles; elsewhere the same as mimo_agent_config_init.
  * @param size sizeof(mimo_agent_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_scene_default_agent(const mimo_scene *scene, mimo_agent_config *config,

@@ -129,7 +129,7 @@ typedef struct mimo_batch_results {
   uint8_t *terminated;    /**< worlds x agents. */
   uint8_t *truncated;     /**< worlds x agents. */
   int32_t *outcome;       /**< worlds x agents, MIMO_OUTCOME_ constants. */
-  size_t agents;          /**< Length of the four arrays above: worlds x agents. */
+  size_t agent_count;     /**< Length of the four arrays above: worlds x agents. */
   double *terms;          /**< worlds x terms, as in mimo_env_results. */
   size_t term_count;      /**< Length of terms: worlds x terms. */
   mimo_status *status;    /**< Per world: MIMO_OK, or why it failed (also when it was restarted). */
@@ -185,13 +185,23 @@ MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, int32_t quantity, const i
                                     const uint8_t *mask, size_t worlds, const double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
 
-/** Saves the states of many worlds. @param states worlds x mimo_env_state_size bytes. */
+/**
+ * Room for the state of each world: the size of the longest. Worlds of different ages may have states of different
+ * sizes. It changes only where a reset brings another age.
+ */
+MIMO_API mimo_status mimo_batch_state_size(const mimo_batch *batch, size_t *bytes) MIMO_NOEXCEPT;
+
+/**
+ * Saves the states of many worlds.
+ * @param states worlds x mimo_batch_state_size bytes; a state that is shorter is followed by zeros.
+ */
 MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *states,
                                            size_t state_bytes) MIMO_NOEXCEPT;
 
 /**
  * Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load.
- * @param states one state a world, all of the same size; or just one, which all worlds load: futures of one present.
+ * @param states as many bytes for each world, which begin with its state, and zeros follow; or just one state, without
+ *               zeros, which all worlds load: futures of one present.
  * @param report receives what started fresh in the world where that was most; may be NULL.
  */
 MIMO_API mimo_status mimo_batch_state_load(mimo_batch *batch, const uint8_t *mask, size_t worlds, const void *states,

@@ -61,7 +61,7 @@ typedef struct mimo_env_config {
 MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Compiles a scene and makes a world of it, in its initial state.
+ * Compiles a scene and makes a world of it, in its initial state. No task has prepared an episode then: reset it first.
  * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
  * @param scene  is not needed any more afterwards.
  * @param config NULL means defaults.
@@ -85,11 +85,11 @@ typedef struct mimo_agent_info {
   uint32_t action_count;  /**< How many they are. */
   uint32_t reserved;      /**< 0. */
   const char *name;       /**< Owned by the environment. */
-  double mass;            /**< Of its whole body, kg. */
+  double mass;            /**< Of its whole body in its model, kg; MIMO_BODY_MASS may say otherwise since. */
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
 
-/** What it observes, acts with and is rewarded for. */
+/** What a world observes, acts with and is rewarded for. */
 MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **layout) MIMO_NOEXCEPT;
 
 /** Name of the task. The string is owned by the environment. */
@@ -139,7 +139,7 @@ typedef struct mimo_env_results {
   uint8_t *terminated;  /**< One per agent, 1 when its episode has ended by success or failure. */
   uint8_t *truncated;   /**< One per agent, 1 when its episode is cut off: by its step limit, or by its task. */
   int32_t *outcome;     /**< One per agent, a MIMO_OUTCOME_ constant, also where that does not end the episode. */
-  size_t agents;        /**< Length of the four arrays above, as mimo_layout_info says. */
+  size_t agent_count;   /**< Length of the four arrays above, as mimo_layout_info says. */
   double *terms;        /**< The terms that rewards are the sums of, of all agents, as mimo_layout_term names them. */
   size_t term_count;    /**< Length of terms, as mimo_layout_info says. */
 } mimo_env_results;
@@ -154,6 +154,8 @@ typedef struct mimo_env_results {
  *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
  *         world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be
  *         written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION.
+ *         MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block
+ *         is written and results are not.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;

@@ -1,6 +1,6 @@
 /**
  * @file mimo/geometry.h
- * For engines that draw the world themselves: shapes as triangles, their materials, textures, lights, and where all is.
+ * For engines that draw the world themselves: shapes as triangles, how they look, textures, lights, and where all is.
  *
  * Shapes are asked for once, and again after what they follow from was changed (MIMO_GEOM_SIZE, MIMO_GEOM_COLOR,
  * MIMO_AGENT_FACE, a reset to another age); poses after each step.
@@ -75,9 +75,9 @@ MIMO_API mimo_status mimo_mesh_init(mimo_mesh *mesh, size_t size) MIMO_NOEXCEPT;
  */
 MIMO_API mimo_status mimo_env_mesh(const mimo_env *env, int32_t geom, mimo_mesh *mesh) MIMO_NOEXCEPT;
 
-/** How a geom looks: its material, and whether it is to be seen at all. */
-typedef struct mimo_material {
-  uint32_t struct_size; /**< sizeof(mimo_material), set by the caller. */
+/** How a geom looks, and whether it is to be seen at all. What it is made of is mimo_scene_set_material's. */
+typedef struct mimo_appearance {
+  uint32_t struct_size; /**< sizeof(mimo_appearance), set by the caller. */
   uint32_t visible;     /**< 1: MuJoCo would draw it: of its groups 0 to 2, and not fully transparent. */
   int32_t group;        /**< MuJoCo's number of its group. */
   int32_t texture;      /**< Id of its texture, -1 for none: a face's, while the agent shows it. */
@@ -86,10 +86,10 @@ typedef struct mimo_material {
   float specular;       /**< Strength of highlights, 0 to 1. */
   float shininess;      /**< Their sharpness, 0 to 1: Phong's exponent is 128 times this. */
   float reflectance;    /**< Share of what it mirrors, 0 to 1; planes and boxes only. */
-} mimo_material;
+} mimo_appearance;
 
-/** How a geom looks in this world now. Set material->struct_size first. */
-MIMO_API mimo_status mimo_env_material(const mimo_env *env, int32_t geom, mimo_material *material) MIMO_NOEXCEPT;
+/** How a geom looks in this world now. Set appearance->struct_size first. */
+MIMO_API mimo_status mimo_env_appearance(const mimo_env *env, int32_t geom, mimo_appearance *appearance) MIMO_NOEXCEPT;
 
 #define MIMO_TEXTURE_FLAT 0 /**< One picture, repeated beyond its edges. */
 #define MIMO_TEXTURE_CUBE 1 /**< Six square pictures, one above the other; texcoords of meshes already lie in them. */
@@ -128,6 +128,7 @@ typedef struct mimo_light {
   float diffuse[3];      /**< Red, green, blue that make surfaces bright that are turned to it. */
   float specular[3];     /**< Red, green, blue of highlights. */
   float attenuation[3];  /**< At a distance d in metres it has 1 / (a0 + a1 d + a2 d^2) of its strength. */
+  uint32_t reserved;     /**< 0. */
 } mimo_light;
 
 /**

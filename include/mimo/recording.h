@@ -152,7 +152,7 @@ typedef struct mimo_replay_report {
   uint32_t identical;          /**< 1: all that was compared was the same to the last bit. */
   size_t next;                 /**< The step that comes next. */
   size_t steps;                /**< How many were played. */
-  size_t first_difference;     /**< The first step that differed; 0 where all was identical. */
+  size_t first_difference;     /**< The first step that differed; without meaning where all was identical. */
   double largest_difference;   /**< Of any number; numbers that are not finite count as the largest double. */
   const char *differs_most_in; /**< The dataset in which that was, "" where all was identical. Valid until the
                                     recording's next call that is not const. */

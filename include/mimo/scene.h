@@ -18,7 +18,7 @@ typedef struct mimo_scene mimo_scene;
 typedef struct mimo_scene_config {
   uint32_t struct_size;  /**< sizeof(mimo_scene_config), set by mimo_scene_config_init. */
   uint32_t reserved;     /**< 0. */
-  const char *name;      /**< Built-in scene: "reach", "benchmark", ...; see mimo_scene_builtin. */
+  const char *name;      /**< Built-in scene: "reach", "benchmark", ...; see mimo_scene_name. */
   const char *file;      /**< Path of an MJCF file. Its includes may name built-in files as "mimo/mitten.xml". */
   const char *xml;       /**< MJCF text; relative paths in it start from the working directory. */
   const char *model_dir; /**< Folder to take built-in models from instead of those inside the library, or NULL. */
@@ -44,7 +44,7 @@ typedef struct mimo_scene_config {
 MIMO_API mimo_status mimo_scene_config_init(mimo_scene_config *config, size_t size) MIMO_NOEXCEPT;
 
 /** Name of the index-th built-in scene, or NULL past the last. Static string. */
-MIMO_API const char *mimo_scene_builtin(size_t index) MIMO_NOEXCEPT;
+MIMO_API const char *mimo_scene_name(size_t index) MIMO_NOEXCEPT;
 
 /**
  * Makes a scene. Parses the MJCF but compiles nothing yet. Elements may be nested 256 deep.
@@ -57,7 +57,7 @@ MIMO_API mimo_status mimo_scene_create(const mimo_scene_config *config, mimo_sce
 MIMO_API void mimo_scene_destroy(mimo_scene *scene) MIMO_NOEXCEPT;
 
 /** Name of the index-th room ("playroom"), or NULL past the last. Static string. */
-MIMO_API const char *mimo_scene_room(size_t index) MIMO_NOEXCEPT;
+MIMO_API const char *mimo_room_name(size_t index) MIMO_NOEXCEPT;
 
 /**
  * Gives a scene that has none a room: floor, sky, light, and a place for an infant. What the scene says itself about
@@ -234,8 +234,8 @@ MIMO_API mimo_status mimo_scene_xml(const mimo_scene *scene, char *text, size_t 
  * Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all
  * textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere.
  * @param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten.
- * Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND
- *         for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then.
+ * Errors: MIMO_E_FILE for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for one that
+ *         cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then.
  */
 MIMO_API mimo_status mimo_scene_save(const mimo_scene *scene, const char *folder) MIMO_NOEXCEPT;
 

@@ -27,7 +27,8 @@ typedef struct mimo_senses_config {
                                 Python. */
   size_t data_size;        /**< sizeof(mjData), likewise. */
   double step;             /**< Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time
-                                step, so once every mj_step. Delays are counted in such steps. */
+                                step, so once every mj_step. All that remembers goes on by this much in each call:
+                                delays, nerves, skin, canals, sound. */
   const char *renderer;    /**< As in mimo_env_config. */
   mimo_log_fn log;         /**< Messages while senses are attached, or NULL. */
   void *log_user;          /**< Passed to log. */

@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-/** Size of the world's state in bytes; it does not change. */
+/** Size of the world's state in bytes. It changes only where a reset brings another age. */
 MIMO_API mimo_status mimo_env_state_size(const mimo_env *env, size_t *bytes) MIMO_NOEXCEPT;
 
 /**

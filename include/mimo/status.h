@@ -33,10 +33,10 @@ extern "C" {
 typedef int32_t mimo_status;
 
 #define MIMO_OK 0                  /**< The call did what it says. */
-#define MIMO_E_INVALID_ARGUMENT -1 /**< An argument is NULL, out of range or not finite. */
+#define MIMO_E_INVALID_ARGUMENT -1 /**< NULL, out of range, not finite; or a call that does not fit now. */
 #define MIMO_E_BAD_HANDLE -2       /**< Not a handle of that kind, or one already destroyed. */
 #define MIMO_E_BUFFER_TOO_SMALL -3 /**< A caller's buffer is shorter than needed; nothing was written. */
-#define MIMO_E_STRUCT_SIZE -4      /**< struct_size unknown, or an unknown tail of the struct is not zero. */
+#define MIMO_E_STRUCT_SIZE -4      /**< struct_size is not that of any version. */
 #define MIMO_E_NOT_FOUND -5        /**< No body, joint, scene, file... of that name. */
 #define MIMO_E_MODEL -6            /**< A model does not compile, or asks for too much; see docs/guide/errors.md. */
 #define MIMO_E_SIMULATION -7       /**< The simulation failed or diverged; reset makes the world usable again. */
@@ -46,6 +46,7 @@ typedef int32_t mimo_status;
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 #define MIMO_E_FILE -13            /**< A file cannot be written, or is not what it should be. */
+#define MIMO_E_TASK -14            /**< A task of your own threw, or said what cannot be meant; see mimo_env_step. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;
@@ -61,7 +62,7 @@ MIMO_API uint32_t mimo_api_version(void) MIMO_NOEXCEPT;
  */
 MIMO_API int32_t mimo_supports(const char *name) MIMO_NOEXCEPT;
 
-/** Version of the loaded library, "major.minor.patch". Static string. */
+/** Version of the loaded library, "1.2.3", or "1.2.3-rc1" of a candidate. Static string. */
 MIMO_API const char *mimo_version(void) MIMO_NOEXCEPT;
 
 /** Version of the MuJoCo that the library runs on, "2.2.2". Static string. */

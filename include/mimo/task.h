@@ -40,8 +40,6 @@ MIMO_API mimo_status mimo_scene_set_parameter(mimo_scene *scene, const char *nam
 /** The value that a parameter has in this scene. */
 MIMO_API mimo_status mimo_scene_get_parameter(const mimo_scene *scene, const char *name, double *value) MIMO_NOEXCEPT;
 
-#define MIMO_TASK_MEMORY_LIMIT 1048576 /**< Largest memory_bytes of a task, and most bytes of its fields together. */
-
 /** What a function of a task is told: of whom it is asked, and what happened. It lasts until the function returns. */
 typedef struct mimo_task_moment {
   uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
@@ -85,10 +83,13 @@ typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, const mimo_
 
 /**
  * Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step.
- * Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with
- * MIMO_E_INVALID_ARGUMENT and names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED.
+ * It may draw random numbers and write, to place the next goal, say: that counts from the next step on. Agents are
+ * asked in their order.
+ * Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and
+ * names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED.
+ * @param env as in mimo_task_reset_fn.
  */
-typedef mimo_status (*mimo_task_evaluate_fn)(void *user, const mimo_env *env, const mimo_task_moment *moment,
+typedef mimo_status (*mimo_task_evaluate_fn)(void *user, mimo_env *env, const mimo_task_moment *moment,
                                              mimo_task_verdict *verdict);
 
 /**
@@ -117,13 +118,13 @@ typedef struct mimo_task {
   uint32_t struct_size;           /**< sizeof(mimo_task), set by mimo_task_init. */
   uint32_t reserved;              /**< 0. */
   void *user;                     /**< Passed to the functions; outlives all worlds with this task. */
-  size_t memory_bytes;            /**< Memory for each world and agent, up to MIMO_TASK_MEMORY_LIMIT. */
+  size_t memory_bytes;            /**< Memory for each world and agent, up to 1048576; likewise all fields together. */
   mimo_task_reset_fn reset;       /**< May be NULL. */
   mimo_task_evaluate_fn evaluate; /**< Needed. */
   const char *const *terms;       /**< Names of the terms that the reward is the sum of (mimo_layout_term).
                                        NULL: it is one number, the term "reward". */
   size_t term_count;              /**< Length of terms, up to 1000. */
-  const mimo_task_field *fields;  /**< Further fields of the observation. NULL: none. */
+  const mimo_task_field *fields;  /**< Further fields of the observation, each of the size that it says. NULL: none. */
   size_t field_count;             /**< Length of fields, up to 1000. */
 } mimo_task;
 

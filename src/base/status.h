@@ -24,6 +24,7 @@ enum class Status : std::int32_t {
   kForked = -11,
   kInternal = -12,
   kFile = -13,
+  kTask = -14,
 };
 
 class Error : public std::exception {

@@ -185,20 +185,30 @@ void Batch::set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t*
   perform(mask, [&](std::size_t i, Report&) { env::set(*worlds_[i], quantity, ids, row(i)); });
 }
 
+std::size_t Batch::state_bytes() const {
+  const auto shorter = [](const auto& a, const auto& b) { return a->state_bytes() < b->state_bytes(); };
+  return (*std::max_element(worlds_.begin(), worlds_.end(), shorter))->state_bytes();
+}
+
 void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
+  const std::size_t row = state_bytes();
   perform(mask, [&](std::size_t i, Report&) {
     const std::size_t bytes = worlds_[i]->state_bytes();
-    worlds_[i]->save({states + i * bytes, bytes});
+    std::uint8_t* own = states + i * row;
+    worlds_[i]->save({own, bytes});
+    std::fill(own + bytes, own + row, std::uint8_t{0});
   });
 }
 
 env::LoadReport Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> states) {
-  const std::size_t one = env::state_length(states);
-  require(states.size() == one || (states.size() % size() == 0 && states.size() / size() == one),
-          "state_bytes is {}, expected {} or {} times that", states.size(), one, size());
-  const std::size_t stride = states.size() == one ? 0 : one;
+  const bool shared = env::is_one_state(states);
+  require(shared || states.size() % size() == 0,
+          "state_bytes is {}, expected those of one state, or a number that {} worlds share", states.size(), size());
+  const std::size_t row = shared ? states.size() : states.size() / size();
   std::fill(loaded_.begin(), loaded_.end(), env::LoadReport{});
-  perform(mask, [&](std::size_t i, Report&) { loaded_[i] = worlds_[i]->load({states.data() + i * stride, one}); });
+  perform(mask, [&](std::size_t i, Report&) {
+    loaded_[i] = worlds_[i]->load(env::state_in(states.part(shared ? 0 : i * row, row)));
+  });
   const auto fewer = [](const env::LoadReport& a, const env::LoadReport& b) { return a.fresh < b.fresh; };
   return std::move(*std::max_element(loaded_.begin(), loaded_.end(), fewer));
 }

@@ -74,9 +74,11 @@ class Batch : private Job {
   }
   void set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t* mask, const double* values);
 
-  // One state behind the other, all of one size. A single one is loaded by all worlds.
+  // Of the world whose state is longest: worlds of other ages remember more or less.
+  std::size_t state_bytes() const;
+  // One state behind the other, at distances of state_bytes(), with zeros between them.
   void save(const std::uint8_t* mask, std::uint8_t* states);
-  // Tells of the world where most started afresh.
+  // As many bytes for each world, or a single state, which all load. Tells of the world where most started afresh.
   env::LoadReport load(const std::uint8_t* mask, Span<const std::uint8_t> states);
 
  private:

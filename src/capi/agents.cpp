@@ -88,8 +88,7 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
 }
 
 actuation::Options actuation(const mimo_agent_config& config) {
-  check_choice(config.actuation, std::uint32_t{MIMO_ACTUATION_TORQUE}, std::uint32_t{MIMO_ACTUATION_MUJOCO_MUSCLE},
-               "actuation");
+  check_choice(config.actuation, MIMO_ACTUATION_TORQUE, MIMO_ACTUATION_MUJOCO_MUSCLE, "actuation");
   check_flag(config.normalize_actions, "normalize_actions");
   actuation::Options options;
   options.mode = static_cast<actuation::Mode>(config.actuation);
@@ -199,7 +198,7 @@ mimo_agent_config config_from(const blueprint::AgentPlan& plan) {
   const senses::VestibularOptions& balance = plan.options.vestibular;
   config.vestibular = bit_if(balance.acceleration, MIMO_VESTIBULAR_ACCELERATION) |
                       bit_if(balance.angular_velocity, MIMO_VESTIBULAR_ANGULAR_VELOCITY);
-  config.actuation = static_cast<std::uint32_t>(plan.options.actuation.mode);
+  config.actuation = static_cast<std::int32_t>(plan.options.actuation.mode);
   write_vision(plan.options.vision, config);
   write_touch(plan.options.touch, config);
   return config;

@@ -217,6 +217,15 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
   });
 }
 
+mimo_status mimo_batch_state_size(const mimo_batch* batch, size_t* bytes) noexcept {
+  return guard(batch, [&] {
+    const batch::Batch& inner = open(batch).batch;
+    std::size_t& size = out(bytes, "bytes");
+    inner.require_idle();
+    size = inner.state_bytes();
+  });
+}
+
 mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t worlds, void* states,
                                   size_t state_bytes) noexcept {
   return guard(batch, [&] {
@@ -224,7 +233,7 @@ mimo_status mimo_batch_state_save(mimo_batch* batch, const uint8_t* mask, size_t
     auto* start = static_cast<std::uint8_t*>(states);
     check_per_world(inner, worlds, mask != nullptr);
     require(start != nullptr, "states is NULL");
-    check_buffer(start, state_bytes, inner.size() * inner.world(0).state_bytes(), "states");
+    check_buffer(start, state_bytes, inner.size() * inner.state_bytes(), "states");
     inner.save(mask, start);
   });
 }

@@ -16,9 +16,9 @@ namespace {
 // Quotes what the function said by mimo_fail, or what the call complained about whose status it returns.
 void check(mimo_status status, const char* function) {
   if (status == MIMO_OK) return;
-  const bool known = status < 0 && status >= MIMO_E_INTERNAL;
+  const bool known = status < 0 && status >= kLastStatus;
   const char* why = last_error().status == status ? last_error().text.data() : "";
-  fail(known ? static_cast<Status>(status) : Status::kInternal, "the task's function {} returned {} ({}){}{}", function,
+  fail(known ? static_cast<Status>(status) : Status::kTask, "the task's function {} returned {} ({}){}{}", function,
        status, mimo_status_name(status), *why == '\0' ? "" : ": ", why);
 }
 
@@ -32,9 +32,9 @@ void call_out(const char* function, Call&& call) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    fail(Status::kInternal, "the task's function {} threw an exception: {}", function, error.what());
+    fail(Status::kTask, "the task's function {} threw an exception: {}", function, error.what());
   } catch (...) {
-    fail(Status::kInternal, "the task's function {} threw an unknown exception", function);
+    fail(Status::kTask, "the task's function {} threw an unknown exception", function);
   }
 }
 
@@ -132,13 +132,15 @@ void CustomTask::check_terms(const mimo_task_verdict& verdict) const {
   check_known(verdict.outcome, MIMO_OUTCOME_FAILURE, "outcome");
   check_known(verdict.goes_on, 0, "goes_on");
   check_known(verdict.truncated, 0, "truncated");
-  require(new_terms_.empty() || verdict.reward == 0,
-          "the task's function evaluate gave agent {} the reward {} beside terms, expected 0: it is their sum", agent_,
-          verdict.reward);
+  if (!new_terms_.empty() && verdict.reward != 0) {
+    fail(Status::kTask,
+         "the task's function evaluate gave agent {} the reward {} beside terms, expected 0: it is their sum", agent_,
+         verdict.reward);
+  }
   for (std::size_t i = 0; i < new_terms_.size(); ++i) {
-    require(std::isfinite(new_terms_[i]),
-            "the task's function evaluate gave agent {} the term \"{}\" as {}, expected a finite number", agent_,
-            terms_[i].name, new_terms_[i]);
+    if (std::isfinite(new_terms_[i])) continue;
+    fail(Status::kTask, "the task's function evaluate gave agent {} the term \"{}\" as {}, expected a finite number",
+         agent_, terms_[i].name, new_terms_[i]);
   }
 }
 
@@ -149,8 +151,8 @@ void CustomTask::check_fields(const char* function) const {
     for (std::size_t i = 0; i < field.count(); ++i, ++value) {
       if (std::isfinite(*value) && *value >= low && *value <= high) continue;
       const std::string bounds = std::isfinite(low) || std::isfinite(high) ? format(" from {} to {}", low, high) : "";
-      fail(Status::kInvalidArgument, "the task's function {} gave agent {} {}[{}] as {}, expected a finite number{}",
-           function, agent_, field.name, i, *value, bounds);
+      fail(Status::kTask, "the task's function {} gave agent {} {}[{}] as {}, expected a finite number{}", function,
+           agent_, field.name, i, *value, bounds);
     }
   }
 }

@@ -20,7 +20,7 @@ MIMO_FIRST_SIZE(mimo_action, 48);
 MIMO_FIRST_SIZE(mimo_term, 24);
 MIMO_FIRST_SIZE(mimo_field_config, 40);
 MIMO_FIRST_SIZE(mimo_mesh, 88);
-MIMO_FIRST_SIZE(mimo_material, 48);
+MIMO_FIRST_SIZE(mimo_appearance, 48);
 MIMO_FIRST_SIZE(mimo_texture, 32);
 MIMO_FIRST_SIZE(mimo_light, 100);
 MIMO_FIRST_SIZE(mimo_gaze, 144);

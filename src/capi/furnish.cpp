@@ -97,7 +97,7 @@ mimo_status mimo_model_config_init(mimo_model_config* config, size_t size) noexc
   return guard([&] { write_struct(config, size, default_model_config(), "config"); });
 }
 
-const char* mimo_scene_room(size_t index) noexcept { return scene::built_in_room(index); }
+const char* mimo_room_name(size_t index) noexcept { return scene::built_in_room(index); }
 
 mimo_status mimo_scene_set_room(mimo_scene* scene, const char* name) noexcept {
   return guard(scene, [&] {

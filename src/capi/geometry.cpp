@@ -183,17 +183,17 @@ mimo_status mimo_env_mesh(const mimo_env* env, int32_t geom, mimo_mesh* mesh) no
     ours.vertex_count = made.vertices.size();
     ours.index_count = made.indices.size();
     check_room(ours);
-    write_described(mesh, ours, "mesh");
+    write_back(mesh, ours, "mesh");
     copy(made, to, ours);
   });
 }
 
-mimo_status mimo_env_material(const mimo_env* env, int32_t geom, mimo_material* material) noexcept {
+mimo_status mimo_env_appearance(const mimo_env* env, int32_t geom, mimo_appearance* appearance) noexcept {
   return guard(env, [&] {
     const mjModel& model = open(env).world().model();
     check_element(geom, model.ngeom, "geom");
     const geometry::Material found = geometry::material_of(model, geom);
-    mimo_material ours{};
+    mimo_appearance ours{};
     ours.visible = found.visible ? 1 : 0;
     ours.group = found.group;
     ours.texture = found.paint.texture;
@@ -202,7 +202,7 @@ mimo_status mimo_env_material(const mimo_env* env, int32_t geom, mimo_material* 
     ours.specular = found.paint.specular;
     ours.shininess = found.paint.shininess;
     ours.reflectance = found.paint.reflectance;
-    write_described(material, ours, "material");
+    write_described(appearance, ours, "appearance");
   });
 }
 
@@ -225,7 +225,7 @@ mimo_status mimo_env_texture(const mimo_env* env, int32_t texture_id, mimo_textu
     ours.height = static_cast<std::uint32_t>(size.height);
     const std::size_t bytes = std::size_t{4} * ours.width * ours.height;
     check_buffer(ours.pixels, ours.pixel_bytes, bytes, "texture: pixels");
-    write_described(texture, ours, "texture");
+    write_back(texture, ours, "texture");
     if (ours.pixels != nullptr) geometry::read_pixels(model, texture_id, {ours.pixels, bytes});
   });
 }
@@ -235,15 +235,16 @@ mimo_status mimo_env_light(const mimo_env* env, int32_t id, mimo_light* light) n
     const env::World& world = open(env).world();
     if (id != MIMO_HEADLIGHT) check_element(id, world.model().nlight, "id");
     require(light != nullptr, "light is NULL");
-    const std::int32_t axes = read_struct(light, "light").axes;
-    const geometry::Conversion to = conversion(axes, "light: axes");
+    const mimo_light asked = read_struct(light, "light");
+    check_reserved(asked.reserved, "light: reserved");
+    const geometry::Conversion to = conversion(asked.axes, "light: axes");
     mimo_light ours{};
-    ours.axes = axes;
+    ours.axes = asked.axes;
     if (id == MIMO_HEADLIGHT)
       headlight(world.model(), ours);
     else
       light_of(world, id, to, ours);
-    write_described(light, ours, "light");
+    write_back(light, ours, "light");
   });
 }
 

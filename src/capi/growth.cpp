@@ -37,6 +37,7 @@ void take_percentile(const mimo_growth& config, growth::Growth& growth) {
 std::uint32_t maturity_bits(const mimo_growth& config) {
   constexpr std::uint32_t kOptions = MIMO_MATURITY_THRESHOLD | MIMO_MATURITY_FLICKER;
   constexpr std::uint32_t kKnown = MIMO_MATURITY_BODY | MIMO_MATURITY_EYES | MIMO_MATURITY_DELAYS;
+  check_bits(config.maturity, kKnown | kOptions | MIMO_MATURITY_ALL, "maturity");
   if (config.maturity == 0) return MIMO_MATURITY_BODY;
   const std::uint32_t options = config.maturity & kOptions;
   const std::uint32_t bits = resolve_bits(config.maturity & ~kOptions, MIMO_MATURITY_ALL, kKnown, "maturity");

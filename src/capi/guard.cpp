@@ -69,9 +69,9 @@ mimo_status mimo_last_error_of(const void* handle, char* text, size_t capacity, 
 
 mimo_status mimo_fail(mimo_status status, const char* message) noexcept {
   return guard([&] {
-    require(status < 0, "status is {}, expected a MIMO_E_ constant, {} to {}", status, MIMO_E_INTERNAL,
+    require(status < 0, "status is {}, expected a MIMO_E_ constant, {} to {}", status, kLastStatus,
             MIMO_E_INVALID_ARGUMENT);
-    check_choice(status, MIMO_E_INTERNAL, MIMO_E_INVALID_ARGUMENT, "status");
+    check_choice(status, kLastStatus, MIMO_E_INVALID_ARGUMENT, "status");
     require(message != nullptr, "message is NULL");
     throw Error(static_cast<Status>(status), valid_utf8(message));
   });

@@ -67,6 +67,13 @@ observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
   return static_cast<observation::ReceptorQuantity>(quantity);
 }
 
+void check_count(std::size_t count, std::size_t expected, const char* what, const observation::Field& field) {
+  if (count < expected) {
+    fail(Status::kBufferTooSmall, "count is {}, but {} are needed, the {} of {}", count, expected, what, field.name);
+  }
+  require(count == expected, "count is {}, expected {}, the {} of {}", count, expected, what, field.name);
+}
+
 }  // namespace
 }  // namespace mimo::capi
 
@@ -117,8 +124,7 @@ mimo_status mimo_layout_delays(const mimo_layout* layout, size_t field, double* 
     const env::Description& description = description_of(layout);
     const observation::Field& inside = field_at(description, field, "field");
     const Span<double> to = array(seconds, count, "seconds");
-    require(count == inside.count(), "count is {}, expected {}, the elements of {}", count, inside.count(),
-            inside.name);
+    check_count(count, inside.count(), "elements", inside);
     description.delays[field].tell(to);
   });
 }
@@ -129,7 +135,7 @@ mimo_status mimo_layout_directions(const mimo_layout* layout, size_t field, floa
     require(picture.is_picture(), "field {} is {}, expected a picture", field, picture.name);
     const Span<float> to = array(directions, count, "directions");
     const std::size_t width = picture.shape[1], expected = picture.shape[0] * width * 3;
-    require(count == expected, "count is {}, expected {}, 3 for each pixel of {}", count, expected, picture.name);
+    check_count(count, expected, "numbers of directions", picture);
     const observation::FovealMap map = observation::map_of(picture);
     for (std::size_t i = 0; i < count; i += 3) {
       const std::size_t x = i / 3 % width, y = i / 3 / width;

@@ -11,13 +11,13 @@ namespace mimo::capi {
 template <typename Theirs>
 void check_results(const Theirs& theirs, std::size_t agents, std::size_t terms) {
   check_reserved(theirs.reserved, "results: reserved");
-  check_length<double>(theirs.agents, "results: agents");
+  check_length<double>(theirs.agent_count, "results: agent_count");
   check_length<double>(theirs.term_count, "results: term_count");
   const bool any = theirs.reward != nullptr || theirs.terminated != nullptr || theirs.truncated != nullptr ||
                    theirs.outcome != nullptr;
-  if (any && theirs.agents < agents) {
-    fail(Status::kBufferTooSmall, "results: agents is {}, but reward, terminated, truncated and outcome need {}",
-         theirs.agents, agents);
+  if (any && theirs.agent_count < agents) {
+    fail(Status::kBufferTooSmall, "results: agent_count is {}, but reward, terminated, truncated and outcome need {}",
+         theirs.agent_count, agents);
   }
   if (theirs.terms != nullptr && theirs.term_count < terms) {
     fail(Status::kBufferTooSmall, "results: term_count is {}, but terms needs {}", theirs.term_count, terms);

@@ -45,7 +45,7 @@ mimo_status mimo_scene_config_init(mimo_scene_config* config, size_t size) noexc
   return guard([&] { write_struct(config, size, default_scene_config(), "config"); });
 }
 
-const char* mimo_scene_builtin(size_t index) noexcept { return scene::built_in_scene(index); }
+const char* mimo_scene_name(size_t index) noexcept { return scene::built_in_scene(index); }
 
 mimo_status mimo_scene_create(const mimo_scene_config* config, mimo_scene** scene) noexcept {
   return guard([&] {
@@ -67,7 +67,7 @@ mimo_status mimo_scene_xml(const mimo_scene* scene, char* text, size_t capacity,
 }
 
 mimo_status mimo_scene_save(const mimo_scene* scene, const char* folder) noexcept {
-  return guard([&] {
+  return guard(scene, [&] {
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string path = text(folder);
     require(!path.empty(), "folder is {}, expected a path", folder == nullptr ? "NULL" : "\"\"");

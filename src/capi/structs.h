@@ -87,4 +87,10 @@ void write_described(T* theirs, const T& ours, const char* argument) {
   theirs->struct_size = static_cast<std::uint32_t>(std::min(size, sizeof(T)));
 }
 
+// A struct that is read and filled. It keeps the caller's size, as it may be handed in again as it is.
+template <typename T>
+void write_back(T* theirs, const T& ours, const char* argument) {
+  write_struct(theirs, theirs->struct_size, ours, argument);
+}
+
 }  // namespace mimo::capi

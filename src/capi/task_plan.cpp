@@ -11,8 +11,9 @@
 namespace mimo::capi {
 namespace {
 
-constexpr std::size_t kMostParts = 1000;  // terms, and fields: beyond this it is a count that was never set
-constexpr std::size_t kMostValues = MIMO_TASK_MEMORY_LIMIT / sizeof(float);
+constexpr std::size_t kMostParts = 1000;     // terms, and fields: beyond this it is a count that was never set
+constexpr std::size_t kMostBytes = 1048576;  // of memory, and of fields, so that states stay small
+constexpr std::size_t kMostValues = kMostBytes / sizeof(float);
 
 template <typename T>
 Span<T> parts(T* data, std::size_t count, const char* argument) {
@@ -70,6 +71,8 @@ std::vector<observation::Field> fields_of(const mimo_task& task) {
     const auto* theirs = reinterpret_cast<const mimo_task_field*>(next);
     const std::string argument = format("task: fields[{}]", i);
     const mimo_task_field ours = read_struct(theirs, argument.c_str());
+    require(theirs->struct_size % alignof(mimo_task_field) == 0, "{}: struct_size is {}, expected a multiple of {}",
+            argument, theirs->struct_size, alignof(mimo_task_field));
     next += theirs->struct_size;
     observation::Field field = field_of(ours, argument);
     for (const observation::Field& other : fields) {
@@ -91,8 +94,8 @@ std::size_t TaskPlan::values() const {
 std::shared_ptr<const TaskPlan> task_plan(const mimo_task& task) {
   check_reserved(task.reserved, "task: reserved");
   require(task.evaluate != nullptr, "task: evaluate is NULL");
-  require(task.memory_bytes <= MIMO_TASK_MEMORY_LIMIT, "task: memory_bytes is {}, expected up to {}", task.memory_bytes,
-          MIMO_TASK_MEMORY_LIMIT);
+  require(task.memory_bytes <= kMostBytes, "task: memory_bytes is {}, expected up to {}", task.memory_bytes,
+          kMostBytes);
   TaskPlan plan{task.user, task.memory_bytes, task.reset, task.evaluate, terms_of(task), fields_of(task)};
   require(plan.values() <= kMostValues, "task: its fields have {} numbers together, expected up to {}", plan.values(),
           kMostValues);

@@ -41,6 +41,7 @@ const char* mimo_status_name(mimo_status status) noexcept {
     case MIMO_E_FORKED: return "MIMO_E_FORKED";
     case MIMO_E_INTERNAL: return "MIMO_E_INTERNAL";
     case MIMO_E_FILE: return "MIMO_E_FILE";
+    case MIMO_E_TASK: return "MIMO_E_TASK";
     default: return "MIMO_E_UNKNOWN";
   }
 }

@@ -72,7 +72,7 @@ class GltfScene {
     const std::vector<float> geoms = env.poses(MIMO_GEOM, MIMO_AXES_GLTF);
     std::map<std::int32_t, Json> children;
     for (const std::int32_t geom : env.ids(MIMO_GEOM)) {
-      const mimo_material look = env.material(geom);
+      const mimo_appearance look = env.appearance(geom);
       if (look.visible == 0) continue;
       const std::int32_t body = env.body_of(MIMO_GEOM, geom);
       Json node = placed(name_of(MIMO_GEOM, geom, "geom:"), within(pose_at(bodies, body), pose_at(geoms, geom)));
@@ -110,7 +110,7 @@ class GltfScene {
     return {{"name", name}, {"translation", pose.place}, {"rotation", pose.rotation}};
   }
 
-  std::size_t add_mesh(std::int32_t geom, const mimo_material& look) {
+  std::size_t add_mesh(std::int32_t geom, const mimo_appearance& look) {
     const mimo::Mesh mesh = env_.mesh(geom, MIMO_AXES_GLTF, segments_);
     Json attributes = {{"POSITION", file_.add_floats(mesh.positions, 3, true)},
                        {"NORMAL", file_.add_floats(mesh.normals, 3, true)}};
@@ -121,7 +121,7 @@ class GltfScene {
   }
 
   // Geoms that look alike share one. Phong's exponent n is a roughness of sqrt(2 / (n + 2)).
-  std::size_t add_material(const mimo_material& look) {
+  std::size_t add_material(const mimo_appearance& look) {
     std::string key(reinterpret_cast<const char*>(&look), sizeof look);
     const auto found = materials_.find(key);
     if (found != materials_.end()) return found->second;

@@ -103,7 +103,17 @@ void for_each_section(Span<const std::uint8_t> body, Visit&& visit) {
 
 }  // namespace
 
-std::size_t state_length(Span<const std::uint8_t> state) { return read_header(state).bytes; }
+Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes) {
+  return bytes.part(0, std::min<std::size_t>(read_header(bytes).bytes, bytes.size()));
+}
+
+bool is_one_state(Span<const std::uint8_t> bytes) {
+  if (bytes.size() < kStateHeaderBytes) return false;
+  ByteReader from(bytes);
+  if (from.take<std::uint64_t>() != kMagic) return false;
+  from.take<std::uint64_t>();  // its version, for whoever loads it
+  return from.take<std::uint64_t>() == bytes.size();
+}
 
 void seal_state(Span<std::uint8_t> state) {
   const std::uint64_t sum = checksum({state.data(), state.size()});

@@ -15,8 +15,11 @@ namespace mimo::env {
 
 constexpr std::size_t kStateHeaderBytes = 48;
 
-// The whole length of a state that begins like this. Throws for what is no state.
-std::size_t state_length(Span<const std::uint8_t> state);
+// The state that these bytes begin with; zeros may follow. Throws where they begin with none.
+Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes);
+
+// Whether these bytes are a state and nothing else, as far as its header says.
+bool is_one_state(Span<const std::uint8_t> bytes);
 
 // Puts the right checksum into a header.
 void seal_state(Span<std::uint8_t> state);

@@ -417,8 +417,8 @@ void World::check_reward(std::size_t agent) {
   const double reward = task.reward();
   if (std::isfinite(reward)) return;
   task.clear();
-  fail(Status::kInvalidArgument, "the task's function evaluate gave agent {} the reward {}, expected a finite number",
-       agent, reward);
+  fail(Status::kTask, "the task's function evaluate gave agent {} the reward {}, expected a finite number", agent,
+       reward);
 }
 
 std::size_t World::term_count() const {

@@ -118,7 +118,7 @@ void Recording::enter(const Stage& stage, std::size_t state) {
   if (bodies_ != 0) stage.grow(growths_of_state(state));
   const std::vector<std::uint8_t> row = file_.row(kStates, state);
   const Span<const std::uint8_t> bytes(row);
-  stage.world().load(bytes.part(0, std::min(env::state_length(bytes), bytes.size())));  // zeros may follow
+  stage.world().load(env::state_in(bytes));
 }
 
 void Recording::play(const Stage& stage, std::uint8_t* block, const env::Results& results) {

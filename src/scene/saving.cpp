@@ -88,14 +88,15 @@ void write(const File& file) {
   std::ofstream stream(file.path, std::ios::binary);
   stream.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
   stream.close();
-  require(static_cast<bool>(stream), "folder: file {} cannot be written: {}", file.path.string(),
-          std::generic_category().message(errno));
+  if (stream) return;
+  fail(Status::kFile, "folder: file {} cannot be written: {}", file.path.string(),
+       std::generic_category().message(errno));
 }
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  require(!error, "folder: {} cannot be made: {}", folder.string(), error.message());
+  if (error) fail(Status::kFile, "folder: {} cannot be made: {}", folder.string(), error.message());
 }
 
 }  // namespace
@@ -109,8 +110,9 @@ void save(const pugi::xml_document& document, const std::string& folder) {
       missing.push_back(std::move(file));
       continue;
     }
-    require(read_file(file.path.string(), kAnySize) == file.bytes,
-            "folder: {} is there with other content, and is not overwritten; give a new folder", file.path.string());
+    if (read_file(file.path.string(), kAnySize) == file.bytes) continue;
+    fail(Status::kFile, "folder: {} is there with other content, and is not overwritten; give a new folder",
+         file.path.string());
   }
   if (missing.empty()) return;
   make_folder(fs::path(folder) / "assets");

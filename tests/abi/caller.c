@@ -35,7 +35,7 @@ static void versions(void) {
   CHECK(mimo_version()[0] != '\0' && mimo_mujoco_version()[0] != '\0');
   CHECK(mimo_env_make("nowhere", &none) == MIMO_E_NOT_FOUND && none == NULL);
   CHECK(strstr(mimo_last_error(), "nowhere") != NULL);
-  CHECK(strcmp(mimo_face_name(0), "neutral") == 0 && mimo_scene_builtin(0) != NULL && mimo_task_name(0) != NULL);
+  CHECK(strcmp(mimo_face_name(0), "neutral") == 0 && mimo_scene_name(0) != NULL && mimo_task_name(0) != NULL);
 }
 
 /* An infant with small eyes, a ball and a camera in the room "free". What follows a struct in memory stays as it is. */
@@ -199,7 +199,7 @@ static void live(mimo_env* env) {
   results.terminated = &terminated;
   results.truncated = &truncated;
   results.outcome = &outcome;
-  results.agents = 1;
+  results.agent_count = 1;
   OK(mimo_env_state_size(env, &state_bytes));
   state = malloc(state_bytes);
   OK(mimo_env_state_save(env, state, state_bytes));
@@ -282,8 +282,7 @@ static void see(mimo_env* env) {
   CHECK(timing.steps == 20);
 }
 
-static mimo_status evaluate(void* user, const mimo_env* env, const mimo_task_moment* moment,
-                            mimo_task_verdict* verdict) {
+static mimo_status evaluate(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   double* steps = moment->memory;
   (void)env;
   *steps += 1;
@@ -355,7 +354,7 @@ static void live_together(mimo_scene* scene) {
   results.reward = reward;
   results.terminated = terminated;
   results.outcome = outcome;
-  results.agents = 2;
+  results.agent_count = 2;
   results.terms = parts;
   results.term_count = 4;
   results.status = status;

@@ -74,7 +74,7 @@ static void check_world(void) {
   memset(&results, 0, sizeof results);
   results.struct_size = sizeof results;
   results.reward = &reward;
-  results.agents = 1;
+  results.agent_count = 1;
   BOTH(results, mimo_env_step(env, NULL, 0, NULL, 0, &results));
   CHECK(reward == 0);
   CHECK_OK(mimo_picture_config_init(&view, sizeof view));

@@ -214,7 +214,7 @@ int main(void) {
   FIELD(mimo_env_results, terminated);
   FIELD(mimo_env_results, truncated);
   FIELD(mimo_env_results, outcome);
-  FIELD(mimo_env_results, agents);
+  FIELD(mimo_env_results, agent_count);
   FIELD(mimo_env_results, terms);
   FIELD(mimo_env_results, term_count);
 
@@ -339,7 +339,7 @@ int main(void) {
   FIELD(mimo_batch_results, terminated);
   FIELD(mimo_batch_results, truncated);
   FIELD(mimo_batch_results, outcome);
-  FIELD(mimo_batch_results, agents);
+  FIELD(mimo_batch_results, agent_count);
   FIELD(mimo_batch_results, terms);
   FIELD(mimo_batch_results, term_count);
   FIELD(mimo_batch_results, status);
@@ -464,16 +464,16 @@ int main(void) {
   FIELD(mimo_mesh, vertex_count);
   FIELD(mimo_mesh, index_count);
 
-  BEGIN(mimo_material);
-  FIELD(mimo_material, struct_size);
-  FIELD(mimo_material, visible);
-  FIELD(mimo_material, group);
-  FIELD(mimo_material, texture);
-  FIELD(mimo_material, color);
-  FIELD(mimo_material, emission);
-  FIELD(mimo_material, specular);
-  FIELD(mimo_material, shininess);
-  FIELD(mimo_material, reflectance);
+  BEGIN(mimo_appearance);
+  FIELD(mimo_appearance, struct_size);
+  FIELD(mimo_appearance, visible);
+  FIELD(mimo_appearance, group);
+  FIELD(mimo_appearance, texture);
+  FIELD(mimo_appearance, color);
+  FIELD(mimo_appearance, emission);
+  FIELD(mimo_appearance, specular);
+  FIELD(mimo_appearance, shininess);
+  FIELD(mimo_appearance, reflectance);
 
   BEGIN(mimo_texture);
   FIELD(mimo_texture, struct_size);
@@ -497,6 +497,7 @@ int main(void) {
   FIELD(mimo_light, diffuse);
   FIELD(mimo_light, specular);
   FIELD(mimo_light, attenuation);
+  FIELD(mimo_light, reserved);
 
   printf("\n  }\n}\n");
   return 0;

@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
   results.reward = reward;
   results.terminated = terminated;
   results.truncated = truncated;
-  results.agents = kWorlds;
+  results.agent_count = kWorlds;
   results.status = status;
   results.was_reset = was_reset;
   results.worlds = kWorlds;

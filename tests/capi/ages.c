@@ -63,7 +63,7 @@ static course run(mimo_env* env) {
   for (i = 0; i < STEPS; ++i) {
     for (k = 0; k < sizes.actions; ++k) action[k] = (float)sin(0.7 * (double)i + (double)k);
     CHECK_OK(mimo_env_step(env, action, sizes.actions, it.blocks + i * sizes.block_bytes, sizes.block_bytes,
-                           RESULTS(.reward = &it.rewards[i], .agents = 1)));
+                           RESULTS(.reward = &it.rewards[i], .agent_count = 1)));
   }
   CHECK_OK(mimo_env_state_size(env, &it.state_bytes));
   it.state = malloc(it.state_bytes);
@@ -166,8 +166,7 @@ static void check_what_stays(void) {
   mimo_env_destroy(young);
 }
 
-static mimo_status keep_still(void* user, const mimo_env* env, const mimo_task_moment* moment,
-                              mimo_task_verdict* verdict) {
+static mimo_status keep_still(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   (void)user, (void)env, (void)moment, (void)verdict;
   return MIMO_OK;
 }
@@ -233,6 +232,62 @@ static void check_own_task(void) {
   CHECK_OK(mimo_env_reset(env, AGED(&twenty), NULL, 0));
   CHECK(seen == 20 && value_of(env, MIMO_AGENT_AGE) == 20);
   mimo_env_destroy(env);
+}
+
+/* A newborn's nerves remember more than a toddler's: states of one batch differ in size, each in a row of its own. */
+static void check_states_of_a_cohort(void) {
+  mimo_growth toddler = aged(24), newborn = aged(0);
+  const mimo_growth* const cohort[] = {&toddler, &newborn};
+  const uint8_t second[] = {0, 1};
+  mimo_scene* scene = scene_with(NULL);
+  mimo_batch_config config;
+  mimo_batch* batch = NULL;
+  mimo_env* worlds[2];
+  size_t sizes[2], row = 0, i;
+  uint8_t *states, *own, *later;
+  toddler.maturity = newborn.maturity = MIMO_MATURITY_BODY | MIMO_MATURITY_DELAYS;
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = 2;
+  config.cohort = cohort;
+  config.cohort_count = 2;
+  CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
+  mimo_scene_destroy(scene);
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  for (i = 0; i < 2; ++i) {
+    CHECK_OK(mimo_batch_world(batch, i, &worlds[i]));
+    CHECK_OK(mimo_env_state_size(worlds[i], &sizes[i]));
+  }
+  CHECK_OK(mimo_batch_state_size(batch, &row));
+  CHECK(sizes[0] < sizes[1] && row == sizes[1]);
+  states = malloc(2 * row);
+  own = malloc(row);
+  later = malloc(2 * row);
+  memset(states, 0xab, 2 * row);
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "states", mimo_batch_state_save(batch, NULL, 0, states, 2 * sizes[0]));
+  CHECK(states[0] == 0xab);
+  CHECK_OK(mimo_batch_state_save(batch, NULL, 0, states, 2 * row));
+  for (i = 0; i < 2; ++i) {
+    CHECK_OK(mimo_env_state_save(worlds[i], own, sizes[i]));
+    CHECK(memcmp(states + i * row, own, sizes[i]) == 0);
+  }
+  for (i = sizes[0]; i < row; ++i) CHECK(states[i] == 0);
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states, 2 * row, NULL));
+  CHECK_OK(mimo_batch_state_save(batch, NULL, 0, later, 2 * row));
+  CHECK(memcmp(later, states, 2 * row) == 0);
+
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL)); /* rows that the mask leaves out are not looked at */
+  memset(states, 0, row);
+  CHECK_OK(mimo_batch_state_load(batch, second, 2, states, 2 * row, NULL));
+  CHECK_OK(mimo_env_state_save(worlds[1], own, sizes[1]));
+  CHECK(memcmp(own, later + row, sizes[1]) == 0);
+  CHECK_OK(mimo_env_state_save(worlds[0], own, sizes[0]));
+  CHECK(memcmp(own, later, sizes[0]) != 0);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "world 0: state", mimo_batch_state_load(batch, NULL, 0, states, 2 * row, NULL));
+  mimo_batch_destroy(batch);
+  free(states);
+  free(own);
+  free(later);
 }
 
 static void check_not_infants(void) {
@@ -508,6 +563,7 @@ int main(void) {
   check_what_stays();
   check_refusals();
   check_own_task();
+  check_states_of_a_cohort();
   check_not_infants();
   check_twins();
   check_layout();

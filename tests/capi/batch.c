@@ -101,9 +101,9 @@ static void check_arguments(mimo_batch* batch) {
   CHECK_FAILS(MIMO_E_STRUCT_SIZE, "results", mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
   results.struct_size = sizeof results;
   results.reward = reward;
-  results.agents = WORLDS - 1;
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agents is 3", mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
-  results.agents = WORLDS;
+  results.agent_count = WORLDS - 1;
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agent_count is 3", mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
+  results.agent_count = WORLDS;
   results.status = status;
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "worlds is 0", mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
   results.worlds = WORLDS;

@@ -15,7 +15,7 @@ static void sleep_ms(long ms) {
   nanosleep(&time, NULL); /* a cancellation point */
 }
 
-static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   int i;
   (void)user, (void)env, (void)moment, (void)verdict;
   pthread_mutex_lock(&mutex);

@@ -88,8 +88,7 @@ static void check_threads(const mimo_scene* scene) {
 }
 
 /* Each world's task draws the other batch's world of the same number, which no other thread touches. */
-static mimo_status draw_another(void* user, const mimo_env* env, const mimo_task_moment* moment,
-                                mimo_task_verdict* verdict) {
+static mimo_status draw_another(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   painter* painters = user;
   (void)env;
   draw(&painters[moment->world], 0);

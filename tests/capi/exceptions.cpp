@@ -9,7 +9,7 @@ namespace {
 enum class Throws { kNothing, kStandard, kForeign };
 
 // World 1 throws. Only the kind that this build of the test asks for: they come through a C interface.
-mimo_status judge(void* user, const mimo_env*, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+mimo_status judge(void* user, mimo_env*, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   verdict->reward = 1;
   if (moment->world != 1) return MIMO_OK;
   const Throws what = *static_cast<Throws*>(user);
@@ -29,7 +29,7 @@ void expect(mimo_batch* batch, mimo_status status, const char* message) {
   mimo_batch_results results{};
   results.struct_size = sizeof results;
   results.reward = reward;
-  results.agents = results.worlds = 3;
+  results.agent_count = results.worlds = 3;
   results.status = each;
   const mimo_status all = mimo_batch_step(batch, nullptr, 0, nullptr, 0, &results);
   check_status(status, message, all, "mimo_batch_step", __LINE__);
@@ -58,13 +58,13 @@ int main() {
   expect(batch, MIMO_OK, "");
   throws = Throws::kStandard;
 #ifdef MIMO_OTHER_RUNTIME
-  expect(batch, MIMO_E_INTERNAL, "world 1: the task's function evaluate threw an unknown exception");
+  expect(batch, MIMO_E_TASK, "world 1: the task's function evaluate threw an unknown exception");
 #else
-  expect(batch, MIMO_E_INTERNAL, "world 1: the task's function evaluate threw an exception: the ball left the table");
+  expect(batch, MIMO_E_TASK, "world 1: the task's function evaluate threw an exception: the ball left the table");
 #endif
   throws = Throws::kForeign;
-  expect(batch, MIMO_E_INTERNAL, "world 1: the task's function evaluate threw an unknown exception");
-  CHECK_FAILS(MIMO_E_INTERNAL, "world 1: the task's function reset threw an unknown exception",
+  expect(batch, MIMO_E_TASK, "world 1: the task's function evaluate threw an unknown exception");
+  CHECK_FAILS(MIMO_E_TASK, "world 1: the task's function reset threw an unknown exception",
               mimo_batch_reset(batch, nullptr, nullptr, 0));
   throws = Throws::kNothing;
   CHECK_OK(mimo_batch_reset(batch, nullptr, nullptr, 0));

@@ -96,7 +96,7 @@ static mimo_status destroy_batch(mimo_batch* batch) {
 }
 
 /* Its reward is different for every rounding, and a trap. */
-static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   volatile double ten = 10, tiny = 1e-310, one = 1;
   double time = 0;
   (void)user, (void)moment;
@@ -175,7 +175,7 @@ static uint64_t run_single(const mimo_scene* scene, const char* renderer) {
   for (step = 0; step < STEPS; ++step) {
     double reward = 0;
     fill(actions, count, step);
-    AS_HOST(mimo_env_step(env, actions, count, block, bytes, RESULTS(.reward = &reward, .agents = 1)));
+    AS_HOST(mimo_env_step(env, actions, count, block, bytes, RESULTS(.reward = &reward, .agent_count = 1)));
     hash = hash_of(hash_of(hash, block, bytes), &reward, sizeof reward);
   }
   AS_HOST(mimo_picture_config_init(&view, sizeof view));
@@ -212,7 +212,7 @@ static uint64_t run_batch(const mimo_scene* scene, uint32_t threads, int sent) {
   float* actions = malloc(count * sizeof *actions);
   results.struct_size = sizeof results;
   results.reward = rewards;
-  results.agents = WORLDS;
+  results.agent_count = WORLDS;
   AS_HOST(mimo_batch_reset(batch, SEEDS(.seeds = seeds, .worlds = WORLDS), blocks, bytes));
   hash = hash_of(hash, blocks, bytes);
   for (step = 0; step < STEPS; ++step) {

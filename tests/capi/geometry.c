@@ -150,11 +150,11 @@ static void check_poses(void) {
   mimo_env_destroy(env);
 }
 
-static mimo_material material_of(const mimo_env* env, const char* geom) {
-  mimo_material material;
+static mimo_appearance material_of(const mimo_env* env, const char* geom) {
+  mimo_appearance material;
   memset(&material, 0, sizeof material);
   material.struct_size = sizeof material;
-  CHECK_OK(mimo_env_material(env, find(env, MIMO_GEOM, geom), &material));
+  CHECK_OK(mimo_env_appearance(env, find(env, MIMO_GEOM, geom), &material));
   return material;
 }
 
@@ -171,11 +171,11 @@ static uint8_t* read_texture(const mimo_env* env, int32_t id, mimo_texture* text
 
 static void check_faces(void) {
   mimo_env* env = blind_env("benchmark", NULL);
-  const mimo_material before = material_of(env, "head");
+  const mimo_appearance before = material_of(env, "head");
   const double joy = find(env, MIMO_FACE, "enjoyment");
   mimo_texture texture;
   uint8_t *calm, *happy;
-  mimo_material after;
+  mimo_appearance after;
   calm = read_texture(env, before.texture, &texture);
   CHECK(texture.type == MIMO_TEXTURE_CUBE && texture.height == 6 * texture.width);
   CHECK_OK(mimo_env_set(env, MIMO_AGENT_FACE, NULL, 0, &joy, 1));
@@ -204,7 +204,7 @@ static mimo_env* known_room(void) {
 static void check_looks(mimo_env* env) {
   const int32_t ball = find(env, MIMO_GEOM, "ball");
   const double large[3] = {0.5, 0, 0}, red[4] = {1, 0, 0, 0.5}, gone[4] = {1, 0, 0, 0};
-  mimo_material material = material_of(env, "ball");
+  mimo_appearance material = material_of(env, "ball");
   triangles mesh;
   size_t i;
   CHECK(material.visible == 1 && material.group == 0 && material.texture == -1);

@@ -23,7 +23,7 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
   CHECK_FAILS(status, part, mimo_env_reset(env, SEED(1), block, sizeof block));
   CHECK_FAILS(status, part,
               mimo_env_step(env, NULL, 0, block, sizeof block,
-                            RESULTS(.reward = &reward, .terminated = &flag, .truncated = &flag, .agents = 1)));
+                            RESULTS(.reward = &reward, .terminated = &flag, .truncated = &flag, .agent_count = 1)));
   CHECK_FAILS(status, part, mimo_env_observe(env, block, sizeof block));
   CHECK_FAILS(status, part, mimo_env_physics_step(env, 1));
   CHECK_FAILS(status, part, mimo_env_time(env, &value));

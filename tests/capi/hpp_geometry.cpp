@@ -34,9 +34,9 @@ void check_meshes(const mimo::Env& env) {
 
 void check_materials(mimo::Env& env) {
   const std::int32_t head = env.find(MIMO_GEOM, "head");
-  const mimo_material before = env.material(head);
+  const mimo_appearance before = env.appearance(head);
   env.set_face("surprise");
-  CHECK(before.visible == 1 && before.texture >= 0 && before.texture != env.material(head).texture);
+  CHECK(before.visible == 1 && before.texture >= 0 && before.texture != env.appearance(head).texture);
   CHECK(static_cast<std::size_t>(before.texture) < env.texture_count());
   const mimo::Texture texture = env.texture(before.texture);
   CHECK(texture.type == MIMO_TEXTURE_CUBE && texture.height == 6 * texture.width);

@@ -25,7 +25,7 @@ class Goal : public mimo::Task {
     goal = env.random(1)[0];
     moment.fields[0] = static_cast<float>(goal);
   }
-  void evaluate(const mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
+  void evaluate(mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
     CHECK(moment.fields[0] == static_cast<float>(*static_cast<double*>(moment.memory)));
     verdict.terms[0] = static_cast<double>(moment.step);
     verdict.terms[1] = moment.action == nullptr ? 0 : -moment.action[0];
@@ -94,7 +94,7 @@ int main() {
   mimo::Scene scene = scene_with(task);
   mimo::Env env(scene);
   check_told(env);
-  check_thrown(env, task, Throws::kOwn, MIMO_E_INTERNAL, "threw an exception: the ball left the table");
+  check_thrown(env, task, Throws::kOwn, MIMO_E_TASK, "threw an exception: the ball left the table");
   check_thrown(env, task, Throws::kLibrary, MIMO_E_NOT_FOUND, "evaluate returned -5 (MIMO_E_NOT_FOUND): ");
   scene.clear_task();
   CHECK(mimo::Env(scene).task() == "none");

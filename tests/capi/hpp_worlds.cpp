@@ -278,6 +278,14 @@ void check_batch() {
   batch.reset({1, 2}, blocks);
   batch.env(1).physics_step(10);
   CHECK_NEAR(0.05, batch.env(1).time() - batch.env(0).time(), 1e-9);
+  batch.env(0).physics_step(10);
+  const std::uint8_t second[] = {0, 1};
+  mimo_batch_reset_config only = {};
+  only.struct_size = sizeof only;
+  only.mask = second;
+  only.worlds = 2;
+  batch.reset(only, {}, blocks);
+  CHECK_NEAR(0.05, batch.env(0).time() - batch.env(1).time(), 1e-9);
   batch.step(std::vector<float>(2 * actions), blocks);
   mimo::Env left = [&] {
     mimo::Batch gone(scene, 1);
@@ -289,6 +297,19 @@ void check_batch() {
   } catch (const mimo::Exception& error) {
     CHECK(error.status() == MIMO_E_BAD_HANDLE);
   }
+}
+
+// Without a config an infant is as its scene has it: made for a task that is done blind, it does not see.
+void check_scene_s_own_agent() {
+  auto config = mimo::scene_config();
+  config.name = "reach";
+  mimo::Scene one(config), all(config), seeing(config);
+  one.add_agent();
+  all.add_agents();
+  seeing.add_agent(mimo::agent_config());
+  const std::size_t bytes = mimo::Env(all).layout().info().block_bytes;
+  CHECK(mimo::Env(one).layout().info().block_bytes == bytes);
+  CHECK(mimo::Env(seeing).layout().info().block_bytes > bytes);
 }
 
 // Worlds of several ages, and resets that bring others.
@@ -402,6 +423,7 @@ int main() {
   check_steps_without_observation();
   check_timing();
   check_batch();
+  check_scene_s_own_agent();
   check_ages();
   check_maturity();
   check_batch_at_once();

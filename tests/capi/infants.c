@@ -176,7 +176,7 @@ static void check_apart(void) {
 
 /* ---- Each has its own ---- */
 
-static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   (void)user, (void)env;
   verdict->reward = 1 + (double)moment->agent;
   if (moment->agent == 1) verdict->outcome = MIMO_OUTCOME_SUCCESS;
@@ -234,8 +234,9 @@ static void check_own(void) {
     CHECK(info.action_offset == 25 * i && info.action_count == 25);
   }
   for (i = 25; i < 50; ++i) action[i] = 0.25f;
-  CHECK_OK(mimo_env_step(env, action, actions, block, bytes,
-                         RESULTS(.reward = reward, .terminated = terminated, .truncated = truncated, .agents = 2)));
+  CHECK_OK(
+      mimo_env_step(env, action, actions, block, bytes,
+                    RESULTS(.reward = reward, .terminated = terminated, .truncated = truncated, .agent_count = 2)));
   CHECK(reward[0] == 1 && reward[1] == 2);
   CHECK(terminated[0] == 0 && terminated[1] == 1 && truncated[0] == 0 && truncated[1] == 0);
   motor = find(env, MIMO_ACTUATOR, "anna/act:left_elbow");

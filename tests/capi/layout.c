@@ -7,7 +7,7 @@ typedef struct asked {
   int answers, wrong;
 } asked;
 
-static mimo_status ask(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status ask(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   asked* it = user;
   const mimo_layout* layout = NULL;
   mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};

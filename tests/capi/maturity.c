@@ -34,6 +34,9 @@ static mimo_field field_named(const mimo_env* env, const char* name, size_t* ind
 
 static void numbers_of_an_age(void) {
   mimo_maturity at;
+  mimo_growth growth;
+  mimo_agent_config agent;
+  mimo_scene* scene = NULL;
   CHECK_OK(mimo_maturity_at(0, &at, sizeof at));
   CHECK_NEAR(at.acuity, 0.70, 1e-12);
   CHECK_NEAR(at.peak_contrast, 2, 1e-12);
@@ -42,6 +45,13 @@ static void numbers_of_an_age(void) {
   CHECK_NEAR(at.sensory_delay, 0.026, 1e-12);
   CHECK_NEAR(at.motor_delay, 0.022, 1e-12);
   CHECK_NEAR(at.vision_delay, 0.153, 1e-3);
+  CHECK_OK(mimo_growth_init(&growth, sizeof growth));
+  growth.maturity = 0x40;
+  CHECK_OK(mimo_scene_create(NULL, &scene));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.growth = &growth;
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "this one knows bits of 0x8000001f", mimo_scene_add_agent(scene, &agent, NULL));
+  mimo_scene_destroy(scene);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "age is -1", mimo_maturity_at(-1, &at, sizeof at));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "age is 25", mimo_maturity_at(25, &at, sizeof at));
   CHECK_OK(mimo_maturity_init(&at, sizeof at));

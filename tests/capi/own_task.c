@@ -30,7 +30,7 @@ static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* mome
   return rule->reset_status;
 }
 
-static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   const rules* rule = user;
   memory* it = moment->memory;
   double angle;
@@ -41,6 +41,46 @@ static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment
   return rule->evaluate_status;
 }
 
+/* Draws a new place for the elbow in every step, as a task does that goes on after a success. */
+static mimo_status draw_on(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  const int32_t elbow = ((const rules*)user)->joint;
+  double angle, share;
+  (void)moment;
+  if (mimo_env_get(env, MIMO_JOINT_POSITION, &elbow, 1, &angle, 1) != MIMO_OK) return MIMO_E_INTERNAL;
+  verdict->reward = angle;
+  if (mimo_env_random(env, &share, 1) != MIMO_OK) return MIMO_E_INTERNAL;
+  angle = -share;
+  return mimo_env_set(env, MIMO_JOINT_POSITION, &elbow, 1, &angle, 1);
+}
+
+/* What evaluate writes counts from the next step on: the step's observation and reward are as they were. */
+static void check_writing_judges(void) {
+  rules rule = {0, MIMO_OK, MIMO_OK};
+  mimo_scene* scene = blind_scene("free");
+  mimo_env *env = NULL, *twin = NULL;
+  mimo_task task;
+  double reward[2] = {1, 2}, drawn, angle[2];
+  CHECK_OK(mimo_task_init(&task, sizeof task));
+  task.evaluate = draw_on;
+  task.user = &rule;
+  CHECK_OK(mimo_scene_set_task(scene, &task));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  rule.joint = find(env, MIMO_JOINT, "robot:left_elbow");
+  CHECK_OK(mimo_env_create(scene, NULL, &twin));
+  CHECK_OK(mimo_env_reset(env, SEED(3), NULL, 0));
+  CHECK_OK(mimo_env_reset(twin, SEED(3), NULL, 0));
+  CHECK_OK(mimo_env_random(twin, &drawn, 1));
+  CHECK_OK(mimo_env_reset(twin, SEED(3), NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.reward = &reward[0], .agent_count = 1)));
+  CHECK_OK(mimo_env_step(twin, NULL, 0, NULL, 0, RESULTS(.reward = &reward[1], .agent_count = 1)));
+  CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &rule.joint, 1, &angle[0], 1));
+  CHECK_OK(mimo_env_get(twin, MIMO_JOINT_POSITION, &rule.joint, 1, &angle[1], 1));
+  CHECK(reward[0] == reward[1] && angle[0] == -drawn && angle[1] == -drawn && reward[0] != angle[0]);
+  mimo_env_destroy(env);
+  mimo_env_destroy(twin);
+  mimo_scene_destroy(scene);
+}
+
 static mimo_scene* scene_with(rules* rule) {
   mimo_scene* scene = blind_scene("free");
   mimo_task task;
@@ -49,7 +89,7 @@ static mimo_scene* scene_with(rules* rule) {
   task.reset = start;
   task.evaluate = judge;
   task.user = rule;
-  task.memory_bytes = MIMO_TASK_MEMORY_LIMIT + 1;
+  task.memory_bytes = 1048577;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "memory_bytes is", mimo_scene_set_task(scene, &task));
   task.memory_bytes = sizeof(memory);
   CHECK_OK(mimo_scene_set_task(scene, &task));
@@ -74,7 +114,7 @@ static void check_batch_equals_singles(mimo_scene* scene) {
       int32_t outcome = 7;
       CHECK_OK(mimo_env_step(
           env, NULL, 0, NULL, 0,
-          RESULTS(.reward = &expected[world][step], .terminated = &end, .outcome = &outcome, .agents = 1)));
+          RESULTS(.reward = &expected[world][step], .terminated = &end, .outcome = &outcome, .agent_count = 1)));
       CHECK(end == (step == 9));
       CHECK((outcome != MIMO_OUTCOME_NONE) == end);
       if (end) outcomes |= outcome == MIMO_OUTCOME_SUCCESS ? 1 : 2;
@@ -92,7 +132,7 @@ static void check_batch_equals_singles(mimo_scene* scene) {
   results.struct_size = sizeof results;
   results.reward = reward;
   results.terminated = ends;
-  results.agents = WORLDS;
+  results.agent_count = WORLDS;
   for (step = 0; step < STEPS; ++step) {
     CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
     for (world = 0; world < WORLDS; ++world) {
@@ -113,8 +153,9 @@ static void check_state(mimo_scene* scene) {
   CHECK_OK(mimo_env_clone(env, &twin));
   for (step = 0; step < 12; ++step) {
     uint8_t end[2];
-    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.reward = &first, .terminated = &end[0], .agents = 1)));
-    CHECK_OK(mimo_env_step(twin, NULL, 0, NULL, 0, RESULTS(.reward = &second, .terminated = &end[1], .agents = 1)));
+    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, RESULTS(.reward = &first, .terminated = &end[0], .agent_count = 1)));
+    CHECK_OK(
+        mimo_env_step(twin, NULL, 0, NULL, 0, RESULTS(.reward = &second, .terminated = &end[1], .agent_count = 1)));
     CHECK(first == second && end[0] == end[1] && end[0] == (step == 8));
   }
   mimo_env_destroy(twin);
@@ -130,9 +171,9 @@ static void check_failing(mimo_scene* scene, rules* rule) {
   rule->reset_status = MIMO_OK;
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
   rule->evaluate_status = 5;
-  CHECK_FAILS(MIMO_E_INTERNAL, "evaluate returned 5", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_TASK, "evaluate returned 5", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
-  CHECK_FAILS(MIMO_E_INTERNAL, "world 0: the task's function", mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_TASK, "world 0: the task's function", mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   rule->evaluate_status = MIMO_OK;
   mimo_batch_destroy(batch);
   mimo_env_destroy(env);
@@ -171,5 +212,6 @@ int main(void) {
   check_failing(scene, &rule);
   check_name(scene);
   mimo_scene_destroy(scene);
+  check_writing_judges();
   return failures();
 }

@@ -63,7 +63,7 @@ static void check_results_of_a_batch(int32_t autoreset) {
   results.was_reset = was_reset;
   results.final_written = written;
   results.status = status;
-  results.agents = results.worlds = WORLDS;
+  results.agent_count = results.worlds = WORLDS;
   for (i = 0; i < WORLDS; ++i) {
     reward[i] = 7;
     ends[i] = cuts[i] = was_reset[i] = written[i] = 0x5a;

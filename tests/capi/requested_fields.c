@@ -300,7 +300,7 @@ static void check_told(mimo_env* env, int felt) {
   CHECK_TEXT(label, name);
   CHECK(values(env, "achieved")[0] == -1);
   CHECK_OK(mimo_env_set(env, MIMO_BODY_POSITION, &ball, 1, felt ? place : away, 3));
-  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, RESULTS(.terminated = &ended, .agents = 1)));
+  CHECK_OK(mimo_env_step(env, NULL, 0, block, sizeof block, RESULTS(.terminated = &ended, .agent_count = 1)));
   felt = felt || in_contact(env, (int32_t)goal[0]);
   check_place(env, goal + 1, label);
   check_place(env, values(env, "achieved") + 1, "right_fingers");

@@ -34,8 +34,7 @@ static mimo_status draw_height(void* user, mimo_env* env, const mimo_task_moment
   return status;
 }
 
-static mimo_status judge_height(void* user, const mimo_env* env, const mimo_task_moment* moment,
-                                mimo_task_verdict* verdict) {
+static mimo_status judge_height(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   const int32_t* hand = user;
   const double* height = moment->memory;
   double place[3], effort = 0;
@@ -110,9 +109,9 @@ static outcome play(const char* scene, int fill) {
     uint8_t terminated = 0, truncated = 0;
     for (i = 0; i < count; ++i) actions[i] = action_of(step, i);
     memset(block, fill, bytes);
-    CHECK_OK(
-        mimo_env_step(env, actions, count, block, bytes,
-                      RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
+    CHECK_OK(mimo_env_step(
+        env, actions, count, block, bytes,
+        RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agent_count = 1)));
     all.hash = hash_of(all.hash, block, bytes);
     all.rewards += reward;
   }

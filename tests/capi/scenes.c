@@ -27,17 +27,17 @@ static mimo_scene* create(const char* name, const char* file, const char* xml) {
 static void check_sources(void) {
   mimo_scene* scene;
   mimo_scene_config config;
-  CHECK_TEXT("benchmark", mimo_scene_builtin(0));
-  CHECK_TEXT("free", mimo_scene_builtin(1));
-  CHECK_TEXT("selfbody", mimo_scene_builtin(4));
-  CHECK_TEXT("rollover", mimo_scene_builtin(6));
-  CHECK_TEXT("showroom", mimo_scene_builtin(7));
-  CHECK_TEXT("playdate", mimo_scene_builtin(8));
-  CHECK_TEXT("babybench-base", mimo_scene_builtin(9));
-  CHECK_TEXT("babybench-crib", mimo_scene_builtin(10));
-  CHECK_TEXT("babybench-cubes", mimo_scene_builtin(11));
-  CHECK(mimo_scene_builtin(12) == NULL);
-  CHECK(mimo_scene_builtin((size_t)-1) == NULL);
+  CHECK_TEXT("benchmark", mimo_scene_name(0));
+  CHECK_TEXT("free", mimo_scene_name(1));
+  CHECK_TEXT("selfbody", mimo_scene_name(4));
+  CHECK_TEXT("rollover", mimo_scene_name(6));
+  CHECK_TEXT("showroom", mimo_scene_name(7));
+  CHECK_TEXT("playdate", mimo_scene_name(8));
+  CHECK_TEXT("babybench-base", mimo_scene_name(9));
+  CHECK_TEXT("babybench-crib", mimo_scene_name(10));
+  CHECK_TEXT("babybench-cubes", mimo_scene_name(11));
+  CHECK(mimo_scene_name(12) == NULL);
+  CHECK(mimo_scene_name((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);
   mimo_scene_destroy(scene);
@@ -293,6 +293,7 @@ static void check_save(void) {
   const char* const clean = "rm -rf saved_scene";
 #endif
   mimo_scene *scene = blind_scene("benchmark"), *again;
+  char text[1024];
   CHECK(system(clean) == 0);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "folder is NULL", mimo_scene_save(scene, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "folder is \"\"", mimo_scene_save(scene, ""));
@@ -301,7 +302,9 @@ static void check_save(void) {
   CHECK(bodies_of(again) == 26);
   mimo_scene_destroy(again);
   again = blind_scene("free");
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "other content", mimo_scene_save(again, "saved_scene"));
+  CHECK_FAILS(MIMO_E_FILE, "other content", mimo_scene_save(again, "saved_scene"));
+  CHECK_OK(mimo_last_error_of(again, text, sizeof text, NULL));
+  CHECK(strstr(text, "other content") != NULL);
   mimo_scene_destroy(again);
   mimo_scene_destroy(scene);
   CHECK(system(clean) == 0);

@@ -21,7 +21,7 @@ static void sleep_ms(long ms) {
   nanosleep(&time, NULL);
 }
 
-static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   shared* it = user;
   double time = 0;
   int i;

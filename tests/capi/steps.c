@@ -99,8 +99,9 @@ static void check_stepping(void) {
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
 
   action[3] = 9;
-  CHECK_OK(mimo_env_step(env, action, 44, first, bytes,
-                         RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
+  CHECK_OK(
+      mimo_env_step(env, action, 44, first, bytes,
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agent_count = 1)));
   CHECK(reward == 0 && terminated == 0 && truncated == 0);
   CHECK(((const float*)(const void*)(first + control.offset))[3] == 1); /* clipped */
   CHECK_OK(mimo_env_time(env, &time));
@@ -114,7 +115,7 @@ static void check_stepping(void) {
   CHECK_FAILS(
       MIMO_E_INVALID_ARGUMENT, "action[43] is not a number",
       mimo_env_step(env, action, 44, first, bytes,
-                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agent_count = 1)));
   action[43] = 0;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "action_count is 43, expected 44",
               mimo_env_step(env, action, 43, first, bytes, NULL));
@@ -123,9 +124,9 @@ static void check_stepping(void) {
   CHECK_FAILS(
       MIMO_E_BUFFER_TOO_SMALL, " bytes, but ",
       mimo_env_step(env, action, 44, first, bytes - 1,
-                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agents = 1)));
+                    RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated, .agent_count = 1)));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "block is NULL", mimo_env_step(env, action, 44, NULL, bytes, NULL));
-  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agents is 0",
+  CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "agent_count is 0",
               mimo_env_step(env, action, 44, first, bytes, RESULTS(.reward = &reward)));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_reset(env, SEED(1), first, bytes - 1));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "block has", mimo_env_observe(env, first, bytes - 1));
@@ -160,7 +161,7 @@ static void check_timing(void) {
   timing.struct_size = sizeof timing;
   for (i = 1; i <= 3; ++i) {
     uint8_t truncated = 7;
-    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, RESULTS(.truncated = &truncated, .agents = 1)));
+    CHECK_OK(mimo_env_step(timed, NULL, 0, NULL, 0, RESULTS(.truncated = &truncated, .agent_count = 1)));
     CHECK(truncated == (i >= 2));
   }
   CHECK_OK(mimo_env_timing(timed, &timing));

@@ -40,6 +40,18 @@
     CHECK_FAILS(MIMO_E_STRUCT_SIZE, "config: struct_size is 0", use(&config.now)); \
   } while (0)
 
+/* A struct that is read and filled keeps the caller's size: what is set beyond ours is seen also the second time. */
+#define CHECK_READ_AND_FILLED(type, ask)                                                \
+  do {                                                                                  \
+    LATER(type) both;                                                                   \
+    memset(&both, 0, sizeof both);                                                      \
+    ask##_init(&both.now, sizeof both);                                                 \
+    CHECK_OK(ask(&both.now));                                                           \
+    CHECK(both.now.struct_size == sizeof both);                                         \
+    both.bytes[sizeof(type)] = 1;                                                       \
+    CHECK_FAILS(MIMO_E_UNSUPPORTED, "it has members beyond its first", ask(&both.now)); \
+  } while (0)
+
 /* A description fills a longer struct, with zeros behind what it knows, and says how much that is. */
 #define CHECK_DESCRIBED(type, argument, describe)                                      \
   do {                                                                                 \
@@ -119,8 +131,15 @@ static mimo_status describe_layout(mimo_layout_info* info) { return mimo_layout_
 static mimo_status describe_action(mimo_action* action) { return mimo_layout_action(layout_of(env), 0, action); }
 static mimo_status describe_term(mimo_term* term) { return mimo_layout_term(layout_of(rewarded), 0, term); }
 static mimo_status describe_gaze(mimo_gaze* gaze) { return mimo_env_gaze(env, 0, gaze); }
-static mimo_status describe_material(mimo_material* material) { return mimo_env_material(env, 0, material); }
+static mimo_status describe_appearance(mimo_appearance* to) { return mimo_env_appearance(env, 0, to); }
 static mimo_status describe_timing(mimo_timing* timing) { return mimo_env_timing(env, timing); }
+
+static void ask_mesh_init(mimo_mesh* mesh, size_t size) { CHECK_OK(mimo_mesh_init(mesh, size)); }
+static mimo_status ask_mesh(mimo_mesh* mesh) { return mimo_env_mesh(env, 0, mesh); }
+static void ask_texture_init(mimo_texture* texture, size_t size) { texture->struct_size = (uint32_t)size; }
+static mimo_status ask_texture(mimo_texture* texture) { return mimo_env_texture(env, 0, texture); }
+static void ask_light_init(mimo_light* light, size_t size) { light->struct_size = (uint32_t)size; }
+static mimo_status ask_light(mimo_light* light) { return mimo_env_light(env, MIMO_HEADLIGHT, light); }
 
 int main(void) {
   scene = blind_scene("free");
@@ -146,7 +165,10 @@ int main(void) {
   CHECK_DESCRIBED(mimo_term, "term", describe_term);
   CHECK_DESCRIBED(mimo_timing, "timing", describe_timing);
   CHECK_DESCRIBED(mimo_gaze, "gaze", describe_gaze);
-  CHECK_DESCRIBED(mimo_material, "material", describe_material);
+  CHECK_DESCRIBED(mimo_appearance, "appearance", describe_appearance);
+  CHECK_READ_AND_FILLED(mimo_mesh, ask_mesh);
+  CHECK_READ_AND_FILLED(mimo_texture, ask_texture);
+  CHECK_READ_AND_FILLED(mimo_light, ask_light);
   mimo_env_destroy(rewarded);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);

@@ -73,7 +73,7 @@ static void check_episode(const char* scene, const char* name, int limit, int fr
     size_t i;
     CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0,
                            RESULTS(.reward = &reward, .terminated = &terminated, .truncated = &truncated,
-                                   .outcome = &outcome, .agents = 1, .terms = values, .term_count = terms)));
+                                   .outcome = &outcome, .agent_count = 1, .terms = values, .term_count = terms)));
     for (i = 0, sum = 0; i < terms; ++i) sum += values[i];
     CHECK(sum == reward);
     ++steps;

@@ -91,17 +91,16 @@ static void after_fork(void) {
 }
 
 /* A task must not pull away or move on the world that it judges. */
-static mimo_status meddle(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
-  mimo_env* mine = (mimo_env*)env;
+static mimo_status meddle(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   const args* a = user;
   double time = -1, later = -2;
   (void)moment, (void)verdict;
   CHECK_OK(mimo_env_time(env, &time));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_reset(mine, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(mine, NULL, 0, NULL, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_physics_step(mine, 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_state_load(mine, a->state, a->state_bytes, NULL));
-  mimo_env_destroy(mine);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_reset(env, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_physics_step(env, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_state_load(env, a->state, a->state_bytes, NULL));
+  mimo_env_destroy(env);
   CHECK_OK(mimo_env_time(env, &later));
   CHECK(time == later);
   return MIMO_OK;

@@ -20,10 +20,10 @@ ROW(mimo_batch_world_error, ON_BATCH, mimo_batch_world_error(a->batch, a->world,
 #define BLOCKS NO_NULL(blocks, "blocks"), SHORT(blocks_bytes, "blocks")
 #define ACTIONS NO_NULL(actions, "actions"), EXACT(actions_count, "action_count")
 #define RESULT(f, names) SHORT_FIELD(results, mimo_batch_results, f, names)
-#define BATCH_RESULTS                                                                                  \
-  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                    \
-      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agents, "agents"),   \
-      RESULT(term_count, "term_count"), RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"), \
+#define BATCH_RESULTS                                                                                          \
+  NULL_OK(results), CONFIG(results, mimo_batch_results, "results"),                                            \
+      UNKNOWN_FIELD(results, mimo_batch_results, reserved, 1, "reserved"), RESULT(agent_count, "agent_count"), \
+      RESULT(term_count, "term_count"), RESULT(worlds, "worlds"), RESULT(final_bytes, "final_blocks"),         \
       DO(no_final_blocks, E_ARG, "final_blocks")
 #define RESET_FIELD(kind, what, f, status, names) \
   { kind, what, MEMBER(batch_reset), FIELD(mimo_batch_reset_config, f), 1, 0, NULL, status, names }
@@ -53,6 +53,7 @@ ROW(mimo_batch_set, ON_BATCH | SIMULATES,
     mimo_batch_set(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_to_write, a->values_count),
     QUANTITIES, IDS, WORLDS, NO_NULL(all_to_write, "values"), VALUES(values_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
+ROW(mimo_batch_state_size, ON_BATCH, mimo_batch_state_size(a->batch, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_batch_state_save, ON_BATCH | SIMULATES,
     mimo_batch_state_save(a->batch, a->mask, a->worlds, a->states_out, a->states_bytes), WORLDS,
     NO_NULL(states_out, "states"), SHORT(states_bytes, "states"))

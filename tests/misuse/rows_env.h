@@ -19,7 +19,7 @@ ROW(mimo_env_step, ON_ENV | SIMULATES,
     DO(infinite_action, MIMO_OK, NULL), NO_NULL(block, "block"), SHORT(block_bytes, "block"), NULL_OK(env_results),
     CONFIG(env_results, mimo_env_results, "results"),
     UNKNOWN_FIELD(env_results, mimo_env_results, reserved, 1, "reserved"),
-    SHORT_FIELD(env_results, mimo_env_results, agents, "agents"),
+    SHORT_FIELD(env_results, mimo_env_results, agent_count, "agent_count"),
     SHORT_FIELD(env_results, mimo_env_results, term_count, "term_count"))
 ROW(mimo_env_follow, ON_ENV | SIMULATES, mimo_env_follow(a->env, a->movement, a->block, a->block_bytes),
     NO_NULL(movement, "movement"), CONFIG(movement, mimo_movement, "movement"),

@@ -33,8 +33,8 @@ ROW(mimo_env_mesh, ON_ENV, mimo_env_mesh(a->env, a->geom, a->mesh), BAD_IDS(geom
     UNREAL(mesh, mimo_mesh, plane, "mesh: plane"), ROOM(vertex_capacity), ROOM(index_capacity),
     NO_ARRAY(mesh, mimo_mesh, positions), NO_ARRAY(mesh, mimo_mesh, normals), NO_ARRAY(mesh, mimo_mesh, texcoords),
     NO_ARRAY(mesh, mimo_mesh, indices))
-ROW(mimo_env_material, ON_ENV, mimo_env_material(a->env, a->geom, a->material), BAD_IDS(geom, "geom"),
-    DESCRIPTION(material, mimo_material, "material"))
+ROW(mimo_env_appearance, ON_ENV, mimo_env_appearance(a->env, a->geom, a->appearance), BAD_IDS(geom, "geom"),
+    DESCRIPTION(appearance, mimo_appearance, "appearance"))
 ROW(mimo_env_texture_count, ON_ENV, mimo_env_texture_count(a->env, a->count), NO_NULL(count, "count"))
 ROW(mimo_env_texture, ON_ENV, mimo_env_texture(a->env, a->geom, a->texture), BAD_IDS(geom, "texture_id"),
     NO_NULL(texture, "texture"), CONFIG(texture, mimo_texture, "texture"),

@@ -13,11 +13,12 @@ ROW(mimo_layout_find, ON_LAYOUT, mimo_layout_find(a->layout, a->field_name, a->c
 ROW(mimo_layout_label, ON_LAYOUT, mimo_layout_label(a->layout, a->index, a->element, a->string),
     BAD_INDEX(index, "field"), BAD_INDEX(element, "element"), NO_NULL(string, "label"))
 ROW(mimo_layout_delays, ON_LAYOUT, mimo_layout_delays(a->layout, a->field_index, a->delays, a->delay_count),
-    BAD_INDEX(field_index, "field"), NO_NULL(delays, "seconds"), SIZE_IS(delay_count, 1, E_ARG, "count is 1"))
+    BAD_INDEX(field_index, "field"), NO_NULL(delays, "seconds"),
+    SIZE_IS(delay_count, 1, MIMO_E_BUFFER_TOO_SMALL, "count is 1"))
 ROW(mimo_layout_directions, ON_LAYOUT,
     mimo_layout_directions(a->layout, a->picture_index, a->directions, a->direction_count),
     BAD_INDEX(picture_index, "field"), SIZE_IS(picture_index, 0, E_ARG, "expected a picture"),
-    NO_NULL(directions, "directions"), SIZE_IS(direction_count, 3, E_ARG, "count is 3"))
+    NO_NULL(directions, "directions"), SIZE_IS(direction_count, 3, MIMO_E_BUFFER_TOO_SMALL, "count is 3"))
 ROW(mimo_layout_receptor_width, ON_LAYOUT,
     mimo_layout_receptor_width(a->layout, a->field_index, a->receptor_quantity, a->count), RECEPTORS,
     NO_NULL(count, "value_count"))

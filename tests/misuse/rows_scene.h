@@ -10,8 +10,8 @@ ROW(mimo_status_name, 0, check_status_names(), NONE)
 ROW(mimo_last_error, 0, CHECKED(mimo_last_error() != NULL), NONE)
 ROW(mimo_last_error_of, 0, last_error_of(a), NO_NULL(text, "text"), BAD_SIZE(capacity, -1, "text"), NULL_OK(count))
 ROW(mimo_fail, 0, CHECKED(mimo_fail(MIMO_E_RENDER, "why") == MIMO_E_RENDER), NONE)
-ROW(mimo_scene_builtin, 0, check_list(mimo_scene_builtin), NONE)
-ROW(mimo_scene_room, 0, check_list(mimo_scene_room), NONE)
+ROW(mimo_scene_name, 0, check_list(mimo_scene_name), NONE)
+ROW(mimo_room_name, 0, check_list(mimo_room_name), NONE)
 ROW(mimo_task_name, 0, check_list(mimo_task_name), NONE)
 ROW(mimo_face_name, 0, check_list(mimo_face_name), NONE)
 
@@ -217,7 +217,7 @@ ROW(mimo_scene_add_field, ON_SCENE, mimo_scene_add_field(a->scene, a->field_conf
 ROW(mimo_scene_xml, ON_SCENE, mimo_scene_xml(a->scene, a->text, a->capacity, a->count), NULL_OK(count),
     NO_NULL(text, "text"), SHORT(capacity, "text"), DO(no_text, MIMO_OK, NULL))
 ROW(mimo_scene_save, ON_SCENE, mimo_scene_save(a->scene, a->folder), NO_NULL(folder, "folder"),
-    DO(folder_in_a_file, E_ARG, "cannot be made"))
+    DO(folder_in_a_file, MIMO_E_FILE, "cannot be made"))
 ROW(mimo_parameter_count, 0, mimo_parameter_count(a->count), NO_NULL(count, "count"))
 ROW(mimo_parameter_describe, 0, mimo_parameter_describe(a->index, a->parameter), BAD_INDEX(index, "index"),
     DESCRIPTION(parameter, mimo_parameter, "parameter"))

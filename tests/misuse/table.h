@@ -43,7 +43,7 @@ typedef struct args {
   mimo_model_config* model_config;
   mimo_gaze* gaze;
   mimo_mesh* mesh;
-  mimo_material* material;
+  mimo_appearance* appearance;
   mimo_texture* texture;
   mimo_light* light;
   mimo_growth* growth;

@@ -138,7 +138,7 @@ static const char* const toys[1] = {"toy"};
 static const char* const task_terms[1] = {"one"};
 static const size_t task_shape[1] = {3};
 
-static mimo_status judge(void* user, const mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   (void)user, (void)env, (void)moment;
   verdict->terms[0] = 1;
   return MIMO_OK;
@@ -308,7 +308,7 @@ static void make_structs(void) {
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
   good.mesh = region(sizeof *good.mesh + TAIL);
-  good.material = region(sizeof *good.material + TAIL);
+  good.appearance = region(sizeof *good.appearance + TAIL);
   good.texture = region(sizeof *good.texture + TAIL);
   good.light = region(sizeof *good.light + TAIL);
   good.growth = region(sizeof *good.growth + TAIL);
@@ -402,7 +402,7 @@ static void fill_configs(void) {
   good.term->struct_size = sizeof *good.term;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
-  good.material->struct_size = sizeof *good.material;
+  good.appearance->struct_size = sizeof *good.appearance;
   good.report->struct_size = sizeof *good.report;
   good.senses_config->mujoco_version = mj_version();
   good.senses_config->model_size = sizeof *host_model;
@@ -424,7 +424,7 @@ static void fill_results(void) {
   results->terminated = good.state_out;
   results->truncated = (uint8_t*)good.state_out + WORLDS_IN_BATCH;
   results->outcome = good.outcome;
-  results->agents = WORLDS_IN_BATCH * AGENTS;
+  results->agent_count = WORLDS_IN_BATCH * AGENTS;
   results->terms = good.numbers;
   results->term_count = WORLDS_IN_BATCH * good.term_count;
   results->status = good.statuses;
@@ -443,7 +443,7 @@ static void fill_env_results(void) {
   results->terminated = good.terminated;
   results->truncated = good.truncated;
   results->outcome = good.outcome;
-  results->agents = AGENTS;
+  results->agent_count = AGENTS;
   results->terms = good.numbers;
   results->term_count = good.term_count;
 }

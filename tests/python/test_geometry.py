@@ -93,7 +93,7 @@ class Canvas:
 def draw(world, camera):
     canvas, poses = Canvas(), world.poses("geom")
     for geom, mesh in enumerate(world.meshes(segments=48, plane=1000)):
-        if world.material(geom).visible:
+        if world.appearance(geom).visible:
             placed = turned(poses.rotations[geom], mesh.positions.astype(float)) + poses.positions[geom]
             canvas.draw(geom, camera.seen(placed), mesh.texcoords.astype(float), mesh.triangles)
     return canvas
@@ -103,7 +103,7 @@ def colors(world, canvas):
     """Of each pixel that shows a geom in light of strength 1: its material's colour times its texture's."""
     painted = np.zeros((HEIGHT, WIDTH, 3))
     for geom in np.unique(canvas.geom[canvas.geom >= 0]):
-        material, where = world.material(int(geom)), canvas.geom == geom
+        material, where = world.appearance(int(geom)), canvas.geom == geom
         painted[where] = np.minimum(1, (1 + material.emission) * np.array(material.color[:3]))
         if material.texture >= 0:
             pixels = world.texture(material.texture).pixels
@@ -206,12 +206,12 @@ def test_touch_sensors_lie_on_the_meshes(small):
 
 def test_what_is_changed_is_seen(small):
     world = small.clone()
-    before = world.material("head")
+    before = world.appearance("head")
     world.set_face("surprise")
-    assert before.texture != world.material("head").texture
+    assert before.texture != world.appearance("head").texture
     assert world.texture(before.texture).type is mimo.TextureType.CUBE
     assert not np.array_equal(
-        world.texture(before.texture).pixels, world.texture(world.material("head").texture).pixels
+        world.texture(before.texture).pixels, world.texture(world.appearance("head").texture).pixels
     )
     sky = [world.texture(i).type for i in range(world.texture_count)].count(mimo.TextureType.SKY)
     assert sky == 1
@@ -240,7 +240,7 @@ def test_wrong_arguments(small):
     with pytest.raises(mimo.ArgumentError, match="segments is 6"):
         small.mesh("head", segments=6)
     with pytest.raises(mimo.NotFoundError, match="no geom named"):
-        small.material("tail")
+        small.appearance("tail")
     with pytest.raises(ValueError, match="rows of three"):
         mimo.convert_points([1, 2], "godot")
     np.testing.assert_array_equal(mimo.convert_directions([[1, 2, 3]], "gltf"), [[2, 3, 1]])

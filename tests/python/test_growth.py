@@ -1,6 +1,7 @@
 """Infants of other ages than 18 months, against the WHO Child Growth Standards, 2006."""
 
 import csv
+import ctypes
 import dataclasses
 import pickle
 
@@ -115,6 +116,17 @@ def test_one_environment_grows_up():
         env.reset(options={"aeg": 3})
 
 
+def test_states_of_several_ages():
+    with mimo.Batch("free", 2, vision=False, touch=False, maturity="all", ages=[24, 0]) as batch:
+        states = batch.save()
+        assert len(states[0]) < len(states[1])  # a newborn's nerves are slower
+        batch.world(1).load(states[1])
+        batch.step(np.zeros((2, batch.action_low.size)))
+        assert batch.save() != states
+        batch.load(states)
+        assert batch.save() == states
+
+
 def test_vector_environments_have_ages():
     envs = mimo.make_vec("free", num_envs=3, vision=False, touch=False, ages=[1, 2, 3])
     envs.reset(seed=0)
@@ -154,7 +166,7 @@ def test_maturity_in_numbers():
     assert (newborn.acuity, toddler.acuity) == (0.70, 11.1)
     assert newborn.conduction_speed < toddler.conduction_speed
     raw = mimo._abi.Maturity()
-    mimo._library.check(mimo._library.LIB.mimo_maturity_init(raw, 80))
+    mimo._library.check(mimo._library.LIB.mimo_maturity_init(raw, ctypes.sizeof(raw)))
     assert {name: getattr(raw, name) for name in dataclasses.asdict(newborn)} == dataclasses.asdict(mimo.Maturity())
     for wrong, message in (
         (lambda: mimo.Maturity.at(25), "age is 25, expected 0 to 24 months"),

@@ -52,7 +52,7 @@ def test_saved_scenes_are_the_same_without_us(tmp_path):
     scene.save(tmp_path / "saved")
     again = mimo.World(mimo.Scene(file=tmp_path / "saved" / "scene.xml"), renderer="none")
     assert again.bodies().names == mimo.World(scene, renderer="none").bodies().names
-    with pytest.raises(mimo.ArgumentError, match="other content"):
+    with pytest.raises(mimo.FileError, match="other content"):
         mimo.Scene("free").save(tmp_path / "saved")
     with pytest.raises(TypeError):
         scene.save(3)

@@ -32,7 +32,7 @@ STRUCTS = {
     "mimo_camera_config": _abi.CameraConfig,
     "mimo_gaze": _abi.Gaze,
     "mimo_mesh": _abi.Mesh,
-    "mimo_material": _abi.Material,
+    "mimo_appearance": _abi.Appearance,
     "mimo_texture": _abi.Texture,
     "mimo_light": _abi.Light,
     "mimo_load_report": _abi.LoadReport,

@@ -68,7 +68,7 @@ def test_vertices_are_where_the_library_has_them(written):
     assert UsdGeom.GetStageMetersPerUnit(stage) == 1
     poses, shown = world.poses("geom"), 0
     for geom, name in enumerate(world.geoms().names):
-        if not name.isidentifier() or not world.material(geom).visible:
+        if not name.isidentifier() or not world.appearance(geom).visible:
             continue
         found, ours = shape(stage, geom, name), world.mesh(geom)
         to_world = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(found.GetPrim()))  # of rows
@@ -86,7 +86,7 @@ def test_materials_and_textures(written):
 
     world, file, stage = written
     geom = world.find("geom", "head")
-    look = world.material(geom)
+    look = world.appearance(geom)
     material, _ = UsdShade.MaterialBindingAPI(shape(stage, geom, "head")).ComputeBoundMaterial()
     surface = material.ComputeSurfaceSource()[0]
     assert surface.GetIdAttr().Get() == "UsdPreviewSurface"

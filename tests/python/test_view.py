@@ -136,7 +136,7 @@ def test_a_face_and_an_age_change_the_shapes(shown):
     assert shapes._shown[head] is not before[0]
     assert shapes._shown[arm] is before[1]
     pixels = np.asarray(vertices(shapes._shown[head]).visual.material.baseColorTexture)
-    np.testing.assert_array_equal(pixels[..., :3], world.texture(world.material("head").texture).pixels[..., :3])
+    np.testing.assert_array_equal(pixels[..., :3], world.texture(world.appearance("head").texture).pixels[..., :3])
     tall = np.ptp(vertices(shapes._shown[head]).vertices[:, 2])
     shown._page.infants._given[0] = 1.0
     shown.restart()

@@ -23,7 +23,7 @@ class Height : public mimo::Task {
     height = 0.2 + 0.2 * env.random(1)[0];
     moment.fields[0] = static_cast<float>(height);
   }
-  void evaluate(const mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
+  void evaluate(mimo::Env& env, const mimo_task_moment& moment, mimo_task_verdict& verdict) override {
     const double height = *static_cast<double*>(moment.memory);
     const double hand = env.get_values(MIMO_BODY_POSITION, {env.find(MIMO_BODY, "left_hand")})[2];
     double effort = 0;

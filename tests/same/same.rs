@@ -35,7 +35,7 @@ impl mimo::Task for Height {
 
     fn evaluate(
         &self,
-        world: &mimo::World,
+        world: &mut mimo::World,
         moment: &mut mimo::Moment,
         verdict: &mut mimo::Verdict,
     ) -> mimo::Result<()> {

@@ -1,4 +1,4 @@
-/* Structs that calls are given, in the place of an argument: RESULTS(.reward = &reward, .agents = 1). C99 only. */
+/* Structs that calls are given, in the place of an argument: RESULTS(.reward = &reward, .agent_count = 1). C99 only. */
 #ifndef MIMO_TESTS_SUPPORT_CALLS_H
 #define MIMO_TESTS_SUPPORT_CALLS_H
 

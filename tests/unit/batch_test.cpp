@@ -410,9 +410,10 @@ TEST(Batch, SavesAndLoadsManyStates) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(saved(rig.batch.world(i)), state);
 
   EXPECT_EQ(failure([&] {
-              rig.batch.load(nullptr, {states.data(), 2 * bytes});
+              rig.batch.load(nullptr, {states.data(), 3 * bytes - 1});
             }),
-            "state_bytes is " + std::to_string(2 * bytes) + ", expected " + std::to_string(bytes) + " or 3 times that");
+            "state_bytes is " + std::to_string(3 * bytes - 1) +
+                ", expected those of one state, or a number that 3 worlds share");
 
   states[bytes + 100] ^= 1;
   EXPECT_EQ(failure([&] { rig.batch.load(nullptr, Span<const std::uint8_t>(states)); }),

@@ -206,7 +206,7 @@ TEST(EnvStep, RewardsAreFinite) {
     world->step({}, nullptr, {});
     FAIL() << "not refused";
   } catch (const Error& error) {
-    EXPECT_EQ(error.status(), Status::kInvalidArgument);
+    EXPECT_EQ(error.status(), Status::kTask);
     EXPECT_EQ(error.message(), "the task's function evaluate gave agent 0 the reward inf, expected a finite number");
   }
   EXPECT_EQ(world->agents()[0].task->reward(), 0);

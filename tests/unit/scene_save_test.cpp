@@ -92,16 +92,15 @@ TEST_F(SceneSave, NothingIsOverwritten) {
   scene.save(folder.path("s"));  // the same again is there already
   const std::string before = read(folder.path("s/scene.xml"));
   scene.add_body("mitten", "", nullptr);
-  expect_error(Status::kInvalidArgument, "scene.xml is there with other content",
-               [&] { scene.save(folder.path("s")); });
+  expect_error(Status::kFile, "scene.xml is there with other content", [&] { scene.save(folder.path("s")); });
   EXPECT_EQ(read(folder.path("s/scene.xml")), before);
   EXPECT_FALSE(fs::exists(folder.path("s/assets/mimo_skin.png")));
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(folder.path("s/assets"))) files += entry.is_regular_file();
   EXPECT_EQ(files, 1u) << "the floor's picture, and none of the infant's";
   const std::string file = folder.write("file", "");
-  expect_error(Status::kInvalidArgument, "cannot be made", [&] { scene.save(file); });
-  expect_error(Status::kInvalidArgument, "cannot be made", [&] { scene.save(file + "/below"); });
+  expect_error(Status::kFile, "cannot be made", [&] { scene.save(file); });
+  expect_error(Status::kFile, "cannot be made", [&] { scene.save(file + "/below"); });
 }
 
 TEST_F(SceneSave, AMissingFileIsNamed) {

@@ -120,7 +120,7 @@ namespace Mimo
     }
 
     /// <summary>What an action is.</summary>
-    public enum Actuation : uint
+    public enum Actuation
     {
         /// <summary>A motor's share of its largest torque.</summary>
         Torque = 0,

@@ -87,7 +87,7 @@ namespace Mimo
             return new BatchResultsStruct
             {
                 struct_size = (uint)Structs.Size<BatchResultsStruct>(), reward = common.reward, terminated = common.terminated,
-                truncated = common.truncated, outcome = common.outcome, agents = common.agents, terms = common.terms,
+                truncated = common.truncated, outcome = common.outcome, agent_count = common.agent_count, terms = common.terms,
                 term_count = common.term_count, was_reset = kept.Keep(wasReset), final_written = kept.Keep(finalWritten),
                 worlds = (UIntPtr)Worlds, final_blocks = kept.Keep(FinalBlocks),
                 final_bytes = (UIntPtr)(FinalBlocks == null ? 0 : FinalBlocks.Length)
@@ -196,10 +196,12 @@ namespace Mimo
             Set(Quantity.AgentFace, new[] { agent }, faces, mask);
         }
 
-        /// <summary>The states of all worlds, one after the other; all have the same size.</summary>
+        /// <summary>The states of all worlds, one after the other, each in as many bytes as the longest.</summary>
         public byte[] Save()
         {
-            var states = new byte[Worlds * first.StateBytes];
+            UIntPtr bytes;
+            MimoException.Check(Native.mimo_batch_state_size(handle, out bytes));
+            var states = new byte[Worlds * (int)bytes];
             MimoException.Check(Native.mimo_batch_state_save(handle, null, UIntPtr.Zero, states, (UIntPtr)states.Length));
             return states;
         }

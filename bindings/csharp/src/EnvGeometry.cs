@@ -42,7 +42,7 @@ namespace Mimo
     }
 
     /// <summary>How a geom looks.</summary>
-    public struct GeomMaterial
+    public struct GeomAppearance
     {
         /// <summary>Whether MuJoCo would draw it.</summary>
         public bool Visible;
@@ -158,11 +158,11 @@ namespace Mimo
         }
 
         /// <summary>How a geom looks now.</summary>
-        public GeomMaterial Material(int geom)
+        public GeomAppearance Appearance(int geom)
         {
-            var raw = new MaterialStruct { struct_size = (uint)Structs.Size<MaterialStruct>() };
-            MimoException.Check(Native.mimo_env_material(handle, geom, ref raw));
-            return new GeomMaterial
+            var raw = new AppearanceStruct { struct_size = (uint)Structs.Size<AppearanceStruct>() };
+            MimoException.Check(Native.mimo_env_appearance(handle, geom, ref raw));
+            return new GeomAppearance
             {
                 Visible = raw.visible != 0, Group = raw.group, Texture = raw.texture,
                 Color = new Rgba(raw.color.r, raw.color.g, raw.color.b, raw.color.a), Emission = raw.emission,

@@ -32,7 +32,9 @@ namespace Mimo
         /// <summary>A defect in libmimo; please report the message.</summary>
         Internal = -12,
         /// <summary>A file cannot be written, or is not what it should be.</summary>
-        File = -13
+        File = -13,
+        /// <summary>A MimoTask threw, or said what cannot be meant.</summary>
+        Task = -14
     }
 
     /// <summary>What the library complained about: one line that names the argument, its value and what was expected.</summary>

@@ -14,7 +14,7 @@ namespace Mimo
         void SetMesh(int geom, string name, string body, GeomMesh mesh);
 
         /// <summary>How it looks; again after that has changed. Invisible ones are to be hidden.</summary>
-        void SetMaterial(int geom, GeomMaterial material);
+        void SetMaterial(int geom, GeomAppearance material);
 
         /// <summary>Where it is.</summary>
         void SetPose(int geom, float x, float y, float z, float qx, float qy, float qz, float qw);
@@ -28,7 +28,7 @@ namespace Mimo
         private readonly Axes axes;
         private readonly int segments;
         private readonly float[] poses;
-        private readonly GeomMaterial[] materials;
+        private readonly GeomAppearance[] materials;
         private readonly HashSet<int> textures = new HashSet<int>();
 
         /// <summary>For a world, a drawer, and the engine's frame: Axes.Unity, Unreal, Godot or Gltf.</summary>
@@ -41,7 +41,7 @@ namespace Mimo
             this.segments = segments;
             var count = env.Count(Kind.Geom);
             poses = new float[7 * count];
-            materials = new GeomMaterial[count];
+            materials = new GeomAppearance[count];
         }
 
         /// <summary>Hands over all meshes, materials and poses: at the start, and after geoms were given another size or infants
@@ -52,7 +52,7 @@ namespace Mimo
             {
                 var body = env.Name(Kind.Body, env.BodyOf(Kind.Geom, geom));
                 drawer.SetMesh(geom, env.Name(Kind.Geom, geom), body, env.Mesh(geom, axes, segments));
-                Show(geom, env.Material(geom));
+                Show(geom, env.Appearance(geom));
             }
             Update();
         }
@@ -75,12 +75,12 @@ namespace Mimo
         {
             for (var geom = 0; geom < materials.Length; ++geom)
             {
-                var material = env.Material(geom);
+                var material = env.Appearance(geom);
                 if (!material.Equals(materials[geom])) Show(geom, material);
             }
         }
 
-        private void Show(int geom, GeomMaterial material)
+        private void Show(int geom, GeomAppearance material)
         {
             if (material.Visible && material.Texture >= 0 && textures.Add(material.Texture))
                 drawer.AddTexture(material.Texture, env.Texture(material.Texture));

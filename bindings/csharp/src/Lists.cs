@@ -7,14 +7,14 @@ namespace Mimo
     public static class Scenes
     {
         /// <summary>Their names, for MimoScene.Builtin: "reach", "benchmark", ...</summary>
-        public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_scene_builtin);
+        public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_scene_name);
     }
 
     /// <summary>The rooms.</summary>
     public static class Rooms
     {
         /// <summary>Their names, for MimoScene.SetRoom: "playroom", ...</summary>
-        public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_scene_room);
+        public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_room_name);
     }
 
     /// <summary>The faces of the built-in bodies.</summary>

@@ -153,8 +153,8 @@ namespace Mimo
         /// Dispose; what it has of an observation is not that of the step.</summary>
         public virtual void Reset(Env world, TaskMoment moment) { }
 
-        /// <summary>Judges a step: look, but leave the world as it is. Positions of bodies are those of the start of the last
-        /// physics step.</summary>
+        /// <summary>Judges a step. Positions of bodies are those of the start of the last physics step. What it writes, to place
+        /// the next goal, say, counts from the next step on. Infants are asked in their order.</summary>
         public abstract void Evaluate(Env world, TaskMoment moment, TaskVerdict verdict);
     }
 }

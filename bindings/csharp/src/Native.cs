@@ -41,8 +41,8 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_maturity_at(double age, out Maturity maturity, Size size);
         [DllImport(File)] internal static extern int mimo_field_config_init(out FieldConfigStruct config, Size size);
 
-        [DllImport(File)] internal static extern IntPtr mimo_scene_builtin(Size index);
-        [DllImport(File)] internal static extern IntPtr mimo_scene_room(Size index);
+        [DllImport(File)] internal static extern IntPtr mimo_scene_name(Size index);
+        [DllImport(File)] internal static extern IntPtr mimo_room_name(Size index);
         [DllImport(File)] internal static extern IntPtr mimo_task_name(Size index);
         [DllImport(File)] internal static extern int mimo_parameter_count(out Size count);
         [DllImport(File)] internal static extern int mimo_parameter_describe(Size index, ref ParameterStruct parameter);
@@ -131,7 +131,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_poses(EnvHandle env, int kind, int axes, float[] poses, Size count);
         [DllImport(File)] internal static extern int mimo_mesh_init(out MeshStruct mesh, Size size);
         [DllImport(File)] internal static extern int mimo_env_mesh(EnvHandle env, int geom, ref MeshStruct mesh);
-        [DllImport(File)] internal static extern int mimo_env_material(EnvHandle env, int geom, ref MaterialStruct material);
+        [DllImport(File)] internal static extern int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct material);
         [DllImport(File)] internal static extern int mimo_env_texture_count(EnvHandle env, out Size count);
         [DllImport(File)] internal static extern int mimo_env_texture(EnvHandle env, int texture, ref TextureStruct raw);
         [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);
@@ -171,6 +171,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_batch_get(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
         [DllImport(File)] internal static extern int mimo_batch_get_float(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, float[] values, Size count);
         [DllImport(File)] internal static extern int mimo_batch_set(BatchHandle batch, int quantity, int[] ids, Size idCount, byte[] mask, Size worlds, double[] values, Size count);
+        [DllImport(File)] internal static extern int mimo_batch_state_size(BatchHandle batch, out Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_state_save(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes);
         [DllImport(File)] internal static extern int mimo_batch_state_load(BatchHandle batch, byte[] mask, Size worlds, byte[] states, Size bytes, ref LoadReportStruct report);
         [DllImport(File)] internal static extern int mimo_senses_config_init(out SensesConfigStruct config, Size size);

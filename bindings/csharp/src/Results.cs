@@ -49,7 +49,7 @@ namespace Mimo
             {
                 struct_size = (uint)Structs.Size<EnvResultsStruct>(), reward = kept.Keep(Rewards),
                 terminated = kept.Keep(terminated), truncated = kept.Keep(truncated), outcome = kept.Keep(outcomes),
-                agents = (UIntPtr)Rewards.Length, terms = kept.Keep(Terms), term_count = (UIntPtr)Terms.Length
+                agent_count = (UIntPtr)Rewards.Length, terms = kept.Keep(Terms), term_count = (UIntPtr)Terms.Length
             };
         }
 

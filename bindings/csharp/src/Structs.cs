@@ -129,7 +129,7 @@ namespace Mimo
     {
         internal uint struct_size, reserved;
         internal IntPtr reward, terminated, truncated, outcome;
-        internal UIntPtr agents;
+        internal UIntPtr agent_count;
         internal IntPtr terms;
         internal UIntPtr term_count;
     }
@@ -283,7 +283,7 @@ namespace Mimo
     {
         internal uint struct_size, reserved;
         internal IntPtr reward, terminated, truncated, outcome;
-        internal UIntPtr agents;
+        internal UIntPtr agent_count;
         internal IntPtr terms;
         internal UIntPtr term_count;
         internal IntPtr status, was_reset, final_written;
@@ -367,7 +367,7 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal struct MaterialStruct
+    internal struct AppearanceStruct
     {
         internal uint struct_size, visible;
         internal int group, texture;
@@ -393,6 +393,7 @@ namespace Mimo
         internal uint active, directional, casts_shadow;
         internal float cutoff, exponent;
         internal Floats3 position, direction, ambient, diffuse, specular, attenuation;
+        internal uint reserved;
     }
 
     internal static class Structs

@@ -163,7 +163,7 @@ namespace Mimo
         private static int Fail(Exception error)
         {
             var known = error as MimoException;
-            return Native.mimo_fail((int)(known == null ? Status.Internal : known.Status),
+            return Native.mimo_fail((int)(known == null ? Status.Task : known.Status),
                 Utf8.Bytes(known == null ? error.GetType().Name + ": " + error.Message : error.Message));
         }
     }

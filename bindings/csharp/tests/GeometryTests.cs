@@ -41,7 +41,7 @@ internal static partial class Tests
     private sealed class Memory : IDrawer
     {
         internal readonly Dictionary<int, GeomTexture> Textures = new Dictionary<int, GeomTexture>();
-        internal readonly Dictionary<int, GeomMaterial> Materials = new Dictionary<int, GeomMaterial>();
+        internal readonly Dictionary<int, GeomAppearance> Materials = new Dictionary<int, GeomAppearance>();
         internal readonly Dictionary<int, float[]> Poses = new Dictionary<int, float[]>();
         internal readonly Dictionary<int, string> Bodies = new Dictionary<int, string>();
         internal int Triangles, Shown;
@@ -52,7 +52,7 @@ internal static partial class Tests
             Bodies[geom] = body;
             Triangles += mesh.Indices.Length / 3;
         }
-        public void SetMaterial(int geom, GeomMaterial material)
+        public void SetMaterial(int geom, GeomAppearance material)
         {
             ++Shown;
             Materials[geom] = material;

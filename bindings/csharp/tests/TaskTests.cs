@@ -105,7 +105,7 @@ internal static partial class Tests
             Check(Refused(() => env.Step(null)).Message.Contains("goal[0] as 2, expected a finite number from -1 to 1"), "the field");
             task.Err = (moment, verdict) => { throw new InvalidOperationException("the ball left the table"); };
             var error = Refused(() => env.Step(null));
-            Check(error.Status == Status.Internal && error.Message.EndsWith("InvalidOperationException: the ball left the table"), error.Message);
+            Check(error.Status == Status.Task && error.Message.EndsWith("InvalidOperationException: the ball left the table"), error.Message);
             task.Err = (moment, verdict) => env.Find(Kind.Body, "unicorn");
             Check(Refused(() => env.Step(null)).Status == Status.NotFound, "the status of what failed inside");
             task.Err = (moment, verdict) => { };

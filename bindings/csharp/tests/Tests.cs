@@ -53,7 +53,7 @@ internal static partial class Tests
         { "mimo_timing", typeof(TimingStruct) },
         { "mimo_gaze", typeof(GazeStruct) },
         { "mimo_mesh", typeof(MeshStruct) },
-        { "mimo_material", typeof(MaterialStruct) },
+        { "mimo_appearance", typeof(AppearanceStruct) },
         { "mimo_texture", typeof(TextureStruct) },
         { "mimo_light", typeof(LightStruct) },
         { "mimo_picture_config", typeof(PictureConfigStruct) },

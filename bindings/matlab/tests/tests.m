@@ -300,9 +300,9 @@ function engines_see_it()
   radius = mimo_get(world, 'geom_size', 'head');
   assert(abs(max(sqrt(sum(mesh.positions .^ 2))) - radius(1)) < 1e-6);
   assert(abs(max(sqrt(sum(mimo_mesh(world, head, 'unreal').positions .^ 2))) - 100 * radius(1)) < 1e-4);
-  before = mimo_material(world, head);
+  before = mimo_appearance(world, head);
   mimo_face(world, 'surprise');
-  assert(before.visible && before.texture ~= mimo_material(world, head).texture);
+  assert(before.visible && before.texture ~= mimo_appearance(world, head).texture);
   [pixels, type] = mimo_texture(world, before.texture);
   assert(strcmp(type, 'cube') && size(pixels, 1) == 6 * size(pixels, 2) && all(all(pixels(:, :, 4) == 255)));
   assert(mimo_texture(world) >= before.texture);

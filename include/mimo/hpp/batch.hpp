@@ -57,11 +57,13 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     config.worlds = seeds.size();
     check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));
   }
-  /// As the config says, with what infants become: a growth for each world.
+  /// As the config says (some of the worlds, for example), with what infants become: a growth for each world, or none.
   void reset(mimo_batch_reset_config config, const std::vector<mimo_growth> &ages, Block &blocks) {
     const std::vector<const mimo_growth *> places = detail::places_of(ages);
-    config.growth = places.data();
-    config.worlds = places.size();
+    if (!ages.empty()) {
+      config.growth = places.data();
+      config.worlds = places.size();
+    }
     check(mimo_batch_reset(get(), &config, blocks.data(), blocks.bytes()));
   }
   /// One step; worlds x actions, none leave the controls as they are. `results` says where else it goes, or nullptr.
@@ -115,10 +117,11 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
     check(mimo_batch_set(get(), quantity, nullptr, 0, nullptr, 0, values.data(), values.size()));
   }
 
-  /// The states of all worlds, one after the other. Loading takes as many, or one for all.
+  /// The states of all worlds, one after the other, each in as many bytes as the longest. Loading takes as many, or one
+  /// state for all.
   std::vector<std::uint8_t> save() {
     std::size_t bytes = 0;
-    check(mimo_env_state_size(world(0), &bytes));
+    check(mimo_batch_state_size(get(), &bytes));
     std::vector<std::uint8_t> states(bytes * size());
     check(mimo_batch_state_save(get(), nullptr, 0, states.data(), states.size()));
     return states;

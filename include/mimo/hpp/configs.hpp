@@ -83,8 +83,8 @@ inline mimo_senses_config senses_config(int mujoco_version, std::size_t model_si
 }
 
 /// What the library knows by name.
-inline std::vector<std::string> scene_names() { return detail::names(mimo_scene_builtin); }
-inline std::vector<std::string> room_names() { return detail::names(mimo_scene_room); }
+inline std::vector<std::string> scene_names() { return detail::names(mimo_scene_name); }
+inline std::vector<std::string> room_names() { return detail::names(mimo_room_name); }
 inline std::vector<std::string> task_names() { return detail::names(mimo_task_name); }
 inline std::vector<std::string> material_names() { return detail::names(mimo_material_name); }
 inline std::vector<std::string> face_names() { return detail::names(mimo_face_name); }

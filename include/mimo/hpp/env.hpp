@@ -293,11 +293,11 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
             double plane = 20) const {
     return detail::mesh_of(get(), geom, axes, segments, plane);
   }
-  mimo_material material(std::int32_t geom) const {
-    mimo_material material = {};
-    material.struct_size = sizeof material;
-    check(mimo_env_material(get(), geom, &material));
-    return material;
+  mimo_appearance appearance(std::int32_t geom) const {
+    mimo_appearance appearance = {};
+    appearance.struct_size = sizeof appearance;
+    check(mimo_env_appearance(get(), geom, &appearance));
+    return appearance;
   }
   std::size_t texture_count() const {
     std::size_t count = 0;

@@ -47,7 +47,7 @@ struct Results {
       results.truncated = truncated.data();
       results.outcome = outcome.data();
     }
-    results.agents = agents;
+    results.agent_count = agents;
     results.terms = terms.empty() ? nullptr : terms.data();
     results.term_count = terms.size();
     return results;

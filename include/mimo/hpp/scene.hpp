@@ -30,9 +30,15 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     check(mimo_scene_default_agent(get(), &config, sizeof config));
     return config;
   }
-  std::size_t add_agent(const mimo_agent_config &config = agent_config()) {
+  std::size_t add_agent(const mimo_agent_config &config) {
     std::size_t agent = 0;
     check(mimo_scene_add_agent(get(), &config, &agent));
+    return agent;
+  }
+  /// The scene's next infant as default_agent() gives it: in a scene made for a task with the senses of that task.
+  std::size_t add_agent() {
+    std::size_t agent = 0;
+    check(mimo_scene_add_agent(get(), nullptr, &agent));
     return agent;
   }
   void set_touch(double spacing, std::size_t agent = 0) {

@@ -47,14 +47,14 @@ class Task {
 
   /// Prepares an episode of moment.agent, in a world that is at its start.
   virtual void reset(Env &env, const mimo_task_moment &moment) { (void)env, (void)moment; }
-  /// Judges a step of moment.agent.
-  virtual void evaluate(const Env &env, const mimo_task_moment &moment, mimo_task_verdict &verdict) = 0;
+  /// Judges a step of moment.agent. What it writes counts from the next step on.
+  virtual void evaluate(Env &env, const mimo_task_moment &moment, mimo_task_verdict &verdict) = 0;
 };
 
 namespace detail {
 /// A world whose owner is somebody else.
 struct Borrowed {
-  explicit Borrowed(const mimo_env *world) : env(const_cast<mimo_env *>(world)) {}
+  explicit Borrowed(mimo_env *world) : env(world) {}
   ~Borrowed() { env.release(); }
   Borrowed(const Borrowed &) = delete;
   Borrowed &operator=(const Borrowed &) = delete;
@@ -70,16 +70,16 @@ mimo_status task_status(Work work) {
   } catch (const Exception &error) {
     return mimo_fail(error.status(), error.what());
   } catch (const std::exception &error) {
-    return mimo_fail(MIMO_E_INTERNAL, (std::string("threw an exception: ") + error.what()).c_str());
+    return mimo_fail(MIMO_E_TASK, (std::string("threw an exception: ") + error.what()).c_str());
   }
 }
 inline mimo_status reset_task(void *user, mimo_env *world, const mimo_task_moment *moment) {
   Borrowed borrowed(world);
   return task_status([&] { static_cast<Task *>(user)->reset(borrowed.env, *moment); });
 }
-inline mimo_status evaluate_task(void *user, const mimo_env *world, const mimo_task_moment *moment,
+inline mimo_status evaluate_task(void *user, mimo_env *world, const mimo_task_moment *moment,
                                  mimo_task_verdict *verdict) {
-  const Borrowed borrowed(world);
+  Borrowed borrowed(world);
   return task_status([&] { static_cast<Task *>(user)->evaluate(borrowed.env, *moment, *verdict); });
 }
 inline mimo_task_field task_field(const TaskField &field) {

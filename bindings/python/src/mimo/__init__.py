@@ -56,6 +56,7 @@ from .errors import (
     OutOfMemoryError,
     RenderError,
     SimulationError,
+    TaskError,
     UnsupportedError,
 )
 from .geometry import convert_directions, convert_points
@@ -154,6 +155,7 @@ __all__ = [
     "SimulationError",
     "StepResult",
     "Task",
+    "TaskError",
     "Term",
     "TextureType",
     "Touch",

@@ -105,7 +105,7 @@ class AgentConfig(Struct):
         ("vision", c_uint32),
         ("vision_width", c_uint32),
         ("vision_height", c_uint32),
-        ("actuation", c_uint32),
+        ("actuation", c_int32),
         ("vision_fovy", c_double),
         ("vision_foveation", c_double),
         ("acts", c_uint32),
@@ -334,7 +334,7 @@ class EnvResults(Struct):
         ("terminated", _Array),
         ("truncated", _Array),
         ("outcome", _Array),
-        ("agents", c_size_t),
+        ("agent_count", c_size_t),
         ("terms", _Array),
         ("term_count", c_size_t),
     ]
@@ -401,7 +401,7 @@ class Mesh(Struct):
     ]
 
 
-class Material(Struct):
+class Appearance(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
         ("visible", c_uint32),
@@ -441,6 +441,7 @@ class Light(Struct):
         ("diffuse", c_float * 3),
         ("specular", c_float * 3),
         ("attenuation", c_float * 3),
+        ("reserved", c_uint32),
     ]
 
 
@@ -491,7 +492,7 @@ class BatchResults(Struct):
         ("terminated", _Array),
         ("truncated", _Array),
         ("outcome", _Array),
-        ("agents", c_size_t),
+        ("agent_count", c_size_t),
         ("terms", _Array),
         ("term_count", c_size_t),
         ("status", _Array),
@@ -650,10 +651,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_last_error_of": (_status, [c_void_p, c_char_p, c_size_t, _Out_size]),
     "mimo_fail": (_status, [_status, c_char_p]),
     "mimo_scene_config_init": (_status, [_config(SceneConfig), c_size_t]),
-    "mimo_scene_builtin": (c_char_p, [c_size_t]),
+    "mimo_scene_name": (c_char_p, [c_size_t]),
     "mimo_scene_create": (_status, [_config(SceneConfig), _Out_handle]),
     "mimo_scene_destroy": (None, [_Handle]),
-    "mimo_scene_room": (c_char_p, [c_size_t]),
+    "mimo_room_name": (c_char_p, [c_size_t]),
     "mimo_scene_set_room": (_status, [_Handle, c_char_p]),
     "mimo_agent_config_init": (_status, [_config(AgentConfig), c_size_t]),
     "mimo_scene_default_agent": (_status, [_Handle, _config(AgentConfig), c_size_t]),
@@ -747,7 +748,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_poses": (_status, [_Handle, c_int32, c_int32, _Array, c_size_t]),
     "mimo_mesh_init": (_status, [_config(Mesh), c_size_t]),
     "mimo_env_mesh": (_status, [_Handle, c_int32, _config(Mesh)]),
-    "mimo_env_material": (_status, [_Handle, c_int32, _config(Material)]),
+    "mimo_env_appearance": (_status, [_Handle, c_int32, _config(Appearance)]),
     "mimo_env_texture_count": (_status, [_Handle, _Out_size]),
     "mimo_env_texture": (_status, [_Handle, c_int32, _config(Texture)]),
     "mimo_env_light": (_status, [_Handle, c_int32, _config(Light)]),
@@ -802,6 +803,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         _status,
         [_Handle, c_int32, _Array, c_size_t, _Array, c_size_t, _Array, c_size_t],
     ),
+    "mimo_batch_state_size": (_status, [_Handle, _Out_size]),
     "mimo_batch_state_save": (_status, [_Handle, _Array, c_size_t, c_void_p, c_size_t]),
     "mimo_batch_state_load": (
         _status,

@@ -267,25 +267,28 @@ class Batch(Access):
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""
-        size = self._state_size()
-        states = ctypes.create_string_buffer(size * self.world_count)
+        row = self._state_size(LIB.mimo_batch_state_size, self._handle)
+        states = ctypes.create_string_buffer(row * self.world_count)
         check(LIB.mimo_batch_state_save(self._handle, None, 0, states, len(states)))
+        sizes = [self._state_size(LIB.mimo_env_state_size, self._world_handle(i)) for i in range(self.world_count)]
         raw = states.raw
-        return [raw[i * size : (i + 1) * size] for i in range(self.world_count)]
+        return [raw[i * row : i * row + size] for i, size in enumerate(sizes)]
 
     def load(self, states: Union[bytes, Sequence[bytes]], mask: Mask = None) -> LoadReport:
         """Loads one state into each world, or a single one into all: futures of one present.
 
         Tells of the world where most started fresh.
         """
-        joined = states if isinstance(states, bytes) else b"".join(states)
+        row = 0 if isinstance(states, bytes) else max(map(len, states), default=0)
+        joined = states if isinstance(states, bytes) else b"".join(state.ljust(row, b"\0") for state in states)
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
         return reported(LIB.mimo_batch_state_load, self._handle, _data(chosen), count, joined, len(joined))
 
-    def _state_size(self) -> int:
+    @staticmethod
+    def _state_size(of: Any, handle: Any) -> int:
         size = ctypes.c_size_t()
-        check(LIB.mimo_env_state_size(self._names_handle, size))
+        check(of(handle, size))
         return size.value
 
     def _world_handle(self, index: int) -> Native:

@@ -53,6 +53,10 @@ class FileError(Error, OSError):
     """A file cannot be written, or is not what it should be."""
 
 
+class TaskError(Error, RuntimeError):
+    """A mimo.WorldTask raised something, or said what cannot be meant."""
+
+
 class InternalError(Error, RuntimeError):
     """A defect in libmimo; please report the message."""
 
@@ -71,6 +75,7 @@ BY_STATUS: Dict[int, Type[Error]] = {
     -11: ForkedError,
     -12: InternalError,
     -13: FileError,
+    -14: TaskError,
 }
 
 

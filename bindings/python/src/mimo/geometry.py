@@ -32,7 +32,7 @@ class Mesh:
 
 
 @dataclass(frozen=True)
-class Material:
+class Appearance:
     """How a geom looks."""
 
     visible: bool  # MuJoCo would draw it
@@ -108,12 +108,12 @@ class Geometry(Access):
         """All geoms as triangles, in the order of their ids."""
         return [self.mesh(geom, axes, segments, plane) for geom in range(self.count(Kind.GEOM))]
 
-    def material(self, geom: Union[int, str]) -> Material:
+    def appearance(self, geom: Union[int, str]) -> Appearance:
         """How a geom looks now."""
-        raw = _abi.Material()
-        check(LIB.mimo_env_material(self._names_handle, self._geom(geom), raw))
+        raw = _abi.Appearance()
+        check(LIB.mimo_env_appearance(self._names_handle, self._geom(geom), raw))
         red, green, blue, opacity = raw.color
-        return Material(
+        return Appearance(
             bool(raw.visible),
             raw.group,
             raw.texture,

@@ -24,7 +24,7 @@ from .tasks import Judgement
 if TYPE_CHECKING:
     from .world import World
 
-INTERNAL = -12  # MIMO_E_INTERNAL
+FAILED = -14  # MIMO_E_TASK
 
 
 class Moment:
@@ -87,6 +87,8 @@ class WorldTask:
 
     def evaluate(self, world: "World", moment: Moment) -> Judgement:
         """Judges a step. Positions of bodies are those of the start of its last physics step.
+
+        What it writes, to place the next goal, say, counts from the next step on. Infants are asked in their order.
 
         Of success or failure say whether they end the episode (`terminated`); there is no `info`.
         """
@@ -208,9 +210,9 @@ def _status(work: Callable[[], None]) -> int:
         work()
         return 0
     except Error as error:
-        return _fail(error.status or INTERNAL, str(error))
+        return _fail(error.status or FAILED, str(error))
     except BaseException as error:
-        return _fail(INTERNAL, f"{type(error).__name__}: {error}")
+        return _fail(FAILED, f"{type(error).__name__}: {error}")
 
 
 def _fail(status: int, message: str) -> int:

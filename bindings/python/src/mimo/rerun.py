@@ -62,7 +62,7 @@ def _shapes(world: World, path: str, recording: Any) -> None:
     (owners, places, rotations), light = on_bodies(world), brightness(world)
     sdk.log(path, sdk.ViewCoordinates.RIGHT_HAND_Z_UP, static=True, recording=recording)
     for geom, body in enumerate(owners):
-        material = lit(world.material(geom), light)
+        material = lit(world.appearance(geom), light)
         if not material.visible:
             continue
         mesh, place = world.mesh(geom, segments=SEGMENTS, plane=FLOOR), f"{_of_body(path, int(body))}/{geom}"

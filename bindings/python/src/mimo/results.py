@@ -60,7 +60,7 @@ class Results:
     def places(self) -> Dict[str, Any]:
         """Where they are: members of the library's structs."""
         places = {name: array.ctypes.data for name, array in self.__dict__.items()}
-        return {**places, "agents": self.reward.size, "term_count": self.terms.size}
+        return {**places, "agent_count": self.reward.size, "term_count": self.terms.size}
 
     def for_world(self) -> _abi.EnvResults:
         """As the library's struct, for a world."""

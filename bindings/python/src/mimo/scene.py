@@ -65,7 +65,7 @@ EDITS = (
 
 def scenes() -> List[str]:
     """Names of the built-in scenes."""
-    return _names(LIB.mimo_scene_builtin)
+    return _names(LIB.mimo_scene_name)
 
 
 def faces() -> List[str]:
@@ -80,7 +80,7 @@ def materials() -> List[str]:
 
 def rooms() -> List[str]:
     """Names of the rooms for Scene.set_room."""
-    return _names(LIB.mimo_scene_room)
+    return _names(LIB.mimo_room_name)
 
 
 def tasks() -> List[str]:

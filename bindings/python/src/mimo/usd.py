@@ -16,7 +16,7 @@ from .constants import Kind, TextureType
 from .drawing import on_bodies
 from .errors import UnsupportedError
 from .frames import placed, turned
-from .geometry import Light, Material, Mesh
+from .geometry import Appearance, Light, Mesh
 from .view.glb import linear, roughness
 from .world import World
 
@@ -88,7 +88,7 @@ class _Writer:
         names = self._world.geoms().names
         owners, places, rotations = on_bodies(self._world)
         for geom, owner in enumerate(owners):
-            material = self._world.material(geom)
+            material = self._world.appearance(geom)
             if material.visible:
                 path = f"{self._bodies[owner]}/{_identifier(names[geom], 'geom', geom)}"
                 mesh = self._world.mesh(geom, segments=segments, plane=plane)
@@ -114,7 +114,7 @@ class _Writer:
         )
         places.Set(Vt.Vec2fArray.FromNumpy(texcoords))
 
-    def _add_material(self, path: str, look: Material) -> None:
+    def _add_material(self, path: str, look: Appearance) -> None:
         from pxr import Gf, Sdf, UsdShade
 
         material = UsdShade.Material.Define(self._stage, f"{path}/material")

@@ -20,13 +20,13 @@ pub const MIMO_API_MINOR: u32 = 10;
 pub const MIMO_API_VERSION: u32 = 10;
 #[doc = "The call did what it says."]
 pub const MIMO_OK: u32 = 0;
-#[doc = "An argument is NULL, out of range or not finite."]
+#[doc = "NULL, out of range, not finite; or a call that does not fit now."]
 pub const MIMO_E_INVALID_ARGUMENT: i32 = -1;
 #[doc = "Not a handle of that kind, or one already destroyed."]
 pub const MIMO_E_BAD_HANDLE: i32 = -2;
 #[doc = "A caller's buffer is shorter than needed; nothing was written."]
 pub const MIMO_E_BUFFER_TOO_SMALL: i32 = -3;
-#[doc = "struct_size unknown, or an unknown tail of the struct is not zero."]
+#[doc = "struct_size is not that of any version."]
 pub const MIMO_E_STRUCT_SIZE: i32 = -4;
 #[doc = "No body, joint, scene, file... of that name."]
 pub const MIMO_E_NOT_FOUND: i32 = -5;
@@ -46,6 +46,8 @@ pub const MIMO_E_FORKED: i32 = -11;
 pub const MIMO_E_INTERNAL: i32 = -12;
 #[doc = "A file cannot be written, or is not what it should be."]
 pub const MIMO_E_FILE: i32 = -13;
+#[doc = "A task of your own threw, or said what cannot be meant; see mimo_env_step."]
+pub const MIMO_E_TASK: i32 = -14;
 #[doc = "Something is not as the user probably meant it."]
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
@@ -416,7 +418,7 @@ pub const MIMO_WORLD_GRAVITY: u32 = 49;
 pub const MIMO_WARNING_COUNT: u32 = 50;
 #[doc = "Site: 6, linear (m/s) of its position and angular (rad/s), world frame."]
 pub const MIMO_SITE_VELOCITY: u32 = 51;
-#[doc = "Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:\ndocs/tasks.md. None where a task has no such thing."]
+#[doc = "Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:\ndocs/tasks.md. None where a task has no such thing, as those of your own, which have fields."]
 pub const MIMO_AGENT_GOAL: u32 = 52;
 #[doc = "Agent: see MIMO_AGENT_GOAL."]
 pub const MIMO_AGENT_ACHIEVED: u32 = 53;
@@ -462,8 +464,6 @@ pub const MIMO_AUTORESET_NONE: u32 = 0;
 pub const MIMO_AUTORESET_NEXT_STEP: u32 = 1;
 #[doc = "The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is\nthe first of the new one; the last block of the old one goes to final_blocks."]
 pub const MIMO_AUTORESET_SAME_STEP: u32 = 2;
-#[doc = "Largest memory_bytes of a task, and most bytes of its fields together."]
-pub const MIMO_TASK_MEMORY_LIMIT: u32 = 1048576;
 #[doc = "Result of a call: MIMO_OK or one of the negative MIMO_E_ constants."]
 pub type mimo_status = i32;
 extern "C" {
@@ -482,7 +482,7 @@ extern "C" {
     pub fn mimo_supports(name: *const std::os::raw::c_char) -> i32;
 }
 extern "C" {
-    #[doc = "Version of the loaded library, \"major.minor.patch\". Static string."]
+    #[doc = "Version of the loaded library, \"1.2.3\", or \"1.2.3-rc1\" of a candidate. Static string."]
     pub fn mimo_version() -> *const std::os::raw::c_char;
 }
 extern "C" {
@@ -564,7 +564,7 @@ pub struct mimo_scene_config {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Built-in scene: \"reach\", \"benchmark\", ...; see mimo_scene_builtin."]
+    #[doc = "Built-in scene: \"reach\", \"benchmark\", ...; see mimo_scene_name."]
     pub name: *const std::os::raw::c_char,
     #[doc = "Path of an MJCF file. Its includes may name built-in files as \"mimo/mitten.xml\"."]
     pub file: *const std::os::raw::c_char,
@@ -603,7 +603,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Name of the index-th built-in scene, or NULL past the last. Static string."]
-    pub fn mimo_scene_builtin(index: usize) -> *const std::os::raw::c_char;
+    pub fn mimo_scene_name(index: usize) -> *const std::os::raw::c_char;
 }
 extern "C" {
     #[doc = "Makes a scene. Parses the MJCF but compiles nothing yet. Elements may be nested 256 deep."]
@@ -617,7 +617,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Name of the index-th room (\"playroom\"), or NULL past the last. Static string."]
-    pub fn mimo_scene_room(index: usize) -> *const std::os::raw::c_char;
+    pub fn mimo_room_name(index: usize) -> *const std::os::raw::c_char;
 }
 extern "C" {
     #[doc = "Gives a scene that has none a room: floor, sky, light, and a place for an infant. What the scene says itself about"]
@@ -829,8 +829,8 @@ extern "C" {
     #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all"]
     #[doc = "textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
     #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND"]
-    #[doc = "        for one that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
+    #[doc = "Errors: MIMO_E_FILE for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for one that"]
+    #[doc = "        cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
     pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
 #[doc = "How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months."]
@@ -935,7 +935,7 @@ pub struct mimo_agent_config {
     #[doc = "Pixels, 1 to 4096. Default 256."]
     pub vision_height: u32,
     #[doc = "A MIMO_ACTUATION_ constant. Default torque."]
-    pub actuation: u32,
+    pub actuation: i32,
     #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own (60)."]
     pub vision_fovy: f64,
     #[doc = "Of colour: the middle is shown L / ln(1 + L) times as large and the rim small, 0.01"]
@@ -975,15 +975,15 @@ pub struct mimo_agent_config {
     pub voice: u32,
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: the mitten body at the scene's place, all senses on."]
+    #[doc = "Fills a config with defaults: the mitten body at the scene's place, which feels its joints, balance and touch, and"]
+    #[doc = "sees in colour."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
 }
 extern "C" {
     #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
     #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in scenes that"]
-    #[doc = "are made for a task the senses of the task, mostly without eyes; in catch muscles; elsewhere the same as"]
-    #[doc = "mimo_agent_config_init."]
+    #[doc = "are made for a task the senses of that task; in catch muscles; elsewhere the same as mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(
         scene: *const mimo_scene,
@@ -1474,7 +1474,7 @@ extern "C" {
     pub fn mimo_env_config_init(config: *mut mimo_env_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Compiles a scene and makes a world of it, in its initial state."]
+    #[doc = "Compiles a scene and makes a world of it, in its initial state. No task has prepared an episode then: reset it first."]
     #[doc = "Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched."]
     #[doc = "@param scene  is not needed any more afterwards."]
     #[doc = "@param config NULL means defaults."]
@@ -1509,13 +1509,13 @@ pub struct mimo_agent_info {
     pub reserved: u32,
     #[doc = "Owned by the environment."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "Of its whole body, kg."]
+    #[doc = "Of its whole body in its model, kg; MIMO_BODY_MASS may say otherwise since."]
     pub mass: f64,
     #[doc = "Vertical extent of its geoms in the initial pose qpos0, metres."]
     pub height: f64,
 }
 extern "C" {
-    #[doc = "What it observes, acts with and is rewarded for."]
+    #[doc = "What a world observes, acts with and is rewarded for."]
     pub fn mimo_env_layout(env: *const mimo_env, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
@@ -1581,7 +1581,7 @@ pub struct mimo_env_results {
     #[doc = "One per agent, a MIMO_OUTCOME_ constant, also where that does not end the episode."]
     pub outcome: *mut i32,
     #[doc = "Length of the four arrays above, as mimo_layout_info says."]
-    pub agents: usize,
+    pub agent_count: usize,
     #[doc = "The terms that rewards are the sums of, of all agents, as mimo_layout_term names them."]
     pub terms: *mut f64,
     #[doc = "Length of terms, as mimo_layout_info says."]
@@ -1597,6 +1597,8 @@ extern "C" {
     #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
     #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be"]
     #[doc = "        written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION."]
+    #[doc = "        MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block"]
+    #[doc = "        is written and results are not."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
@@ -1864,11 +1866,11 @@ extern "C" {
     #[doc = "Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message says what is needed."]
     pub fn mimo_env_mesh(env: *const mimo_env, geom: i32, mesh: *mut mimo_mesh) -> mimo_status;
 }
-#[doc = "How a geom looks: its material, and whether it is to be seen at all."]
+#[doc = "How a geom looks, and whether it is to be seen at all. What it is made of is mimo_scene_set_material's."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
-pub struct mimo_material {
-    #[doc = "sizeof(mimo_material), set by the caller."]
+pub struct mimo_appearance {
+    #[doc = "sizeof(mimo_appearance), set by the caller."]
     pub struct_size: u32,
     #[doc = "1: MuJoCo would draw it: of its groups 0 to 2, and not fully transparent."]
     pub visible: u32,
@@ -1888,8 +1890,12 @@ pub struct mimo_material {
     pub reflectance: f32,
 }
 extern "C" {
-    #[doc = "How a geom looks in this world now. Set material->struct_size first."]
-    pub fn mimo_env_material(env: *const mimo_env, geom: i32, material: *mut mimo_material) -> mimo_status;
+    #[doc = "How a geom looks in this world now. Set appearance->struct_size first."]
+    pub fn mimo_env_appearance(
+        env: *const mimo_env,
+        geom: i32,
+        appearance: *mut mimo_appearance,
+    ) -> mimo_status;
 }
 #[doc = "A texture as pixels. Asked for twice, like a mesh."]
 #[repr(C)]
@@ -1947,6 +1953,8 @@ pub struct mimo_light {
     pub specular: [f32; 3usize],
     #[doc = "At a distance d in metres it has 1 / (a0 + a1 d + a2 d^2) of its strength."]
     pub attenuation: [f32; 3usize],
+    #[doc = "0."]
+    pub reserved: u32,
 }
 extern "C" {
     #[doc = "A light. Set light->struct_size and axes first."]
@@ -2097,7 +2105,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Size of the world's state in bytes; it does not change."]
+    #[doc = "Size of the world's state in bytes. It changes only where a reset brings another age."]
     pub fn mimo_env_state_size(env: *const mimo_env, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
@@ -2347,7 +2355,7 @@ pub struct mimo_replay_report {
     pub next: usize,
     #[doc = "How many were played."]
     pub steps: usize,
-    #[doc = "The first step that differed; 0 where all was identical."]
+    #[doc = "The first step that differed; without meaning where all was identical."]
     pub first_difference: usize,
     #[doc = "Of any number; numbers that are not finite count as the largest double."]
     pub largest_difference: f64,
@@ -2491,7 +2499,7 @@ pub struct mimo_batch_results {
     #[doc = "worlds x agents, MIMO_OUTCOME_ constants."]
     pub outcome: *mut i32,
     #[doc = "Length of the four arrays above: worlds x agents."]
-    pub agents: usize,
+    pub agent_count: usize,
     #[doc = "worlds x terms, as in mimo_env_results."]
     pub terms: *mut f64,
     #[doc = "Length of terms: worlds x terms."]
@@ -2594,7 +2602,13 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Saves the states of many worlds. @param states worlds x mimo_env_state_size bytes."]
+    #[doc = "Room for the state of each world: the size of the longest. Worlds of different ages may have states of different"]
+    #[doc = "sizes. It changes only where a reset brings another age."]
+    pub fn mimo_batch_state_size(batch: *const mimo_batch, bytes: *mut usize) -> mimo_status;
+}
+extern "C" {
+    #[doc = "Saves the states of many worlds."]
+    #[doc = "@param states worlds x mimo_batch_state_size bytes; a state that is shorter is followed by zeros."]
     pub fn mimo_batch_state_save(
         batch: *mut mimo_batch,
         mask: *const u8,
@@ -2605,7 +2619,8 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load."]
-    #[doc = "@param states one state a world, all of the same size; or just one, which all worlds load: futures of one present."]
+    #[doc = "@param states as many bytes for each world, which begin with its state, and zeros follow; or just one state, without"]
+    #[doc = "              zeros, which all worlds load: futures of one present."]
     #[doc = "@param report receives what started fresh in the world where that was most; may be NULL."]
     pub fn mimo_batch_state_load(
         batch: *mut mimo_batch,
@@ -2728,12 +2743,15 @@ pub type mimo_task_reset_fn = ::std::option::Option<
     ) -> mimo_status,
 >;
 #[doc = "Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step."]
-#[doc = "Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with"]
-#[doc = "MIMO_E_INVALID_ARGUMENT and names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED."]
+#[doc = "It may draw random numbers and write, to place the next goal, say: that counts from the next step on. Agents are"]
+#[doc = "asked in their order."]
+#[doc = "Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and"]
+#[doc = "names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED."]
+#[doc = "@param env as in mimo_task_reset_fn."]
 pub type mimo_task_evaluate_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
-        env: *const mimo_env,
+        env: *mut mimo_env,
         moment: *const mimo_task_moment,
         verdict: *mut mimo_task_verdict,
     ) -> mimo_status,
@@ -2775,7 +2793,7 @@ pub struct mimo_task {
     pub reserved: u32,
     #[doc = "Passed to the functions; outlives all worlds with this task."]
     pub user: *mut std::os::raw::c_void,
-    #[doc = "Memory for each world and agent, up to MIMO_TASK_MEMORY_LIMIT."]
+    #[doc = "Memory for each world and agent, up to 1048576; likewise all fields together."]
     pub memory_bytes: usize,
     #[doc = "May be NULL."]
     pub reset: mimo_task_reset_fn,
@@ -2786,7 +2804,7 @@ pub struct mimo_task {
     pub terms: *const *const std::os::raw::c_char,
     #[doc = "Length of terms, up to 1000."]
     pub term_count: usize,
-    #[doc = "Further fields of the observation. NULL: none."]
+    #[doc = "Further fields of the observation, each of the size that it says. NULL: none."]
     pub fields: *const mimo_task_field,
     #[doc = "Length of fields, up to 1000."]
     pub field_count: usize,
@@ -2828,7 +2846,8 @@ pub struct mimo_senses_config {
     #[doc = "sizeof(mjData), likewise."]
     pub data_size: usize,
     #[doc = "Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time"]
-    #[doc = "step, so once every mj_step. Delays are counted in such steps."]
+    #[doc = "step, so once every mj_step. All that remembers goes on by this much in each call:"]
+    #[doc = "delays, nerves, skin, canals, sound."]
     pub step: f64,
     #[doc = "As in mimo_env_config."]
     pub renderer: *const std::os::raw::c_char,

@@ -166,7 +166,7 @@ impl AgentConfig {
 
     /// A `MIMO_ACTUATION_` constant.
     pub fn actuation(&mut self, kind: u32) -> &mut Self {
-        self.raw.actuation = kind;
+        self.raw.actuation = kind as i32;
         self
     }
 

@@ -49,10 +49,10 @@ impl Batch {
         self.set_in(sys::MIMO_AGENT_FACE, &[agent as i32], &vec![face; self.worlds()], mask)
     }
 
-    /// The states of all worlds, one after the other; all have the same size.
+    /// The states of all worlds, one after the other, each in as many bytes as the longest.
     pub fn save(&mut self) -> Result<Vec<u8>> {
         let mut bytes = 0;
-        check(unsafe { sys::mimo_env_state_size(self.world(0)?.handle(), &mut bytes) })?;
+        check(unsafe { sys::mimo_batch_state_size(self.handle(), &mut bytes) })?;
         let mut states = vec![0; bytes * self.worlds()];
         check(unsafe {
             let (to, bytes) = (states.as_mut_ptr() as *mut c_void, states.len());

@@ -32,11 +32,13 @@ pub enum Kind {
     Internal,
     /// A file cannot be written, or is not what it should be.
     File,
+    /// A [`Task`](crate::Task) panicked, or said what cannot be meant.
+    Task,
     /// A status that this crate does not know.
     Unknown,
 }
 
-const STATUSES: [(i32, Kind); 13] = [
+const STATUSES: [(i32, Kind); 14] = [
     (sys::MIMO_E_INVALID_ARGUMENT, Kind::InvalidArgument),
     (sys::MIMO_E_BAD_HANDLE, Kind::BadHandle),
     (sys::MIMO_E_BUFFER_TOO_SMALL, Kind::BufferTooSmall),
@@ -50,6 +52,7 @@ const STATUSES: [(i32, Kind); 13] = [
     (sys::MIMO_E_FORKED, Kind::Forked),
     (sys::MIMO_E_INTERNAL, Kind::Internal),
     (sys::MIMO_E_FILE, Kind::File),
+    (sys::MIMO_E_TASK, Kind::Task),
 ];
 
 impl Kind {
@@ -59,7 +62,7 @@ impl Kind {
 
     /// For the library, as the result of a callback.
     pub(crate) fn status(self) -> sys::mimo_status {
-        STATUSES.iter().find(|entry| entry.1 == self).map_or(sys::MIMO_E_INTERNAL, |entry| entry.0)
+        STATUSES.iter().find(|entry| entry.1 == self).map_or(sys::MIMO_E_TASK, |entry| entry.0)
     }
 }
 

@@ -64,7 +64,7 @@ pub struct Mesh {
 /// How a geom looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Material {
+pub struct Appearance {
     /// Whether MuJoCo would draw it.
     pub visible: bool,
     /// MuJoCo's number of its group.
@@ -173,10 +173,10 @@ impl World {
     }
 
     /// How a geom looks now.
-    pub fn material(&self, geom: i32) -> Result<Material> {
-        let raw: sys::mimo_material =
-            described(|raw| unsafe { sys::mimo_env_material(self.handle(), geom, raw) })?;
-        Ok(Material {
+    pub fn appearance(&self, geom: i32) -> Result<Appearance> {
+        let raw: sys::mimo_appearance =
+            described(|raw| unsafe { sys::mimo_env_appearance(self.handle(), geom, raw) })?;
+        Ok(Appearance {
             visible: raw.visible == 1,
             group: raw.group,
             texture: if raw.texture >= 0 { Some(raw.texture) } else { None },

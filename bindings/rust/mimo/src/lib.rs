@@ -75,7 +75,9 @@ pub use error::{Error, Kind, Result, Status};
 pub use field::{Field, Type};
 pub use field_config::FieldConfig;
 pub use gaze::{Gaze, Look, LookAngles, Sightline};
-pub use geometry::{convert_directions, convert_points, Axes, Detail, Light, Material, Mesh, Pose, Texture};
+pub use geometry::{
+    convert_directions, convert_points, Appearance, Axes, Detail, Light, Mesh, Pose, Texture,
+};
 pub use growth::Growth;
 pub use layout::{Action, Layout, Receptor, Term};
 pub use limits::Limits;

@@ -6,12 +6,12 @@ use std::os::raw::c_char;
 
 /// Names of the built-in scenes.
 pub fn builtin_scenes() -> Vec<String> {
-    names(sys::mimo_scene_builtin)
+    names(sys::mimo_scene_name)
 }
 
 /// Names of the rooms for [`Scene::set_room`](crate::Scene::set_room).
 pub fn rooms() -> Vec<String> {
-    names(sys::mimo_scene_room)
+    names(sys::mimo_room_name)
 }
 
 /// Names of the faces of the built-in bodies.

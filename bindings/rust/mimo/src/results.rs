@@ -40,7 +40,7 @@ impl Step {
             terminated: flags(std::slice::from_mut(&mut self.terminated)),
             truncated: flags(std::slice::from_mut(&mut self.truncated)),
             outcome: &mut self.outcome.0,
-            agents: 1,
+            agent_count: 1,
             ..sized()
         }
     }
@@ -84,7 +84,7 @@ impl Results {
             terminated: flags(&mut self.terminated),
             truncated: flags(&mut self.truncated),
             outcome: self.outcome.as_mut_ptr().cast(),
-            agents,
+            agent_count: agents,
             terms: self.terms.as_mut_ptr(),
             term_count: self.terms.len(),
             ..sized()
@@ -144,7 +144,7 @@ impl BatchResults {
             terminated: flags(&mut self.terminated),
             truncated: flags(&mut self.truncated),
             outcome: self.outcome.as_mut_ptr().cast(),
-            agents,
+            agent_count: agents,
             terms: self.terms.as_mut_ptr(),
             term_count: self.terms.len(),
             status: self.status.as_mut_ptr().cast(),

@@ -120,8 +120,9 @@ pub trait Task: Send + Sync {
         Ok(())
     }
 
-    /// Judges a step. Positions of bodies are those of the start of the last physics step.
-    fn evaluate(&self, world: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()>;
+    /// Judges a step. Positions of bodies are those of the start of the last physics step. What it writes, to place the next
+    /// goal, say, counts from the next step on. Agents are asked in their order.
+    fn evaluate(&self, world: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()>;
 }
 
 /// What the library keeps a pointer to.
@@ -220,7 +221,7 @@ unsafe extern "C" fn reset(
 
 unsafe extern "C" fn evaluate(
     user: *mut c_void,
-    env: *const sys::mimo_env,
+    env: *mut sys::mimo_env,
     told: *const sys::mimo_task_moment,
     verdict: *mut sys::mimo_task_verdict,
 ) -> sys::mimo_status {
@@ -228,7 +229,7 @@ unsafe extern "C" fn evaluate(
     let raw = &mut *verdict;
     let terms = slice_mut(raw.terms, kept.terms);
     let mut ours = Verdict { reward: 0.0, terms, outcome: Outcome::NONE, goes_on: false, truncated: false };
-    let status = status(|| kept.task.evaluate(World::of(env as *mut sys::mimo_env), &mut moment, &mut ours));
+    let status = status(|| kept.task.evaluate(World::of(env), &mut moment, &mut ours));
     raw.reward = ours.reward;
     raw.goes_on = ours.goes_on.into();
     raw.truncated = ours.truncated.into();
@@ -241,7 +242,7 @@ fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(())) => sys::MIMO_OK as i32,
         Ok(Err(error)) => fail(error.kind(), error.message()),
-        Err(panic) => fail(Kind::Internal, &format!("panicked: {}", reason(panic.as_ref()))),
+        Err(panic) => fail(Kind::Task, &format!("panicked: {}", reason(panic.as_ref()))),
     }
 }
 

@@ -21,9 +21,9 @@ fn shapes_and_how_they_look() {
     let error = env.mesh(head, Axes::Unity, Detail { segments: 6, ..Detail::default() }).unwrap_err();
     assert!(error.message().contains("segments is 6"), "{}", error);
 
-    let before = env.material(head).unwrap();
+    let before = env.appearance(head).unwrap();
     env.set_face(0, "surprise").unwrap();
-    assert!(before.visible && before.texture != env.material(head).unwrap().texture);
+    assert!(before.visible && before.texture != env.appearance(head).unwrap().texture);
     let texture = env.texture(before.texture.unwrap()).unwrap();
     assert_eq!((texture.kind, texture.height), (MIMO_TEXTURE_CUBE as i32, 6 * texture.width));
     assert_eq!(texture.pixels[3], 255);

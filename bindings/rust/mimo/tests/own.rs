@@ -30,7 +30,7 @@ impl Task for Counter {
         world.set(MIMO_JOINT_POSITION, &[joint], &[-0.5 - 0.1 * moment.world as f64])
     }
 
-    fn evaluate(&self, world: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+    fn evaluate(&self, world: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
         assert!(world.time()? > 0.0 && moment.agent == 0 && moment.memory[1] > 0.0);
         assert!(moment.fields.is_empty() && moment.action.is_none() && moment.block.is_none());
         moment.memory[0] += 1.0;
@@ -253,7 +253,7 @@ impl Task for Goal {
         Ok(())
     }
 
-    fn evaluate(&self, _: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+    fn evaluate(&self, _: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
         assert_eq!(verdict.terms, [0.0, 0.0]);
         let angle = moment.f32(&self.position).map(|angles| angles[0]);
         verdict.terms[0] = moment.step as f64;
@@ -328,7 +328,7 @@ fn terms_fields_and_ends_of_an_own_task() {
 struct Points;
 
 impl Task for Points {
-    fn evaluate(&self, _: &World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
+    fn evaluate(&self, _: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
         verdict.reward = moment.agent as f64 + 1.0;
         verdict.outcome = [Outcome::FAILURE, Outcome::NONE][moment.agent];
         Ok(())
@@ -365,7 +365,7 @@ fn two_infants_have_results_of_their_own() {
     assert_eq!((results.reward.as_slice(), results.terms.as_slice()), (&[1.0, 2.0][..], &[1.0, 2.0][..]));
     assert_eq!(results.outcome, [Outcome::FAILURE, Outcome::NONE]);
     assert_eq!(results.terminated, [true, false]);
-    assert!(env.step(&[], None).unwrap_err().message().contains("agents is 1"));
+    assert!(env.step(&[], None).unwrap_err().message().contains("agent_count is 1"));
     assert_eq!(env.agent(2).unwrap_err().kind(), Kind::InvalidArgument);
 }
 
@@ -376,7 +376,7 @@ fn descriptions_of_tasks_are_checked() {
         fn terms(&self) -> Vec<String> {
             vec!["near".into(), "near".into()]
         }
-        fn evaluate(&self, _: &World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
+        fn evaluate(&self, _: &mut World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
             Ok(())
         }
     }
@@ -388,7 +388,7 @@ fn descriptions_of_tasks_are_checked() {
 struct Broken(u32);
 
 impl Task for Broken {
-    fn evaluate(&self, _: &World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
+    fn evaluate(&self, _: &mut World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
         match self.0 {
             0 => Err(Error::new(Kind::Unsupported, "not today")),
             _ => panic!("dropped at the border"),
@@ -398,7 +398,7 @@ impl Task for Broken {
 
 #[test]
 fn errors_and_panics_of_tasks_are_errors_of_the_step() {
-    let says = [(0, Kind::Unsupported, "not today"), (1, Kind::Internal, "panicked: dropped at the border")];
+    let says = [(0, Kind::Unsupported, "not today"), (1, Kind::Task, "panicked: dropped at the border")];
     for (number, kind, why) in says {
         let mut env = Env::new(&scene(Broken(number)), &EnvConfig::new().unwrap()).unwrap();
         let error = env.step(&[], None).unwrap_err();

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Material, Mesh
+from ..geometry import Appearance, Mesh
 
 ROUGHEST = 0.9
 
 
-def roughness(material: Material) -> float:
+def roughness(material: Appearance) -> float:
     """What engines take instead of Phong's exponent n = 128 shininess: sqrt(2 / (n + 2))."""
     if material.specular == 0:
         return ROUGHEST
@@ -26,7 +26,7 @@ def linear(color: Any) -> NDArray[np.float64]:
     return light
 
 
-def binary(mesh: Mesh, material: Material, picture: Any, places: Any, normals: Any) -> bytes:
+def binary(mesh: Mesh, material: Appearance, picture: Any, places: Any, normals: Any) -> bytes:
     """The shape with its vertices at `places`; picture: its texture (PIL), or None."""
     import trimesh
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..constants import Kind
 from ..drawing import FLOOR, SEGMENTS, ages, faces, on_bodies
 from ..frames import placed, turned
-from ..geometry import Material
+from ..geometry import Appearance
 from ..world import World
 from .glb import binary
 
@@ -49,7 +49,7 @@ class Shapes:
         return np.hstack([self._geoms.color, self._geoms.size])
 
     def _texture_numbers(self) -> Any:
-        return np.array([self._world.material(geom).texture for geom in range(len(self._geoms))])
+        return np.array([self._world.appearance(geom).texture for geom in range(len(self._geoms))])
 
     def _changed(self) -> Any:
         """Geoms that look otherwise than they did when this was last asked."""
@@ -68,11 +68,11 @@ class Shapes:
             if self._shown[geom] is not None:
                 self._shown[geom].remove()
                 self._shown[geom] = None
-            material = self._world.material(int(geom))
+            material = self._world.appearance(int(geom))
             if material.visible:
                 self._shown[geom] = self._add(int(geom), material, places[geom], rotations[geom])
 
-    def _add(self, geom: int, material: Material, place: Any, rotation: Any) -> Any:
+    def _add(self, geom: int, material: Appearance, place: Any, rotation: Any) -> Any:
         mesh = self._world.mesh(geom, segments=SEGMENTS, plane=FLOOR)
         data = binary(
             mesh,
@@ -129,7 +129,7 @@ def brightness(world: World) -> float:
     return float(max(np.sum([light.ambient + light.diffuse for light in lights], axis=0), default=1.0))
 
 
-def lit(material: Material, strength: float) -> Material:
+def lit(material: Appearance, strength: float) -> Appearance:
     """The material with its own and the world's light on it; the page's lamps make white things white."""
     red, green, blue = (min(1.0, (strength + material.emission) * part) for part in material.color[:3])
     return replace(material, color=(red, green, blue, material.color[3]))
