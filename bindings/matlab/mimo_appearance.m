@@ -1,5 +1,5 @@
 function appearance = mimo_appearance(world, geom, index)
-% MIMO_MATERIAL  How a geom looks.
+% MIMO_APPEARANCE  How a geom looks.
 %   appearance = mimo_appearance(world, geom) is a struct of visible (1: MuJoCo would draw it), group, texture (its number for
 %   mimo_texture, 0 for none), color (red, green, blue, opacity), emission, specular, shininess and reflectance (0 to 1).
 %   appearance = mimo_appearance(worlds, geom, index) is that in one of many worlds.

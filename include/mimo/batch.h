@@ -119,8 +119,8 @@ MIMO_API mimo_status mimo_batch_reset(mimo_batch *batch, const mimo_batch_reset_
 /**
  * Where the results of a step go, beside the observations. All are optional: NULL is not written.
  * A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,
- * terminated 0, truncated 1, outcome and terms 0; one whose actions are refused (see mimo_env_step) does not move, and
- * only its status is written.
+ * terminated 0, truncated 1, outcome and terms 0. So does one whose task failed, but for truncated 0: it has moved. One
+ * whose actions are refused (see mimo_env_step) does not move, and only its status is written.
  */
 typedef struct mimo_batch_results {
   uint32_t struct_size;   /**< sizeof(mimo_batch_results), set by the caller. */
@@ -203,6 +203,8 @@ MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mas
  * @param states as many bytes for each world, which begin with its state, and zeros follow; or just one state, without
  *               zeros, which all worlds load: futures of one present.
  * @param report receives what started fresh in the world where that was most; may be NULL.
+ * Errors: as mimo_env_state_load, of the first world that did not load its state; others have. Where the bytes hold
+ *         anything else than such states, no world has changed.
  */
 MIMO_API mimo_status mimo_batch_state_load(mimo_batch *batch, const uint8_t *mask, size_t worlds, const void *states,
                                            size_t state_bytes, mimo_load_report *report) MIMO_NOEXCEPT;

@@ -84,7 +84,8 @@ typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, const mimo_
 /**
  * Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step.
  * It may draw random numbers and write, to place the next goal, say: that counts from the next step on. Agents are
- * asked in their order.
+ * asked in their order: where one's task moves bodies, or calls mimo_env_update or _observe, the next one's finds all
+ * bodies where they are now.
  * Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and
  * names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED.
  * @param env as in mimo_task_reset_fn.

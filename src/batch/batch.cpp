@@ -205,10 +205,18 @@ env::LoadReport Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> s
   require(shared || states.size() % size() == 0,
           "state_bytes is {}, expected those of one state, or a number that {} worlds share", states.size(), size());
   const std::size_t row = shared ? states.size() : states.size() / size();
+  const auto state_of = [&](std::size_t i) {
+    try {
+      return env::state_in(states.part(shared ? 0 : i * row, row));
+    } catch (const Error& error) {
+      fail(error.status(), "world {}: {}", i, error.message());
+    }
+  };
+  for (std::size_t i = 0; i < size(); ++i) {  // rows that hold something else: before any world is changed
+    if (mask == nullptr || mask[i] != 0) state_of(i);
+  }
   std::fill(loaded_.begin(), loaded_.end(), env::LoadReport{});
-  perform(mask, [&](std::size_t i, Report&) {
-    loaded_[i] = worlds_[i]->load(env::state_in(states.part(shared ? 0 : i * row, row)));
-  });
+  perform(mask, [&](std::size_t i, Report&) { loaded_[i] = worlds_[i]->load(state_of(i)); });
   const auto fewer = [](const env::LoadReport& a, const env::LoadReport& b) { return a.fresh < b.fresh; };
   return std::move(*std::max_element(loaded_.begin(), loaded_.end(), fewer));
 }

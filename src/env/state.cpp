@@ -104,7 +104,10 @@ void for_each_section(Span<const std::uint8_t> body, Visit&& visit) {
 }  // namespace
 
 Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes) {
-  return bytes.part(0, std::min<std::size_t>(read_header(bytes).bytes, bytes.size()));
+  const std::size_t length = std::min<std::size_t>(read_header(bytes).bytes, bytes.size());
+  const bool alone = std::all_of(bytes.begin() + length, bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+  require(alone, "state: it has {} bytes, and those that follow are not zero", length);
+  return bytes.part(0, length);
 }
 
 bool is_one_state(Span<const std::uint8_t> bytes) {

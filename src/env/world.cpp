@@ -382,7 +382,8 @@ void World::sense(std::uint8_t* block, Moment moment) {
   }
 }
 
-// Built-in tasks turn the head after they have judged; those of the user's own only look, also at what was sensed.
+// Built-in tasks turn the head after they have judged, before senses; those of the user's own come after senses, which
+// they look at.
 bool World::judges_senses() const {
   return std::any_of(agents_.begin(), agents_.end(), [](const Agent& agent) { return agent.task->judges_senses(); });
 }

@@ -284,6 +284,16 @@ static void check_states_of_a_cohort(void) {
   CHECK_OK(mimo_env_state_save(worlds[0], own, sizes[0]));
   CHECK(memcmp(own, later, sizes[0]) != 0);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "world 0: state", mimo_batch_state_load(batch, NULL, 0, states, 2 * row, NULL));
+  memcpy(states, later, 2 * row); /* nothing but zeros follows a state, and no world loads where one cannot */
+  states[row - 1] = 1;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "world 0: state: it has",
+              mimo_batch_state_load(batch, NULL, 0, states, 2 * row, NULL));
+  memcpy(states, later, 2 * row);
+  states[row] ^= 1;
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "world 1: state", mimo_batch_state_load(batch, NULL, 0, states, 2 * row, NULL));
+  CHECK_OK(mimo_env_state_save(worlds[0], own, sizes[0]));
+  CHECK(memcmp(own, later, sizes[0]) != 0);
   mimo_batch_destroy(batch);
   free(states);
   free(own);

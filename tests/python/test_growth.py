@@ -125,6 +125,8 @@ def test_states_of_several_ages():
         assert batch.save() != states
         batch.load(states)
         assert batch.save() == states
+        with pytest.raises(ValueError, match="4 states, expected 1 or 2"):
+            batch.load(states * 2)
 
 
 def test_vector_environments_have_ages():

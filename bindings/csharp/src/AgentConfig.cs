@@ -7,8 +7,8 @@ namespace Mimo
     [StructLayout(LayoutKind.Sequential)]
     public struct AgentConfig
     {
-        /// <summary>The library's defaults: the mitten body at the scene's place, all senses on. MimoScene.DefaultAgent gives
-        /// what a scene wants instead.</summary>
+        /// <summary>The library's defaults: the mitten body at the scene's place, which feels its joints, balance and
+        /// touch, and sees in colour. MimoScene.DefaultAgent gives what a scene wants instead.</summary>
         public static AgentConfig Default
         {
             get

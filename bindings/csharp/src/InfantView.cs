@@ -14,7 +14,7 @@ namespace Mimo
         void SetMesh(int geom, string name, string body, GeomMesh mesh);
 
         /// <summary>How it looks; again after that has changed. Invisible ones are to be hidden.</summary>
-        void SetMaterial(int geom, GeomAppearance material);
+        void SetAppearance(int geom, GeomAppearance material);
 
         /// <summary>Where it is.</summary>
         void SetPose(int geom, float x, float y, float z, float qx, float qy, float qz, float qw);
@@ -85,7 +85,7 @@ namespace Mimo
             if (material.Visible && material.Texture >= 0 && textures.Add(material.Texture))
                 drawer.AddTexture(material.Texture, env.Texture(material.Texture));
             materials[geom] = material;
-            drawer.SetMaterial(geom, material);
+            drawer.SetAppearance(geom, material);
         }
     }
 }

@@ -131,7 +131,7 @@ namespace Mimo
         [DllImport(File)] internal static extern int mimo_env_poses(EnvHandle env, int kind, int axes, float[] poses, Size count);
         [DllImport(File)] internal static extern int mimo_mesh_init(out MeshStruct mesh, Size size);
         [DllImport(File)] internal static extern int mimo_env_mesh(EnvHandle env, int geom, ref MeshStruct mesh);
-        [DllImport(File)] internal static extern int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct material);
+        [DllImport(File)] internal static extern int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct appearance);
         [DllImport(File)] internal static extern int mimo_env_texture_count(EnvHandle env, out Size count);
         [DllImport(File)] internal static extern int mimo_env_texture(EnvHandle env, int texture, ref TextureStruct raw);
         [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);

@@ -52,7 +52,7 @@ internal static partial class Tests
             Bodies[geom] = body;
             Triangles += mesh.Indices.Length / 3;
         }
-        public void SetMaterial(int geom, GeomAppearance material)
+        public void SetAppearance(int geom, GeomAppearance material)
         {
             ++Shown;
             Materials[geom] = material;

@@ -279,6 +279,8 @@ class Batch(Access):
 
         Tells of the world where most started fresh.
         """
+        if not isinstance(states, bytes) and len(states) not in (1, self.world_count):
+            raise ValueError(f"there are {len(states)} states, expected 1 or {self.world_count}")
         row = 0 if isinstance(states, bytes) else max(map(len, states), default=0)
         joined = states if isinstance(states, bytes) else b"".join(state.ljust(row, b"\0") for state in states)
         chosen = self._mask(mask)

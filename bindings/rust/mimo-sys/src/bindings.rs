@@ -2481,8 +2481,8 @@ extern "C" {
 }
 #[doc = "Where the results of a step go, beside the observations. All are optional: NULL is not written."]
 #[doc = "A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,"]
-#[doc = "terminated 0, truncated 1, outcome and terms 0; one whose actions are refused (see mimo_env_step) does not move, and"]
-#[doc = "only its status is written."]
+#[doc = "terminated 0, truncated 1, outcome and terms 0. So does one whose task failed, but for truncated 0: it has moved. One"]
+#[doc = "whose actions are refused (see mimo_env_step) does not move, and only its status is written."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch_results {
@@ -2622,6 +2622,8 @@ extern "C" {
     #[doc = "@param states as many bytes for each world, which begin with its state, and zeros follow; or just one state, without"]
     #[doc = "              zeros, which all worlds load: futures of one present."]
     #[doc = "@param report receives what started fresh in the world where that was most; may be NULL."]
+    #[doc = "Errors: as mimo_env_state_load, of the first world that did not load its state; others have. Where the bytes hold"]
+    #[doc = "        anything else than such states, no world has changed."]
     pub fn mimo_batch_state_load(
         batch: *mut mimo_batch,
         mask: *const u8,
@@ -2744,7 +2746,8 @@ pub type mimo_task_reset_fn = ::std::option::Option<
 >;
 #[doc = "Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step."]
 #[doc = "It may draw random numbers and write, to place the next goal, say: that counts from the next step on. Agents are"]
-#[doc = "asked in their order."]
+#[doc = "asked in their order: where one's task moves bodies, or calls mimo_env_update or _observe, the next one's finds all"]
+#[doc = "bodies where they are now."]
 #[doc = "Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and"]
 #[doc = "names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED."]
 #[doc = "@param env as in mimo_task_reset_fn."]

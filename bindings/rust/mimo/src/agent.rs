@@ -26,7 +26,7 @@ unsafe impl Send for AgentConfig {}
 unsafe impl Sync for AgentConfig {}
 
 impl AgentConfig {
-    /// The mitten body at the scene's place, all senses on.
+    /// The mitten body at the scene's place, which feels its joints, balance and touch, and sees in colour.
     pub fn new() -> Result<AgentConfig> {
         AgentConfig::of(defaults(sys::mimo_agent_config_init)?)
     }
