@@ -32,11 +32,6 @@ env::Ids ids_of(const env::World& world, env::Quantity quantity, const std::int3
   return env::Ids(array(ids, count, "ids"));
 }
 
-void check_value_count(std::size_t count, std::size_t expected) {
-  if (count < expected) fail(Status::kBufferTooSmall, "value_count is {}, but {} are needed", count, expected);
-  require(count == expected, "value_count is {}, expected {}", count, expected);
-}
-
 namespace {
 
 void check_id(const env::World& world, env::Kind kind, std::int32_t id) {
@@ -51,7 +46,7 @@ void get(const mimo_env* env, std::int32_t quantity, const std::int32_t* ids, st
   const Request wanted = request_from(quantity);
   const env::Ids which = ids_of(world, wanted.quantity, ids, id_count);
   const Span<T> where = array(values, value_count, "values");
-  check_value_count(value_count, env::width(world, wanted.quantity, which));
+  check_exact(value_count, env::width(world, wanted.quantity, which), "value_count");
   env::get(world, wanted.quantity, which, wanted.now, where);
 }
 
@@ -122,7 +117,7 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
     const env::Quantity what = writable_from(quantity);
     const env::Ids which = ids_of(world, what, ids, id_count);
     const auto from = array(values, value_count, "values");
-    check_value_count(value_count, env::width(world, what, which));
+    check_exact(value_count, env::width(world, what, which), "value_count");
     env::set(world, what, which, from);
   });
 }

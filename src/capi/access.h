@@ -22,7 +22,4 @@ env::Kind kind_from(std::int32_t kind);
 // Ids as given; NULL with count 0 means all of the quantity's kind.
 env::Ids ids_of(const env::World& world, env::Quantity quantity, const std::int32_t* ids, std::size_t count);
 
-// For a number of values that is not the one needed.
-void check_value_count(std::size_t count, std::size_t expected);
-
 }  // namespace mimo::capi

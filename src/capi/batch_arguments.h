@@ -3,6 +3,7 @@
 
 #include "batch/batch.h"
 #include "capi/access.h"
+#include "capi/check.h"
 #include "mimo/mimo.h"
 
 namespace mimo::capi {
@@ -27,7 +28,7 @@ template <typename T>
 void check_values(const batch::Batch& batch, env::Quantity quantity, const env::Ids& ids, const T* values,
                   std::size_t count) {
   require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
-  check_value_count(count, batch.size() * env::width(batch.world(0), quantity, ids));
+  check_exact(count, batch.size() * env::width(batch.world(0), quantity, ids), "value_count");
 }
 
 }  // namespace mimo::capi

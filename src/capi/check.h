@@ -44,6 +44,14 @@ Span<T> array(T* data, std::size_t count, const char* argument) {
   return {data, count};
 }
 
+// A number of elements that must be met. `of` says which they are.
+inline void check_exact(std::size_t count, std::size_t expected, const char* argument, const std::string& of = "") {
+  if (count < expected) {
+    fail(Status::kBufferTooSmall, "{} is {}, but {} are needed{}", argument, count, expected, of);
+  }
+  require(count == expected, "{} is {}, expected {}{}", argument, count, expected, of);
+}
+
 // A config's string; NULL counts as "".
 inline std::string text(const char* string) { return string == nullptr ? std::string() : std::string(string); }
 

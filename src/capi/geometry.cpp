@@ -162,7 +162,7 @@ mimo_status mimo_env_poses(const mimo_env* env, int32_t kind, int32_t axes, floa
     const geometry::Conversion to = conversion(axes, "axes");
     const env::Ids all = ids_of(world, quantity, nullptr, 0);
     const Span<float> where = array(poses, value_count, "poses");
-    check_value_count(value_count, env::width(world, quantity, all));
+    check_exact(value_count, env::width(world, quantity, all), "value_count");
     env::get(world, quantity, all, true, where);
     for (std::size_t i = 0; i < where.size(); i += 7) convert_pose(to, where.data() + i);
   });

@@ -67,13 +67,6 @@ observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
   return static_cast<observation::ReceptorQuantity>(quantity);
 }
 
-void check_count(std::size_t count, std::size_t expected, const char* what, const observation::Field& field) {
-  if (count < expected) {
-    fail(Status::kBufferTooSmall, "count is {}, but {} are needed, the {} of {}", count, expected, what, field.name);
-  }
-  require(count == expected, "count is {}, expected {}, the {} of {}", count, expected, what, field.name);
-}
-
 }  // namespace
 }  // namespace mimo::capi
 
@@ -124,7 +117,7 @@ mimo_status mimo_layout_delays(const mimo_layout* layout, size_t field, double* 
     const env::Description& description = description_of(layout);
     const observation::Field& inside = field_at(description, field, "field");
     const Span<double> to = array(seconds, count, "seconds");
-    check_count(count, inside.count(), "elements", inside);
+    check_exact(count, inside.count(), "count", ", the elements of " + inside.name);
     description.delays[field].tell(to);
   });
 }
@@ -135,7 +128,7 @@ mimo_status mimo_layout_directions(const mimo_layout* layout, size_t field, floa
     require(picture.is_picture(), "field {} is {}, expected a picture", field, picture.name);
     const Span<float> to = array(directions, count, "directions");
     const std::size_t width = picture.shape[1], expected = picture.shape[0] * width * 3;
-    check_count(count, expected, "numbers of directions", picture);
+    check_exact(count, expected, "count", ", the numbers of directions of " + picture.name);
     const observation::FovealMap map = observation::map_of(picture);
     for (std::size_t i = 0; i < count; i += 3) {
       const std::size_t x = i / 3 % width, y = i / 3 / width;
@@ -160,7 +153,7 @@ mimo_status mimo_layout_receptors(const mimo_layout* layout, size_t field, int32
     const observation::Field& inside = field_at(description_of(layout), field, "field");
     const observation::ReceptorQuantity what = receptor_quantity_from(quantity);
     const Span<double> to = array(values, value_count, "values");
-    check_value_count(value_count, inside.receptors.size() * observation::width(what));
+    check_exact(value_count, inside.receptors.size() * observation::width(what), "value_count");
     observation::read(inside.receptors, what, to.data());
   });
 }

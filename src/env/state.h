@@ -15,8 +15,7 @@ namespace mimo::env {
 
 constexpr std::size_t kStateHeaderBytes = 48;
 
-// The state that these bytes begin with; zeros may follow. Throws where they begin with none, or
-// anything else follows.
+// The state that these bytes begin with; zeros may follow. Throws where they begin with none, or anything else follows.
 Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes);
 
 // Whether these bytes are a state and nothing else, as far as its header says.

@@ -7,14 +7,14 @@ namespace Mimo
     /// it: give it a drawer, call Build once and Update after steps.</summary>
     public interface IDrawer
     {
-        /// <summary>A texture that materials will name by its id.</summary>
+        /// <summary>A texture that appearances will name by its id.</summary>
         void AddTexture(int id, GeomTexture texture);
 
         /// <summary>A geom, with the name that it has in the model, and of its body; again after its shape has changed.</summary>
         void SetMesh(int geom, string name, string body, GeomMesh mesh);
 
         /// <summary>How it looks; again after that has changed. Invisible ones are to be hidden.</summary>
-        void SetAppearance(int geom, GeomAppearance material);
+        void SetAppearance(int geom, GeomAppearance appearance);
 
         /// <summary>Where it is.</summary>
         void SetPose(int geom, float x, float y, float z, float qx, float qy, float qz, float qw);
@@ -28,7 +28,7 @@ namespace Mimo
         private readonly Axes axes;
         private readonly int segments;
         private readonly float[] poses;
-        private readonly GeomAppearance[] materials;
+        private readonly GeomAppearance[] shown;
         private readonly HashSet<int> textures = new HashSet<int>();
 
         /// <summary>For a world, a drawer, and the engine's frame: Axes.Unity, Unreal, Godot or Gltf.</summary>
@@ -41,14 +41,14 @@ namespace Mimo
             this.segments = segments;
             var count = env.Count(Kind.Geom);
             poses = new float[7 * count];
-            materials = new GeomAppearance[count];
+            shown = new GeomAppearance[count];
         }
 
-        /// <summary>Hands over all meshes, materials and poses: at the start, and after geoms were given another size or infants
+        /// <summary>Hands over all meshes, appearances and poses: at the start, and after geoms were given another size or infants
         /// another age.</summary>
         public void Build()
         {
-            for (var geom = 0; geom < materials.Length; ++geom)
+            for (var geom = 0; geom < shown.Length; ++geom)
             {
                 var body = env.Name(Kind.Body, env.BodyOf(Kind.Geom, geom));
                 drawer.SetMesh(geom, env.Name(Kind.Geom, geom), body, env.Mesh(geom, axes, segments));
@@ -61,31 +61,31 @@ namespace Mimo
         public void Update()
         {
             env.Poses(Kind.Geom, axes, poses);
-            for (var geom = 0; geom < materials.Length; ++geom)
+            for (var geom = 0; geom < shown.Length; ++geom)
             {
-                if (!materials[geom].Visible) continue;
+                if (!shown[geom].Visible) continue;
                 var i = 7 * geom;
                 drawer.SetPose(geom, poses[i], poses[i + 1], poses[i + 2], poses[i + 3], poses[i + 4], poses[i + 5],
                     poses[i + 6]);
             }
         }
 
-        /// <summary>Hands over materials that have changed: another face, another colour.</summary>
+        /// <summary>Hands over appearances that have changed: another face, another colour.</summary>
         public void UpdateMaterials()
         {
-            for (var geom = 0; geom < materials.Length; ++geom)
+            for (var geom = 0; geom < shown.Length; ++geom)
             {
-                var material = env.Appearance(geom);
-                if (!material.Equals(materials[geom])) Show(geom, material);
+                var appearance = env.Appearance(geom);
+                if (!appearance.Equals(shown[geom])) Show(geom, appearance);
             }
         }
 
-        private void Show(int geom, GeomAppearance material)
+        private void Show(int geom, GeomAppearance appearance)
         {
-            if (material.Visible && material.Texture >= 0 && textures.Add(material.Texture))
-                drawer.AddTexture(material.Texture, env.Texture(material.Texture));
-            materials[geom] = material;
-            drawer.SetAppearance(geom, material);
+            if (appearance.Visible && appearance.Texture >= 0 && textures.Add(appearance.Texture))
+                drawer.AddTexture(appearance.Texture, env.Texture(appearance.Texture));
+            shown[geom] = appearance;
+            drawer.SetAppearance(geom, appearance);
         }
     }
 }

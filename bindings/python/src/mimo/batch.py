@@ -23,7 +23,7 @@ from .layout import Layout, Observation
 from .options import Options, refuse_unknown
 from .results import Numbers, Results, StepResult
 from .scene import Scene, prepare
-from .states import LoadReport, reported
+from .states import LoadReport, asked, reported
 from .world import World, agents_of, env_config
 
 Seeds = Optional[Union[int, Sequence[int]]]
@@ -267,10 +267,10 @@ class Batch(Access):
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""
-        row = self._state_size(LIB.mimo_batch_state_size, self._handle)
+        row = asked(LIB.mimo_batch_state_size, self._handle)
         states = ctypes.create_string_buffer(row * self.world_count)
         check(LIB.mimo_batch_state_save(self._handle, None, 0, states, len(states)))
-        sizes = [self._state_size(LIB.mimo_env_state_size, self._world_handle(i)) for i in range(self.world_count)]
+        sizes = [asked(LIB.mimo_env_state_size, self._world_handle(i)) for i in range(self.world_count)]
         raw = states.raw
         return [raw[i * row : i * row + size] for i, size in enumerate(sizes)]
 
@@ -286,12 +286,6 @@ class Batch(Access):
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
         return reported(LIB.mimo_batch_state_load, self._handle, _data(chosen), count, joined, len(joined))
-
-    @staticmethod
-    def _state_size(of: Any, handle: Any) -> int:
-        size = ctypes.c_size_t()
-        check(of(handle, size))
-        return size.value
 
     def _world_handle(self, index: int) -> Native:
         handle = ctypes.c_void_p()

@@ -23,12 +23,17 @@ def reported(load: Any, *arguments: Any) -> LoadReport:
     return LoadReport(_names(report.fresh_names), _names(report.ignored_names))
 
 
-def saved(handle: Any, size_of: Any, save: Any) -> bytes:
-    """What a function that saves writes."""
+def asked(size_of: Any, handle: Any) -> int:
+    """What a function that tells a size says."""
     size = ctypes.c_size_t()
     check(size_of(handle, size))
-    state = ctypes.create_string_buffer(size.value)
-    check(save(handle, state, size.value))
+    return size.value
+
+
+def saved(handle: Any, size_of: Any, save: Any) -> bytes:
+    """What a function that saves writes."""
+    state = ctypes.create_string_buffer(asked(size_of, handle))
+    check(save(handle, state, len(state)))
     return state.raw
 
 
