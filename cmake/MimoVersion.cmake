@@ -1,5 +1,5 @@
-# mimo_read_version(<header>): sets MIMO_VERSION ("0.1.0"), MIMO_VERSION_LABEL ("", or "-rc1" of a candidate) and
-# MIMO_ABI_VERSION (0) from the header's macros, so that header, SONAME and packages cannot disagree.
+# mimo_read_version(<header>): sets MIMO_VERSION ("1.0.0"), MIMO_VERSION_LABEL ("", or "-rc1" of a candidate) and
+# MIMO_ABI_VERSION (1) from the header's macros, so that header, SONAME and packages cannot disagree.
 function(mimo_read_version header)
   foreach(part VERSION_MAJOR VERSION_MINOR VERSION_PATCH ABI_VERSION)
     file(STRINGS ${header} line REGEX "^#define MIMO_${part} [0-9]+")

@@ -183,7 +183,7 @@ first_steps() {
 test_elsewhere() {
   local suite=$1 version=$2 root=$PWD/build/release/$1
   foreign_debian "$root" "$suite" amd64
-  cp tests/package/first_steps.py build-linux/bin/capi_same build-linux/lib/lib{mimo.so.0,mujoco.so.2.2.2} "$root/opt/"
+  cp tests/package/first_steps.py build-linux/bin/capi_same build-linux/lib/lib{mimo.so.1,mujoco.so.2.2.2} "$root/opt/"
   same_as_here build-linux/bin/capi_same chroot "$root" env LD_LIBRARY_PATH=/opt /opt/capi_same
   put_wheel linux "$version" "$root/opt/packages" "${@:3}"
   same_as_here first_steps chroot "$root" env PYTHONPATH=/opt/packages /usr/bin/python3 /opt/first_steps.py

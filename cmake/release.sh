@@ -35,7 +35,7 @@ rust_condition() {
 # natives SYSTEM: the libraries of a build for a system, ours first, by the names that programs ask for.
 natives() {
   case $1 in
-    linux | arm) echo "build-$1/lib/libmimo.so.0 build-$1/lib/libmujoco.so.2.2.2" ;;
+    linux | arm) echo "build-$1/lib/libmimo.so.1 build-$1/lib/libmujoco.so.2.2.2" ;;
     windows) echo build-windows/bin/mimo.dll build-windows/bin/mujoco-2.2.2.dll ;;
     macos | macos-x86) echo "build-$1/lib/libmimo.dylib build-$1/lib/libmujoco.2.2.2.dylib" ;;
   esac
@@ -126,8 +126,8 @@ wheel_for_mujoco4() {
   licences linux build/release/licences
   rm -rf build/release/licences/mujoco* "$native"
   mkdir -p "$native"
-  cp --dereference build-linux-mujoco4/lib/libmimo.so.0 "$native/"
-  patchelf --set-rpath '$ORIGIN/../mujoco' "$native/libmimo.so.0"
+  cp --dereference build-linux-mujoco4/lib/libmimo.so.1 "$native/"
+  patchelf --set-rpath '$ORIGIN/../mujoco' "$native/libmimo.so.1"
   make_wheel bindings/python-mujoco4 "$native" "$PWD/build/release/licences" "$(python_tag linux)"
 }
 

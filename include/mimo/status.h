@@ -18,13 +18,13 @@
 extern "C" {
 #endif
 
-#define MIMO_VERSION_MAJOR 0  /**< Version of this header; mimo_version() gives the library's. */
-#define MIMO_VERSION_MINOR 1  /**< See MIMO_VERSION_MAJOR. */
-#define MIMO_VERSION_PATCH 0  /**< See MIMO_VERSION_MAJOR. */
-#define MIMO_VERSION_LABEL "" /**< "-rc1" of the first candidate, "" of a release; the end of mimo_version(). */
-#define MIMO_ABI_VERSION 0    /**< Changes when old callers would break; equals the SONAME's number. */
-#define MIMO_API_MAJOR 0      /**< Version of what is declared here, 0.10; docs/abi.md says what may change. */
-#define MIMO_API_MINOR 10     /**< Grows when something is added. */
+#define MIMO_VERSION_MAJOR 1      /**< Version of this header; mimo_version() gives the library's. */
+#define MIMO_VERSION_MINOR 0      /**< See MIMO_VERSION_MAJOR. */
+#define MIMO_VERSION_PATCH 0      /**< See MIMO_VERSION_MAJOR. */
+#define MIMO_VERSION_LABEL "-rc1" /**< "-rc1" of the first candidate, "" of a release; the end of mimo_version(). */
+#define MIMO_ABI_VERSION 1        /**< Changes when old callers would break; equals the SONAME's number. */
+#define MIMO_API_MAJOR 1          /**< Version of what is declared here, 1.0; docs/abi.md says what may change. */
+#define MIMO_API_MINOR 0          /**< Grows when something is added. */
 
 /** Both in one number, for `#if MIMO_API_VERSION >= 1002`: 1.2 or newer. */
 #define MIMO_API_VERSION (MIMO_API_MAJOR * 1000 + MIMO_API_MINOR)

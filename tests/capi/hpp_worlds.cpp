@@ -49,7 +49,7 @@ void check_names() {
   CHECK(agent.actuation == MIMO_ACTUATION_MUSCLE);
 }
 
-// "0.1.0" is 0, 1 and 0; the versions of headers and library are those of one build.
+// "1.0.0-rc1" is 1, 0, 0 and "-rc1"; the versions of headers and library are those of one build.
 void check_versions() {
   CHECK(mimo::version() == std::to_string(MIMO_VERSION_MAJOR) + "." + std::to_string(MIMO_VERSION_MINOR) + "." +
                                std::to_string(MIMO_VERSION_PATCH) + MIMO_VERSION_LABEL);

@@ -106,7 +106,7 @@ static void check_limits(void) {
   config.confined = 1;
   CHECK_FAILS(MIMO_E_MODEL, "file /dev/null lies outside the document's folder", mimo_scene_create(&config, &scene));
   config.confined = 2;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "confined is 2, which needs an interface newer than 0.10: this one knows 0 to 1",
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "confined is 2, which needs an interface newer than 1.0: this one knows 0 to 1",
               mimo_scene_create(&config, &scene));
   config.confined = 0;
   config.limits_reserved = 1;

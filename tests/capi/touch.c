@@ -166,7 +166,7 @@ static void check_bad_values(void) {
   config = feeling_agent();
   config.touch_response = 0;
   check_refused(MIMO_E_UNSUPPORTED,
-                "touch_response is 0, which needs an interface newer than 0.10: this one knows 1 to 3", config);
+                "touch_response is 0, which needs an interface newer than 1.0: this one knows 1 to 3", config);
   config = feeling_agent();
   config.touch_frame = 4;
   check_refused(MIMO_E_UNSUPPORTED, "touch_frame is 4", config);

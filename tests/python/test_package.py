@@ -26,7 +26,7 @@ SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z))\.so.*
 @installed
 def test_every_library_is_inside_or_part_of_any_linux():
     inside = {file.name for file in NATIVE.iterdir()}
-    assert {"libmimo.so.0", "libmujoco.so.2.2.2", "mimo"} <= inside
+    assert {"libmimo.so.1", "libmujoco.so.2.2.2", "mimo"} <= inside
     for file in NATIVE.iterdir():
         if not file.is_file():
             continue
@@ -38,7 +38,7 @@ def test_every_library_is_inside_or_part_of_any_linux():
 
 @installed
 def test_libraries_are_looked_for_beside_each_other_only():
-    for name in ("libmimo.so.0", "mimo"):
+    for name in ("libmimo.so.1", "mimo"):
         dynamic = subprocess.run(["readelf", "-d", NATIVE / name], capture_output=True, text=True, check=True).stdout
         assert re.findall(r"\(R(?:UN)?PATH\).*\[(.*)\]", dynamic) == ["$ORIGIN"], name
 
@@ -50,7 +50,7 @@ def test_the_library_takes_the_mujoco_inside(tmp_path):
     rows = (line.split(maxsplit=5) for line in maps.splitlines())
     files = {Path(row[5]) for row in rows if len(row) == 6}
     loaded = {file for file in files if file.name.startswith(("libmimo", "libmujoco"))}
-    assert loaded == {NATIVE / "libmimo.so.0", NATIVE / "libmujoco.so.2.2.2"}
+    assert loaded == {NATIVE / "libmimo.so.1", NATIVE / "libmujoco.so.2.2.2"}
 
 
 @installed
@@ -106,7 +106,7 @@ def test_import_prints_nothing_and_makes_no_files(tmp_path):
 
 def test_another_abi_version_is_refused(monkeypatch):
     monkeypatch.setattr(_abi, "ABI_VERSION", 99)
-    with pytest.raises(ImportError, match="ABI version 0, this package needs 99"):
+    with pytest.raises(ImportError, match="ABI version 1, this package needs 99"):
         _load(library_path())
 
 

@@ -9,7 +9,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-ASKED_FOR = {"libmimo.so.0": "libmimo.so"}  # by DllImport("mimo")
+ASKED_FOR = {"libmimo.so.1": "libmimo.so"}  # by DllImport("mimo")
 
 NUSPEC = """<?xml version="1.0" encoding="utf-8"?>
 <package xmlns="http://schemas.microsoft.com/packaging/2013/05/nuspec.xsd">

@@ -5,7 +5,7 @@ namespace Mimo
     /// <summary>The native library that the system found.</summary>
     public static class Library
     {
-        internal const uint Abi = 0; // MIMO_ABI_VERSION of the mimo.h that these sources are for
+        internal const uint Abi = 1; // MIMO_ABI_VERSION of the mimo.h that these sources are for
 
         private static bool isGood;
 

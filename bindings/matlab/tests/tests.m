@@ -578,7 +578,7 @@ end
 function library_and_worlds_tell()
   known = mimo_version();
   assert(~isempty(regexp(known.library, '^\d+\.\d+\.\d+(-rc\d+)?$', 'once')) && known.abi >= 0);
-  assert(strcmp(known.mujoco, '2.2.2') && known.api >= 10);  % 0.10 is the first that has layouts
+  assert(strcmp(known.mujoco, '2.2.2') && known.api >= 1000);
   assert(mimo_supports('mimo_batch_step') && mimo_supports('MIMO_SITE_VELOCITY') && mimo_supports('mimo_field.period'));
   assert(~mimo_supports('mimo_batch_stop') && ~mimo_supports('mimo_field.perioe') && islogical(mimo_supports('')));
   assert(ismember('standup', mimo_names('scene')) && ismember('playroom', mimo_names('room')));

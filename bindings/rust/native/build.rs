@@ -10,7 +10,7 @@ fn main() {
         let name = file.file_name().expect("a name").to_string_lossy().into_owned();
         fs::copy(&file, to.join(&name)).expect("the build folder can be written");
         // Linkers look for the name without a number, programs for the one with.
-        if name == "libmimo.so.0" {
+        if name == "libmimo.so.1" {
             fs::copy(&file, to.join("libmimo.so")).expect("the build folder can be written");
         }
     }

@@ -3,4 +3,4 @@
 from pathlib import Path
 
 MUJOCO = "4.0.1"
-LIBRARY = Path(__file__).resolve().parent / "libmimo.so.0"
+LIBRARY = Path(__file__).resolve().parent / "libmimo.so.1"

@@ -9,7 +9,7 @@ import ctypes
 from ctypes import c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Any, Dict, List, Tuple
 
-ABI_VERSION = 0
+ABI_VERSION = 1
 
 # Pointers to numbers are passed as addresses: numpy arrays own the memory, and the callers here check the types.
 # Pointers to single results are typed, so that ctypes.byref() of the wrong thing is refused.

@@ -14,7 +14,7 @@ from . import _abi
 from .errors import make_error
 
 NATIVE = Path(__file__).resolve().parent / "_native"
-LIBRARY_NAME = {"win32": "mimo.dll", "darwin": "libmimo.dylib"}.get(sys.platform, "libmimo.so.0")
+LIBRARY_NAME = {"win32": "mimo.dll", "darwin": "libmimo.dylib"}.get(sys.platform, "libmimo.so.1")
 
 _logger = logging.getLogger("mimo")
 _levels = {1: logging.WARNING, 2: logging.INFO}

@@ -3,21 +3,21 @@
 // Made by bindings/rust/generate out of mimo.h; do not edit.
 
 #[doc = "Version of this header; mimo_version() gives the library's."]
-pub const MIMO_VERSION_MAJOR: u32 = 0;
+pub const MIMO_VERSION_MAJOR: u32 = 1;
 #[doc = "See MIMO_VERSION_MAJOR."]
-pub const MIMO_VERSION_MINOR: u32 = 1;
+pub const MIMO_VERSION_MINOR: u32 = 0;
 #[doc = "See MIMO_VERSION_MAJOR."]
 pub const MIMO_VERSION_PATCH: u32 = 0;
 #[doc = "\"-rc1\" of the first candidate, \"\" of a release; the end of mimo_version()."]
-pub const MIMO_VERSION_LABEL: &[u8; 1usize] = b"\0";
+pub const MIMO_VERSION_LABEL: &[u8; 5usize] = b"-rc1\0";
 #[doc = "Changes when old callers would break; equals the SONAME's number."]
-pub const MIMO_ABI_VERSION: u32 = 0;
-#[doc = "Version of what is declared here, 0.10; docs/abi.md says what may change."]
-pub const MIMO_API_MAJOR: u32 = 0;
+pub const MIMO_ABI_VERSION: u32 = 1;
+#[doc = "Version of what is declared here, 1.0; docs/abi.md says what may change."]
+pub const MIMO_API_MAJOR: u32 = 1;
 #[doc = "Grows when something is added."]
-pub const MIMO_API_MINOR: u32 = 10;
+pub const MIMO_API_MINOR: u32 = 0;
 #[doc = "Both in one number, for `#if MIMO_API_VERSION >= 1002`: 1.2 or newer."]
-pub const MIMO_API_VERSION: u32 = 10;
+pub const MIMO_API_VERSION: u32 = 1000;
 #[doc = "The call did what it says."]
 pub const MIMO_OK: u32 = 0;
 #[doc = "NULL, out of range, not finite; or a call that does not fit now."]

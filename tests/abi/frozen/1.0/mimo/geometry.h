@@ -1,0 +1,144 @@
+/**
+ * @file mimo/geometry.h
+ * For engines that draw the world themselves: shapes as triangles, how they look, textures, lights, and where all is.
+ *
+ * Shapes are asked for once, and again after what they follow from was changed (MIMO_GEOM_SIZE, MIMO_GEOM_COLOR,
+ * MIMO_AGENT_FACE, a reset to another age); poses after each step.
+ */
+#ifndef MIMO_GEOMETRY_H
+#define MIMO_GEOMETRY_H
+
+#include "access.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * Frames. The infant looks along x, y is to its left, z is up. In the frames of engines it looks where they say that
+ * forward is. Lengths are metres, but for Unreal's centimetres.
+ */
+#define MIMO_AXES_MIMO 0   /**< This library's, MuJoCo's and ROS's: x forward, y left, z up. Quaternions w x y z. */
+#define MIMO_AXES_UNITY 1  /**< Left-handed: x right, y up, z forward. Quaternions x y z w, as in all that follow. */
+#define MIMO_AXES_UNREAL 2 /**< Left-handed: x forward, y right, z up; cm. */
+#define MIMO_AXES_GODOT 3  /**< Right-handed: x right, y up, z backward. */
+#define MIMO_AXES_GLTF 4   /**< Right-handed: x left, y up, z forward: glTF, three.js. */
+
+/**
+ * Converts points in place: positions, or the places of touch sensors.
+ * @param points three numbers each, in our frame.
+ */
+MIMO_API mimo_status mimo_convert_points(int32_t axes, float *points, size_t point_count) MIMO_NOEXCEPT;
+
+/** Converts directions in place: normals, forces, velocities; their lengths stay. */
+MIMO_API mimo_status mimo_convert_directions(int32_t axes, float *directions, size_t direction_count) MIMO_NOEXCEPT;
+
+/**
+ * Poses of now of all elements of a kind, one after the other: position, and a quaternion in the order of the frame.
+ * @param kind        MIMO_BODY, MIMO_GEOM, MIMO_SITE or MIMO_CAMERA.
+ * @param axes        a MIMO_AXES_ constant.
+ * @param value_count length of poses: seven times mimo_env_count.
+ * A camera looks along its own -z in our frame, so along what that becomes in another one.
+ */
+MIMO_API mimo_status mimo_env_poses(const mimo_env *env, int32_t kind, int32_t axes, float *poses,
+                                    size_t value_count) MIMO_NOEXCEPT;
+
+/**
+ * A geom as triangles, in the geom's own frame: they move with its pose. Asked for twice: with NULL for the arrays, to
+ * learn how many vertices and indices there are, and again with arrays of that size.
+ */
+typedef struct mimo_mesh {
+  uint32_t struct_size;   /**< sizeof(mimo_mesh), set by mimo_mesh_init. */
+  int32_t axes;           /**< In: a MIMO_AXES_ constant. The order of a triangle's corners is the one that the
+                               engine takes for an outside: counter-clockwise, clockwise in Unity and Godot. */
+  uint32_t segments;      /**< In: level of detail: pieces of a circle, a multiple of 4, 4 to 256. Default 24. */
+  uint32_t reserved;      /**< 0. */
+  double plane;           /**< In: half the size of planes without an end, m, > 0. Default 20. */
+  float *positions;       /**< In: three for each vertex, or NULL. */
+  float *normals;         /**< In: three for each vertex, length 1, or NULL. */
+  float *texcoords;       /**< In: two for each vertex, or NULL. (0, 0) is where the texture's first row begins;
+                               flat textures go on beyond 0 and 1. Zeros where the geom has no texture. */
+  uint32_t *indices;      /**< In: three for each triangle, or NULL. */
+  size_t vertex_capacity; /**< In: for how many vertices the arrays have room. */
+  size_t index_capacity;  /**< In: how many indices there is room for. */
+  size_t vertex_count;    /**< Out. */
+  size_t index_count;     /**< Out. */
+} mimo_mesh;
+
+/** Fills a mesh with defaults: no arrays. */
+MIMO_API mimo_status mimo_mesh_init(mimo_mesh *mesh, size_t size) MIMO_NOEXCEPT;
+
+/**
+ * A geom as triangles. Meshes and height fields of the model come as they are, whatever segments says. Skins, tendons
+ * and sites, which MuJoCo draws as well, are not to be had.
+ * Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message says what is needed.
+ */
+MIMO_API mimo_status mimo_env_mesh(const mimo_env *env, int32_t geom, mimo_mesh *mesh) MIMO_NOEXCEPT;
+
+/** How a geom looks, and whether it is to be seen at all. What it is made of is mimo_scene_set_material's. */
+typedef struct mimo_appearance {
+  uint32_t struct_size; /**< sizeof(mimo_appearance), set by the caller. */
+  uint32_t visible;     /**< 1: MuJoCo would draw it: of its groups 0 to 2, and not fully transparent. */
+  int32_t group;        /**< MuJoCo's number of its group. */
+  int32_t texture;      /**< Id of its texture, -1 for none: a face's, while the agent shows it. */
+  float color[4];       /**< Red, green, blue, opacity, 0 to 1; times the texture's. */
+  float emission;       /**< How much of its colour it shines by itself, 0 to 1. */
+  float specular;       /**< Strength of highlights, 0 to 1. */
+  float shininess;      /**< Their sharpness, 0 to 1: Phong's exponent is 128 times this. */
+  float reflectance;    /**< Share of what it mirrors, 0 to 1; planes and boxes only. */
+} mimo_appearance;
+
+/** How a geom looks in this world now. Set appearance->struct_size first. */
+MIMO_API mimo_status mimo_env_appearance(const mimo_env *env, int32_t geom, mimo_appearance *appearance) MIMO_NOEXCEPT;
+
+#define MIMO_TEXTURE_FLAT 0 /**< One picture, repeated beyond its edges. */
+#define MIMO_TEXTURE_CUBE 1 /**< Six square pictures, one above the other; texcoords of meshes already lie in them. */
+#define MIMO_TEXTURE_SKY 2  /**< A cube around everything: right, left, up, down, front, back of one who looks at it. */
+
+/** A texture as pixels. Asked for twice, like a mesh. */
+typedef struct mimo_texture {
+  uint32_t struct_size; /**< sizeof(mimo_texture), set by the caller. */
+  int32_t type;         /**< Out: a MIMO_TEXTURE_ constant. */
+  uint32_t width;       /**< Out: pixels. */
+  uint32_t height;      /**< Out: pixels, of all six pictures of a cube together. */
+  uint8_t *pixels;      /**< In: red, green, blue, 255 of each pixel, row after row; or NULL. */
+  size_t pixel_bytes;   /**< In: length of pixels: 4 width height. */
+} mimo_texture;
+
+/** How many textures the world has; ids are 0 to count - 1. */
+MIMO_API mimo_status mimo_env_texture_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
+
+/** A texture. Set texture->struct_size, pixels and pixel_bytes first. */
+MIMO_API mimo_status mimo_env_texture(const mimo_env *env, int32_t texture_id, mimo_texture *texture) MIMO_NOEXCEPT;
+
+#define MIMO_HEADLIGHT -1 /**< The light that every camera carries. */
+
+/** A light of now. */
+typedef struct mimo_light {
+  uint32_t struct_size;  /**< sizeof(mimo_light), set by the caller. */
+  int32_t axes;          /**< In: a MIMO_AXES_ constant. */
+  uint32_t active;       /**< 1: it shines. */
+  uint32_t directional;  /**< 1: parallel, like the sun's, from direction; 0: from position, within a cone. */
+  uint32_t casts_shadow; /**< 1: it casts shadows. */
+  float cutoff;          /**< Half angle of the cone, degrees; 180: to all sides. */
+  float exponent;        /**< How much it is stronger in the middle of the cone; 0: even. */
+  float position[3];     /**< Of now; zero for the headlight, which is where its camera is. */
+  float direction[3];    /**< Where it shines, unit vector. */
+  float ambient[3];      /**< Red, green, blue that reach everything. */
+  float diffuse[3];      /**< Red, green, blue that make surfaces bright that are turned to it. */
+  float specular[3];     /**< Red, green, blue of highlights. */
+  float attenuation[3];  /**< At a distance d in metres it has 1 / (a0 + a1 d + a2 d^2) of its strength. */
+  uint32_t reserved;     /**< 0. */
+} mimo_light;
+
+/**
+ * A light. Set light->struct_size and axes first.
+ * @param id a MIMO_LIGHT, or MIMO_HEADLIGHT.
+ */
+MIMO_API mimo_status mimo_env_light(const mimo_env *env, int32_t id, mimo_light *light) MIMO_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
