@@ -45,10 +45,12 @@ if(MIMO_FUZZ)
   add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# What is said here for ccache lets it keep what was compiled with precompiled headers.
+# ccache keeps what was compiled with precompiled headers, and finds it again in a clone in another folder: paths below
+# the sources are taken as relative, and the folder that a compiler runs in does not count.
 find_program(MIMO_CCACHE ccache)
 if(MIMO_CCACHE)
-  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${MIMO_CCACHE})
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1
+               "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" ${MIMO_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
