@@ -1,4 +1,5 @@
 /* Scenes: by name, from a file, from text, empty; agents and objects; what is refused, and how it is told. */
+#include "repository_paths.h"
 #include "support/capi.h"
 
 static const char* const kMimo =

@@ -2,6 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "repository_paths.h"
 #include "support/capi.h"
 
 enum { WORLDS = 3, ROOM = 1 << 22, PICTURE = 16 };

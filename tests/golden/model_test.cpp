@@ -7,6 +7,7 @@
 #include <string>
 
 #include "body/body.h"
+#include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/scenes.h"
 #include "support/table.h"

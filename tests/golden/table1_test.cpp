@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/scenes.h"
 #include "support/table.h"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include "repository_paths.h"
 #include "support/recording.h"
 #include "support/table.h"
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/compat.h"
+#include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/recording.h"
 #include "support/scenes.h"

@@ -2,6 +2,7 @@
  * is refused, by name and with nothing changed, while one is set that would act on them; senses that only look go on.
  */
 
+#include "repository_paths.h"
 #include "support/mujoco.h"
 
 static int asked; /* how often a callback was */

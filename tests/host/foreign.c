@@ -1,6 +1,7 @@
 /* Senses on models that know nothing of infants: what they give, checked by MuJoCo's own numbers; what is refused. */
 #include <mujoco/mujoco.h>
 
+#include "repository_paths.h"
 #include "support/capi.h"
 
 typedef struct host {

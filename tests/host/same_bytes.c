@@ -1,6 +1,7 @@
 /* The host simulates MIMo's own scene with its own MuJoCo: attached senses give exactly the bytes of an environment,
  * also where they are late, noisy and weak. */
 
+#include "repository_paths.h"
 #include "support/mujoco.h"
 
 enum { STEPS = 120, FRAME_SKIP = 2 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/scenes.h"
 

@@ -9,6 +9,7 @@
 #include "growth/measures.h"
 #include "growth/original/measures.h"
 #include "growth/parts.h"
+#include "repository_paths.h"
 #include "support/infants.h"
 #include "support/numbers.h"
 #include "support/table.h"

@@ -12,6 +12,7 @@
 #include "growth/proportions.h"
 #include "growth/sizes.h"
 #include "growth/who.h"
+#include "repository_paths.h"
 #include "support/infants.h"
 #include "support/numbers.h"
 #include "support/table.h"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "repository_paths.h"
 #include "support/files.h"
 #include "support/quiet.h"
 #include "support/scenes.h"

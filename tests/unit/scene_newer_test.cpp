@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/compat.h"
+#include "repository_paths.h"
 #include "support/files.h"
 #include "support/quiet.h"
 #include "support/scenes.h"

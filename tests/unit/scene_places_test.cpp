@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/physics.h"
+#include "repository_paths.h"
 #include "support/files.h"
 #include "support/quiet.h"
 #include "support/scenes.h"

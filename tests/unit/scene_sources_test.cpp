@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/compat.h"
+#include "repository_paths.h"
 #include "support/files.h"
 #include "support/physical.h"
 #include "support/quiet.h"

@@ -8,6 +8,7 @@
 
 #include "growth/curve.h"
 #include "growth/drivers.h"
+#include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/table.h"
 
