@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/fork.h"
+#include "base/unload.h"
 
 namespace mimo::capi {
 namespace {
@@ -39,8 +40,8 @@ class AtMessage {
   std::atomic_flag& busy_;
 };
 
-// Room for many control blocks. They stay for good: each by itself would lie among the large blocks of a world that
-// goes, and no later world of that size would fit into the gap.
+// Room for many control blocks. They stay as long as the library: each by itself would lie among the large blocks of a
+// world that goes, and no later world of that size would fit into the gap.
 struct Drawer {
   static constexpr std::size_t kPlaces = 256;
 
@@ -57,6 +58,13 @@ struct Drawer {
 };
 
 std::atomic<Drawer*> open_drawer{nullptr};
+
+const AtUnload give_back([] {
+  for (Drawer* drawer = open_drawer.exchange(nullptr); drawer != nullptr;) {
+    const std::unique_ptr<Drawer> gone(drawer);
+    drawer = gone->before;
+  }
+});
 
 // Takes no lock, which a child could inherit from a thread that it does not have.
 void* room_for_control() {

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 
+#include "base/unload.h"
 #include "engine/pictures.h"
 
 namespace mimo::scene {
@@ -23,9 +24,15 @@ struct Picture {
 };
 
 // The one that was decoded last. There is no lock, which a child forked at the wrong time would find closed for ever,
-// not even that of a table made at its first use; and nothing is given back at the process's exit, when other threads
-// may still make worlds.
+// not even that of a table made at its first use.
 std::atomic<const Picture*> last_decoded{nullptr};
+
+const AtUnload give_back([] {
+  for (const Picture* picture = last_decoded.exchange(nullptr); picture != nullptr;) {
+    const std::unique_ptr<const Picture> gone(picture);
+    picture = gone->before;
+  }
+});
 
 const engine::Bytes* find(const Picture* picture, const unsigned char* file) {
   while (picture != nullptr && picture->file != file) picture = picture->before;

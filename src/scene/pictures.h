@@ -12,7 +12,7 @@ namespace mimo::scene {
 std::string decoded_name(const std::string& name);
 
 // In place of those of these built-in files that are pictures, what is decoded of them, which lives as long as the
-// process.
+// library is loaded.
 void decode_pictures(std::vector<engine::Asset>& assets);
 
 }  // namespace mimo::scene
