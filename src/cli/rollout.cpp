@@ -144,9 +144,9 @@ class Motors {
 };
 
 // Targets of joints or activations of muscles, clipped to their bounds.
-class Actions {
+class ControlRows {
  public:
-  Actions(const mimo::Env& env, const NumberTable& controls, const std::string& path)
+  ControlRows(const mimo::Env& env, const NumberTable& controls, const std::string& path)
       : actions_(env.layout().actions()),
         columns_(find_columns(controls, path, [&](const auto& name) { return index(name); })),
         action_(actions_.size()) {}
@@ -227,7 +227,7 @@ void add_rollout(CLI::App& program) {
       "Example:\n"
       "  mimo rollout --controls controls.csv --every 20 --out states.json");
   command->callback(
-      [options] { options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<Actions>(*options); });
+      [options] { options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<ControlRows>(*options); });
 }
 
 }  // namespace cli

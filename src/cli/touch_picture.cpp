@@ -15,7 +15,7 @@ namespace {
 using mimo::Vector;
 using Feelings = std::vector<Skin::Feeling>;
 
-constexpr Rgb kSkin{40, 70, 160};  // of a sensor that feels nothing
+constexpr Rgb kUntouched{40, 70, 160};  // of a sensor that feels nothing
 constexpr Rgb kOutline{30, 30, 30};
 
 Spot spot(const Vector& pixel) { return {pixel[0], pixel[1]}; }
@@ -115,7 +115,7 @@ ColorPicture TouchPicture::draw(mimo::Env& env, const mimo_picture_config& confi
     if (is_felt(felt[i])) {
       if (pixels[i][2] > 0 && starts[i][2] > 0) order.push_back(i);
     } else if (visible(i)) {
-      stroke(picture, spot(pixels[i]), spot(pixels[i]), 0.8 * size, {kSkin, 0.7});
+      stroke(picture, spot(pixels[i]), spot(pixels[i]), 0.8 * size, {kUntouched, 0.7});
     }
   }
   if (order.empty()) return picture;
