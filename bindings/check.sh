@@ -40,9 +40,7 @@ test_rust() {
   build_program
   echo "Tests of the Rust crates"
   local -x MIMO_LIB_DIR=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib CARGO_TARGET_DIR=$PWD/build/rust
-  # With the rooms of the release build ccache knows all that the crate builds. Seen from mimo-sys, for spaces divide
-  # arguments there.
-  local example rooms=../../../build/rooms
+  local example
   (
     cd bindings/rust
     ./generate --check
@@ -52,7 +50,8 @@ test_rust() {
     cargo clippy -q --all-targets -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc -q --no-deps
     cargo test -q
-    MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON -DMIMO_ROOMS=$rooms" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
+    # In a folder beside the others ccache knows all that the crate builds.
+    MIMO_BUILD_DIR=$OLDPWD/build-rust MIMO_CMAKE_ARGS="-G Ninja -DMIMO_WERROR=ON" LD_LIBRARY_PATH='' cargo test -q -p mimo-sys --features bundled
     package_crates
     for example in hello batch observe own_reward own_goal; do cargo run -q --example "$example"; done
   )
@@ -74,7 +73,9 @@ csharp_tests() {
 build_csharp() {
   local example
   csharp_tests Tests.exe
-  "${mcs[@]}" -target:library -doc:build/csharp/MimoSharp.xml -out:build/csharp/MimoSharp.dll bindings/csharp/src/*.cs
+  printf '[assembly: System.Reflection.AssemblyVersion("%s.0")]\n[assembly: System.Reflection.AssemblyInformationalVersion("%s")]\n' \
+    "$(version_text | cut -d- -f1)" "$(version_text)" >build/csharp/Version.cs
+  "${mcs[@]}" -target:library -doc:build/csharp/MimoSharp.xml -out:build/csharp/MimoSharp.dll build/csharp/Version.cs bindings/csharp/src/*.cs
   for example in examples/csharp/*.cs tests/same/*.cs; do
     "${mcs[@]}" -r:build/csharp/MimoSharp.dll -out:"build/csharp/$(basename "$example" .cs).exe" "$example"
   done

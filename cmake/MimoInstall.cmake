@@ -40,10 +40,22 @@ install(FILES cmake/mimoConfig.cmake DESTINATION ${package_dir})
 if(WIN32)  # for Microsoft's linker, which reads another kind of import library
   install(FILES ${mimo_lib} DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+# Functions are added, never removed (docs/abi.md): 1.1 serves those who ask for 1.0. A candidate says that it is one.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake VERSION ${MIMO_VERSION_TEXT}
+                                 COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mimoConfigVersion.cmake DESTINATION ${package_dir})
 
-# pkg-config --cflags --libs mimo
-file(RELATIVE_PATH MIMO_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+# pkg-config --cflags --libs mimo. A system's library lies where the linker looks. Any other installation can be moved, so
+# its paths begin at the file's own folder, and a program finds the library where it was when the program was linked.
+# pkg-config sorts 1.0.0~rc1 before 1.0.0, as Debian does.
+if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  set(MIMO_PC_PREFIX /usr)
+  set(MIMO_PC_RPATH "")
+else()
+  file(RELATIVE_PATH MIMO_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" MIMO_PC_PREFIX "\${pcfiledir}/${MIMO_PC_PREFIX}")
+  set(MIMO_PC_RPATH " -Wl,-rpath,\${libdir}")
+endif()
+string(REPLACE "-" "~" MIMO_PC_VERSION ${MIMO_VERSION_TEXT})
 configure_file(cmake/mimo.pc.in mimo.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/mimo.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -5,9 +5,9 @@
 # any other room is simply not found. That is how the direction of dependencies is enforced. docs/make_rooms.py draws
 # the page of rooms from these calls, and tests that no room is named whose headers nobody includes.
 
-# Where the links are. Two builds of one source tree that share them also share what ccache keeps.
-set(MIMO_ROOMS ${PROJECT_BINARY_DIR}/rooms CACHE PATH "Folder of links to the rooms")
-mark_as_advanced(MIMO_ROOMS)
+# The links lie in the same place of every build folder, so that ccache shares what it keeps between build folders that lie
+# beside each other.
+set(MIMO_ROOMS ${CMAKE_BINARY_DIR}/rooms)
 
 # mimo_on_this_platform(<variable>): leaves out of a list of sources what is for another system: *_windows.cpp is for
 # Windows, *_posix.cpp for all others.

@@ -1,4 +1,4 @@
-# mimo_read_version(<header>): sets MIMO_VERSION ("1.0.0"), MIMO_VERSION_LABEL ("", or "-rc1" of a candidate) and
+# mimo_read_version(<header>): sets MIMO_VERSION ("1.0.0"), MIMO_VERSION_TEXT (the same, or "1.0.0-rc1" for a candidate) and
 # MIMO_ABI_VERSION (1) from the header's macros, so that header, SONAME and packages cannot disagree.
 function(mimo_read_version header)
   foreach(part VERSION_MAJOR VERSION_MINOR VERSION_PATCH ABI_VERSION)
@@ -12,8 +12,9 @@ function(mimo_read_version header)
   if(NOT line MATCHES "MIMO_VERSION_LABEL \"([-.a-z0-9]*)\"")
     message(FATAL_ERROR "${header} does not define MIMO_VERSION_LABEL as a text")
   endif()
-  set(MIMO_VERSION_LABEL "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  set(version ${VERSION_MAJOR}.${VERSION_MINOR}.${VERSION_PATCH})
+  set(MIMO_VERSION ${version} PARENT_SCOPE)
+  set(MIMO_VERSION_TEXT ${version}${CMAKE_MATCH_1} PARENT_SCOPE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
-  set(MIMO_VERSION ${VERSION_MAJOR}.${VERSION_MINOR}.${VERSION_PATCH} PARENT_SCOPE)
   set(MIMO_ABI_VERSION ${ABI_VERSION} PARENT_SCOPE)
 endfunction()

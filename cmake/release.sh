@@ -1,6 +1,9 @@
 # What users of all systems get, out of builds for these (cmake/cross.sh): a part of ./dev, which has the functions used here.
 # Whatever is made holds libmimo, its MuJoCo, and the licences of all that is inside.
 
+# Who answers for the packages.
+contact="libmimo contributors <libmimo@users.noreply.example.org>"
+
 # How the kinds of packages call a system: Python's wheels, NuGet, Rust.
 python_tag() {
   case $1 in
@@ -78,6 +81,40 @@ version_text() {
     paste -sd' ' | awk '{ print $1 "." $2 "." $3 $4 }'
 }
 
+# ---- Packages that come out the same each time ----------------------------------------------------------------
+
+# The time that all files in packages have: the last commit's. A source tarball's files have it already.
+date_packages() {
+  [[ -z ${SOURCE_DATE_EPOCH:-} ]] || return 0
+  SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat --format %Y CHANGELOG.md)
+  export SOURCE_DATE_EPOCH
+}
+
+# pack OUT.tar.gz|OUT.zip FOLDER NAME [--files]
+pack() { "$(system_python)" cmake/pack.py "$@"; }
+
+# ---- Debian -------------------------------------------------------------------------------------------------
+
+# The packages that cmake/debian/control lists. What they hold is compiled as the release build is, so ccache has it.
+package_debian() {
+  local folder=build/debian version
+  build debian mimo mimo_program
+  version=$(version_text)
+  rm -rf "$folder"
+  mkdir -p "$folder/tree"
+  cp -r cmake/debian CHANGELOG.md "$folder/tree/"
+  cp LICENSE "$folder/tree/debian/copyright"
+  sed -i "s/@MIMO_CONTACT@/$contact/" "$folder/tree/debian/control"
+  printf 'libmimo (%s-1) unstable; urgency=medium\n\n  * Release %s; the changelog of libmimo says what is new.\n\n -- %s  %s\n' \
+    "${version/-/\~}" "$version" "$contact" "$(date --utc --rfc-email --date "@$SOURCE_DATE_EPOCH")" >"$folder/tree/debian/changelog"
+  (cd "$folder/tree" && MIMO_BUILD=$OLDPWD/build-debian DEB_BUILD_OPTIONS=noautodbgsym \
+    dpkg-buildpackage --build=binary --no-sign --no-check-builddeps) >"$folder/log" 2>&1 ||
+    { tail -n 30 "$folder/log"; fail "the Debian packages could not be made; $folder/log says why"; }
+  cp "$folder"/*.deb build/package/
+}
+
+# ---- What is inside -------------------------------------------------------------------------------------------
+
 # collect SYSTEM: what was built for it, in build/release/SYSTEM: the libraries that programs load, the program, the licences.
 collect() {
   local to=build/release/$1 library
@@ -135,18 +172,14 @@ wheel_for_mujoco4() {
 
 # What `cmake --install` installs, MuJoCo and the licences beside it: unpacked anywhere it works.
 archive_for() {
-  local name root out=$PWD/build/package
+  local name root
   name=libmimo-$(version_text)-$(nuget_name "$1")
   root=build/release/$name
   rm -rf "$root"
   cmake --install "build-$1" --prefix "$root" >/dev/null
   cp -P "$(cut -d' ' -f2 <<<"$(natives "$1")")" "$root/$([[ $1 == windows ]] && echo bin || echo lib)/"
   cp -r "build/release/$1/licences" "$root/"
-  if [[ $1 == windows ]]; then
-    (cd build/release && cmake -E tar cf "$out/$name.zip" --format=zip "$name")
-  else
-    tar --create --gzip --directory build/release --owner 0 --group 0 --file "$out/$name.tar.gz" "$name"
-  fi
+  pack "build/package/$name.$([[ $1 == windows ]] && echo zip || echo tar.gz)" "$root" "$name"
   rm -rf "$root"
 }
 

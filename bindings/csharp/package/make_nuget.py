@@ -5,10 +5,11 @@ whose FOLDER has libraries/ and licences/.
 """
 
 import sys
-import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "cmake"))
+from pack import write_zip  # noqa: E402
 ASKED_FOR = {"libmimo.so.1": "libmimo.so"}  # by DllImport("mimo")
 
 NUSPEC = """<?xml version="1.0" encoding="utf-8"?>
@@ -77,10 +78,7 @@ def main(version, classes, out, *systems):
     """Writes the package."""
     named = dict(system.split("=", 1) for system in systems)
     found = files(version, Path(classes), {rid: Path(folder) for rid, folder in named.items()})
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as package:
-        package.writestr("[Content_Types].xml", content_types(found))
-        for name, data in found.items():
-            package.writestr(name, data)
+    write_zip(out, {"[Content_Types].xml": content_types(found).encode(), **found})
 
 
 if __name__ == "__main__":

@@ -11,11 +11,13 @@ import json
 import shutil
 import subprocess
 import sys
-import tarfile
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "cmake"))
+from pack import below, write_tar  # noqa: E402
+
 NAME = "org.libmimo.mimo"
 
 # RID: what Unity's importer of plugins calls the system's player, its processor, the editor's system. There is no player
@@ -121,8 +123,7 @@ def main(version, out, *systems):
         root = Path(work) / "package"  # what npm calls it, whose form Unity's registries have
         root.mkdir()
         fill(root, version, named)
-        with tarfile.open(out, "w:gz") as archive:
-            archive.add(root, "package")
+        write_tar(out, below(root, "package"))
 
 
 if __name__ == "__main__":

@@ -69,7 +69,8 @@ fn ask_pkg_config() -> PathBuf {
     }
 }
 
-/// Builds the library, and nothing else; MIMO_CMAKE_ARGS has further arguments for CMake, such as -Dmujoco_ROOT=FOLDER.
+/// Builds the library, and nothing else; MIMO_CMAKE_ARGS has further arguments for CMake, such as -Dmujoco_ROOT=FOLDER,
+/// MIMO_BUILD_DIR the folder that it builds in, if that is not to be one of cargo's.
 /// Programs that cargo runs find it; for others it has to be installed.
 fn build() -> PathBuf {
     let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
@@ -77,12 +78,15 @@ fn build() -> PathBuf {
         fail("there is no libmimo for this target in the feature `bundled`; install it, and set MIMO_LIB_DIR to its folder");
     }
     let sources = sources.canonicalize().expect("it is there");
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
+    let own = || PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
+    let out = env::var_os("MIMO_BUILD_DIR").map_or_else(own, PathBuf::from);
     for part in ["CMakeLists.txt", "cmake", "include", "models", "src"] {
         println!("cargo:rerun-if-changed={}", sources.join(part).display());
     }
     let further = env::var("MIMO_CMAKE_ARGS").unwrap_or_default();
-    println!("cargo:rerun-if-env-changed=MIMO_CMAKE_ARGS");
+    for name in ["MIMO_CMAKE_ARGS", "MIMO_BUILD_DIR"] {
+        println!("cargo:rerun-if-env-changed={}", name);
+    }
     run(Command::new("cmake")
         .arg("-S")
         .arg(&sources)

@@ -1,0 +1,27 @@
+# cmake -DVERSION_FILE=<mimoConfigVersion.cmake> -P check_version.cmake: which versions serve a project that asks for another.
+# The ABI stays within a major version, so a newer minor version serves, and an older one does not.
+file(READ ${VERSION_FILE} text)
+
+function(expect_serves installed asked expected)
+  string(REGEX REPLACE "set\\(PACKAGE_VERSION \"[^\"]*\"\\)" "set(PACKAGE_VERSION \"${installed}\")" changed "${text}")
+  string(REGEX REPLACE "[0-9]+\\.[0-9]+\\.[0-9]+[-a-z0-9]*" "${installed}" changed "${changed}")
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/version_${installed}.cmake "${changed}")
+  set(PACKAGE_FIND_VERSION ${asked})
+  string(REGEX MATCH "^[0-9]+" PACKAGE_FIND_VERSION_MAJOR ${asked})
+  include(${CMAKE_CURRENT_BINARY_DIR}/version_${installed}.cmake)
+  file(REMOVE ${CMAKE_CURRENT_BINARY_DIR}/version_${installed}.cmake)
+  if(NOT PACKAGE_VERSION STREQUAL installed)
+    message(FATAL_ERROR "${VERSION_FILE} says ${PACKAGE_VERSION} where ${installed} was written")
+  endif()
+  if((PACKAGE_VERSION_COMPATIBLE AND NOT expected) OR (expected AND NOT PACKAGE_VERSION_COMPATIBLE))
+    message(FATAL_ERROR "${installed} for a project that asks for ${asked}: compatible ${PACKAGE_VERSION_COMPATIBLE}")
+  endif()
+endfunction()
+
+expect_serves(1.0.0 1.0 TRUE)
+expect_serves(1.0.0-rc2 1.0 TRUE)
+expect_serves(1.1.0 1.0 TRUE)
+expect_serves(1.12.3 1.2.4 TRUE)
+expect_serves(1.0.0 1.1 FALSE)
+expect_serves(2.0.0 1.0 FALSE)
+expect_serves(1.0.0 2.0 FALSE)
