@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import mimo
+from mimo.drawing import SEGMENTS
 from mimo.frames import placed
 
 sdk = pytest.importorskip("rerun", reason="rerun-sdk is not installed")
@@ -93,7 +94,7 @@ def test_shapes_once_and_bodies_by_time(logged):
     x, y, z, w = rotations[-1][0]
     there = placed(positions[-1][0], [w, x, y, z], vertices[0])
     poses = world.poses("geom")
-    mesh = world.mesh("head", segments=16)
+    mesh = world.mesh("head", segments=SEGMENTS)
     np.testing.assert_allclose(there, placed(poses.positions[geom], poses.rotations[geom], mesh.positions), atol=1e-5)
     assert len(positions) == STEPS
 

@@ -9,16 +9,21 @@ import sys
 import time
 import urllib.request
 
+import gymnasium
 import numpy as np
 import pytest
 from recorded import record, table_of
 
 import mimo
-from mimo import view
-from mimo.frames import placed
+from mimo import cubes, view
+from mimo.constants import TextureType
+from mimo.drawing import SEGMENTS, on_bodies
+from mimo.frames import placed, turned
+from mimo.geometry import Appearance, Texture
 from mimo.view.clock import Clock
 from mimo.view.motors import Motors
 from mimo.view.pull import Pull
+from mimo.view.shapes import lit
 
 STATUS = re.compile(r"([0-9.]+) s \(([^)]*)\)")
 
@@ -87,6 +92,33 @@ def test_a_pull_holds_a_weight_where_a_spring_would():
         assert pull.position[2] < 0.97  # it falls
 
 
+def test_skin_in_much_light_stays_skin():
+    """Skin of MuJoCo's (0.56, 0.47, 0.39) under 2.5 times the light would be (1.4, 1.175, 0.975): divided by 1.4."""
+    skin = Appearance(True, 0, -1, (0.56, 0.47, 0.39, 1.0), 0.8, 0.0, 0.0, 0.0)
+    np.testing.assert_allclose(lit(skin, 1.7).color, (1, 1.175 / 1.4, 0.975 / 1.4, 1), atol=1e-6)
+    np.testing.assert_allclose(lit(skin, 0.2).color, (0.56, 0.47, 0.39, 1), atol=1e-6)  # what is not too bright stays
+
+
+def test_faces_of_cubes_do_not_bleed():
+    """An eighth of the size, as a mipmap has it: each place on a face has that face's colour and no other's."""
+    edge = 64
+    faces = np.repeat(np.arange(6, dtype=np.uint8) * 40, edge * edge).reshape(6 * edge, edge, 1)
+    texture = Texture(TextureType.CUBE, np.repeat(faces, 4, axis=2))
+    ends = np.array([0.5, edge / 2 + 0.5, edge - 0.5]) / edge  # the middles of the first pixel and of the last one
+    given = np.array([(u, (face + v) / 6) for face in range(6) for v in ends for u in ends], np.float32)
+    picture = cubes.picture(texture)[..., 0].astype(np.float64)
+    small = picture.reshape(len(picture) // 8, 8, -1, 8).mean(axis=(1, 3))
+    at = cubes.places(texture, given) * small.shape[::-1] - 0.5  # in pixels, between whose middles engines mix
+    for (u, v), face in zip(at, np.repeat(range(6), 9)):
+        around = small[int(v) : int(v) + 2, int(u) : int(u) + 2]
+        assert (around == 40 * face).all()
+    full = cubes.places(texture, given) * picture.shape[::-1]
+    np.testing.assert_allclose(full % 1, 0.5, atol=1e-3)  # pixels stay pixels
+    flat = Texture(TextureType.FLAT, texture.pixels)
+    np.testing.assert_array_equal(cubes.places(flat, given), given)
+    np.testing.assert_array_equal(cubes.picture(flat), texture.pixels[..., :3])
+
+
 # ---- What is sent to the page ---------------------------------------------------------------------------------------
 
 
@@ -112,6 +144,10 @@ def vertices(handle):
     return mesh
 
 
+def turned_to_body(world, geom, vectors):
+    return turned(on_bodies(world).rotations[geom], vectors)
+
+
 def test_shapes_are_where_the_library_has_them(shown):
     advance(shown, 0.3)
     world, shapes = shown._source.world, shown._page.shapes
@@ -120,11 +156,13 @@ def test_shapes_are_where_the_library_has_them(shown):
         geom = world.find("geom", name)
         mesh, node = vertices(shapes._shown[geom]), shapes._bodies[int(shapes._body_of[geom])]
         sent = placed(node.position, node.wxyz, mesh.vertices)
-        ours = world.mesh(geom, segments=16, plane=5.0)
+        ours = world.mesh(geom, segments=SEGMENTS, plane=5.0)
         there = placed(geoms.positions[geom], geoms.rotations[geom], ours.positions)
         np.testing.assert_allclose(sent, there, atol=5e-5)  # nodes that moved by less than 1e-5 stay
         np.testing.assert_array_equal(mesh.faces, ours.triangles)
-        np.testing.assert_allclose(mesh.visual.uv[:, 1], 1 - ours.texcoords[:, 1], atol=1e-6)
+        texcoords = cubes.places(world.texture(world.appearance(geom).texture), ours.texcoords)
+        np.testing.assert_allclose(mesh.visual.uv[:, 1], 1 - texcoords[:, 1], atol=1e-6)
+        np.testing.assert_allclose(mesh.vertex_normals, turned_to_body(world, geom, ours.normals), atol=1e-6)
 
 
 def test_a_face_and_an_age_change_the_shapes(shown):
@@ -136,7 +174,7 @@ def test_a_face_and_an_age_change_the_shapes(shown):
     assert shapes._shown[head] is not before[0]
     assert shapes._shown[arm] is before[1]
     pixels = np.asarray(vertices(shapes._shown[head]).visual.material.baseColorTexture)
-    np.testing.assert_array_equal(pixels[..., :3], world.texture(world.appearance("head").texture).pixels[..., :3])
+    np.testing.assert_array_equal(pixels[..., :3], cubes.picture(world.texture(world.appearance("head").texture)))
     tall = np.ptp(vertices(shapes._shown[head]).vertices[:, 2])
     shown._page.infants._given[0] = 1.0
     shown.restart()
@@ -175,7 +213,63 @@ def test_joints_are_moved_by_sliders(shown):
     assert world.joints("robot:left_elbow").position.item() == -1.0
     sliders.update()
     assert sliders._sliders[elbow].value == -1.0
-    assert sliders._sliders[elbow].min == world.joints("robot:left_elbow").range.ravel()[0]
+    assert sliders._sliders[elbow].min == round(world.joints("robot:left_elbow").range.ravel()[0], 2)
+    for slider in sliders._sliders:  # no more than two digits after the point
+        for number in (slider.min, slider.max, slider.value, slider.step):
+            assert number == round(number, 2)
+
+
+def test_the_infant_stays_in_the_middle(shown):
+    """However it moves: the world lies so that the middle of its bodies is at 0, which the camera looks at."""
+    world, camera = shown._source.world, shown._page.camera
+    advance(shown, 0.2)
+    bodies = [body for body, name in enumerate(world.bodies().names) if name in ("hip", "head", "left_foot")]
+    fly = world.get(mimo.Quantity.JOINT_POSITION, ["mimo_orientation"]).ravel()
+    world.set(mimo.Quantity.JOINT_POSITION, [3, -2, *fly[2:]], ["mimo_orientation"])
+    world.update()
+    for _ in range(60):
+        shown._page.update()
+    seen = world.poses("body").positions[bodies] + camera._root.position
+    assert np.abs(seen).max() < 0.55  # m; an infant is 0.8 m long
+    assert tuple(shown._server.initial_camera.look_at) == (0, 0, 0)
+    camera.follows, before = False, camera._root.position.copy()
+    shown.restart()
+    shown._page.update()
+    np.testing.assert_array_equal(camera._root.position, before)
+    camera.follows = True
+
+
+@pytest.mark.parametrize("scene", ["benchmark", "playdate", "babybench-crib", "rollover"])
+@pytest.mark.parametrize("aspect", [0.46, 1.0, 1.8])
+def test_the_page_begins_close_to_the_infant(scene, aspect):
+    """The whole infant is in the picture, and takes most of its narrower side."""
+    with viewer_or_skip(view.Live(scene, vision=False)) as viewer:
+        world, camera = viewer._source.world, viewer._page.camera
+        away = np.array(camera._position(aspect))
+        azimuth, above = np.arctan2(-away[1], -away[0]), -np.arcsin(away[2] / np.linalg.norm(away))
+        picture = {"width": round(1000 * aspect), "height": 1000, "fovy": np.degrees(viewer._server.initial_camera.fov)}
+        picture.update(look_at=camera._middle.tolist(), distance=float(np.linalg.norm(away)))
+        picture.update(azimuth=float(np.degrees(azimuth)), elevation=float(np.degrees(above)))
+        x, y, _ = world.project(world.poses("body").positions[camera._bodies], **picture).T
+        assert x.min() >= 0
+        assert x.max() <= picture["width"]
+        assert y.min() >= 0
+        assert y.max() <= 1000
+        assert max(np.ptp(x), np.ptp(y)) > 0.45 * min(picture["width"], 1000)
+
+
+def test_muscles_say_whose_they_are():
+    with viewer_or_skip(view.Live("playdate", vision=False)) as viewer:
+        advance_once(viewer)
+        shown = [html.content for _, _, html in viewer._page._senses._bars]
+        assert ["anna" in content for content in shown] == [True, False]
+        assert ["ben" in content.replace("bend", "") for content in shown] == [False, True]
+
+
+def advance_once(viewer):
+    viewer.clock.paused = True
+    for _ in range(12):  # frames; bars are drawn in every sixth
+        viewer.frame()
 
 
 def test_every_scene_is_shown(shown):
@@ -219,6 +313,45 @@ def test_an_environment_for_people(monkeypatch, capsys):
     there = env.world.poses("body").positions[env.world.find("body", "right_lower_arm")]
     np.testing.assert_allclose(elbow.position, there, atol=2e-5)
     env.close()
+
+
+def test_worlds_and_environments_of_ones_own():
+    """All that the page's function names: a world, an environment, a wrapped one; and nothing else."""
+    pytest.importorskip("viser", reason="viser is not installed")
+    small = {"vision": True, "vision_width": 16, "vision_height": 16}
+    with mimo.World("reach", **small) as world:
+        world.reset(1)
+        with view.open(world) as viewer:
+            assert viewer._source.world is world
+            assert viewer._source.scene == "reach"
+            world.step()
+            viewer.show()
+        with pytest.raises(TypeError, match="eyes"):
+            view.open(world, eyes=3)
+    env = gymnasium.make("mimo/Reach-v0", **small)
+    env.reset(seed=1)
+    with view.open(env) as viewer:
+        assert viewer._source.world is env.unwrapped.world
+    env.close()
+    with pytest.raises(TypeError, match=r"expected a mimo\.World or an environment"):
+        view.open(3)
+
+
+def test_a_failed_simulation_begins_again(shown):
+    shown.change("benchmark", "")
+    told, world = [], shown._source.world
+    shown._tell = told.append
+    world.set(mimo.Quantity.JOINT_VELOCITY, 1e12, ["robot:left_elbow"])
+    shown.clock.paused = False
+    shown.clock._due = 3
+    shown.frame()
+    assert len(told) == 1
+    assert "begins again" in told[0]
+    assert shown.clock.paused
+    assert world.time == 0
+    advance(shown, 0.02)
+    assert world.time == pytest.approx(0.02)
+    assert len(told) == 1
 
 
 # ---- Recordings and sound --------------------------------------------------------------------------------------------
@@ -335,7 +468,7 @@ def picture(page, path):
 
 def test_in_a_browser(served, tmp_path):
     browser = pytest.importorskip("browser")
-    with browser.page() as (page, wrong):
+    with browser.page(1200, 560) as (page, wrong):
         page.goto(served)
         eventually(lambda: STATUS.search(page.inner_text("body")))
         page.get_by_role("button", name="Pause").click()
@@ -347,7 +480,9 @@ def test_in_a_browser(served, tmp_path):
         eventually(lambda: status(page)[0] == 0)
         time.sleep(5)
         drawn = picture(page, tmp_path / "page.png")
-        middle = drawn[:, 310:580]
+        middle = drawn[:, 300:900]
+        assert page.title() == "MIMo"
+        assert page.url == served.strip()  # with the token, and nothing more
         # A floor of many colours, the infant's skin, and its shirt; none of it is the page's white.
         assert (middle.min(axis=2) < 240).mean() > 0.5
         assert len(np.unique(middle.reshape(-1, 3), axis=0)) > 2000
@@ -360,6 +495,28 @@ def test_in_a_browser(served, tmp_path):
         page.get_by_role("tab", name="Actions").click()
         eventually(lambda: "head_swivel" in page.inner_text("body"))
     assert wrong == []
+
+
+def scene_of(page):
+    """How much of the page's width and height the scene takes."""
+    box = page.locator("canvas").first.bounding_box()
+    size = page.viewport_size
+    return box["width"] / size["width"], box["height"] / size["height"]
+
+
+def test_narrow_pages_leave_room_for_the_infant(shown):
+    """In a notebook the senses begin collapsed; on a phone the controls do, and then share the height."""
+    browser = pytest.importorskip("browser")
+    with browser.page(880, 600) as (page, _):
+        page.goto(shown.url)
+        eventually(lambda: scene_of(page)[0] > 0.6)
+        page.get_by_role("button", name="Expand column").or_(page.get_by_label("Expand panels")).first.wait_for()
+    with browser.page(390, 844) as (page, _):
+        page.goto(shown.url)
+        eventually(lambda: 0.9 < scene_of(page)[1] < 0.95 and scene_of(page)[0] == 1)
+        page.get_by_text("MIMo", exact=True).click()
+        eventually(lambda: 0.39 < scene_of(page)[1] < 0.6)
+        page.get_by_role("button", name="Reset").wait_for()
 
 
 # What the page hands to its loudspeaker: when, and which samples of the left ear.
@@ -380,7 +537,7 @@ def test_the_page_plays_what_ears_hear(run):
     viewer = viewer_or_skip(view.Recorded(run, eyes=0))
     viewer.clock.paused, viewer.clock.speed = True, 0.5  # software draws pages slowly
     viewer.run_beside()
-    with browser.page(500, 400) as (page, wrong):
+    with browser.page(700, 400) as (page, wrong):
         page.add_init_script(LISTEN)
         page.goto(viewer.url)
         eventually(lambda: STATUS.search(page.inner_text("body")))

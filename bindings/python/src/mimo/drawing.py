@@ -13,7 +13,7 @@ from .frames import after, inverse, turned
 from .world import World
 
 EYES = 128  # pixels to each side of an eye's picture, where nobody says otherwise
-SEGMENTS = 16  # pieces of a circle, of what moves
+SEGMENTS = 24  # pieces of a circle, of what moves
 EARS = ("hearing/ear_left", "hearing/ear_right")  # fields
 WEAK, STRONG = 0.1, 10.0  # N that have the first and the last colour; between them it goes by the logarithm
 STOPS = np.array([[255, 235, 130], [250, 140, 40], [215, 25, 30], [110, 0, 60]], np.float64)

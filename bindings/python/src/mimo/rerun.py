@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .constants import Kind
+from .cubes import picture, places
 from .drawing import FLOOR, SEGMENTS, WEAK, ages, faces, heat, on_bodies, strength
 from .frames import placed, turned
 from .layout import Field
@@ -59,19 +60,20 @@ def log(world: World, path: str = "world", recording: Optional[Any] = None) -> N
 
 
 def _shapes(world: World, path: str, recording: Any) -> None:
-    (owners, places, rotations), light = on_bodies(world), brightness(world)
+    (owners, positions, rotations), light = on_bodies(world), brightness(world)
     sdk.log(path, sdk.ViewCoordinates.RIGHT_HAND_Z_UP, static=True, recording=recording)
     for geom, body in enumerate(owners):
         material = lit(world.appearance(geom), light)
         if not material.visible:
             continue
+        texture = None if material.texture < 0 else world.texture(material.texture)
         mesh, place = world.mesh(geom, segments=SEGMENTS, plane=FLOOR), f"{_of_body(path, int(body))}/{geom}"
         shape = sdk.Mesh3D(
-            vertex_positions=placed(places[geom], rotations[geom], mesh.positions),
+            vertex_positions=placed(positions[geom], rotations[geom], mesh.positions),
             vertex_normals=turned(rotations[geom], mesh.normals),
             triangle_indices=mesh.triangles,
-            vertex_texcoords=None if material.texture < 0 else mesh.texcoords,
-            albedo_texture=None if material.texture < 0 else world.texture(material.texture).pixels[..., :3],
+            vertex_texcoords=None if texture is None else places(texture, mesh.texcoords),
+            albedo_texture=None if texture is None else picture(texture),
             albedo_factor=np.rint(np.multiply(material.color, 255)).astype(np.uint8),
         )
         sdk.log(place, shape, recording=recording)

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import os
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Dict, List, Union
 
 import numpy as np
 
 from .constants import Kind, TextureType
+from .cubes import picture, places
 from .drawing import on_bodies
 from .errors import UnsupportedError
 from .frames import placed, turned
@@ -86,13 +88,16 @@ class _Writer:
 
     def _add_geoms(self, segments: int, plane: float) -> None:
         names = self._world.geoms().names
-        owners, places, rotations = on_bodies(self._world)
+        owners, positions, rotations = on_bodies(self._world)
         for geom, owner in enumerate(owners):
             material = self._world.appearance(geom)
             if material.visible:
                 path = f"{self._bodies[owner]}/{_identifier(names[geom], 'geom', geom)}"
                 mesh = self._world.mesh(geom, segments=segments, plane=plane)
-                self._add_mesh(path, mesh, places[geom], rotations[geom])
+                if material.texture >= 0:
+                    texcoords = places(self._world.texture(material.texture), mesh.texcoords)
+                    mesh = replace(mesh, texcoords=texcoords)
+                self._add_mesh(path, mesh, positions[geom], rotations[geom])
                 self._add_material(path, material)
 
     def _add_mesh(self, path: str, mesh: Mesh, place: Any, rotation: Any) -> None:
@@ -109,10 +114,10 @@ class _Writer:
         shape.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(mesh.triangles.astype(np.int32).ravel()))
         shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
         shape.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(axis=0), points.max(axis=0)])))
-        places = UsdGeom.PrimvarsAPI(shape).CreatePrimvar(
+        primvar = UsdGeom.PrimvarsAPI(shape).CreatePrimvar(
             "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.vertex
         )
-        places.Set(Vt.Vec2fArray.FromNumpy(texcoords))
+        primvar.Set(Vt.Vec2fArray.FromNumpy(texcoords))
 
     def _add_material(self, path: str, look: Appearance) -> None:
         from pxr import Gf, Sdf, UsdShade
@@ -139,19 +144,19 @@ class _Writer:
         """A shader that looks into a texture, times a colour."""
         from pxr import Gf, Sdf, UsdShade
 
-        places = UsdShade.Shader.Define(self._stage, f"{path}/places")
-        places.CreateIdAttr("UsdPrimvarReader_float2")
-        places.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
-        picture = UsdShade.Shader.Define(self._stage, f"{path}/{name}")
-        picture.CreateIdAttr("UsdUVTexture")
-        picture.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(self._texture(texture)))
-        picture.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+        reader = UsdShade.Shader.Define(self._stage, f"{path}/places")
+        reader.CreateIdAttr("UsdPrimvarReader_float2")
+        reader.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
+        image = UsdShade.Shader.Define(self._stage, f"{path}/{name}")
+        image.CreateIdAttr("UsdUVTexture")
+        image.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(self._texture(texture)))
+        image.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
         for side in ("wrapS", "wrapT"):
-            picture.CreateInput(side, Sdf.ValueTypeNames.Token).Set("repeat")
-        picture.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(*amount, 1.0))
-        found = places.CreateOutput("result", Sdf.ValueTypeNames.Float2)
-        picture.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(found)
-        return picture.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
+            image.CreateInput(side, Sdf.ValueTypeNames.Token).Set("repeat")
+        image.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(*amount, 1.0))
+        found = reader.CreateOutput("result", Sdf.ValueTypeNames.Float2)
+        image.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(found)
+        return image.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
 
     def _texture(self, number: int) -> str:
         from PIL import Image
@@ -162,7 +167,7 @@ class _Writer:
             file = folder / f"{number}.png"
             texture = self._world.texture(number)
             assert texture.type is not TextureType.SKY  # which no geom has
-            Image.fromarray(texture.pixels[..., :3]).save(file)
+            Image.fromarray(picture(texture)).save(file)
             self.written.append(file)
             self._textures[number] = f"./{folder.name}/{file.name}"
         return self._textures[number]

@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import os
 import webbrowser
-from typing import TYPE_CHECKING, Any, Union, cast
+from typing import TYPE_CHECKING, Any, Union
 
 from ..display import has_display
+from ..recorded_world import inner_world
 from ..scene import Scene
 from ..world import World
 from .recorded import Recorded
@@ -39,18 +40,19 @@ def open(
 
     A file that ends with .h5 or .hdf5 is a recording; its option is `eyes`, their pixels. A scene gets a world that
     runs in a thread of its own until viewer.close(); options are those of mimo.World, and
-    `seed`. A world or an environment stays yours.
+    `seed`. A world or an environment stays yours, and takes no options: step it, and call viewer.show().
     """
-    world = getattr(what, "world", what)  # an environment's
-    if isinstance(world, World) and not isinstance(what, Source):
-        if options:
-            raise TypeError(f"{', '.join(options)}: a world that is there takes no options")
-        return Viewer(Followed(world), host, port)
     if isinstance(what, (str, os.PathLike)) and os.fspath(what).endswith(RECORDINGS):
-        what = Recorded(what, **options)
-    seed, task = options.pop("seed", 1), options.pop("task", "")
-    source = what if isinstance(what, Source) else Live(cast("Union[str, Scene]", what), task, **options)
-    viewer = Viewer(source, host, port, seed, task)
+        viewer = Viewer(Recorded(what, **options), host, port)
+    elif isinstance(what, (str, Scene)):
+        seed, task = options.pop("seed", 1), options.pop("task", "")
+        viewer = Viewer(Live(what, task, **options), host, port, seed, task)
+    elif options:
+        raise TypeError(f"{', '.join(options)}: what is there already takes no options")
+    elif isinstance(what, Source):
+        viewer = Viewer(what, host, port)
+    else:
+        return Viewer(Followed(inner_world(what)), host, port)
     viewer.run_beside()
     return viewer
 

@@ -6,6 +6,7 @@ from typing import Any, Callable, Dict, List, Optional
 
 from ..constants import Kind, Quantity
 from ..scene import scenes, tasks
+from .camera import Camera
 from .clock import Clock
 from .motors import CHOICES, Motors
 from .source import Source
@@ -141,3 +142,9 @@ def layer_switches(server: Any, layers: Dict[str, Any]) -> None:
     for name, layer in layers.items():
         box = server.gui.add_checkbox(name, layer.visible)
         box.on_update(lambda event, layer=layer: setattr(layer, "visible", bool(event.target.value)))
+
+
+def follow_switch(server: Any, camera: Camera) -> None:
+    """A box for whether the infants stay in the middle."""
+    box = server.gui.add_checkbox("follow", camera.follows, hint="the infants stay in the page's middle")
+    box.on_update(lambda event: setattr(camera, "follows", bool(event.target.value)))

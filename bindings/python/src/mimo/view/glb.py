@@ -45,5 +45,5 @@ def binary(mesh: Mesh, material: Appearance, picture: Any, places: Any, normals:
         visual=trimesh.visual.TextureVisuals(uv=texcoords, material=paint),
         process=False,
     )
-    made: bytes = shape.export(file_type="glb")
+    made: bytes = shape.export(file_type="glb", include_normals=True)
     return made

@@ -12,6 +12,7 @@ from ..drawing import ages, heat, limited, prefixes, strength, touch_field
 from ..frames import placed
 from ..layout import Receptors
 from ..world import World
+from .camera import ROOT
 from .pull import Pull
 
 LIFT = 0.002  # m above the skin, so that marks are not inside it
@@ -53,7 +54,7 @@ class Skin(Layer):
         self._fields = [field for prefix in prefixes(world) if (field := touch_field(world, prefix))]
         self._receptors: List[Receptors] = [world.layout.receptors(name) for name in self._fields]
         self._ages = ages(world)
-        super().__init__(_points(server, "/touch", 0.008))
+        super().__init__(_points(server, f"{ROOT}/touch", 0.008))
 
     def _draw(self) -> None:
         if not np.array_equal(ages(self._world), self._ages):
@@ -79,7 +80,7 @@ class Contacts(Layer):
 
     def __init__(self, server: Any, world: World) -> None:
         self._world = world
-        super().__init__(_arrows(server, "/contacts", (40, 170, 60)))
+        super().__init__(_arrows(server, f"{ROOT}/contacts", (40, 170, 60)))
 
     def _draw(self) -> None:
         self._handle.points = contact_arrows(self._world)
@@ -90,7 +91,7 @@ class Pulled(Layer):
 
     def __init__(self, server: Any, pull: Pull) -> None:
         self._pull = pull
-        super().__init__(_arrows(server, "/pull_force", (200, 60, 200)))
+        super().__init__(_arrows(server, f"{ROOT}/pull_force", (200, 60, 200)))
 
     def _draw(self) -> None:
         target = self._pull.target
@@ -108,10 +109,10 @@ class Bones(Layer):
         parents = world.bodies().body_ids
         self._links = np.array([[body, parents[body]] for body in self._own if parents[body] != 0]).reshape(-1, 2)
         self._lines = server.scene.add_line_segments(
-            "/bones/lines", nowhere(1, 2), (90, 90, 90), thickness=3.0, thickness_units="screen"
+            f"{ROOT}/bones/lines", nowhere(1, 2), (90, 90, 90), thickness=3.0, thickness_units="screen"
         )
-        self._points = _points(server, "/bones/joints", 0.014)
-        super().__init__(server.scene.add_frame("/bones", show_axes=False, visible=False))
+        self._points = _points(server, f"{ROOT}/bones/joints", 0.014)
+        super().__init__(server.scene.add_frame(f"{ROOT}/bones", show_axes=False, visible=False))
 
     def _draw(self) -> None:
         positions = self._world.poses(Kind.BODY).positions

@@ -17,8 +17,8 @@ class Motors:
 
     def __init__(self, world: World, step_seconds: float) -> None:
         self.choice = RANDOM
-        self._low, self._high = world.action_low, world.action_high
-        self.rest: NDArray[np.float32] = np.clip(np.zeros_like(self._low), self._low, self._high)
+        self.low, self.high = world.action_low, world.action_high
+        self.rest: NDArray[np.float32] = np.clip(np.zeros_like(self.low), self.low, self.high)
         self.given = self.rest.copy()  # by the sliders
         self._hold = max(1, round(HOLD / step_seconds))
         self.restart(None)
@@ -35,6 +35,6 @@ class Motors:
         if self.choice == REST:
             return self.rest
         if self._left == 0:
-            self._left, self._drawn = self._hold, self._random.uniform(self._low, self._high).astype(np.float32)
+            self._left, self._drawn = self._hold, self._random.uniform(self.low, self.high).astype(np.float32)
         self._left -= 1
         return self._drawn

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any, Callable, Dict, Optional
 
+from .camera import Camera
 from .clock import Clock
-from .controls import InfantControls, MotorControls, SceneControls, TimeControls, layer_switches
+from .controls import InfantControls, MotorControls, SceneControls, TimeControls, follow_switch, layer_switches
 from .lights import add_lights
 from .marks import Bones, Contacts, Layer, Pulled, Skin
 from .motors import Motors
@@ -30,6 +31,7 @@ class Page:
         self.pull, self.motors = Pull(source.world), Motors(source.world, source.step_seconds)
         self._build_controls(clock, task)
         add_lights(server)
+        self.camera = Camera(server, source.world)
         self.shapes = Shapes(server, source.world, self._handle.body_dragged if self._handle else None)
         marks: Dict[str, Layer] = {
             "touch": Skin(server, source.world),
@@ -40,6 +42,7 @@ class Page:
         self._senses = SensesPanel(server, source.world)
         with self._show_tab:
             layer_switches(server, {"bodies": self.shapes, **marks})
+            follow_switch(server, self.camera)
         self.update()
 
     def _build_controls(self, clock: Clock, task: str) -> None:
@@ -66,6 +69,7 @@ class Page:
     def update(self) -> None:
         """Shows the world as it is."""
         with self._server.atomic():
+            self.camera.update()
             self.shapes.update()
             for marks in self._marks:
                 marks.update()

@@ -7,6 +7,7 @@ from typing import Any, Callable
 import numpy as np
 
 from ..world import World
+from .camera import ROOT
 from .pull import Pull
 
 NOTHING = "nothing"
@@ -25,7 +26,7 @@ class PullHandle:
         )
         self._hold = gui.add_checkbox("hold on", False, hint="goes on pulling when the handle is let go")
         self._stiffness = gui.add_slider("spring (N/m)", min=20.0, max=2000.0, step=10.0, initial_value=pull.stiffness)
-        self._axes = server.scene.add_transform_controls("/pull", 0.2, disable_rotations=True, visible=False)
+        self._axes = server.scene.add_transform_controls(f"{ROOT}/pull", 0.2, disable_rotations=True, visible=False)
         self._choice.on_update(self._chosen)
         self._hold.on_update(lambda event: ask(self._let_go))
         self._stiffness.on_update(lambda event: setattr(pull, "stiffness", float(event.target.value)))

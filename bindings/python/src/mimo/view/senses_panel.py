@@ -11,6 +11,7 @@ from ..drawing import prefixes
 from ..world import World
 
 EYES = ("left", "right")
+WIDTH = 290  # pixels
 GAP = 4  # pixels between the two eyes' pictures
 ACTIVITY = ("proprioception/activation", "proprioception/control")  # of muscles, or of motors
 
@@ -22,7 +23,7 @@ class SensesPanel:
         self._world = world
         self._panel = server.gui.add_panel()
         self._pictures: Dict[str, Any] = {}
-        self._bars: List[Tuple[str, Any]] = []
+        self._bars: List[Tuple[str, str, Any]] = []
         with self._panel.add_tab("Senses"):
             for name in prefixes(world):
                 self._add_eyes(server, name)
@@ -30,7 +31,7 @@ class SensesPanel:
             for name in prefixes(world):
                 self._add_bars(server, name)
         self._panel.dock_left()
-        self._panel.set_width(300)
+        self._panel.set_width(WIDTH)
 
     def _add_eyes(self, server: Any, prefix: str) -> None:
         fields = self._world.layout.fields
@@ -41,7 +42,7 @@ class SensesPanel:
     def _add_bars(self, server: Any, prefix: str) -> None:
         for field in ACTIVITY:
             if self._world.layout.fields.get(prefix + field) is not None:
-                self._bars.append((prefix + field, server.gui.add_html("")))
+                self._bars.append((prefix.rstrip("/"), prefix + field, server.gui.add_html("")))
                 return
 
     def _both(self, prefix: str) -> Any:
@@ -55,19 +56,20 @@ class SensesPanel:
 
     def update_bars(self) -> None:
         """What muscles do now."""
-        for name, html in self._bars:
+        for infant, name, html in self._bars:
             field = self._world.layout.fields[name]
-            html.content = bars(field.labels, self._world.observation[name].ravel())
+            html.content = bars(infant, field.labels, self._world.observation[name].ravel())
 
     def remove(self) -> None:
         """Takes it off the page."""
         self._panel.remove()
 
 
-def bars(names: Any, values: Any) -> str:
-    """A table of bars: to the right of the middle for positive values, to the left for negative ones."""
+def bars(infant: str, names: Any, values: Any) -> str:
+    """A table of bars, with the infant's name: to the right of the middle for positive values, else to the left."""
+    title = f'<div style="font-weight:bold;padding:4px 0">{escape(infant)}</div>' if infant else ""
     rows = "".join(_row(short(name), float(np.clip(value, -1, 1))) for name, value in zip(names, values))
-    return f'<div style="font:11px sans-serif;padding:0 8px">{rows}</div>'
+    return f'<div style="font:11px sans-serif;padding:0 8px">{title}{rows}</div>'
 
 
 def _row(name: str, value: float) -> str:

@@ -5,11 +5,15 @@ from __future__ import annotations
 import contextlib
 import io
 import socket
-from typing import Any
+import threading
+from typing import Any, Tuple
 
 from ..errors import UnsupportedError
+from .door import Door
+from .front import NAME
 
-LABEL = "MIMo"
+WIDTH = 290  # of the controls, pixels
+_starting = threading.Lock()
 
 
 def free_port(host: str, port: int) -> int:
@@ -31,15 +35,21 @@ def silence() -> Any:
     return contextlib.redirect_stdout(io.StringIO())
 
 
-def start(host: str, port: int) -> Any:
-    """A viser server that says nothing."""
+def start(host: str, port: int) -> Tuple[Any, Door]:
+    """A viser server that says nothing, and its door."""
     try:
         import viser
     except ImportError:
         raise UnsupportedError("the viewer needs viser: pip install 'mimo[view]'") from None
-    found = free_port(host, port)
-    with silence():
-        server = viser.ViserServer(host=host, port=found, verbose=False, label=LABEL)
+    found, door = free_port(host, port), Door()
+    with silence(), _starting, door.put_up():
+        server = viser.ViserServer(host=host, port=found, verbose=False, label=NAME)
+    if not door.stands:
+        with silence():
+            server.stop()
+        raise UnsupportedError(f"viser {viser.__version__} starts its server in a way that cannot be guarded")
+    door.controls = server.gui._gui_input_handle_from_uuid.get
     server.gui.configure_theme(show_logo=False, show_share_button=False)
     server.gui.main_panel.dock_right()
-    return server
+    server.gui.main_panel.set_width(WIDTH)
+    return server, door

@@ -8,10 +8,12 @@ from typing import Any, Callable, Dict, List, Optional
 import numpy as np
 
 from ..constants import Kind
+from ..cubes import picture, places
 from ..drawing import FLOOR, SEGMENTS, ages, faces, on_bodies
 from ..frames import placed, turned
 from ..geometry import Appearance
 from ..world import World
+from .camera import ROOT
 from .glb import binary
 
 STILL = 1e-5  # m, and of quaternions; what moves by less is not sent
@@ -39,7 +41,7 @@ class Shapes:
         self._sent = np.hstack([poses.positions, poses.rotations])
         for body in sorted(set(self._body_of.tolist())):
             pose = self._sent[body]
-            name = f"/bodies/{body}"
+            name = f"{ROOT}/bodies/{body}"
             self._bodies[body] = self._scene.add_frame(name, show_axes=False, position=pose[:3], wxyz=pose[3:])
         self._ages, self._faces, self._looks = ages(self._world), faces(self._world), self._own_looks()
         self._textures = self._texture_numbers()
@@ -74,6 +76,8 @@ class Shapes:
 
     def _add(self, geom: int, material: Appearance, place: Any, rotation: Any) -> Any:
         mesh = self._world.mesh(geom, segments=SEGMENTS, plane=FLOOR)
+        if material.texture >= 0:
+            mesh = replace(mesh, texcoords=places(self._world.texture(material.texture), mesh.texcoords))
         data = binary(
             mesh,
             lit(material, self._brightness),
@@ -82,7 +86,13 @@ class Shapes:
             turned(rotation, mesh.normals),
         )
         body = int(self._body_of[geom])
-        handle = self._scene.add_glb(f"/bodies/{body}/{geom}", data, visible=self._visible or body == 0)
+        handle = self._scene.add_glb(
+            f"{ROOT}/bodies/{body}/{geom}",
+            data,
+            visible=self._visible or body == 0,
+            cast_shadow=body != 0,  # nothing casts a shadow on itself: the page's shadows are too coarse for that
+            receive_shadow=body == 0,
+        )
         if self._dragged is not None and body != 0:
             name, dragged = self._names[body], self._dragged
             handle.on_drag("left", modifier="cmd/ctrl")(lambda event: dragged(name, event))
@@ -94,7 +104,7 @@ class Shapes:
         if texture not in self._pictures:
             from PIL import Image
 
-            self._pictures[texture] = Image.fromarray(self._world.texture(texture).pixels[..., :3])
+            self._pictures[texture] = Image.fromarray(picture(self._world.texture(texture)))
         return self._pictures[texture]
 
     @property
@@ -130,6 +140,10 @@ def brightness(world: World) -> float:
 
 
 def lit(material: Appearance, strength: float) -> Appearance:
-    """The material with its own and the world's light on it; the page's lamps make white things white."""
-    red, green, blue = (min(1.0, (strength + material.emission) * part) for part in material.color[:3])
+    """The material with its own and the world's light on it; the page's lamps make white things white.
+
+    What would be brighter than white keeps its hue: skin in much light is light skin.
+    """
+    bright = (strength + material.emission) * np.asarray(material.color[:3])
+    red, green, blue = (bright / max(1.0, float(bright.max()))).tolist()
     return replace(material, color=(red, green, blue, material.color[3]))

@@ -13,7 +13,7 @@ from ..world import World
 from .motors import SLIDERS, Motors
 from .senses_panel import short
 
-FINE = 200  # steps of a slider
+DIGITS = 2  # after the point of a slider's numbers
 
 
 def owner(name: str) -> str:
@@ -30,8 +30,9 @@ def _folders(gui: Any, names: Any, title: str) -> List[Tuple[Any, List[int]]]:
 
 
 def _slider(gui: Any, name: str, low: float, high: float, value: float) -> Any:
-    value = float(np.clip(value, low, high))
-    return gui.add_slider(short(name), min=low, max=high, step=(high - low) / FINE, initial_value=value)
+    low, high = (round(end, DIGITS) for end in (low, high))
+    value = round(float(np.clip(value, low, high)), DIGITS)
+    return gui.add_slider(short(name), min=low, max=high, step=10.0**-DIGITS, initial_value=value)
 
 
 class JointSliders:
@@ -63,18 +64,20 @@ class JointSliders:
 
     def _put(self, index: int, angle: float) -> None:
         which = [int(self._joints.ids[index])]
-        self._world.set(Quantity.JOINT_POSITION, angle, which)
+        low, high = self._ranges()[index]
+        self._world.set(Quantity.JOINT_POSITION, min(max(angle, low), high), which)  # the slider's ends are rounded
         self._world.set(Quantity.JOINT_VELOCITY, 0.0, which)
         self._world.update()
 
     def update(self) -> None:
         """Where the joints are now, and how far they can go."""
         ranges, values = self._ranges(), self._joints._get(Quantity.JOINT_POSITION)
-        for slider, (low, high), value in zip(self._sliders, ranges, values.tolist()):
+        for slider, ends, value in zip(self._sliders, ranges, values.tolist()):
+            low, high = (round(end, DIGITS) for end in ends)
             if (slider.min, slider.max) != (low, high):
                 slider.min, slider.max = low, high
-            rounded = round(min(max(value, low), high), 2)
-            if abs(slider.value - rounded) > 0.005:
+            rounded = round(min(max(value, low), high), DIGITS)
+            if abs(slider.value - rounded) > 0.5 * 10**-DIGITS:
                 slider.value = rounded
 
 
@@ -92,7 +95,7 @@ class ActionSliders:
 
     def _moved(self, index: int) -> Callable[[Any], None]:
         def moved(event: Any) -> None:
-            self._motors.given[index] = event.target.value
+            self._motors.given[index] = np.clip(event.target.value, self._motors.low[index], self._motors.high[index])
             self._motors.choice = SLIDERS
             self._chosen()
 

@@ -8,8 +8,7 @@ import threading
 import time
 from typing import Any, Callable, Optional
 
-from ..constants import Kind
-from ..drawing import prefixes
+from ..errors import Error
 from .clock import Clock
 from .page import Page
 from .server import silence, start
@@ -27,7 +26,7 @@ class Viewer:
         self, source: Source, host: str = LOCAL, port: int = 0, seed: Optional[int] = 1, task: str = ""
     ) -> None:
         self._source, self._task, self._seed = source, task, seed
-        self._server = start(host, port)
+        self._server, self._door = start(host, port)
         self._wishes: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
         self._closed = threading.Event()
         self._thread: Optional[threading.Thread] = None
@@ -37,14 +36,16 @@ class Viewer:
             if source.drives:
                 source.restart(seed)
             self._page = self._built(task)
+            self._server.on_client_connect(self._greet)
         except BaseException:
             self._stop()
             raise
 
     @property
     def url(self) -> str:
-        """Where the page is."""
-        return f"http://{self._server.get_host().replace('0.0.0.0', 'localhost')}:{self._server.get_port()}"
+        """Where the page is. Who has this address, with the token in it, may see the page and use it."""
+        host = self._server.get_host().replace("0.0.0.0", "localhost")
+        return f"http://{host}:{self._server.get_port()}/{self._door.token}/"
 
     def _repr_html_(self) -> str:
         return f'<iframe src="{self.url}" width="100%" height="600" style="border:0"></iframe>'
@@ -53,21 +54,11 @@ class Viewer:
         page = Page(self._server, self._source, self.clock, task, self)
         if page.time.seed is not None and self._seed is not None:
             page.time.seed.value = self._seed
-        self._look()
         return page
 
-    def _look(self) -> None:
-        """Where the page looks from at first: at the first infant, from its front and a little above."""
-        world = self._source.world
-        bodies = world.bodies()
-        prefix = next(prefixes(world), "")
-        at = bodies.names.index(f"{prefix}hip") if f"{prefix}hip" in bodies.names else 0
-        x, y, z = world.poses(Kind.BODY).positions[at].tolist()
-        camera = self._server.initial_camera
-        camera.look_at = (x, y, z + 0.1)
-        camera.position = (x + 1.1, y - 0.6, z + 0.6)
-        for client in self._server.get_clients().values():
-            client.camera.look_at, client.camera.position = camera.look_at, camera.position
+    def _greet(self, client: Any) -> None:
+        if client.camera.aspect < 1:  # a phone; all others begin with the usual camera
+            self._page.camera.aim(client)
 
     # ---- What the page's buttons ask for; done by the thread of the world ---------------------------------------
 
@@ -121,13 +112,25 @@ class Viewer:
             last = done == count - 1 or behind or self._page.sound.on
             self._page.pull.apply(self._source.step_seconds)
             done += 1
-            if self._source.advance(self._page.motors.next(), last):
-                self._source.restart(None)
+            try:
+                if self._source.advance(self._page.motors.next(), last):
+                    self._source.restart(None)
+            except Error as error:  # at what a user did, as by pulling
+                self._begin_again(error)
+                break
             self._page.sound.hear()
             if self._source.at == self._source.length:  # the end of a recording
                 self.clock.paused = True
                 break
         self.clock.done(done, behind)
+
+    def _begin_again(self, error: Error) -> None:
+        """After a failure a world can only be reset."""
+        self._source.restart(self._seed)
+        self._page.pull.release()
+        self._page.motors.restart(self._seed)
+        self.clock.paused = True
+        self._tell(f"{error}; the episode begins again")
 
     def frame(self) -> None:
         """A frame of a world that the viewer moves on itself."""

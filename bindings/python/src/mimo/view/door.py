@@ -1,0 +1,187 @@
+"""The page's door: who may come in, and what may come from there.
+
+viser lets every page of the user's browser connect, and believes what arrives. Here the address holds a token, as those
+of notebooks do; a browser's connection has to come from the page itself; and a message has to be one that the page can
+send, with a value that its control can have.
+"""
+
+from __future__ import annotations
+
+import hmac
+import http
+import math
+import secrets
+from contextlib import contextmanager
+from typing import Any, Callable, Dict, Iterator
+from urllib.parse import urlsplit
+
+from .front import front_page
+
+FARTHEST = 1e5  # m, and what else a page measures
+LONGEST_TEXT = 1000
+TEXTS = ("type", "name", "owner", "phase", "button", "modifier")
+VECTORS = {
+    "wxyz": 4,
+    "position": 3,
+    "look_at": 3,
+    "up_direction": 3,
+    "start_position": 3,
+    "end_position": 3,
+    "start_screen_pos": 2,
+    "end_screen_pos": 2,
+}
+MESSAGES = (  # viser's, of which the page sends no others; not, for example, that it be shared with the whole internet
+    "GuiUpdateMessage",
+    "ViewerCameraMessage",
+    "SceneNodeDragMessage",
+    "TransformControlsDragStartMessage",
+    "TransformControlsUpdateMessage",
+    "TransformControlsDragEndMessage",
+)
+TURNED_AWAY = b"This page opens with the whole address that the viewer has printed, with the token in it.\n"
+Controls = Callable[[str], Any]  # the control of an id, None: there is none
+
+
+class Door:
+    """Lets in who knows the token."""
+
+    def __init__(self) -> None:
+        self.token = secrets.token_urlsafe(24)
+        self.stands = False  # whether viser's server has it
+        self.controls: Controls = lambda _: None
+        self._page = front_page()
+
+    # ---- Who ---------------------------------------------------------------------------------------------------------
+
+    def answer(self, connection: Any, request: Any) -> Any:
+        """What a request gets; None: it becomes a connection."""
+        path = request.path.partition("?")[0].strip("/")
+        if not hmac.compare_digest(path.encode(), self.token.encode()):
+            return _response(http.HTTPStatus.FORBIDDEN, "text/plain", TURNED_AWAY)
+        if request.headers.get("Upgrade", "").lower() != "websocket":
+            return _response(http.HTTPStatus.OK, "text/html; charset=utf-8", self._page)
+        if not _own(request.headers.get_all("Origin"), request.headers.get_all("Host")):
+            return _response(http.HTTPStatus.FORBIDDEN, "text/plain", b"Another page's connection is refused.\n")
+        return None
+
+    # ---- What --------------------------------------------------------------------------------------------------------
+
+    def takes(self, raw: Any) -> bool:
+        """Whether a message is one that the page can send."""
+        import msgspec
+
+        try:
+            message = msgspec.msgpack.decode(raw)
+        except (msgspec.DecodeError, TypeError, ValueError, RecursionError):
+            return False
+        if not isinstance(message, dict) or message.get("type") not in MESSAGES:
+            return False
+        if message["type"] == "GuiUpdateMessage":
+            return self._fits(message)
+        return all(_plain(name, value) for name, value in message.items())
+
+    def _fits(self, message: Dict[str, Any]) -> bool:
+        updates, uuid = message.get("updates"), message.get("uuid")
+        if set(message) != {"type", "uuid", "updates"} or not isinstance(uuid, str):
+            return False
+        if not isinstance(updates, dict) or list(updates) != ["value"]:
+            return False
+        control = self.controls(uuid)
+        return control is not None and can_be(control, updates["value"])
+
+    # ---- Where it stands ---------------------------------------------------------------------------------------------
+
+    @contextmanager
+    def put_up(self) -> Iterator[None]:
+        """A viser server that is made meanwhile has this door.
+
+        viser calls websockets' serve() itself and hands nothing on to it: for that moment serve() is ours.
+        """
+        from websockets.asyncio import server as web
+
+        usual = web.serve
+
+        def serve(handler: Any, *where: Any, **options: Any) -> Any:
+            if getattr(handler, "__module__", "").split(".")[0] != "viser":
+                return usual(handler, *where, **options)
+            self.stands = True
+            options.update(process_request=self.answer, create_connection=self._connection(web), logger=_silent())
+            return usual(handler, *where, **options)
+
+        web.serve = serve
+        try:
+            yield
+        finally:
+            web.serve = usual
+
+    def _connection(self, web: Any) -> Any:
+        takes = self.takes
+
+        class Checked(web.ServerConnection):  # type: ignore[misc, name-defined]
+            async def recv(self, *how: Any, **more: Any) -> Any:
+                while True:
+                    raw = await super().recv(*how, **more)
+                    if takes(raw):
+                        return raw
+
+        return Checked
+
+
+def can_be(control: Any, value: Any) -> bool:
+    """Whether a control of the page can have a value."""
+    options = getattr(control, "options", None)
+    if options is not None:
+        return isinstance(value, str) and value in options
+    if isinstance(control.value, bool):
+        return isinstance(value, bool)
+    if isinstance(control.value, (int, float)) and _finite(value):
+        low, high = getattr(control, "min", None), getattr(control, "max", None)
+        slack = 1e-6 * max(1.0, abs(value))  # steps are added up
+        return (low is None or value >= low - slack) and (high is None or value <= high + slack)
+    return False
+
+
+def _plain(name: str, value: Any) -> bool:
+    """Whether a message's part is small, and its numbers are finite."""
+    if name in VECTORS:
+        return isinstance(value, list) and len(value) == VECTORS[name] and all(map(_finite, value))
+    if name in TEXTS:
+        return value is None or (isinstance(value, str) and len(value) < LONGEST_TEXT)
+    return value is None or _finite(value)
+
+
+def _finite(value: Any) -> bool:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return number and math.isfinite(value) and abs(value) <= FARTHEST
+
+
+def _own(origins: Any, hosts: Any) -> bool:
+    """Whether a connection comes from this page, or from no page at all."""
+    if len(origins) == 0:
+        return True
+    return len(origins) == len(hosts) == 1 and urlsplit(origins[0]).netloc.lower() == hosts[0].lower()
+
+
+def _response(status: http.HTTPStatus, kind: str, body: bytes) -> Any:
+    from websockets.datastructures import Headers
+    from websockets.http11 import Response
+
+    headers = Headers()
+    for name, value in (
+        ("Content-Type", kind),
+        ("Content-Length", str(len(body))),
+        ("Cache-Control", "no-store"),
+        ("Referrer-Policy", "no-referrer"),
+        ("X-Content-Type-Options", "nosniff"),
+    ):
+        headers[name] = value
+    return Response(status.value, status.phrase, headers, body)
+
+
+def _silent() -> Any:
+    """A log that nobody reads: who is turned away is no news for the user's terminal."""
+    import logging
+
+    quiet = logging.getLogger("mimo.view.web")
+    quiet.propagate, quiet.disabled = False, True
+    return quiet
