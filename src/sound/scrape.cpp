@@ -15,7 +15,6 @@ namespace {
 // Estimates: 40 dB at 1 m of two pieces of hardwood that are pressed together with 1 N and slide at 0.1 m/s.
 constexpr double kPressure = 2e-3, kSpeedThen = 0.1, kEfficiencyThen = 1e-4, kRoughnessThen = 14.1e-6;
 constexpr double kGrain = 5e-5;                 // m, from one height of the surface to the next
-constexpr double kLeast = 2e-4;                 // Pa at 1 m, 20 dB: weaker noise is none
 constexpr double kSpread = 1.7320508075688772;  // numbers from -1 to 1 times this have the mean square 1
 constexpr double kMost = 1e15;                  // steps of the surface, that a state may hold
 
@@ -35,7 +34,6 @@ ScrapeLevel scrape_level(const Struck& a, const Struck& b, const Sliding& slidin
   ScrapeLevel level;
   level.pressure = kPressure * sliding.speed / kSpeedThen * std::sqrt(sliding.force) * rough / kRoughnessThen *
                    std::sqrt(efficiency / kEfficiencyThen);
-  if (level.pressure < kLeast) return {};
   const double curvature = a.curvature + b.curvature;
   if (sliding.rolls && curvature > 0) {
     // Waves of the surface that are shorter than the patch lift nothing.

@@ -9,7 +9,8 @@
 
 namespace mimo::sound {
 
-constexpr double kSlowestScrape = 0.02;  // m/s: what rests creeps more slowly
+constexpr double kSlowestScrape = 0.02;   // m/s: what rests creeps more slowly
+constexpr double kFaintestScrape = 2e-4;  // Pa at 1 m, 20 dB: weaker noise of two bodies is none
 
 // How they move against each other where they touch.
 struct Sliding {

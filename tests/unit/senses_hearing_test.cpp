@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/angle.h"
 #include "base/random.h"
@@ -116,6 +117,87 @@ TEST(Hearing, ABlockIsHeardWhenItHits) {
     EXPECT_LT(onset(heard[0]), onset(heard[1]));
     EXPECT_GT(energy(heard[0]), energy(heard[1]));
   }
+}
+
+// What falls on a box, which reaches from 1 cm below its middle to 1 cm above.
+std::string scene_with_thing(const std::string& thing, const std::string& under, double height) {
+  return R"(
+<mujoco>
+  <option timestep="0.005"/>
+  <worldbody>
+    <body name="listener" pos="0 0 1"><geom type="sphere" size="0.0735" contype="0" conaffinity="0"/></body>
+    <body name="table" pos="0 1 -0.01"><geom )" +
+         under + R"(/></body>
+    <body name="block" pos="0 1 )" +
+         std::to_string(height) + R"("><freejoint/><geom mass="0.05" )" + thing + R"(/></body>
+  </worldbody>
+</mujoco>)";
+}
+
+// Shapes, and how far they reach below their middle: flat, on an edge and on a corner boxes are as punctual as balls.
+// What touches lies up to 3.5 cm beside the middle.
+TEST(Hearing, ThingsOfAllShapesAreHeardWhenTheyHit) {
+  const double half = 0.02;
+  struct Shape {
+    const char* geom;
+    double below;
+  };
+  const Shape shapes[] = {{R"(type="sphere" size="0.02")", half},
+                          {R"(type="box" size="0.02 0.02 0.02")", half},
+                          {R"(type="box" size="0.02 0.02 0.02" euler="45 0 0")", half * std::sqrt(2)},
+                          {R"(type="box" size="0.02 0.02 0.02" euler="35.26438968 45 0")", half * std::sqrt(3)},
+                          {R"(type="cylinder" size="0.02 0.02")", half},
+                          {R"(type="capsule" size="0.01 0.01")", half},
+                          {R"(type="ellipsoid" size="0.015 0.015 0.02")", half}};
+  const hearing::Head head{0.0735, Eigen::Vector3d(0, 0, 1), hearing::ears_of_frame()};
+  for (const char* under : {R"(type="box" size="0.3 0.3 0.01")", R"(type="cylinder" size="0.3 0.01")"}) {
+    for (const Shape& shape : shapes) {
+      for (const double drop : {0.18, 0.181, 0.182, 0.183, 0.187, 0.1917}) {
+        const std::string scene = scene_with_thing(shape.geom, under, drop + shape.below);
+        env::World world(compile(scene::Scene(from_text(scene))), {listener()}, of_wood(1));
+        world.reset(nullptr, nullptr);
+        const Streams heard = listen(world, 0.3);
+        const double hit = (touch(drop + half).time + kTick) * kRate, beside = 0.035 / 343 * kRate;
+        for (std::size_t ear = 0; ear < 2; ++ear) {
+          const double expected = hit + hearing::ways_to(head, Eigen::Vector3d(0, 1, 0))[ear].delay * kRate;
+          EXPECT_NEAR(static_cast<double>(onset(heard[ear])), expected + 0.5, beside + 0.6)
+              << shape.geom << " on " << under << " from " << drop;
+        }
+      }
+    }
+  }
+}
+
+// Without friction, and held upright: a cube that slides on four corners, a ball on one point. The force that presses
+// together is their weight both times, so that they scrape alike.
+TEST(Hearing, AFlatCubeScrapesAsLoudAsABall) {
+  const auto scrape = [](const std::string& geom) {
+    const std::string scene = R"(
+<mujoco>
+  <option timestep="0.005"/>
+  <default><geom friction="0 0 0" condim="1"/></default>
+  <worldbody>
+    <body name="listener" pos="0 0 1"><geom type="sphere" size="0.0735" contype="0" conaffinity="0"/></body>
+    <body name="table" pos="1 0 -0.01"><geom type="box" size="0.3 1 0.01"/></body>
+    <body name="block" pos="1 -0.2 0.02">
+      <joint name="along" type="slide" axis="0 1 0"/><joint name="up" type="slide" axis="0 0 1"/>
+      <geom mass="0.2" )" + geom +
+                              R"(/>
+    </body>
+  </worldbody>
+</mujoco>)";
+    env::World world(compile(scene::Scene(from_text(scene))), {listener()}, of_wood(1));
+    world.reset(nullptr, nullptr);
+    listen(world, 0.5);
+    world.physics().data().qvel[0] = 0.3;
+    const Streams heard = listen(world, 1);
+    return std::pair{10 * std::log10(energy(heard[0]) + energy(heard[1])), world.data().ncon};
+  };
+  const auto [ball, one] = scrape(R"(type="sphere" size="0.02")");
+  const auto [cube, four] = scrape(R"(type="box" size="0.02 0.02 0.02")");
+  EXPECT_EQ(one, 1);
+  EXPECT_GE(four, 4);
+  EXPECT_NEAR(cube, ball, 0.5);
 }
 
 // Exactly: not even the smallest numbers are left.

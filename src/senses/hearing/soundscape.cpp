@@ -25,6 +25,7 @@ constexpr double kAgain = 0.05;         // s, before the same two bodies sound a
 constexpr double kDeeper = 1.5;
 constexpr double kShortest = 60;     // Hz: what touches longer than a period of this is no click
 constexpr std::size_t kScrapes = 4;  // pairs of bodies that slide at once
+constexpr std::size_t kRubs = 64;    // pairs that are asked whether they are among these
 constexpr double kMouth = 0.25;      // directivity of a mouth: half behind; an estimate
 constexpr double kLeast = 6.3e-4;    // Pa at 1 m, 30 dB: weaker blows are none
 
@@ -72,6 +73,7 @@ Soundscape::Soundscape(const mjModel& model, SolidsPtr solids, double tick, cons
       rate_(static_cast<double>(samples_) / tick),
       pairs_(kPairs),
       given_(options.directions),
+      rubs_(kRubs),
       made_(samples_),
       blows_(kMostBlows),
       around_(options.sources + mouths + kScrapes) {
@@ -151,18 +153,21 @@ void Soundscape::go_on(const mjModel& model, const mjData& data) {
 }
 
 void Soundscape::find_blows(const mjModel& model, const mjData& data) {
+  rub_count_ = 0;
   for (int i = 0; i < data.ncon; ++i) {
     const mjContact& contact = data.contact[i];
-    const double overlap = contact.includemargin - contact.dist;
-    if (overlap <= 0 || contact.exclude == 1) continue;
+    if (contact.dist >= contact.includemargin || contact.exclude == 1) continue;
     slide(model, data, i);
     const double speed = approach(model, data, contact);
-    if (speed < kSlowest || overlap > kDeeper * speed * tick_) continue;
+    if (speed < kSlowest) continue;
+    const double deep = overlap(model, data, contact);
+    if (deep > kDeeper * speed * tick_) continue;
     // The tick ends now; it came together so much earlier.
     const double onset =
-        static_cast<double>(now_) + static_cast<double>(samples_) - std::min(overlap / speed, tick_) * rate_;
+        static_cast<double>(now_) + static_cast<double>(samples_) - std::min(deep / speed, tick_) * rate_;
     strike(model, contact, speed, onset);
   }
+  scrape();
 }
 
 Soundscape::Pair* Soundscape::meet(int first, int second, std::int64_t at) {
@@ -230,12 +235,37 @@ void Soundscape::slide(const mjModel& model, const mjData& data, int number) {
   if (first == second) return;
   const auto sides = sides_of(model, *solids_, contact);
   const sound::ScrapeLevel level = sound::scrape_level(sides[0], sides[1], found);
-  if (level.pressure <= 0) return;
-  Scrape* scrape = scrape_of(first, second);
-  if (scrape == nullptr || level.pressure <= scrape->level.pressure) return;
-  scrape->level = level;
-  scrape->speed = found.speed;
-  scrape->place = Eigen::Vector3d(contact.pos);
+  Rub* rub = level.pressure > 0 ? rub_of(first, second) : nullptr;
+  if (rub == nullptr) return;
+  const double power = level.pressure * level.pressure;
+  rub->power += power;
+  rub->speed += power * found.speed;
+  rub->corner += power * level.corner;
+  rub->place += power * Eigen::Vector3d(contact.pos);
+}
+
+Soundscape::Rub* Soundscape::rub_of(int first, int second) {
+  for (std::size_t i = 0; i < rub_count_; ++i) {
+    if (rubs_[i].first == first && rubs_[i].second == second) return &rubs_[i];
+  }
+  if (rub_count_ == rubs_.size()) return nullptr;
+  rubs_[rub_count_] = {};
+  rubs_[rub_count_].first = first;
+  rubs_[rub_count_].second = second;
+  return &rubs_[rub_count_++];
+}
+
+void Soundscape::scrape() {
+  for (std::size_t i = 0; i < rub_count_; ++i) {
+    const Rub& rub = rubs_[i];
+    const double pressure = std::sqrt(rub.power);
+    if (pressure < sound::kFaintestScrape) continue;
+    Scrape* scrape = scrape_of(rub.first, rub.second);
+    if (scrape == nullptr) continue;
+    scrape->level = {pressure, rub.corner / rub.power};
+    scrape->speed = rub.speed / rub.power;
+    scrape->place = rub.place / rub.power;
+  }
 }
 
 Soundscape::Scrape* Soundscape::scrape_of(int first, int second) {

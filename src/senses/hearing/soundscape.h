@@ -76,9 +76,17 @@ class Soundscape : public observation::Process {
     Eigen::Vector3d place{0, 0, 0};
     sound::ScrapeNoise noise;
     sound::Queue queue;
-    // Of the tick: its loudest contact.
+    // Of the tick.
     sound::ScrapeLevel level{};
     double speed = 0;
+  };
+  // All contacts of two bodies that slide in a tick: their powers add up, as their noises have nothing to do with each
+  // other.
+  struct Rub {
+    int first = -1, second = -1;
+    double power = 0;                                 // Pa^2
+    double speed = 0, corner = 0;                     // times their power
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  // times their power
   };
 
   void rest(const mjModel& model, const mjData& data) override;
@@ -88,7 +96,10 @@ class Soundscape : public observation::Process {
 
   void find_blows(const mjModel& model, const mjData& data);
   void slide(const mjModel& model, const mjData& data, int contact);
-  // Of two bodies, or one that is given to them; null where too many others slide.
+  Rub* rub_of(int first, int second);  // null where too many others slide
+  // What has come together goes on, or begins.
+  void scrape();
+  // Of two bodies, or one that is given to them; null where too many others scrape.
   Scrape* scrape_of(int first, int second);
   sound::Queue made_queue() const;
   void find_scrapes();
@@ -112,6 +123,8 @@ class Soundscape : public observation::Process {
   std::vector<Direction> given_;
   std::vector<Voice> voices_;
   std::vector<Scrape> scrapes_;
+  std::vector<Rub> rubs_;  // of a tick
+  std::size_t rub_count_ = 0;
   std::vector<float> made_;  // of a tick
   std::vector<hearing::Blow> blows_;
   std::size_t blow_count_ = 0;
