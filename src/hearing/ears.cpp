@@ -78,43 +78,36 @@ void Ears::advance(const Head& head, Span<const Source> sources, std::int64_t no
 }
 
 void Ears::hear(const Source& source, Path& path, const Ways& ways, std::int64_t now) {
-  if (source.fresh) {
-    path = Path();
-    for (std::size_t ear = 0; ear < kEars; ++ear) {
-      path.delay[ear] = ways[ear].delay;
+  if (source.fresh) path = Path();
+  for (std::size_t ear = 0; ear < kEars; ++ear) {
+    const sound::Coefficients filter = sound::coefficients(ways[ear], rate_);
+    const double delay = std::max(0.0, ways[ear].delay + filter.late / rate_);
+    if (source.fresh) {
+      path.delay[ear] = delay;
       path.gain[ear] = ways[ear].gain;
     }
+    read(source, path, ear, {delay, ways[ear].gain}, now);
+    for (std::size_t i = 0; i < samples_; ++i) out_[ear][i] += path.filter[ear].next(filter, one_[i]);
   }
-  for (std::size_t ear = 0; ear < kEars; ++ear) add_source(source, path, ways, ear, now);
 }
 
 // A delay that changes is two that do not, faded from one to the other.
-void Ears::add_source(const Source& source, Path& path, const Ways& ways, std::size_t ear, std::int64_t now) {
-  const auto read = [&](double delay, std::vector<float>& to) {
+void Ears::read(const Source& source, Path& path, std::size_t ear, const Arrival& arrival, std::int64_t now) {
+  const auto fill = [&](double delay, std::vector<float>& to) {
     std::fill(to.begin(), to.end(), 0.0F);
     source.queue->read(static_cast<double>(now) - delay * rate_, to, static_cast<float>(path.gain[ear]),
-                       static_cast<float>(ways[ear].gain));
+                       static_cast<float>(arrival.gain));
   };
-  read(path.delay[ear], one_);
-  if (path.delay[ear] != ways[ear].delay) {
-    read(ways[ear].delay, other_);
+  fill(path.delay[ear], one_);
+  if (path.delay[ear] != arrival.delay) {
+    fill(arrival.delay, other_);
     const float step = 1 / static_cast<float>(samples_);
     for (std::size_t i = 0; i < samples_; ++i) {
       one_[i] += (other_[i] - one_[i]) * step * static_cast<float>(i + 1);
     }
   }
-  const sound::Coefficients c = sound::coefficients(ways[ear], rate_);
-  float x = path.x[ear], y = path.y[ear];
-  for (std::size_t i = 0; i < samples_; ++i) {
-    y = c.b0 * one_[i] + c.b1 * x - c.a1 * y;
-    if (std::abs(y) < sound::kNothing) y = 0;
-    x = one_[i];
-    out_[ear][i] += y;
-  }
-  path.x[ear] = x;
-  path.y[ear] = y;
-  path.delay[ear] = ways[ear].delay;
-  path.gain[ear] = ways[ear].gain;
+  path.delay[ear] = arrival.delay;
+  path.gain[ear] = arrival.gain;
 }
 
 void Ears::keep() {
@@ -151,8 +144,7 @@ void Ears::save(ByteWriter& to) const {
   for (const Path& path : paths_) {
     to.put(Span<const double>(path.delay.data(), kEars));
     to.put(Span<const double>(path.gain.data(), kEars));
-    to.put(Span<const float>(path.x.data(), kEars));
-    to.put(Span<const float>(path.y.data(), kEars));
+    for (const sound::Filter& filter : path.filter) filter.save(to);
   }
   for (std::size_t ear = 0; ear < kEars; ++ear) {
     std::size_t from = next_;
@@ -172,8 +164,7 @@ void Ears::load(ByteReader& from) {
   for (Path& path : paths_) {
     for (double& delay : path.delay) delay = from.take_finite("the way of a sound");
     for (double& gain : path.gain) gain = from.take_finite("the way of a sound");
-    finite(path.x);
-    finite(path.y);
+    for (sound::Filter& filter : path.filter) filter.load(from);
   }
   for (std::vector<float>& ring : kept_) finite(ring);
   next_ = 0;

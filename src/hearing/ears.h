@@ -51,11 +51,15 @@ class Ears {
   // The way of a source, as it was at the end of the last tick, and the filters' memories.
   struct Path {
     std::array<double, kEars> delay{}, gain{};
-    std::array<float, kEars> x{}, y{};
+    std::array<sound::Filter, kEars> filter{};
   };
 
   void hear(const Source& source, Path& path, const Ways& ways, std::int64_t now);
-  void add_source(const Source& source, Path& path, const Ways& ways, std::size_t ear, std::int64_t now);
+  // What comes to one ear at the end of the tick, before the head takes its part: into `one_`.
+  struct Arrival {
+    double delay, gain;
+  };
+  void read(const Source& source, Path& path, std::size_t ear, const Arrival& arrival, std::int64_t now);
   void keep();
 
   std::size_t samples_;

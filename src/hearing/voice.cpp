@@ -15,19 +15,14 @@ using sound::kModes;
 constexpr double kFallBy60 = 6.907755278982137;       // nepers
 constexpr double kInaudible = sound::kReference / 2;  // Pa, of a mode: -6 dB, below the thresholds of all ages
 constexpr double kTail = 64;                          // samples after which a filter is done with a click
-constexpr double kLargest = 1e6;                      // Pa, that a state may hold
 
 }  // namespace
 
-Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), click_(blow.click) {
+Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), click_(blow.click), ways_(ways) {
   double end = 0;
   const sound::Ringing& ringing = blow.ringing;
   for (std::size_t ear = 0; ear < kEars; ++ear) {
-    const sound::Way& way = ways[ear];
-    start_[ear] = blow.onset + way.delay * rate;
-    gain_[ear] = way.gain;
-    corner_[ear] = way.corner;
-    alpha_[ear] = way.alpha;
+    start_[ear] = blow.onset + ways[ear].delay * rate;
     if (click_.scale > 0) end = std::max(end, start_[ear] + click_.end() * rate + kTail);
   }
   for (std::size_t i = 0; i < ringing.count; ++i) {
@@ -68,7 +63,7 @@ double Voice::remains(std::int64_t now) const {
       sum += left * left / (4 * decay_[i]);
     }
     if (click_.scale > 0 && gone < click_.end() * rate_)
-      sum += std::pow(gain_[ear] * click_.peak(), 2) * click_.duration * rate_;
+      sum += std::pow(ways_[ear].gain * click_.peak(), 2) * click_.duration * rate_;
   }
   return sum;
 }
@@ -85,17 +80,12 @@ void Voice::add_click(std::size_t ear, std::int64_t first, std::int64_t now, Spa
   const std::int64_t last = std::min(over, now + static_cast<std::int64_t>(out.size()));
   if (first >= last) return;
   const sound::ClickWave wave(click_);
-  const sound::Coefficients c = sound::coefficients({0, 1, alpha_[ear], corner_[ear]}, rate_);
-  float x = x_[ear], y = y_[ear];
+  const sound::Coefficients c = sound::coefficients(ways_[ear], rate_);
   for (std::int64_t n = first; n < last; ++n) {
-    const auto in = static_cast<float>(gain_[ear] * wave.at((static_cast<double>(n) - start_[ear]) / rate_));
-    y = c.b0 * in + c.b1 * x - c.a1 * y;
-    if (std::abs(y) < sound::kNothing) y = 0;
-    x = in;
-    out[static_cast<std::size_t>(n - now)] += y;
+    const double gone = static_cast<double>(n) - start_[ear] - c.late;
+    const auto in = static_cast<float>(ways_[ear].gain * wave.at(gone / rate_));
+    out[static_cast<std::size_t>(n - now)] += filter_[ear].next(c, in);
   }
-  x_[ear] = x;
-  y_[ear] = y;
 }
 
 // Each mode is a recursion of two steps that starts anew with every call.
@@ -132,7 +122,10 @@ void Voice::visit(Self& self, Visit&& visit) {
   visit(self.rate_);
   for (double* number : {&self.click_.duration, &self.click_.scale, &self.click_.settling}) visit(*number);
   for (std::size_t ear = 0; ear < kEars; ++ear) {
-    for (double* number : {&self.start_[ear], &self.gain_[ear], &self.corner_[ear], &self.alpha_[ear]}) visit(*number);
+    sound::Way& way = self.ways_[ear];
+    sound::SphereFilter& filter = way.filter;
+    for (double* number : {&self.start_[ear], &way.gain, &way.size}) visit(*number);
+    for (double* number : {&filter.b1, &filter.b2, &filter.a1, &filter.a2, &filter.still}) visit(*number);
     for (std::size_t i = 0; i < kModes; ++i) {
       visit(self.amplitude_[ear][i]);
       visit(self.phase_[ear][i]);
@@ -147,8 +140,7 @@ void Voice::visit(Self& self, Visit&& visit) {
 void Voice::save(ByteWriter& to) const {
   to.put(end_);
   to.put(modes_);
-  to.put(Span<const float>(x_.data(), kEars));
-  to.put(Span<const float>(y_.data(), kEars));
+  for (const sound::Filter& filter : filter_) filter.save(to);
   Voice copy = *this;
   visit(copy, [&](double number) { to.put(number); });
 }
@@ -157,13 +149,11 @@ void Voice::load(ByteReader& from) {
   end_ = from.take<std::int64_t>();
   modes_ = from.take<std::uint64_t>();
   require(modes_ <= kModes, "the state holds {} modes of a sound, expected up to {}", modes_, kModes);
-  from.take(Span<float>(x_.data(), kEars));
-  from.take(Span<float>(y_.data(), kEars));
+  for (sound::Filter& filter : filter_) filter.load(from);
   visit(*this, [&](double& number) { number = from.take_finite("a sound"); });
   bool sane = rate_ > 0 && click_.settling > 0 && click_.duration >= 0;
   for (std::size_t ear = 0; ear < kEars; ++ear) {
-    sane = sane && corner_[ear] >= 0 && start_[ear] > -1e15 && start_[ear] < 1e15;
-    sane = sane && std::abs(x_[ear]) < kLargest && std::abs(y_[ear]) < kLargest;
+    sane = sane && start_[ear] > -1e15 && start_[ear] < 1e15 && sound::can_be(ways_[ear]);
   }
   require(sane, "the state holds a sound that cannot be");
   prepare();

@@ -44,10 +44,10 @@ class Voice {
   double rate_ = 1;                    // samples a second
   std::int64_t end_ = -1;              // no ear hears it from here on
   std::array<double, kEars> start_{};  // when it reaches an ear, in samples
-  // The click, and the filter of each ear, which goes on.
+  // The click, the way to each ear, and the filter there, which goes on.
   sound::Click click_;
-  std::array<double, kEars> gain_{}, corner_{}, alpha_{};
-  std::array<float, kEars> x_{}, y_{};
+  Ways ways_;
+  std::array<sound::Filter, kEars> filter_{};
   // Modes: radians and nepers a sample; what each ear hears of them.
   std::uint64_t modes_ = 0;
   std::array<double, sound::kModes> turn_{}, decay_{};

@@ -16,7 +16,7 @@ def rows(name: str) -> list[dict[str, str]]:
 
 
 def sphere() -> str:
-    lines = [f"    {{{r['alpha']}, {r['gamma']}, {r['tau_a_over_c']}}}," for r in rows("sphere_filter.csv")]
+    lines = [f"    {{{r['b1']}, {r['b2']}, {r['a1']}, {r['a2']}}}," for r in rows("sphere_filter.csv")]
     return (
         f'{HEAD}#include "sound/sphere.h"\n\nnamespace mimo::sound {{\n\n'
         "const std::array<SphereFilter, kSphereAngles> kSphereTable = {{\n" + "\n".join(lines) + "\n}};\n\n}\n"
