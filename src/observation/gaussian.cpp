@@ -21,8 +21,7 @@ double rounded(double weight) { return std::round(weight * 131072) / 131072; }
 
 // Samples of a narrow Gaussian leave far too much (0.3 too much at 0.3 pixels). These weights are those of least
 // squares over all frequencies that pixels can hold. The sum is to be 1, so they are fitted to what is lost: each takes
-// away 2 - 2 cos(2 pi k f). None is below 0 or above the one before, which costs some of the highest frequencies but
-// keeps edges without rings. Low frequencies, which rendered pictures have most of, weigh more.
+// away 2 - 2 cos(2 pi k f). Low frequencies, which rendered pictures have most of, weigh more.
 class Fit {
  public:
   explicit Fit(double sigma) {
@@ -36,7 +35,7 @@ class Fit {
       for (std::size_t k = 0; k < kSides; ++k) {
         double rest = lost_[k];
         for (std::size_t l = 0; l < kSides; ++l) rest -= l == k ? 0 : products_[k][l] * weights[l];
-        weights[k] = std::clamp(rest / products_[k][k], 0.0, k == 0 ? 0.5 : weights[k - 1]);
+        weights[k] = rest / products_[k][k];
       }
     }
     return weights;

@@ -52,11 +52,21 @@ void add(const Light* middle, const Pairs& pairs, std::size_t number, std::size_
   add<4, kFirst>(middle, pairs, count, out);
 }
 
+void keep_between(const Light* middle, const Light* before, const Light* after, std::size_t count,
+                  Light* __restrict out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Light least = std::min(middle[i], std::min(before[i], after[i]));
+    const Light most = std::max(middle[i], std::max(before[i], after[i]));
+    out[i] = std::min(std::max(out[i], least), most);
+  }
+}
+
 }  // namespace
 
 Smoother::Smoother(std::size_t height, std::size_t width, std::size_t planes, const std::vector<float>& kernel)
     : height_(height), width_(width), planes_(planes), reach_(kernel.size() - 1) {
   for (std::size_t k = 1; k <= reach_; ++k) {
+    sharpens_ = sharpens_ || kernel[k] < 0;
     weights_.push_back(static_cast<std::int16_t>(std::min(std::lround(kernel[k] * 2 * 65536), 32767L)));
   }
   read_.resize(planes * apart());
@@ -108,6 +118,7 @@ void Smoother::weigh(const Light* middle, std::size_t count, Light* out) const {
     if (k == 0) add<true>(middle, pairs, number, count, out);
     if (k > 0) add<false>(middle, pairs, number, count, out);
   }
+  if (sharpens_) keep_between(middle, before_[0], after_[0], count, out);
 }
 
 }  // namespace mimo::observation

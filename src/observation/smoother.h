@@ -12,7 +12,9 @@ namespace mimo::observation {
 
 class Smoother {
  public:
-  // `planes` colours; the kernel from its middle outwards. Beyond its edges a picture goes on as it is there.
+  // `planes` colours; the kernel from its middle outwards. Beyond its edges a picture goes on as it is there. Where the
+  // kernel has weights below 0, nothing becomes darker or brighter than it and its two neighbours are: a grating does
+  // not come to that, and an edge gets no ring.
   Smoother(std::size_t height, std::size_t width, std::size_t planes, const std::vector<float>& kernel);
 
   // Rows from the first to the last: `read` fills row y, its colours `apart()` from each other, `write` gets it
@@ -29,6 +31,7 @@ class Smoother {
   void weigh(const Light* middle, std::size_t count, Light* out) const;
 
   std::size_t height_, width_, planes_, reach_;
+  bool sharpens_ = false;  // there are weights below 0
   std::size_t slots_ = 0;  // rows kept but one: only ones in binary, since divisions take as long as half a row
   std::vector<std::int16_t> weights_;         // of both neighbours together, in 65536ths: from 1 pixel away on
   std::vector<Light> read_;                   // a row, with what it is taken for beyond its edges

@@ -113,6 +113,22 @@ TEST(EyeFilter, LeavesOfGratingsWhatInfantsOfThatAgeSee) {
   }
 }
 
+// What the eye leaves at any frequency, S^-(f/A)^2, up to 0.4 cycles per pixel: all widths of the filter. Bytes alone
+// are 0.01 off.
+TEST(EyeFilter, LeavesOfFineGratingsWhatItShould) {
+  for (double sigma = 0.1; sigma < 1.5; sigma += 0.05) {
+    Eyesight eyes = grey_eyes(1, 4);
+    const double pixels_per_degree = sigma / eyes.sigma();
+    for (const double cycles : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.3877, 0.4}) {
+      const double expected = std::pow(4, -std::pow(cycles * pixels_per_degree, 2));
+      for (const bool turned : {false, true}) {
+        EXPECT_NEAR(contrast_left(256, pixels_per_degree, cycles * pixels_per_degree, eyes, turned), expected, 0.015)
+            << sigma << " pixels, " << cycles;
+      }
+    }
+  }
+}
+
 // A limit that leaves half of so fine lines, alone and in front of an eye.
 TEST(EyeFilter, HasBlurBeforeIt) {
   Eyesight veil;

@@ -27,18 +27,20 @@ double error(double sigma, double highest) {
 
 TEST(Gaussian, LeavesWhatItShould) {
   for (double sigma = 0.02; sigma < 8.1; sigma *= 1.05) {
-    EXPECT_LT(error(sigma, 0.3), sigma < 0.7 ? 0.015 : 0.002) << sigma;
-    EXPECT_LT(error(sigma, 0.5), sigma < 1 ? 0.165 : 0.004) << sigma;
+    EXPECT_LT(error(sigma, 0.4), sigma < 0.7 ? 0.006 : 0.003) << sigma;
+    EXPECT_LT(error(sigma, 0.5), sigma < 1 ? 0.08 : 0.005) << sigma;
   }
 }
 
-TEST(Gaussian, HasTheSumOneAndNothingBelowZero) {
+// What is below 0 is little, 2 pixels away, and needed for narrow ones only: weights above 0 alone leave 0.025 too much
+// of 0.4 cycles per pixel at 0.42 pixels.
+TEST(Gaussian, HasTheSumOneAndHardlyAnythingBelowZero) {
   for (double sigma = 0.001; sigma < 1000; sigma *= 1.1) {
     const std::vector<float> kernel = gaussian_kernel(sigma);
     double sum = kernel[0];
     for (std::size_t k = 1; k < kernel.size(); ++k) {
-      EXPECT_GE(kernel[k], 0) << sigma;
-      EXPECT_LE(kernel[k], kernel[k - 1] + 1.0F / 65536) << sigma;
+      EXPECT_GE(kernel[k], sigma < 0.7 ? -0.015F : 0) << sigma;
+      EXPECT_LE(std::abs(kernel[k]), std::abs(kernel[k - 1]) + (sigma < 0.7 ? 0.006F : 1.0F / 65536)) << sigma;
       sum += 2 * static_cast<double>(kernel[k]);
     }
     EXPECT_EQ(sum, 1) << sigma;
