@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Fits filters of two poles and two zeros to what a rigid sphere does to sound, and writes original/sphere_filter.csv.
 
-Needs numpy and scipy. The sphere's surface hears a far source as a series of Hankel functions (Rayleigh; Duda and Martens
-1998), over the free field at its middle. What is fitted is that without Woodworth's delay, as a function of the sphere's
-radius over the wavelength, so that one table does for all heads; each angle starts from its neighbour's numbers, so that
-values between them can be taken along straight lines.
+Needs numpy and scipy. The sphere's surface hears a far source as a series of Hankel functions (Rayleigh; Duda and
+Martens 1998), over the free field at its middle. What is fitted is that without Woodworth's delay, as a function of the
+sphere's radius over the wavelength, so that one table does for all heads; each angle starts from its neighbour's
+numbers, so that values between them can be taken along straight lines.
 """
 
 import csv
@@ -58,7 +58,9 @@ def fit(degrees: int, start: np.ndarray, loyalty: float) -> np.ndarray:
 
 def main() -> None:
     fitted = {START_ANGLE: fit(START_ANGLE, np.array(START), 0)}
-    for degrees in range(START_ANGLE + STEP, 181, STEP):  # in the shadow the best numbers jump: hold on to the neighbour
+    for degrees in range(
+        START_ANGLE + STEP, 181, STEP
+    ):  # in the shadow the best ones jump: hold on
         fitted[degrees] = fit(degrees, fitted[degrees - STEP], 4)
     for degrees in range(START_ANGLE - STEP, -1, -STEP):
         fitted[degrees] = fit(degrees, fitted[degrees + STEP], 1)

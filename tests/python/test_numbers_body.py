@@ -1,0 +1,175 @@
+"""Numbers that the guides tell of the body, its growth, nerves and tasks."""
+
+import csv
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from guide import ROOT, Page
+
+import mimo
+
+MONTHS = (0, 1, 2, 3, 6, 9, 12, 18, 24)
+
+
+@lru_cache(maxsize=None)
+def infant(body="mitten", **growth):
+    world = mimo.World("free", vision=False, body=body, **growth)
+    world.reset(seed=0)
+    return world
+
+
+def median(measure, month):
+    """The WHO's, mean of girls and boys."""
+    with open(ROOT / "tests/golden/growth/who_lms.csv") as file:
+        rows = [row for row in csv.DictReader(file) if row["measure"] == measure and float(row["age_months"]) == month]
+    assert {row["sex"] for row in rows} == {"m", "f"}
+    return np.mean([float(row["M"]) for row in rows])
+
+
+def joint_range(joint, **growth):
+    return np.rad2deg(infant(**growth).get("joint_range", joint)[0])
+
+
+def gear(motor, **growth):
+    return infant(**growth).actuators(motor).gear[0]
+
+
+def test_growth_drivers():
+    page = Page("guide/growth.md")
+    page.says("over that of 18 months ({} cm, mean of the sexes)", median("length", 18))
+    page.says("over that of 18 months ({} kg)", median("weight", 18))
+    page.says("over that of 18 months ({} cm) |", median("head_circumference", 18))
+
+
+def test_the_body_of_18_months_beside_the_who():
+    page, body = Page("guide/growth.md"), infant().agents[0]
+    shorter = 100 * (1 - 100 * body.height / median("length", 18))
+    page.says(
+        "is {} % shorter, {} % heavier",
+        100 * (1 - infant(age=18).agents[0].height / infant(age=18, absolute=True).agents[0].height),
+        100 * (body.mass / median("weight", 18) - 1),
+    )
+    assert shorter > 0
+
+
+def test_strength_by_age():
+    page = Page("guide/growth.md")
+    factors = [
+        gear("act:right_elbow", age=age) / gear("act:right_elbow", age=age, strength_exponent=0) for age in (0, 6)
+    ]
+    page.says("{} at birth, {} at 6 months. The neck", *factors)
+
+
+def test_ranges_of_newborns():
+    page = Page("guide/growth.md")
+    lack = {
+        name: [round(-joint_range(joint, age=age)[1]) for age in (0, 3)]
+        for name, joint in (("hip", "robot:right_hip1"), ("knee", "robot:right_knee"), ("elbow", "robot:right_elbow"))
+    }
+    page.says("hips lack {} degrees at birth and {} at 3 months", *lack["hip"])
+    page.says("knees {} and {} (Broughton", *lack["knee"])
+    page.says("elbows {} and {} (Shah", *lack["elbow"])
+
+
+def test_eyes_by_age():
+    page = Page("guide/maturity.md")
+    for months in (0, 1, 1.5, 2.5, 4, 6, 9, 12, 18, 24):
+        eyes = mimo.Maturity.at(months)
+        page.says(f"\n| {months} | {{}} | {{}} | {{}} |", eyes.acuity, eyes.peak_contrast, eyes.chroma)
+
+
+def test_nerves_by_age():
+    page = Page("guide/maturity.md")
+    rows = {
+        "conduction speed, m/s": ("conduction_speed", 1),
+        "brain stem to cortex, ms": ("sensory_delay", 1e3),
+        "cortex to brain stem, ms": ("motor_delay", 1e3),
+        "eye to cortex, ms": ("vision_delay", 1e3),
+        "inner ear to brain stem, ms": ("vestibular_delay", 1e3),
+        "ear to cortex, ms": ("hearing_delay", 1e3),
+    }
+    for row, (name, factor) in rows.items():
+        values = [factor * getattr(mimo.Maturity.at(months), name) for months in MONTHS]
+        page.says(f"\n| {row} |" + " {} |" * len(MONTHS), *values)
+
+
+def test_what_pictures_hold():
+    page = Page("guide/maturity.md")
+    finest = [pixels / 2 / (2 * np.tan(np.deg2rad(30))) * np.deg2rad(1) for pixels in (64, 256)]
+    page.says("64 pixels over 60 degrees hold {} cycles per degree", finest[0])
+    page.says("and 256 pixels {}, which", finest[1], within=0.05)
+    page.says("L / ln(1 + L) times as large, {} times for 10", 10 / np.log(11))
+    Page("guide/limited-senses.md").says("cannot show more than {} in its middle", finest[1], within=0.05)
+
+
+def test_ways_of_nerves():
+    newborn, speed = infant(age=0, maturity="all"), mimo.Maturity.at(0).conduction_speed
+    foot, hand = (newborn.bodies(name).nerve_length[0] for name in ("left_foot", "left_hand"))
+    Page("guide/maturity.md").says(
+        "A newborn's hand is {} ms nearer to its brain than its foot", 1e3 * (foot - hand) / speed
+    )
+    one_way, cord = 1e3 * foot / speed, 12
+    Page("guide/reflexes.md").says(
+        "foot that is {} m from its brain stem is drawn back after {} + {} + {} = {} ms",
+        *(foot, one_way, one_way, cord, 2 * one_way + cord),
+    )
+
+
+def test_thresholds_and_speeds_of_reflexes():
+    page = Page("guide/reflexes.md")
+    page.says("at the speed of their age ({} m/s at birth", mimo.Maturity.at(0).conduction_speed)
+    page.tested("| {} mN on a foot of a newborn, {} mN from 12 months on", "unit/receptors/skin_test.cpp")
+
+
+def test_counts_of_sensors():
+    page = Page("guide/touch.md")
+
+    def sensors(body, scale):
+        with mimo.World("free", vision=False, body=body, touch_scale=scale) as world:
+            return world.layout.fields["touch/force"].shape[0]
+
+    page.says(
+        "at 1 the mitten body has {} sensors, at 2 it has {}, at 0.5 it has {}; with five fingers it has {}, {} and {}.",
+        *(sensors(body, scale) for body in ("mitten", "fingers") for scale in (1, 2, 0.5)),
+    )
+    Page("guide/skin.md").says("takes 0.18 to 0.20 of a step without eyes for {} sensors", sensors("mitten", 1))
+    table = Page("differences.md")
+    for body, name in (("mitten", "mitten"), ("fingers", "five-fingered")):
+        ours = {scale: sensors(body, scale) for scale in (0.25, 0.5, 1, 2)}
+        texts = table.numbers(f"| **all of the {name} body** | {{}}, {{}} | {{}}, {{}} | **{{}}, {{}}** | {{}}, {{}} |")
+        assert [int(text) for text in texts[::2]] == list(ours.values())
+
+
+def test_lengths_of_episodes():
+    parameters, page = mimo.Scene("reach").parameters, Page("tasks.md")
+    steps = [parameters[f"{task}/episode_steps"] for task in ("reach", "standup", "selfbody", "catch", "rollover")]
+    page.says(
+        "| length | {} steps of 10 ms | {} of 10 ms | {} of 5 ms | {} of 10 ms | {} of 10 ms |",
+        *steps,
+    )
+    page.says("* `success`: {} when the right arm or hand touches the ball", parameters["reach/success_reward"])
+    page.says("Success is a head at {} m or above", parameters["standup/success_height"])
+    page.says("* `success`: {} when the target feels a force", parameters["selfbody/success_reward"])
+    page.says("* `no_touch`: else {}.", -abs(parameters["selfbody/no_touch_reward"]))
+
+
+def test_motors_that_act():
+    page, counts = Page("tasks.md"), {}
+    for task in ("reach", "standup", "selfbody", "catch", "rollover"):
+        with mimo.World(task, vision=False) as world:
+            counts[task] = len(world.action_names)
+    page.says(
+        "right arm and hand, {} motors | trunk, arms, hands, legs, {} motors | right arm and hand, {} motors "
+        "| right wrist and fingers, {} muscles | all but the eyes, {} motors |",
+        *counts.values(),
+    )
+
+
+@pytest.mark.parametrize("scene", ["free", "selfbody"])
+def test_time_steps(scene):
+    page = Page("guide/time-and-frames.md")
+    with mimo.World(scene, vision=False) as world:
+        assert world.timestep == 0.005
+        said = "Built-in scenes take {} of them," if scene == "free" else "of them, `selfbody` {}."
+        page.says(said, world.frame_skip)

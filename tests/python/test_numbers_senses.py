@@ -1,0 +1,152 @@
+"""Numbers that the guides tell of what nerves and ears report."""
+
+from functools import lru_cache
+
+import numpy as np
+from guide import Page
+
+import mimo
+
+RECEPTORS = "unit/receptors/"
+LABYRINTH, SKIN, MUSCLES = (RECEPTORS + name for name in ("labyrinth_test.cpp", "skin_test.cpp", "muscles_test.cpp"))
+TICK = 0.005
+
+HEAD = """<mujoco><option timestep="0.005" gravity="0 0 -9.81"/><worldbody><body name="head">
+  <joint name="roll" axis="1 0 0"/><joint name="yaw" axis="0 0 1"/><geom size="0.07"/></body></worldbody></mujoco>"""
+
+
+@lru_cache(maxsize=1)
+def head_of_a_model():
+    scene = mimo.Scene(xml=HEAD)
+    scene.add_agent(
+        body="scene",
+        root="head",
+        vision=False,
+        touch=False,
+        proprioception=False,
+        vestibular=mimo.Vestibular.CANALS | mimo.Vestibular.OTOLITHS | mimo.Vestibular.GRAVITY,
+        vestibular_at="head",
+    )
+    return scene
+
+
+def turning(joint, velocities):
+    """Where a head is that turns so, and what is told then, tick by tick."""
+    with mimo.World(head_of_a_model(), frame_skip=1) as world:
+        world.reset(seed=0)
+        angle, moved = 0.0, world.joints(joint)
+        for velocity in velocities:
+            angle += velocity * TICK
+            moved.position, moved.velocity = [angle], [velocity]
+            world.step()
+            yield angle, {name.rpartition("/")[2]: values.copy() for name, values in world.observation.items()}
+
+
+def off(angle, told):
+    """How far the estimate of gravity is from what is up in a head that has rolled so far, degrees."""
+    estimate = told["gravity"] / np.linalg.norm(told["gravity"])
+    return np.rad2deg(np.arccos(np.clip(estimate @ [0, np.sin(angle), np.cos(angle)], -1, 1)))
+
+
+def test_a_yaw_that_goes_on():
+    told = [told["canals"][1, 0] - 90 for _, told in turning("yaw", [np.deg2rad(60)] * 3421)]
+    ticks = [1, 200, 1140, 2280, 3420]  # 0 is the jerk of the start
+    Page("guide/balance.md").says("\n| Hz | {} | {} | {} | {} | {} |", *(told[tick] for tick in ticks))
+
+
+def test_a_quick_tilt():
+    quick = round(0.2 / TICK)
+    speeds = [np.deg2rad(90) / 0.2] * quick + [0.0] * round(12 / TICK)
+    after = [off(*moment) for moment in turning("roll", speeds)][quick - 1 :]
+    Page("guide/balance.md").says(
+        "within 0.2 s, and rest | {} degrees off after 0.3 s, at most {} (after {} s), {} after 10 s |",
+        *(after[round(0.3 / TICK)], max(after), round(np.argmax(after) * TICK), after[round(10 / TICK)]),
+    )
+
+
+def test_rolling_on_and_on():
+    *_, last = turning("roll", [np.deg2rad(60)] * 12000)
+    Page("guide/balance.md").says("| rolling on and on at 60 degrees a second | {} degrees off |", off(*last))
+
+
+def test_balance_in_tests():
+    page = Page("guide/balance.md")
+    page.tested("| left anterior | {} | {} | {} |", LABYRINTH)
+    page.tested("| left horizontal | {} | {} | {} |", LABYRINTH)
+    page.tested("| left posterior | {} | {} | {} |", LABYRINTH)
+    page.tested("| right anterior | {} | {} | {} |", LABYRINTH)
+    page.tested("| right horizontal | {} | {} | {} |", LABYRINTH)
+    page.tested("| right posterior | {} | {} | {} |", LABYRINTH)
+    page.tested("the long time constant Tc = {} s", LABYRINTH)
+    page.tested("| shaking by {} g at {} Hz | moves it by {} g |", LABYRINTH)
+    page.tested("| {} g to one side that stay | taken for a tilt of {} degrees", LABYRINTH)
+    page.tested("a static gain, as afferents do: {} and", LABYRINTH)
+    page.says("gives the left utricle's outward afferents {} Hz", 46.165)
+    page.says("K T2/T1, the gain in the middle, is {} for regular and {} for", 2.83 * 2.7 / 17.5, 27.09 * 0.6 / 30)
+
+
+@lru_cache(maxsize=None)
+def voice(age):
+    """What the left ear hears of an infant's own cry and vowels; and of silence."""
+    scene = mimo.Scene("free")
+    scene.add_agent(vision=False, touch=False, hearing=True, voice=True, age=age)
+    random, heard = np.random.default_rng(1), []
+    with mimo.World(scene) as world:
+        action = np.zeros(len(world.action_names), np.float32)
+        world.reset(seed=0)
+        for step in range(600):
+            if step % 20 == 0:
+                action[-4:] = 1, random.uniform(-0.5, 0.5), random.uniform(0.7, 1.3), random.uniform(0.7, 1.3)
+            heard.append(world.step(action).observation["hearing/ear_left"].copy())
+    return np.concatenate(heard)
+
+
+def test_how_loud_a_cry_is():
+    page, cry = Page("guide/hearing.md"), voice(3)
+    page.says("a cry of up to {} Pa at the own ears", np.abs(cry).max())
+    at_ears = 10 * np.log10(np.mean(np.square(cry[16000:], dtype=np.float64)) / 4e-10)
+    page.says("1 a cry of {} dB at 1 m", at_ears - 17, within=1)
+    page.tested("At its own ears it is {} dB louder than at 1 m", "unit/hearing/ears_test.cpp")
+
+
+def test_hearing_in_tests():
+    page, ears = Page("guide/hearing.md"), "unit/hearing/ears_test.cpp"
+    page.tested("late by its distance over {} m/s", ears)
+    page.tested("at 250, 500 and 1000 Hz, 2 m away, all azimuths | within {} µs", ears)
+    page.tested("at 1 to 4 kHz, 2 m away, all azimuths | within {} dB; {} at 250 and 500 Hz", ears)
+    page.tested("15 cm to 1 m away | within {} dB; from the side at 25 cm and 250 Hz {} dB", ears)
+    page.tested("hardwood on hardwood at {} m/s and {} N gives {} dB", "unit/sound/scrape_test.cpp")
+    page.tested("gives {} dB (sound exposure level", "unit/sound/strike_test.cpp")
+    voices = "unit/growth/voice_test.cpp"
+    page.tested("around that of its age: {} Hz at 3 months, {} at 6, {} from 9 on", voices)
+    page.tested("of {} cm at birth and {} at 24 months: {}, {}, {} and {}, {}, {} Hz", voices)
+
+
+def test_sound_in_steps():
+    scene = mimo.Scene("free")
+    scene.add_agent(vision=False, touch=False, hearing=True)
+    with mimo.World(scene) as world:
+        samples = world.layout.fields["hearing/ear_left"].shape[0]
+        claim = "{} in the 5 ms of built-in scenes, so 16 000 a second, and {} in a step of two"
+        Page("guide/hearing.md").says(claim, samples / world.frame_skip, samples)
+
+
+def test_skin_in_tests():
+    page = Page("guide/skin.md")
+    page.tested("| SA1, hold of 1 mm | {} | {} |", SKIN)
+    page.tested("| SA1, ramp to 1 mm at {}, {}, {}, {} mm/s | {}, {}, {}, {} |", SKIN)
+    page.tested("| RA, at {}, {}, {}, {}, {} mm/s | {}, {}, {}, {}, {} | {}, {}, {}, {}, {} |", SKIN)
+    page.tested("{} degrees in a room of {}, with a time constant of {} s", SKIN)
+    page.tested("`touch/units`: {} afferents a cm^2 at fingertips, {} in palms", SKIN)
+    page.tested("| {} | {} | 29.48 | {} | {} | 32.09 | {} |", SKIN)
+    page.tested("1 N with 10 mm makes {} kPa, with 0.5 mm {} kPa", SKIN)
+
+
+def test_muscles_in_tests():
+    page = Page("guide/proprioception.md")
+    page.tested("| 0.11 | {}, {} | {}, 101.4 | {}, {} |", MUSCLES)
+    page.tested("| 0.66 | {}, {} | {}, 101.8 | {}, {} |", MUSCLES)
+    page.tested("| 1.55 | {}, {} | {}, {} | {}, {} |", MUSCLES)
+    page.tested("| Ia | {} | {} | {} | {} |", MUSCLES)
+    page.tested("| II | {} | {} | {} | {} |", MUSCLES)
+    page.tested("begins at {} of its last value, is at {} after 1 s and {} after 5", MUSCLES)
