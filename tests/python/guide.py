@@ -1,9 +1,8 @@
 """Pages of the documentation, whose numbers are compared with what the library gives.
 
-A claim is a piece of a page with {} in place of its numbers: `says` compares these with numbers that were just computed,
-`tested` looks them up in a test of another language that compares them. Where page and library part, or where a page says
-it in other words, the claim fails: whoever changes one of them changes the other. `python tests/python/guide.py` lists the
-numbers that no claim concerns.
+A claim is a piece of a page with {} in place of its numbers: `says` compares these with numbers that were just
+computed, `tested` looks them up in a test of another language that compares them. A claim fails where page and library
+part, and where a page says it in other words. `python tests/python/guide.py` lists the numbers that no claim concerns.
 """
 
 import re

@@ -130,7 +130,7 @@ def test_counts_of_sensors():
             return world.layout.fields["touch/force"].shape[0]
 
     page.says(
-        "at 1 the mitten body has {} sensors, at 2 it has {}, at 0.5 it has {}; with five fingers it has {}, {} and {}.",
+        "1 the mitten body has {} sensors, at 2 it has {}, at 0.5 it has {}; with five fingers it has {}, {} and {}.",
         *(sensors(body, scale) for body in ("mitten", "fingers") for scale in (1, 2, 0.5)),
     )
     Page("guide/skin.md").says("takes 0.18 to 0.20 of a step without eyes for {} sensors", sensors("mitten", 1))
