@@ -5,6 +5,7 @@ computed, `tested` looks them up in a test of another language that compares the
 part, and where a page says it in other words. `python tests/python/guide.py` lists the numbers that no claim concerns.
 """
 
+import math
 import re
 import sys
 from collections import defaultdict
@@ -51,14 +52,32 @@ class Page:
 
     def tested(self, claim, test):
         """Each number stands, rounded or not, in a test, which compares it with what the library gives."""
-        source = (ROOT / "tests" / test).read_text(encoding="utf-8")
+        self._stands(claim, [f"tests/{test}"], lambda number, known: number - known)
+
+    def coded(self, claim, *sources):
+        """Each number is a constant of a law, and stands so in the code, in whatever unit."""
+        self._stands(
+            claim,
+            [f"src/{source}" for source in sources],
+            lambda number, known: number - known * _power_to(number, known),
+        )
+
+    def _stands(self, claim, files, difference):
+        source = "\n".join((ROOT / file).read_text(encoding="utf-8") for file in files)
         # 241e4 is the number of a square metre, 241 that of a square centimetre.
-        found = re.findall(rf"(?<![\w.])({NUMBER})(e-?\d+)?(?![\w.])", source)
+        found = re.findall(rf"(?<![\w.])({NUMBER})(e-?\d+)?F?(?!\w|\.\d)", source)
         known = [float(text) for digits, power in found for text in (digits, digits + power)]
         for text in self.numbers(claim):
             last_digit = 10.0 ** -len(text.partition(".")[2])
-            there = any(abs(float(text) - number) <= 0.505 * last_digit for number in known)
-            assert there, f"docs/{self.name} says {text} in {claim!r}, and tests/{test} nothing of it"
+            there = any(abs(difference(float(text), number)) <= 0.505 * last_digit for number in known)
+            assert there, f"docs/{self.name} says {text} in {claim!r}, and {files[0]} nothing of it"
+
+
+def _power_to(number, known):
+    """The power of ten that brings one to the size of the other."""
+    if number == 0 or known == 0:
+        return 1.0
+    return 10.0 ** round(math.log10(abs(number / known)))
 
 
 def unclaimed(name):

@@ -173,3 +173,46 @@ def test_time_steps(scene):
         assert world.timestep == 0.005
         said = "Built-in scenes take {} of them," if scene == "free" else "of them, `selfbody` {}."
         page.says(said, world.frame_skip)
+
+
+def test_babybench_s_motors():
+    page, motors = Page("tasks.md"), []
+    for scene in ("babybench-base", "babybench-crib", "babybench-cubes"):
+        with mimo.World(scene, vision=False) as world:
+            motors.append(len(world.action_names))
+    page.says("| acts | all, {} motors | all but feet and eyes, {} motors | head, arms, wrists, {} motors |", *motors)
+    parameters = mimo.Scene("babybench-base").parameters
+    page.says("An episode starts with {} physics steps without control", parameters["selftouch/settle_steps"])
+    page.says("then {} in which each action is drawn", parameters["selftouch/warm_up_steps"])
+    page.says("less than {} degrees beside the axis is looked at", np.rad2deg(parameters["handregard/angle"]))
+
+
+def test_parameters_of_tasks():
+    page, parameters = Page("tasks.md"), mimo.Scene("reach").parameters
+    page.says("Success is a posture of {} (144 degrees)", parameters["rollover/success"])
+    page.says("(at birth {} of the stature", infant(age=0).agents[0].height / infant().agents[0].height)
+    page.says(
+        "another ball, {} to {} mm in radius and {} to {} g",
+        *(1e3 * parameters[f"catch/{name}"] for name in ("radius_low", "radius_high", "mass_low", "mass_high")),
+        within=1e-6,
+    )
+    page.says("* `success`: {} when the skin has touched", parameters["catch/success_reward"])
+
+
+def test_eyes_of_the_body():
+    page = Page("vision.md")
+    pan, tilt, roll = (joint_range(f"robot:left_eye_{name}") for name in ("horizontal", "vertical", "torsional"))
+    page.says("Each eye pans by {} degrees", pan[1])
+    page.says("tilts from {} down to {} up and rolls by {};", -tilt[0], tilt[1], roll[1])
+    world = infant()
+    apart = np.linalg.norm(world.bodies("left_eye").position[0] - world.bodies("right_eye").position[0])
+    page.says("the eyes' centres are {} mm apart", 1e3 * apart)
+    page.says("2 atan({} m / d) for a point", apart / 2)
+
+
+def test_worlds_of_batches():
+    page = Page("guide/observations.md")
+    with mimo.World("free", vision=False) as world:
+        touch, angles = (world.layout.fields[name] for name in ("touch/force", "proprioception/position"))
+        assert angles.start == angles.end == 0
+        page.says("| touch, torques, balance, pictures | {}, {}:", touch.start, touch.end)
