@@ -1,6 +1,7 @@
 #include "growth/grow.h"
 
 #include "growth/closure.h"
+#include "growth/masses.h"
 #include "growth/original/original.h"
 #include "growth/range.h"
 #include "growth/strength.h"
@@ -13,6 +14,7 @@ Skeleton grown(const Skeleton& base, const Growth& growth) {
   if (growth.model == Model::kOriginal) return grown_as_original(base, growth.age);
   Skeleton body = fit(base, growth).skeleton;
   strengthen(body, base, growth);
+  spread_mass(body, growth.age);
   limit(body, growth);
   set_tone(body, base, growth);
   return body;

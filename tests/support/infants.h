@@ -3,8 +3,10 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "growth/growth.h"
+#include "growth/parts.h"
 #include "growth/skeleton.h"
 #include "scene/anatomy.h"
 #include "scene/scene.h"
@@ -28,6 +30,18 @@ inline growth::Growth aged(double months) {
   growth::Growth growth;
   growth.age = growth.physiological_age = months;
   return growth;
+}
+
+// Of bones by their names without a side, kg.
+inline double mass_of(const growth::Skeleton& skeleton, const std::vector<std::string>& bones) {
+  double mass = 0;
+  for (const growth::Bone& bone : skeleton.bones) {
+    for (const std::string& name : bones) {
+      if (growth::without_side(bone.name) != name) continue;
+      for (const growth::Geom& geom : bone.geoms) mass += geom.mass;
+    }
+  }
+  return mass;
 }
 
 }  // namespace mimo::test

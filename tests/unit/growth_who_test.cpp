@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "growth/closure.h"
 #include "growth/grow.h"
 #include "growth/kinematics.h"
 #include "growth/measures.h"
@@ -79,20 +80,10 @@ TEST_P(GrowthOf, At18MonthsIsTheBodyItselfToTheLastBit) {
   EXPECT_EQ(measures(base(), {}).closure, 1);
 }
 
-double mass_of(const Skeleton& skeleton, const std::vector<std::string>& bones) {
-  double mass = 0;
-  for (const growth::Bone& bone : skeleton.bones) {
-    for (const std::string& name : bones) {
-      if (growth::without_side(bone.name) != name) continue;
-      for (const growth::Geom& geom : bone.geoms) mass += geom.mass;
-    }
-  }
-  return mass;
-}
-
 // Columns of the worked-out table, of a body of mitten hands.
 std::map<std::string, double> columns_of(const Skeleton& base, const Growth& growth) {
-  const Skeleton body = grown(base, growth);
+  // Its shares of mass are those of parts that are as dense as at 18 months.
+  const Skeleton body = grown(base, growth), even = fit(base, growth).skeleton;
   const growth::Measures it = measures(base, growth);
   const auto place = [](const Skeleton& skeleton, const char* bone) { return growth::bone(skeleton, bone).position; };
   const auto longer = [&](const char* bone) { return place(body, bone)[2] / place(base, bone)[2]; };
@@ -115,9 +106,9 @@ std::map<std::string, double> columns_of(const Skeleton& base, const Growth& gro
           {"girth_closure", it.closure},
           {"head_diameter_m", head},
           {"head_diameter_over_stature", head / it.stature},
-          {"head_mass_share", mass_of(body, {"head"}) / it.mass},
-          {"arms_mass_share", mass_of(body, {"upper_arm", "lower_arm", "hand", "fingers"}) / it.mass},
-          {"legs_mass_share", mass_of(body, {"upper_leg", "lower_leg", "foot", "toes"}) / it.mass},
+          {"head_mass_share", mass_of(even, {"head"}) / it.mass},
+          {"arms_mass_share", mass_of(even, {"upper_arm", "lower_arm", "hand", "fingers"}) / it.mass},
+          {"legs_mass_share", mass_of(even, {"upper_leg", "lower_leg", "foot", "toes"}) / it.mass},
           {"trunk_factor", longer("upper_body")},
           {"thigh_length_m", -place(body, "left_lower_leg")[2]},
           {"shank_length_m", growth::geom(body, "left_lower_leg1").size[1] /
@@ -238,20 +229,6 @@ TEST(GrowthProportions, OfANewbornAgreeWithNewbornsThatWereMeasured) {
   EXPECT_NEAR(18.4 * wider("left_lower_leg1"), 11.0, 0.9);
   EXPECT_NEAR(9.3 * place(body, "left_fingers")[2] / place(base, "left_fingers")[2], 6.1, 0.6);
   EXPECT_NEAR(11.9 * place(body, "left_toes")[0] / place(base, "left_toes")[0], 7.4, 0.6);
-}
-
-// Bands of what is known of infants and of crash dummies of their ages. In between legs are lighter than measured, as
-// at 18 months: the base's are.
-TEST(GrowthProportions, HasAnInfantsShareOfHeadAndLegs) {
-  const std::vector<std::string> legs = {"upper_leg", "lower_leg", "foot", "toes"};
-  const auto share = [](double age, const std::vector<std::string>& bones) {
-    const Skeleton body = grown(infant("mitten"), aged(age));
-    return mass_of(body, bones) / growth::total_mass(body);
-  };
-  EXPECT_NEAR(share(0, {"head"}), 0.24, 0.04);
-  EXPECT_NEAR(share(12, {"head"}), 0.18, 0.02);
-  EXPECT_NEAR(share(0, legs), 0.18, 0.02);
-  EXPECT_NEAR(share(24, legs), 0.25, 0.02);
 }
 
 // The forearm ends where the wrist bends up and down, whatever of the hand lies above that.
