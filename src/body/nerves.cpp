@@ -12,6 +12,14 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Nerves over the straight ways from joint to joint, by where they run. Fitted to the ways that evoked potentials are
+// explained by (a newborn's wrist 0.257 m from its neck) and to lengths of infants' limbs: this body's limbs are
+// shorter between their joints than what is measured on infants, and its hips lie lower.
+constexpr double kHead = 1.03;
+constexpr double kArm = 1.37;  // from the hand to the neck
+constexpr double kSpine = 0.62;
+constexpr double kLeg = 1.65;  // from the toes to the hip
+
 Vector3d middle(const mjModel& model, int body) { return Vector3d(model.body_ipos + 3 * body); }
 
 // Where a body hangs on its parent, in its own frame: its first joint, or its origin where nothing turns.
@@ -56,19 +64,22 @@ double up_the_spine(const mjModel& model, const std::vector<int>& spine, std::si
 
 double length_from(const mjModel& model, const std::vector<int>& spine, int body) {
   Vector3d point = middle(model, body);
-  double length = 0;
+  double limb = 0;
   int at = body;
   auto reached = std::find(spine.begin(), spine.end(), at);
   while (reached == spine.end()) {
-    length += (anchor(model, at) - point).norm();
+    limb += (anchor(model, at) - point).norm();
     point = in_parent(model, at, anchor(model, at));
     at = model.body_parentid[at];
     reached = std::find(spine.begin(), spine.end(), at);
   }
   const Vector3d neck = anchor(model, spine[0]);
-  if (reached == spine.begin()) return length + (point - neck).norm();  // in the head
-  const double head = (middle(model, spine[0]) - neck).norm();
-  return length + up_the_spine(model, spine, static_cast<std::size_t>(reached - spine.begin()), point) + head;
+  if (reached == spine.begin()) return kHead * (limb + (point - neck).norm());  // in the head
+  const double head = kHead * (middle(model, spine[0]) - neck).norm();
+  const double trunk = up_the_spine(model, spine, static_cast<std::size_t>(reached - spine.begin()), point);
+  // Arms hang on what carries the head.
+  const bool arm = at != body && reached == spine.begin() + 1;
+  return (arm ? kArm * (limb + trunk) : kLeg * limb + kSpine * trunk) + head;
 }
 
 }  // namespace
