@@ -125,6 +125,13 @@ def page() -> str:
             "",
             table(joint_head, more_joints),
             table(body_head, more_bodies),
+            "## Left and right",
+            "",
+            "The left side is the mirror image of the right one, except for one thing in each body, as in the",
+            "original: the mitten's left hand lies 14 mm off the image of the right one, and the first bone of the",
+            "left little finger (`robot:left_lf_meta`) turns about another axis. `mitten-mirrored` and",
+            "`fingers-mirrored` are the same bodies without that ([differences](../differences.md)).",
+            "",
         ]
     )
 

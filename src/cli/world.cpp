@@ -227,8 +227,10 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
   command
       .add_option("--body", options.body,
-                  "Body of the infant: mitten or fingers. A file that holds an infant\n"
-                  "keeps that one; a file without gets one only if this is given")
+                  "Body of the infant: mitten or fingers; mitten-mirrored or\n"
+                  "fingers-mirrored for one whose left is the image of its right. A\n"
+                  "file that holds an infant keeps that one; a file without gets one\n"
+                  "only if this is given")
       ->type_name("BODY");
   add_age_options(command, options.age);
 }

@@ -33,7 +33,8 @@ constexpr const char* kScenes[] = {"benchmark", "free",           "reach",      
                                    "selfbody",  "catch",          "rollover",       "showroom",
                                    "playdate",  "babybench-base", "babybench-crib", "babybench-cubes"};
 constexpr const char* kRooms[] = {"playroom"};
-constexpr const char* kBodies[] = {"mitten", "fingers"};
+constexpr const char* kMirrored = "-mirrored";  // after the name of a body
+constexpr const char* kBodies[] = {"mitten", "fingers", "mitten-mirrored", "fingers-mirrored"};
 constexpr const char* kBodyClass = "mimo";  // default class of all that belongs to an infant
 constexpr const char* kRoomClass = "room";
 
@@ -171,6 +172,31 @@ Document settled(pugi::xml_document&& document) {
   return std::make_shared<const pugi::xml_document>(std::move(document));
 }
 
+// "mitten" of "mitten-mirrored" as well.
+std::string kind_of(const std::string& body) { return body.substr(0, body.rfind(kMirrored)); }
+
+void turn_around(pugi::xml_node node, const char* attribute, std::size_t axis) {
+  std::vector<double> vector = numbers(node.attribute(attribute));
+  vector.at(axis) = -vector.at(axis);
+  set(node, attribute, Span<const double>(vector));
+}
+
+// The left of the original's infants is the mirror image of their right, but for this: both mitten hands lie 7 mm off
+// the axis of their forearms to the same side, and the left little finger's first bone turns about another axis.
+pugi::xml_document body_document(const Library& models, const std::string& body) {
+  const std::string kind = kind_of(body);
+  pugi::xml_document document = Loader(models).built_in(kind + ".xml");
+  if (kind == body) return document;
+  const pugi::xml_node root = document.document_element();
+  if (kind == "mitten") {
+    turn_around(find_named(root, "body", "left_hand"), "pos", 1);
+    turn_around(find_named(root, "joint", "robot:left_hand1"), "pos", 1);
+  } else {
+    turn_around(find_named(root, "joint", "robot:left_lf_meta"), "axis", 2);
+  }
+  return document;
+}
+
 }  // namespace
 
 std::size_t size_count(Shape shape) {
@@ -225,10 +251,11 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_->document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
-  require(fit.empty() || std::find(fit.begin(), fit.end(), body) != fit.end(),
+  const std::string kind = kind_of(body);
+  require(fit.empty() || std::find(fit.begin(), fit.end(), kind) != fit.end(),
           "body \"{}\": the scene is made for {} only", body, join(fit, ", "));
 
-  const pugi::xml_document guest = Loader(models_).built_in(body + ".xml");
+  const pugi::xml_document guest = body_document(models_, body);
   const pugi::xml_node guest_root = guest.document_element();
   pugi::xml_document changed = copy(*document_);  // what fails half-way must leave the scene as it is
   const pugi::xml_node root = changed.document_element();
@@ -236,8 +263,8 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   require_other_names(guest_root, root, prefix);
   stand_alone(changed, limits_);
   if (in_radians(root)) convert_to_radians(guest_root);
-  const bool known = added_.count(body) > 0;
-  const std::string classes = known ? added_.at(body).classes : has_class(root, kBodyClass) ? body + ":" : "";
+  const bool known = added_.count(kind) > 0;
+  const std::string classes = known ? added_.at(kind).classes : has_class(root, kBodyClass) ? kind + ":" : "";
   prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
@@ -265,7 +292,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   std::map<std::string, Place> anchored = anchored_;
   if (pose != nullptr && anchor != Anchor::kRoot) anchored.emplace(prefix, Place{*pose, anchor});
   Document next = settled(std::move(changed));
-  Added& added = added_.emplace(body, Added{0, classes}).first->second;
+  Added& added = added_.emplace(kind, Added{0, classes}).first->second;
   to_check_ = std::move(to_check);
   unplaced_ = std::move(unplaced);
   anchored_ = std::move(anchored);

@@ -71,9 +71,9 @@ class Scene {
   // Gives a scene without one floor, sky and light. What it says itself of solver and pictures stays.
   void set_room(const std::string& room);
 
-  // Adds the body of an infant ("mitten", "fingers"). Its model names get the prefix; no pose means the scene's own
-  // place, and where it names none, on what is below or beside the origin; only motors of the groups act, 0 means the
-  // scene's own choice.
+  // Adds the body of an infant ("mitten", "fingers", "mitten-mirrored", ...). Its model names get the prefix; no pose
+  // means the scene's own place, and where it names none, on what is below or beside the origin; only motors of the
+  // groups act, 0 means the scene's own choice.
   void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0,
                 Anchor anchor = Anchor::kRoot);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.

@@ -238,3 +238,16 @@ def test_options_of_eyes_are_off_unless_asked():
         scene.set_maturity(mimo.Maturity(flicker=-1))
     eyes = ["body", "eyes", "threshold", "flicker"]
     mimo.make("free", age=3, maturity=eyes, vision_width=16, vision_height=16).close()
+
+
+def test_a_mirrored_body_has_its_left_hand_where_its_right_ones_image_is():
+    """The original's left mitten lies 14 mm off it."""
+
+    def off(body):
+        with mimo.make("free", body=body) as env:
+            left, right = env.world.bodies("left_hand", "right_hand").center_of_mass
+        return np.linalg.norm(left - right * (1, -1, 1))
+
+    assert off("mitten") == pytest.approx(0.014, abs=1e-6)
+    assert off("mitten-mirrored") == pytest.approx(0, abs=1e-6)
+    assert off("fingers-mirrored") == pytest.approx(0, abs=1e-6)

@@ -914,8 +914,8 @@ pub struct mimo_agent_config {
     pub place: i32,
     #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "\"mitten\", \"fingers\" (hands with five fingers, feet with a big toe); or \"scene\": the"]
-    #[doc = "body is part of the scene's MJCF."]
+    #[doc = "\"mitten\", \"fingers\" (five fingers, a big toe); either with \"-mirrored\" after it: left"]
+    #[doc = "is the image of right. Or \"scene\": the body is part of the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
     #[doc = "Of the point that place says, m, world frame; without meaning with PLACE_SCENE."]
     pub position: [f64; 3usize],

@@ -51,7 +51,8 @@ impl AgentConfig {
         Ok(self)
     }
 
-    /// "mitten"; or "scene": the body is already part of the scene's MJCF.
+    /// "mitten" or "fingers", either with "-mirrored" after it: its left is the image of its right. Or "scene": the body
+    /// is already part of the scene's MJCF.
     pub fn body(&mut self, body: &str) -> Result<&mut Self> {
         self.body = c_string(body)?;
         Ok(self)
