@@ -1,0 +1,61 @@
+"""Numbers that the guides tell of runs whose data are kept beside them: means and deviations over seeds."""
+
+import csv
+
+import numpy as np
+import pytest
+from guide import ROOT, Page
+
+
+def last(folder, task, steps=None):
+    """Of each seed the row of that many steps, or its last one."""
+    rows = []
+    for path in sorted((ROOT / "docs/data" / folder).glob(f"{task}-*/curve.csv")):
+        with open(path) as file:
+            curve = list(csv.DictReader(file))
+        at = [row for row in curve if steps is None or abs(int(row["steps"]) - steps) <= 0.01 * steps]
+        rows += at[-1:]
+    return rows
+
+
+def spread(rows, column):
+    values = [float(row[column]) for row in rows if row.get(column) not in (None, "", "nan")]
+    return np.mean(values), np.std(values)
+
+
+FIGURE = [
+    ("reach | PPO", "reach-ppo"),
+    ("reach | SAC", "reach-sac"),
+    ("standing up | PPO", "standup-ppo"),
+    ("standing up | SAC", "standup-sac"),
+    ("self-body, every 50 ms | PPO", "selfbody-ppo"),
+    ("self-body, every 50 ms | SAC", "selfbody-sac"),
+]
+
+
+@pytest.mark.parametrize(("row", "task"), FIGURE)
+def test_figure_4(row, task):
+    rows = last("figure4", task)
+    columns = [spread(rows, column) for column in ("mean_return", "success", "training_success")]
+    claim = f"\n| {row} | 10 | {{}} | {{}} +- {{}} | {{}} +- {{}} | {{}} +- {{}} |"
+    assert len(rows) == 10
+    Page("learning.md").says(claim, max(int(it["steps"]) for it in rows), *np.ravel(columns))
+
+
+FIRST = [
+    ("| reach | PPO |", "reach-ppo", 100000),
+    ("| | SAC, `--updates 4` |", "reach-sac", 100000),
+    ("| standing up | PPO |", "standup-ppo", 100000),
+    ("| | SAC, `--updates -1` |", "standup-sac", 100000),
+    ("| self-body | PPO |", "selfbody-ppo", 100000),
+    ("| | SAC, `--updates 1` |", "selfbody-sac", 100000),
+]
+
+
+@pytest.mark.parametrize(("row", "task", "steps"), FIRST)
+def test_first_runs(row, task, steps):
+    rows = last("learning", task, steps)
+    columns = [spread(rows, column) for column in ("mean_return", "success", "training_success")]
+    claim = f"\n{row} 3 | {steps} | {{}} +- {{}} | {{}} +- {{}} | {{}} +- {{}}"
+    assert len(rows) == 3
+    Page("learning.md").says(claim, *np.ravel(columns))
