@@ -48,7 +48,7 @@ typedef struct mimo_growth {
   double z_length;          /**< Of its length: standard deviations from the median of age and sex, -3 to 3. */
   double z_weight;          /**< Of its weight, the same. */
   double z_head;            /**< Of its head's circumference, the same. */
-  double percentile;        /**< 0.135 to 99.865: all three of these at once, which are 0 then; 0: they count. */
+  double percentile;        /**< Percent, 1 to 99.865: all three of these at once, which are 0 then; 0: they count. */
   double strength_exponent; /**< Strength of a muscle's cross-section goes with this power of the median length at the
                                  physiological age, 0 to 5; 0: it is the same at all ages. Default 1.7. */
   double neck_strength;     /**< Factor of the neck's strength at its age, 0 to 10. Default 1. */

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/choice.h"
 #include "base/fail.h"
 #include "format/names.h"
 
@@ -23,9 +24,9 @@ const Face& Faces::find(const std::string& name) const {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Face& face) { return face.name == name; });
   if (geom < 0) fail(Status::kNotFound, "face is \"{}\", but this agent has no face", name);
   if (found != all.end()) return *found;
-  std::string names;
-  for (const Face& face : all) names += (names.empty() ? "" : ", ") + face.name;
-  fail(Status::kNotFound, "no face named \"{}\"; there are: {}", name, names);
+  std::vector<std::string> names;
+  for (const Face& face : all) names.push_back(face.name);
+  fail(Status::kNotFound, "no face named \"{}\"; {}", name, choice_of(name, std::move(names)));
 }
 
 const Face* Faces::shown(const mjModel& model) const {

@@ -37,14 +37,25 @@ scene::Shape shape_from(std::int32_t shape) {
   return static_cast<scene::Shape>(shape);
 }
 
+const char* sizes_of(scene::Shape shape) {
+  switch (shape) {
+    case scene::Shape::kSphere: return "of a sphere its radius";
+    case scene::Shape::kCapsule: return "of a capsule its radius and half the length of its cylinder";
+    case scene::Shape::kCylinder: return "of a cylinder its radius and half its length";
+    case scene::Shape::kEllipsoid: return "of an ellipsoid its three radii";
+    case scene::Shape::kBox: return "of a box half of each of its three edges";
+  }
+  return "";
+}
+
 scene::Object object_from(const mimo_object_config& config) {
   scene::Object object;
   object.name = text(config.name);
   require(!object.name.empty(), "name is empty, expected a name for the object");
   object.shape = shape_from(config.shape);
   for (std::size_t i = 0; i < scene::size_count(object.shape); ++i) {
-    require(config.size[i] > 0 && std::isfinite(config.size[i]), "size[{}] is {}, expected metres above 0", i,
-            config.size[i]);
+    require(config.size[i] > 0 && std::isfinite(config.size[i]), "size[{}] is {}, expected metres above 0, {}", i,
+            config.size[i], sizes_of(object.shape));
     object.size[i] = config.size[i];
   }
   object.pose = pose(config.position, config.orientation);

@@ -1,5 +1,5 @@
 // What observations, actions and rewards consist of.
-#include "base/format.h"
+#include "base/choice.h"
 #include "capi/access.h"
 #include "capi/check.h"
 #include "capi/guard.h"
@@ -59,7 +59,7 @@ std::size_t find_field(const std::vector<observation::Field>& fields, const std:
     if (fields[i].name == name) return i;
     names.push_back(fields[i].name);
   }
-  fail(Status::kNotFound, "no field named \"{}\"; there are: {}", name, some_of(std::move(names)));
+  fail(Status::kNotFound, "no field named \"{}\"; {}", name, choice_of(name, std::move(names)));
 }
 
 observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {

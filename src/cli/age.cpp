@@ -38,9 +38,9 @@ void add_age_options(CLI::App& command, AgeOptions& options) {
       ->capture_default_str();
   command
       .add_option("--percentile", options.percentile,
-                  "Of length, weight and head at that age and sex, 0.135 to 99.865.\nDefault: 50")
+                  "Of length, weight and head at that age and sex, 1 to 99.865 percent.\nDefault: 50")
       ->type_name("P")
-      ->check(number(0.135, 99.865));
+      ->check(number(1, 99.865));
   const auto add_z = [&](const char* name, double& z, const char* what) {
     command.add_option(name, z, std::string(what) + " from the median, in standard deviations, -3 to 3")
         ->type_name("Z")

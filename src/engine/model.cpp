@@ -8,6 +8,7 @@
 #include <cstring>
 #include <locale>
 
+#include "base/choice.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "base/plain_numbers.h"
@@ -99,13 +100,13 @@ std::string one_line(const char* text) {
   fail(memory ? Status::kOutOfMemory : Status::kModel, "{}", one_line(text));
 }
 
-std::string some_names(const mjModel& model, Kind kind) {
+std::vector<std::string> names_of(const mjModel& model, Kind kind) {
   std::vector<std::string> names;
   for (int id = 0; id < count(model, kind); ++id) {
     const char* text = name(model, kind, id);
     if (*text != '\0') names.emplace_back(text);
   }
-  return some_of(std::move(names));
+  return names;
 }
 
 }  // namespace
@@ -183,7 +184,7 @@ int find(const mjModel& model, Kind kind, const char* name) {
 int find_or_fail(const mjModel& model, Kind kind, const std::string& name) {
   const int id = find(model, kind, name.c_str());
   if (id < 0) {
-    fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", word(kind), name, some_names(model, kind));
+    fail(Status::kNotFound, "no {} named \"{}\"; {}", word(kind), name, choice_of(name, names_of(model, kind)));
   }
   return id;
 }

@@ -1,7 +1,7 @@
 #include "env/kinds.h"
 
+#include "base/choice.h"
 #include "base/fail.h"
-#include "base/format.h"
 
 namespace mimo::env {
 namespace {
@@ -10,13 +10,13 @@ bool in_model(Kind kind) { return kind <= Kind::kLight; }
 
 engine::Kind of_model(Kind kind) { return static_cast<engine::Kind>(kind); }
 
-std::string some_names(const World& world, Kind kind) {
+std::vector<std::string> names_of(const World& world, Kind kind) {
   std::vector<std::string> names;
   for (int id = 0; id < count(world, kind); ++id) {
     const std::string text = name(world, kind, id);
     if (!text.empty()) names.push_back(text);
   }
-  return some_of(std::move(names));
+  return names;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ int find_or_fail(const World& world, Kind kind, const std::string& wanted) {
   for (int id = 0; id < count(world, kind); ++id) {
     if (!wanted.empty() && wanted == name(world, kind, id)) return id;
   }
-  fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", word(kind), wanted, some_names(world, kind));
+  fail(Status::kNotFound, "no {} named \"{}\"; {}", word(kind), wanted, choice_of(wanted, names_of(world, kind)));
 }
 
 int find_or_fail(const mjModel& model, const World* world, Kind kind, const std::string& name) {

@@ -45,9 +45,9 @@ class Fitter {
     for (const Bone& bone : fit.skeleton.bones) {
       for (const Geom& geom : bone.geoms) {
         require(geom.shape != Shape::kCapsule || geom.size[1] > 0,
-                "no infant of {:.1f} cm weighs {:.2f} kg: z_length and z_weight do not go together, its {} would be "
-                "thicker than long",
-                drivers_.length, drivers_.weight, geom.name);
+                "no infant of {:.1f} cm weighs {:.2f} kg: z_length and z_weight do not go together, the capsule of its "
+                "{} would be thicker than long",
+                drivers_.length, drivers_.weight, bone.name);
       }
     }
     return fit;

@@ -13,9 +13,12 @@ double percentile_of(double z) { return 50 * std::erfc(-z / std::sqrt(2.0)); }
 }  // namespace
 
 double z_of_percentile(double percentile) {
-  const double least = percentile_of(-kMostZ), most = percentile_of(kMostZ);
-  require(percentile >= least && percentile <= most, "percentile is {}, expected {:.3f} to {:.3f}", percentile, least,
-          most);
+  // Below 1 most people mean a fraction, .5 for the median.
+  const double most = percentile_of(kMostZ);
+  require(percentile >= 1 && percentile <= most,
+          "percentile is {}, expected percent, 1 to {:.3f}, of which 50 is the median; smaller infants have z_length, "
+          "z_weight and z_head",
+          percentile, most);
   if (percentile == 50) return 0;
   double low = -kMostZ, high = kMostZ;
   constexpr int kHalvings = 60;  // down to the last bit

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/choice.h"
 #include "base/fail.h"
 #include "format/names.h"
 #include "scene/compiler.h"
@@ -31,7 +32,7 @@ class Joint {
       if (node_.empty()) node_ = find_named(world, "joint", name);
     }
     if (node_.empty())
-      fail(Status::kNotFound, "no joint named \"{}\"; there are: {}", name, some_names(root, {"joint"}));
+      fail(Status::kNotFound, "no joint named \"{}\"; {}", name, choice_of(name, names_of(root, {"joint"})));
     const std::string type = text_of(defaults_.find(node_, "type"));
     slides_ = type == "slide";
     require(type.empty() || slides_ || type == "hinge", "joint \"{}\" is of type {}, expected a hinge or slide", name,

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "base/fail.h"
-#include "base/format.h"
 #include "scene/xml.h"
 
 namespace mimo::scene {
@@ -108,10 +107,6 @@ std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<con
     });
   }
   return names;
-}
-
-std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements) {
-  return some_of(names_of(root, elements));
 }
 
 std::string shared_name(pugi::xml_node one, pugi::xml_node other) {

@@ -28,8 +28,6 @@ pugi::xml_node find_named(pugi::xml_node root, const char* element, const std::s
 
 // Names of the document's bodies, joints, ..., in its order.
 std::vector<std::string> names_of(pugi::xml_node root, std::initializer_list<const char*> elements);
-// The same for a message, some of them; "none" where there are none.
-std::string some_names(pugi::xml_node root, std::initializer_list<const char*> elements);
 
 // The first element of a document whose name an element of the same kind in another has, "geom \"floor\""; "" if none.
 std::string shared_name(pugi::xml_node one, pugi::xml_node other);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/angle.h"
+#include "base/choice.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "format/names.h"
@@ -46,7 +47,7 @@ const char* entry(const char* const (&list)[N], std::size_t index) {
 template <std::size_t N>
 void require_known(const char* what, const char* const (&list)[N], const std::string& name) {
   if (std::find(std::begin(list), std::end(list), name) != std::end(list)) return;
-  fail(Status::kNotFound, "no {} named \"{}\"; there are: {}", what, name, join(list, ", "));
+  fail(Status::kNotFound, "no {} named \"{}\"; {}", what, name, choice_of(name, {std::begin(list), std::end(list)}));
 }
 
 pugi::xml_document load(const Library& library, const Source& source) {

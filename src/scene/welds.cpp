@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/choice.h"
 #include "base/fail.h"
 #include "engine/physics.h"
 #include "scene/equalities.h"
@@ -28,7 +29,7 @@ void require_bodies(pugi::xml_node root, const Weld& weld) {
   const std::vector<std::string> names = names_of(root, {"body"});
   for (const std::string& body : {weld.body, weld.other}) {
     if (body == "world" || std::find(names.begin(), names.end(), body) != names.end()) continue;
-    fail(Status::kNotFound, "no body named \"{}\"; there are: {}", body, some_names(root, {"body"}));
+    fail(Status::kNotFound, "no body named \"{}\"; {}", body, choice_of(body, names));
   }
   require(weld.body != weld.other, "body and other are both \"{}\", expected two bodies", weld.body);
 }

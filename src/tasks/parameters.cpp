@@ -2,20 +2,20 @@
 
 #include <vector>
 
+#include "base/choice.h"
 #include "base/fail.h"
-#include "base/format.h"
 #include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {
 
 const Parameter& find(const std::string& name) {
-  std::vector<const char*> names;
+  std::vector<std::string> names;
   for (const Parameter* candidate : parameters()) {
     if (name == candidate->name) return *candidate;
-    names.push_back(candidate->name);
+    names.emplace_back(candidate->name);
   }
-  fail(Status::kNotFound, "no parameter named \"{}\"; there are: {}", name, join(names, ", "));
+  fail(Status::kNotFound, "no parameter named \"{}\"; {}", name, choice_of(name, std::move(names)));
 }
 
 }  // namespace

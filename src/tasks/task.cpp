@@ -1,7 +1,7 @@
 #include "tasks/task.h"
 
+#include "base/choice.h"
 #include "base/fail.h"
-#include "base/format.h"
 #include "tasks/catch.h"
 #include "tasks/handregard.h"
 #include "tasks/reach.h"
@@ -65,12 +65,12 @@ Span<const Definition* const> definitions() { return {kDefinitions, std::size(kD
 
 const Definition& definition(const std::string& name) {
   if (name.empty()) return kNone;
-  std::vector<const char*> names;
+  std::vector<std::string> names;
   for (const Definition* candidate : definitions()) {
     if (name == candidate->name) return *candidate;
-    names.push_back(candidate->name);
+    names.emplace_back(candidate->name);
   }
-  fail(Status::kNotFound, "no task named \"{}\"; there are: {}", name, join(names, ", "));
+  fail(Status::kNotFound, "no task named \"{}\"; {}", name, choice_of(name, std::move(names)));
 }
 
 }  // namespace mimo::tasks

@@ -50,7 +50,7 @@ TEST_F(SceneSources, UnknownNamesListWhatThereIs) {
   expect_error(Status::kNotFound, "no scene named \"bench\"; there are: benchmark, free",
                [] { scene::Scene scene(named("bench")); });
   scene::Scene scene(named("free"));
-  expect_error(Status::kNotFound, "no body named \"mittens\"; there are: mitten",
+  expect_error(Status::kNotFound, "no body named \"mittens\"; did you mean \"mitten\"? there are: mitten",
                [&] { scene.add_body("mittens", "", nullptr); });
 }
 

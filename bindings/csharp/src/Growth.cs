@@ -63,7 +63,7 @@ namespace Mimo
         public double z_weight;
         /// <summary>Of its head's circumference, the same.</summary>
         public double z_head;
-        /// <summary>0.135 to 99.865: all three of these at once, which are 0 then; 0: they count.</summary>
+        /// <summary>Percent, 1 to 99.865: all three of these at once, which are 0 then; 0: they count.</summary>
         public double percentile;
         /// <summary>Strength of a muscle's cross-section goes with this power of the median length at that age.</summary>
         public double strength_exponent;

@@ -87,7 +87,7 @@ TEST_F(EngineCompile, NamesAreFound) {
   EXPECT_EQ(engine::find(*model, engine::Kind::kGeom, "bal"), -1);
   EXPECT_EQ(engine::find(*model, engine::Kind::kGeom, ""), -1);
   EXPECT_STREQ(engine::name(*model, engine::Kind::kBody, 0), "world");
-  expect_error(Status::kNotFound, "no geom named \"bal\"; there are: ball",
+  expect_error(Status::kNotFound, "no geom named \"bal\"; did you mean \"ball\"? there are: ball",
                [&] { engine::find_or_fail(*model, engine::Kind::kGeom, "bal"); });
   expect_error(Status::kNotFound, "there are: none",
                [&] { engine::find_or_fail(*model, engine::Kind::kSensor, "bal"); });

@@ -862,7 +862,7 @@ pub struct mimo_growth {
     pub z_weight: f64,
     #[doc = "Of its head's circumference, the same."]
     pub z_head: f64,
-    #[doc = "0.135 to 99.865: all three of these at once, which are 0 then; 0: they count."]
+    #[doc = "Percent, 1 to 99.865: all three of these at once, which are 0 then; 0: they count."]
     pub percentile: f64,
     #[doc = "Strength of a muscle's cross-section goes with this power of the median length at the"]
     #[doc = "physiological age, 0 to 5; 0: it is the same at all ages. Default 1.7."]

@@ -24,7 +24,7 @@ impl Growth {
         self
     }
 
-    /// Of length, weight and head at once among infants of that age and sex, 0.135 to 99.865.
+    /// Of length, weight and head at once among infants of that age and sex, 1 to 99.865 percent.
     pub fn percentile(&mut self, percentile: f64) -> &mut Self {
         self.raw.percentile = percentile;
         self
