@@ -81,6 +81,8 @@ class Camera:
             try:
                 given = json.load(file)
                 return cls(given["matrix"]) if "matrix" in given else cls.pinhole(**given)
+            except RecursionError:
+                raise ValueError(f"{path} is no camera: it is nested too deeply") from None
             except (ValueError, TypeError, KeyError) as error:
                 raise ValueError(f"{path} is no camera: {error}") from None
 

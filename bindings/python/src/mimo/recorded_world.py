@@ -34,6 +34,8 @@ def recorded_world(path: str, configuration: str, eyes: int, scene: Optional[str
         if not given and not configuration:
             raise ValueError("it is empty; name the scene, or make the world yourself and give it to Recording.play")
         return _of_options(given, eyes)
+    except RecursionError:
+        raise ValueError(f"{path} has a configuration that cannot be made anew: it is nested too deeply") from None
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise ValueError(f"{path} has a configuration that cannot be made anew: {error}") from None
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 from pathlib import Path
+from reprlib import repr as short
 from typing import Any, Dict, List, Mapping, Union
 
 from .groups import flags
@@ -68,7 +69,9 @@ def _read(path: Any) -> Mapping[str, Any]:
         raise ImportError("configurations in files need PyYAML: pip install 'mimo[babybench]'") from error
     try:
         given = yaml.safe_load(file.read_text(encoding="utf-8"))
-    except yaml.YAMLError as error:
+    except RecursionError:
+        raise ValueError(f"{file} is no YAML: it is nested too deeply") from None
+    except (yaml.YAMLError, ValueError) as error:
         raise ValueError(f"{file} is no YAML: {' '.join(str(error).split())}") from None
     if not isinstance(given, Mapping):
         raise ValueError(f"{file} holds {type(given).__name__}, expected keys with values")
@@ -81,15 +84,15 @@ def _check(name: Any, value: Any) -> None:
         meant = f"; did you mean {near[0]!r}?" if near else ""
         raise ValueError(f"config has {name!r}, which is no switch{meant} There are: {', '.join(DEFAULTS)}")
     if name in CHOICES and value not in CHOICES[name]:
-        raise ValueError(f"{name} is {value!r}, expected {', '.join(map(repr, CHOICES[name]))}")
+        raise ValueError(f"{name} is {short(value)}, expected {', '.join(map(repr, CHOICES[name]))}")
     if name in FLAGS and not isinstance(value, bool):
-        raise ValueError(f"{name} is {value!r}, expected true or false")
+        raise ValueError(f"{name} is {short(value)}, expected true or false")
     if (name in COUNTS or name == "vision_resolution") and not (_is_number(value, int) and value >= 1):
-        raise ValueError(f"{name} is {value!r}, expected a whole number from 1 on")
+        raise ValueError(f"{name} is {short(value)}, expected a whole number from 1 on")
     if name == "touch_scale" and not (_is_number(value, (int, float)) and value >= 0):
-        raise ValueError(f"touch_scale is {value!r}, expected a number from 0 on; 0 is without touch")
+        raise ValueError(f"touch_scale is {short(value)}, expected a number from 0 on; 0 is without touch")
     if name == "save_dir" and not (value is None or isinstance(value, (str, os.PathLike))):
-        raise ValueError(f"save_dir is {value!r}, expected a folder")
+        raise ValueError(f"save_dir is {short(value)}, expected a folder")
 
 
 def _is_number(value: Any, kind: Any) -> bool:

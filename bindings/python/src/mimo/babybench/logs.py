@@ -5,36 +5,22 @@ A pickle can hold programs. Only numbers, texts, lists, dicts and arrays are rea
 
 from __future__ import annotations
 
-import io
 import pickle
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional
 
+from .pickled import loads
+
 Entry = Dict[str, Any]
 TRAINING = "training.pkl"
-
-# What arrays of numbers are pickled by, in the words of all versions of numpy.
-_HARMLESS = {
-    *(("numpy", name) for name in ("ndarray", "dtype")),
-    *((f"numpy.{core}.multiarray", name) for core in ("core", "_core") for name in ("_reconstruct", "scalar")),
-    *((f"numpy.{core}.numeric", "_frombuffer") for core in ("core", "_core")),
-    ("_codecs", "encode"),
-}
-
-
-class _Reader(pickle.Unpickler):
-    def find_class(self, module: str, name: str) -> Any:
-        if (module, name) not in _HARMLESS:
-            raise pickle.UnpicklingError(f"it holds {module}.{name}, expected numbers, texts, lists, dicts and arrays")
-        return super().find_class(module, name)
 
 
 def read(path: Path) -> Any:
     """What a log holds."""
     try:
-        return _Reader(io.BytesIO(path.read_bytes())).load()
-    except (pickle.UnpicklingError, EOFError, AttributeError, ImportError, IndexError, ValueError, TypeError) as error:
-        raise ValueError(f"{path} is no log: {error}") from None
+        return loads(path.read_bytes())
+    except ValueError as error:
+        raise ValueError(f"{path} is no log: {' '.join(str(error).split())}") from None
 
 
 def write(path: Path, value: Any) -> None:

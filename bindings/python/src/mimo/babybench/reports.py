@@ -3,21 +3,43 @@
 from __future__ import annotations
 
 from pathlib import Path
+from reprlib import repr as short
 from typing import Any, List, Mapping
 
+import numpy as np
+
+from .counts import REGARD_KEYS, TOUCH_KEYS
 from .logs import TRAINING, read
 from .scores import Entries, Scores, scores_of
+
+LARGEST = 2**53  # up to here every whole number is a float
 
 
 def entries_of(path: Path) -> Entries:
     """The episodes that a log tells of."""
     value = read(path)
-    if isinstance(value, Mapping) and "info" in value:  # of one evaluated episode: info of all its steps
-        infos = list(value["info"])
-        return [{**infos[-1], "steps": len(infos)}] if infos else []
-    if isinstance(value, list) and all(isinstance(entry, Mapping) and "steps" in entry for entry in value):
-        return value
-    raise ValueError(f"{path} is no log: expected a list of episodes with their steps, or an episode with its info")
+    if isinstance(value, Mapping) and isinstance(value.get("info"), list):  # of one evaluated episode, all its steps
+        infos = value["info"]
+        value = [{**infos[-1], "steps": len(infos)}] if infos and isinstance(infos[-1], Mapping) else infos
+    if not isinstance(value, list) or not all(isinstance(entry, Mapping) and "steps" in entry for entry in value):
+        raise ValueError(f"{path} is no log: expected a list of episodes with their steps, or an episode with its info")
+    for number, entry in enumerate(value):
+        for key in ("steps", *REGARD_KEYS):
+            if not _is_count(entry.get(key, 0)):
+                raise ValueError(
+                    f"{path} is no log: {key} of episode {number} is {short(entry[key])}, expected a count"
+                )
+        for key in TOUCH_KEYS:
+            geoms = entry.get(key, ())
+            if not isinstance(geoms, (list, tuple, np.ndarray)) or not all(map(_is_count, geoms)):
+                raise ValueError(
+                    f"{path} is no log: {key} of episode {number} is {short(geoms)}, expected numbers of geoms"
+                )
+    return value
+
+
+def _is_count(value: Any) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating)) and bool(0 <= value < LARGEST)
 
 
 def scores_in(place: Path) -> "dict[str, Scores]":
