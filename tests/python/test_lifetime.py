@@ -57,6 +57,8 @@ def test_what_an_interrupted_send_writes_to_is_kept():
     assert memory() is not None
     junk = [np.full((4, 8), 9, np.float32) for _ in range(1000)]  # where the actions were, had they been freed
     assert batch.receive().reward.tolist() == twin.step(actions).reward.tolist()
+    assert np.shares_memory(batch.observation["proprioception/position"], memory())  # it was sensed last
+    batch.step(actions)
     assert memory() is None
     assert len(junk) == 1000
 
@@ -82,9 +84,9 @@ def test_interrupts_at_any_moment():
         envs.reset(seed=1)
         interrupts = 0
         for attempt in range(60):
-            signal.setitimer(signal.ITIMER_REAL, 0.0005 + 0.0003 * (attempt % 17))
             signal.signal(signal.SIGALRM, signal.default_int_handler)
             try:
+                signal.setitimer(signal.ITIMER_REAL, 0.0005 + 0.0003 * (attempt % 17))
                 while True:
                     if attempt % 2:
                         envs.step(np.ones((4, 8)))
@@ -133,7 +135,7 @@ def test_python_ends_while_a_step_is_in_flight():
         envs.reset(seed=1)
         envs.send(envs.action_space.sample())
         kept = envs if KEPT else None
-        envs.batch.itself = envs.batch  # a cycle: it is left to the end
+        envs.batch._itself = envs.batch  # a cycle: it is left to the end
         """
     for kept in ("True", "False"):
         assert run(program.replace("KEPT", kept)) == ""

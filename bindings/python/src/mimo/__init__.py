@@ -9,7 +9,7 @@ The library's messages go to the logger "mimo".
 
 from __future__ import annotations
 
-import importlib
+import importlib.util
 from typing import Any, Union
 
 from ._library import abi_version, api_version, library_path, mujoco_version, supports, version
@@ -86,16 +86,8 @@ def __getattr__(name: str) -> Any:
         from .parallel import ParallelEnv
 
         return ParallelEnv
-    if name in (
-        "classic",
-        "babybench",
-        "motion",
-        "ray",
-        "rerun",
-        "usd",
-        "video",
-        "view",
-    ):  # some need what is not everybody's
+    # Modules are imported when they are asked for: some need what is not everybody's.
+    if not name.startswith("_") and importlib.util.find_spec(f"mimo.{name}") is not None:
         return importlib.import_module(f"mimo.{name}")
     raise AttributeError(f"module 'mimo' has no attribute {name!r}")
 

@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import ctypes
+import sys
 from types import TracebackType
-from typing import Any, Optional, Type, TypeVar
+from typing import Any, Callable, Optional, Type, TypeVar
 
+from ._strict import Strict
 from .errors import ClosedError
 
 NAMES = ("_handle", "_names_handle")  # attributes that an open object has
 Self = TypeVar("Self", bound="Handle")
+
+
+def _in_main_interpreter() -> bool:
+    python = ctypes.pythonapi
+    python.PyInterpreterState_Get.restype = python.PyInterpreterState_Main.restype = ctypes.c_void_p
+    return bool(python.PyInterpreterState_Get() == python.PyInterpreterState_Main())
+
+
+IN_MAIN = _in_main_interpreter()
 
 
 class Native(ctypes.c_void_p):
@@ -22,14 +33,25 @@ class Native(ctypes.c_void_p):
     def __init__(self, handle: Optional[int], destroy: Any = None) -> None:
         super().__init__(handle)
         self._destroy = destroy
+        self._destroy_at_end = destroy if IN_MAIN or destroy is None else _keeping_the_lock(destroy)
         self.keeps: Any = ()  # memory that the library writes to, or the object that this one is a part of
 
-    def __del__(self) -> None:
+    def __del__(self, ends: Callable[[], bool] = sys.is_finalizing) -> None:
         if self._destroy is not None and self.value is not None:
-            self._destroy(self)
+            (self._destroy_at_end if ends() else self._destroy)(self)
 
 
-class Handle:
+def _keeping_the_lock(destroy: Any) -> Any:
+    """The same function, called without giving Python's lock away.
+
+    When the process ends, up to Python 3.11, a thread that takes the lock for another interpreter than the main one
+    is ended: here the only thread, and the process would wait for ever.
+    """
+    address: Any = ctypes.cast(destroy, ctypes.c_void_p).value
+    return ctypes.PYFUNCTYPE(destroy.restype, *destroy.argtypes)(address)
+
+
+class Handle(Strict):
     """Closes with close(), at the end of a with block, or when nobody refers to it any more.
 
     What is called afterwards raises mimo.ClosedError.

@@ -19,10 +19,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._handle import Handle, Native
 from ._library import LIB, check, text, utf8
-from .arguments import index_in, number_of, whole_number
+from ._strict import Strict, reading
+from .arguments import described, index_in, number_of, whole_number
 from .constants import NOW, Kind, Quantity
-from .layout import Layout, Observation
-from .results import Numbers, Results
+from .layout import Fields, Layout, Observation
+from .results import Last, Numbers, Results, StepResult
 
 Mask = Optional[NDArray[np.bool_]]
 Which = Union[None, str, Sequence[Union[str, int]]]  # names or numbers of some; None: all of a kind
@@ -39,29 +40,40 @@ class Access(Handle):
     action_low: NDArray[np.float32]
     action_high: NDArray[np.float32]
     layout: Layout
-    observation: Observation  # what the last step, reset or observe sensed
     reward: Numbers  # of the last step, one an infant; of a batch with the worlds in front, as all that follow
     terminated: NDArray[np.bool_]
     truncated: NDArray[np.bool_]
     outcome: NDArray[np.int32]  # of mimo.Outcome
     terms: Numbers  # that the rewards are the sums of, in the order of layout.terms
     _scene: Any
-    _given: Optional[NDArray[np.float32]] = None  # the actions of the last step, as they were given
+    _last: Last
+    _result: StepResult
     _names_handle: Native  # of an environment that knows the names
     _lead: Tuple[int, ...] = ()  # (worlds,) for a batch
 
     def _take(self, layout: Layout, agents: List[Any]) -> None:
         """What it is: from its layout, in the form in which it is mostly used."""
-        self.layout, self.agents = layout, agents
-        self.action_names = [action.name for action in layout.actions]
-        self.action_low = np.array([action.low for action in layout.actions], np.float32)
-        self.action_high = np.array([action.high for action in layout.actions], np.float32)
+        self._have(
+            layout=layout,
+            agents=agents,
+            action_names=[action.name for action in layout.actions],
+            action_low=reading(np.array([action.low for action in layout.actions], np.float32)),
+            action_high=reading(np.array([action.high for action in layout.actions], np.float32)),
+        )
 
     def _show(self, results: Results, views: Observation) -> None:
         """Has what steps give as attributes."""
-        self._result = results.shown(views)
-        self.reward, self.terminated, self.truncated = results.reward, results.terminated, results.truncated
-        self.outcome, self.terms = results.outcome, results.terms
+        self._result, self._last = results.shown(views), Last(views)
+        self._have(**results.__dict__)
+
+    @property
+    def observation(self) -> Observation:
+        """What was sensed last, by a step, reset or observe, into whatever block; zeros before anything was."""
+        sensed = self._last.sensed
+        if not isinstance(sensed, Fields):
+            named = self.layout.views(sensed) if isinstance(sensed, np.ndarray) else Fields(sensed)
+            sensed = self._last.sensed = named
+        return sensed
 
     @property
     def action(self) -> Optional[NDArray[np.float32]]:
@@ -69,7 +81,8 @@ class Access(Handle):
 
         None where the step was given none, and after a reset of all.
         """
-        return None if self._given is None else np.clip(self._given, self.action_low, self.action_high)
+        given = self._last.actions
+        return None if given is None else reading(np.clip(given, self.action_low, self.action_high))
 
     def bodies(self, *names: str) -> "Bodies":
         """Rigid bodies by name; without names, all of them."""
@@ -172,9 +185,7 @@ class Access(Handle):
         else:
             some = [which] if isinstance(which, str) else which
             ids = [self.find(kind, one) if isinstance(one, str) else number_of("which", one, 31) for one in some]
-        selection = Selection(self, np.array(ids, np.int32))
-        selection.kind = kind
-        return selection
+        return Selection(self, np.array(ids, np.int32), kind)
 
     def _read(self, quantity: int, ids: NDArray[np.int32], values: Numbers) -> None:
         raise NotImplementedError
@@ -188,18 +199,25 @@ def kind_of(quantity: Quantity) -> Kind:
     return max((kind for kind in Kind if quantity.name.startswith(kind.name)), key=lambda kind: len(kind.name))
 
 
-class Selection:
+class Selection(Strict):
     """Some bodies, joints, ...: their numbers in `ids`, their names in `names`."""
 
     kind: Kind
+    ids: NDArray[np.int32]
 
-    def __init__(self, access: Access, ids: NDArray[np.int32]) -> None:
+    def __init__(self, access: Access, ids: NDArray[np.int32], kind: Optional[Kind] = None) -> None:
         self._access = access
         self._shapes: dict[int, Tuple[Tuple[int, ...], int]] = {}
-        self.ids = ids
+        self._have(ids=reading(ids))
+        if kind is not None:
+            self._have(kind=kind)
 
     def __len__(self) -> int:
         return len(self.ids)
+
+    def __getitem__(self, index: Any) -> Any:
+        kind = self.kind.name.lower()
+        raise TypeError(f"a selection has no [{index!r}]; its arrays have, as in .names[0]; name a {kind} to select it")
 
     def __repr__(self) -> str:
         shown = [name or f"number {number}" for name, number in zip(self.names[:SHOWN], self.ids)]
@@ -245,10 +263,17 @@ class Selection:
 
     def _set(self, quantity: Quantity, values: ArrayLike, mask: Mask) -> None:
         shape, _ = self._shape(quantity)
-        given = np.asarray(values, np.float64)
+        try:
+            given = np.asarray(values, np.float64)
+        except (TypeError, ValueError):
+            raise TypeError(f"{quantity.name.lower()} is {described(values)}, expected numbers") from None
         if [length for length in given.shape if length != 1] == [length for length in shape if length != 1]:
             given = given.reshape(shape)  # one element or one world needs no axis of its own
-        whole = np.ascontiguousarray(np.broadcast_to(given, shape))
+        try:
+            whole = np.ascontiguousarray(np.broadcast_to(given, shape))
+        except ValueError:
+            what = f"{quantity.name.lower()} of the shape {given.shape}"
+            raise ValueError(f"{what}, expected {shape}, or one number for all") from None
         self._access._write(quantity, self.ids, whole, mask)
 
     def _shape(self, quantity: Quantity) -> Tuple[Tuple[int, ...], int]:
@@ -281,7 +306,7 @@ class Values:
     def __get__(self, owner: Selection, kind: Any) -> Numbers: ...
 
     def __get__(self: S2, owner: Optional[Selection], kind: Any) -> Union[S2, Numbers]:
-        return self if owner is None else owner._get(self.quantity)
+        return self if owner is None else reading(owner._get(self.quantity))
 
     def __set__(self, owner: Selection, values: Any) -> None:
         raise AttributeError(f"{self.quantity.name.lower()} cannot be written")
@@ -292,6 +317,8 @@ S2 = TypeVar("S2", bound=Values)
 
 class WritableValues(Values):
     """A quantity that can be read and written."""
+
+    writable = True
 
     def __set__(self, owner: Selection, values: Any) -> None:
         owner._set(self.quantity, values, None)

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import difflib
+import inspect
 import os
 from enum import IntEnum, IntFlag
-from functools import reduce
+from functools import reduce, wraps
 from operator import or_
-from typing import Any, Iterable, List, Mapping, Optional, Type, Union
+from typing import Any, Callable, Iterable, List, Mapping, Optional, Tuple, Type, TypeVar, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 Choice = Union[Type[IntEnum], Type[IntFlag]]
+Method = TypeVar("Method", bound=Callable[..., Any])
+LONGEST = 60  # letters of a value that a message quotes
 
 
 def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
@@ -34,6 +38,27 @@ def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
 
 def _members(choice: Choice) -> str:
     return f"mimo.{choice.__name__} or a name of its members: {', '.join(choice.__members__).lower()}"
+
+
+def known_keywords(method: Method) -> Method:
+    """Says of an unexpected keyword which ones there are, and which one was meant."""
+    known = list(inspect.signature(method).parameters)[1:]
+
+    @wraps(method)
+    def checked(*arguments: Any, **options: Any) -> Any:
+        for name in options:
+            if name not in known:
+                raise unexpected(name, known)
+        return method(*arguments, **options)
+
+    return cast(Method, checked)
+
+
+def unexpected(name: str, known: Iterable[str]) -> TypeError:
+    """What is raised for a keyword that nobody knows."""
+    near = difflib.get_close_matches(name, known, 1)
+    meant = f"; did you mean {near[0]!r}?" if near else "."
+    return TypeError(f"unexpected keyword argument {name!r}{meant} There are: {', '.join(known)}")
 
 
 def require_folder(path: str) -> None:
@@ -59,6 +84,27 @@ def vector(name: str, value: Any, count: int) -> NDArray[np.float64]:
     except (TypeError, ValueError):
         pass
     raise ValueError(f"{name} is {value!r}, expected {count} numbers")
+
+
+def numbers_in(name: str, value: Any, shape: Tuple[int, ...], kind: Any = np.float32) -> NDArray[Any]:
+    """An array of just this shape: numpy would spread one number over all."""
+    if isinstance(value, np.ndarray) and value.dtype == kind and value.shape == shape:
+        return value
+    try:
+        given = np.asarray(value)
+    except (TypeError, ValueError):
+        given = np.asarray(None)
+    if given.dtype.kind not in "biuf":
+        raise TypeError(f"{name}: expected numbers of the shape {shape}, not {described(value)}")
+    if given.shape != shape:
+        raise ValueError(f"{name} of the shape {given.shape}, expected {shape}")
+    return given.astype(kind)
+
+
+def described(value: Any) -> str:
+    """A value as a message quotes it."""
+    said = repr(value)
+    return said if len(said) <= LONGEST else f"an object of type {type(value).__name__}"
 
 
 def reset_options(options: Optional[Mapping[str, Any]], *known: str) -> Mapping[str, Any]:

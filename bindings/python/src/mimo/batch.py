@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,18 +15,38 @@ from ._handle import Native
 from ._library import LIB, check, message_text, raise_error
 from .access import Access, Mask
 from .ages import Age, changed, growths, listed
-from .arguments import index_in, number_of, whole_number
+from .arguments import index_in, known_keywords, number_of, numbers_in, whole_number
 from .constants import Autoreset, Kind, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
 from .errors import Error, make_error
 from .layout import Layout, Observation
 from .options import Options, refuse_unknown
-from .results import Numbers, Results, StepResult
+from .results import Last, Numbers, Results, StepResult
 from .scene import Scene, prepare
 from .states import LoadReport, asked, reported
 from .world import World, agents_of, env_config
 
-Seeds = Optional[Union[int, Sequence[int]]]
+Seeds = Optional[Union[int, Sequence[Optional[int]]]]
+
+
+class Row:
+    """One world's part of what a batch senses; the world may also sense by itself."""
+
+    def __init__(self, batch: "Batch", index: int) -> None:
+        self._batch, self._index = weakref.ref(batch), index
+
+    def look(self, last: Last) -> None:
+        """Takes what the batch has sensed since the world last sensed anything."""
+        batch = self._batch()
+        if batch is not None and last.seen != batch._last.times:
+            last.sensed = {name: field[self._index] for name, field in batch.observation.items()}
+            last.seen = batch._last.times
+
+    def sensed_itself(self, last: Last) -> None:
+        """Notes that the world has sensed later than the batch."""
+        batch = self._batch()
+        if batch is not None:
+            last.seen = batch._last.times
 
 
 class Batch(Access):
@@ -36,6 +56,11 @@ class Batch(Access):
     (truncated) and starts anew unless `restart_failed` is False; otherwise the step raises mimo.SimulationError.
     With `ages` (months, or options of growth) the infants of world i are as old as number i of them, which repeat.
     """
+
+    blocks: NDArray[np.uint8]  # where step, reset and receive sense into, one row a world
+    final_blocks: NDArray[np.uint8]  # with SAME_STEP, the last observations of episodes that have ended
+    was_reset: NDArray[np.bool_]
+    status: NDArray[np.int32]
 
     def __init__(
         self,
@@ -65,7 +90,8 @@ class Batch(Access):
     def _create(self, worlds: int) -> None:
         config = _abi.BatchConfig()
         check(LIB.mimo_batch_config_init(config, ctypes.sizeof(config)))
-        config.worlds = self.world_count = number_of("worlds", worlds)
+        config.worlds = number_of("worlds", worlds)
+        self._have(world_count=config.worlds)
         config.threads = number_of("threads", self._settings["threads"])
         config.autoreset, config.restart_failed = self._settings["autoreset"], self._settings["restart_failed"]
         if self._settings["ages"] is not None:
@@ -76,14 +102,15 @@ class Batch(Access):
 
     def _make_arrays(self) -> None:
         worlds = self.world_count
-        self.blocks = self.layout.new_block(worlds)
-        self.observation = self._views = self.layout.views(self.blocks)
-        self.final_blocks = self.layout.new_block(worlds)
-        self.final_blocks[:] = 0
+        self._have(
+            blocks=self.layout.new_block(worlds),
+            final_blocks=self.layout.new_block(worlds),
+            was_reset=np.zeros(worlds, np.bool_),
+            status=np.zeros(worlds, np.int32),
+        )
+        self._views = self.layout.views(self.blocks)
         self._results = Results(self.layout, worlds)
         self._show(self._results, self._views)
-        self.was_reset = np.zeros(worlds, np.bool_)
-        self.status = np.zeros(worlds, np.int32)
         places = self._places()
         self._results_place = ctypes.byref(places)
         # What is written to by a step that was sent lives as long as the step: it may outlive this object.
@@ -116,15 +143,18 @@ class Batch(Access):
 
     # ---- Stepping ------------------------------------------------------------------------------------------------
 
+    @known_keywords
     def reset(self, seeds: Seeds = None, mask: Mask = None, ages: Optional[Sequence[Age]] = None) -> Observation:
         """Starts episodes. One seed s means s, s + 1, ...; without, worlds go on with their own random numbers.
+
+        Of several seeds, one for each world, those that are None leave their worlds' random numbers as they are.
 
         With `ages`, one for each world, infants become as old as that; None among them stay as they are.
         """
         self.reset_into(self.blocks, seeds, mask, ages)
-        self.observation = self._views
-        return self.observation
+        return self._views
 
+    @known_keywords
     def reset_into(
         self,
         blocks: Optional[NDArray[np.uint8]],
@@ -133,14 +163,26 @@ class Batch(Access):
         ages: Optional[Sequence[Age]] = None,
     ) -> None:
         """As reset, with blocks of your own (layout.new_block(worlds)); None skips the senses."""
-        numbers, chosen = self._seeds(seeds), self._mask(mask)
         growth = None if ages is None else self._growths(ages)
-        count = 0 if numbers is None and chosen is None and growth is None else self.world_count
-        config = _abi.BatchResetConfig(seeds=_data(numbers), mask=_data(chosen), worlds=count, growth=growth)
-        self._given = self._given if chosen is not None else None
-        check(LIB.mimo_batch_reset(self._handle, config, *_place(blocks)))
+        if mask is None:
+            self._last.actions = None
+        for numbers, chosen in self._parts(seeds, self._mask(mask)):
+            count = 0 if numbers is None and chosen is None and growth is None else self.world_count
+            config = _abi.BatchResetConfig(seeds=_data(numbers), mask=_data(chosen), worlds=count, growth=growth)
+            check(LIB.mimo_batch_reset(self._handle, config, *_place(blocks)))
+            self._sense(blocks, chosen)
         if ages is not None:
             self._remember(ages, mask)
+
+    def _parts(self, seeds: Seeds, mask: Optional[NDArray[np.uint8]]) -> List[Tuple[Any, Optional[NDArray[np.uint8]]]]:
+        """Seeds and masks of the calls that a reset takes: worlds whose seed is None have one of their own."""
+        if not isinstance(seeds, (list, tuple)) or None not in seeds:
+            return [(self._seeds(seeds), mask)]
+        seeded = np.array([seed is not None for seed in seeds], np.uint8)
+        numbers = self._seeds([0 if seed is None else seed for seed in seeds])
+        chosen = np.ones_like(seeded) if mask is None else mask
+        parts: List[Tuple[Any, NDArray[np.uint8]]] = [(numbers, chosen & seeded), (None, chosen & (1 - seeded))]
+        return [part for part in parts if part[1].any()]
 
     def _growths(self, ages: Sequence[Age]) -> Any:
         array, count = growths(self._merged(listed("ages", ages)))
@@ -161,19 +203,32 @@ class Batch(Access):
                 now[i] = age
         self._settings["ages"] = now
         for world in self._worlds.values():
-            world.agents = agents_of(world._handle, self.layout.agents)
+            world._have(agents=agents_of(world._handle, self.layout.agents))
         self.layout._renew()
 
     def step(self, actions: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""
         self.step_into(self.blocks, actions)
-        self.observation = self._views
         return self._result
 
     def step_into(self, blocks: Optional[NDArray[np.uint8]], actions: Optional[ArrayLike] = None) -> None:
         """As step, with blocks of your own; None skips the senses."""
         given = self._actions(actions)
         self._raise(LIB.mimo_batch_step(self._handle, *_place_of(given), *_place(blocks), self._results_place))
+        self._sense(blocks)
+
+    def _sense(self, blocks: Optional[NDArray[np.uint8]], mask: Optional[NDArray[np.uint8]] = None) -> None:
+        """Remembers where worlds, all or those of a mask, have sensed into; None: they have not."""
+        if blocks is None:
+            return
+        last = self._last
+        for index, world in self._worlds.items() if mask is not None else ():
+            if not mask[index] and world._last.seen == last.times:  # type: ignore[index]  # it has sensed by itself
+                world._last.seen += 1
+        last.sensed, last.times = self._views if blocks is self.blocks else blocks, last.times + 1
+
+    def _row_of(self, index: int) -> Row:
+        return Row(self, index)
 
     def send(self, actions: Optional[ArrayLike] = None, blocks: Optional[NDArray[np.uint8]] = None) -> None:
         """Starts a step and returns; receive() waits for it. By default it goes to the batch's own blocks."""
@@ -197,9 +252,10 @@ class Batch(Access):
     def receive(self) -> StepResult:
         """Waits for the step that was sent."""
         status = LIB.mimo_batch_receive(self._handle)
+        blocks = self._sent[-1][1] if self._sent else None
         self._sent.clear()
         self._raise(status)
-        self.observation = self._views
+        self._sense(blocks)
         return self._result
 
     def observe_into(self, blocks: NDArray[np.uint8], mask: Mask = None) -> None:
@@ -207,9 +263,15 @@ class Batch(Access):
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
         check(LIB.mimo_batch_observe(self._handle, _data(chosen), count, *_place(blocks)))
+        self._sense(blocks, chosen)
 
     def __len__(self) -> int:
         return self.world_count
+
+    def __getitem__(self, index: Any) -> Any:
+        raise TypeError(
+            f"a Batch has no [{index!r}]; a world of it is world({index!r}), and arrays have worlds in front"
+        )
 
     def contacts(self, world: int) -> Contacts:
         """The contacts in one of the worlds, of its last physics step or its reset."""
@@ -303,23 +365,20 @@ class Batch(Access):
     # ---- Arguments -----------------------------------------------------------------------------------------------
 
     def _actions(self, actions: Optional[ArrayLike]) -> Optional[NDArray[np.float32]]:
-        self._given = None
+        self._last.actions = None
         if actions is None:
             return None
-        given = np.ascontiguousarray(actions, np.float32)
         shape = (self.world_count, len(self.action_names))
-        if given.shape != shape:
-            raise ValueError(f"actions have the shape {given.shape}, expected {shape}")
-        self._given = given
-        return given
+        self._last.actions = np.ascontiguousarray(numbers_in("actions", actions, shape))
+        return self._last.actions
 
     def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:
         if seeds is None:
             return None
-        if np.ndim(seeds) == 0:
+        if not isinstance(seeds, Iterable):
             first = number_of("seed", seeds, 64)
             seeds = range(first, first + self.world_count)
-        numbers = [number_of("seed", number, 64) for number in seeds]  # type: ignore[union-attr]
+        numbers = [number_of("seed", number, 64) for number in seeds]
         if len(numbers) != self.world_count:
             raise ValueError(f"{len(numbers)} seeds, expected {self.world_count}, one for each world")
         return np.array(numbers, np.uint64)

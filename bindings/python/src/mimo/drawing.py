@@ -64,9 +64,7 @@ def limited(world: World) -> Selection:
     one = [number for number in joints.ids if joints._width(Quantity.JOINT_POSITION, np.array([number], np.int32)) == 1]
     ranges = world.get(Quantity.JOINT_RANGE, [int(number) for number in one]).reshape(-1, 2)
     bounded = np.isfinite(ranges).all(axis=1) & (ranges[:, 0] < ranges[:, 1])
-    chosen = Selection(world, np.array(one, np.int32)[bounded])
-    chosen.kind = Kind.JOINT
-    return chosen
+    return Selection(world, np.array(one, np.int32)[bounded], Kind.JOINT)
 
 
 def heat(share: Any) -> NDArray[np.uint8]:

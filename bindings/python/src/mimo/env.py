@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from .ages import Age
-from .arguments import reset_options
+from .arguments import known_keywords, reset_options
 from .constants import Outcome
 from .layout import Observation, Supply
 from .options import EnvOptions, refuse_unknown
-from .pictures import ARRAYS, Painter
+from .pictures import ARRAYS, Painter, without_mode
 from .scene import Scene
 from .spaces import View, action_box
 from .tasks import GoalTask, Judge, Judgement, Task
@@ -65,6 +65,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self._supply = Supply(self.world.layout)
         self._seeded = False
 
+    @known_keywords
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Any, Dict[str, Any]]:
@@ -82,20 +83,20 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         if self.render_mode == "human":
             self.render()
         info = start_info(self.world) if self._judge is None else judged_info(Judgement())
-        return self._observation(self.world.layout.views(block)), info
+        return self._observation(dict(self.world.observation)), info
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
         """Goes one step on."""
         world = self.world
         address, views = self._supply.take()  # fresh: what was returned before stays as it is
         world._step_at(address, world.layout.bytes, action)
+        world._sense(views)
         if self.render_mode == "human":
             self.render()
         truncated = bool(world.truncated[0])
         if self._judge is None:
             reward, terminated = float(world.reward[0]), bool(world.terminated[0])
             return self._view.show(views), reward, terminated, truncated, world_info(world)
-        world.observation = views
         judged = self._judge.judged(world)[""]
         reward, terminated = float(judged.total()), bool(judged.terminated)
         truncated = truncated or bool(judged.truncated)
@@ -104,6 +105,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
     def render(self) -> Any:
         """A picture with render_mode "rgb_array" or "depth_array"; shows it in the browser with "human"."""
         if self.render_mode is None:
+            without_mode(type(self))
             return None
         if self.render_mode != "human":
             return self._painter.paint(self.world)
@@ -143,7 +145,6 @@ def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: 
     world.reset_into(None, seed, age)
     judge.task.reset(world, None)
     world.observe_into(block)
-    world.observation = world.layout.views(block)
 
 
 def world_info(world: World, agent: int = 0) -> Dict[str, Any]:
@@ -180,6 +181,8 @@ def with_task(options: Any, task: Union[Task, str, None]) -> Any:
     """Options with a built-in task's name; a task of one's own takes the place of the scene's."""
     if task is None:
         return options
+    if isinstance(task, type):
+        raise TypeError(f"task is the class {task.__name__}, expected an object of it: {task.__name__}(...)")
     return {**options, "task": "none" if isinstance(task, Task) else task}
 
 

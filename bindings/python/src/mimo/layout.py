@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import ctypes
+import difflib
 import weakref
 from dataclasses import dataclass, replace
-from typing import Any, Callable, Dict, NamedTuple, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,33 @@ DTYPES: Dict[int, np.dtype[Any]] = {
 }
 
 Observation = Dict[str, NDArray[Any]]
+SENSES = ("proprioception", "vestibular", "touch", "vision", "hearing")  # with an option of that name
+
+
+class Fields(Dict[str, NDArray[Any]]):
+    """A dict of fields by name, which says of one that is not there why it is not."""
+
+    def __missing__(self, name: Any) -> NDArray[Any]:
+        raise NoFieldError(_no_field(str(name), list(self)))
+
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickled as an ordinary dict
+        return dict, (dict(self),)
+
+
+class NoFieldError(KeyError):
+    """A KeyError whose message is a sentence."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def _no_field(name: str, names: List[str]) -> str:
+    sense = name.split("/")[-2] if "/" in name else ""
+    if sense in SENSES and not any(f"{sense}/" in other for other in names):
+        return f"no field {name!r}: nothing has {sense} here, which is an option, {sense}=True"
+    near = difflib.get_close_matches(name, names, 1)
+    meant = f"did you mean {near[0]!r}? " if near else ""
+    return f"no field {name!r}; {meant}there are: {', '.join(names)}"
 
 
 @dataclass(frozen=True)
@@ -104,16 +132,16 @@ class Layout:
         )
 
     def new_block(self, *lead: int) -> NDArray[np.uint8]:
-        """Memory for an observation, aligned as the library likes it; for several worlds with their number in front."""
+        """Memory for an observation, zeros, aligned; for several worlds with their number in front."""
         count = int(np.prod(lead, dtype=np.int64)) * self.bytes
-        room = np.empty(count + ALIGNMENT, np.uint8)
+        room = np.zeros(count + ALIGNMENT, np.uint8)
         start = -room.ctypes.data % ALIGNMENT
         return room[start : start + count].reshape((*lead, self.bytes))
 
     def views(self, block: NDArray[np.uint8]) -> Observation:
         """The fields of a block. They are views: they share its memory, and keep it alive."""
         record = np.ndarray(block.shape[:-1], self._record, block)
-        return {name: record[name] for name in self._names}
+        return Fields((name, record[name]) for name in self._names)
 
     def _renew(self) -> None:
         """Reads anew when fields are true: infants of other ages are late by other times."""

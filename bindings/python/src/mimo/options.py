@@ -6,7 +6,6 @@ Whatever is left out is the library's default, or the scene's own. docs/python.m
 from __future__ import annotations
 
 import ctypes
-import difflib
 import inspect
 import os
 from enum import IntEnum, IntFlag
@@ -16,7 +15,7 @@ from typing import Any, Dict, Literal, Mapping, Optional, Sequence, TypedDict, U
 import numpy as np
 
 from ._library import utf8
-from .arguments import real_number, vector, whole_number
+from .arguments import real_number, unexpected, vector, whole_number
 from .constants import (
     Act,
     Actuation,
@@ -221,9 +220,7 @@ def refuse_unknown(options: Mapping[str, Any], kind: Any, function: Any = None) 
     for name in options.keys() - enums(kind).keys():
         own = inspect.signature(function).parameters.values() if function else ()
         known = sorted({*enums(kind), *(it.name for it in own if it.kind == it.KEYWORD_ONLY)})
-        near = difflib.get_close_matches(name, known, 1)
-        meant = f"; did you mean {near[0]!r}?" if near else "."
-        raise TypeError(f"unexpected keyword argument {name!r}{meant} There are: {', '.join(known)}")
+        raise unexpected(name, known)
 
 
 def fill(

@@ -11,15 +11,16 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 from gymnasium import spaces
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
 from ._library import LIB, check, utf8
+from ._strict import Strict
 from .arguments import number_of
 from .constants import Outcome
 from .errors import Error
 from .layout import Observation
-from .tasks import Judgement
+from .tasks import Judgement, missing
 
 if TYPE_CHECKING:
     from .world import World
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 FAILED = -14  # MIMO_E_TASK
 
 
-class Moment:
+class Moment(Strict):
     """What a task is told: of whom it is asked, and what happened. All arrays are copies, good for as long as you like.
 
     What is in `memory` and `fields` when the method returns is kept. Both are 0 at the start of an episode, then as
@@ -37,16 +38,32 @@ class Moment:
     world: int  # number of the world in its batch; 0 for a single one
     agent: int  # number of the infant
     step: int  # steps since the reset, with this one; 0 in a reset
-    memory: NDArray[np.float64]  # WorldTask.memory numbers
-    fields: Dict[str, NDArray[np.float32]]  # WorldTask.fields by name
     action: Optional[NDArray[np.float32]]  # the infant's own, within their bounds; None where the step was given none
 
     def __init__(self, task: "Bound", told: Any, views: Callable[[NDArray[np.uint8]], Observation]) -> None:
-        self.world, self.agent, self.step = told.world, told.agent, told.step
-        self.memory = _copy(told.memory, task.memory, np.float64)
-        self.fields = task.split(_copy(told.fields, task.values, np.float32))
-        self.action = _copy(told.action, told.action_count, np.float32) if told.action else None
+        action = _copy(told.action, told.action_count, np.float32) if told.action else None
+        self._have(world=told.world, agent=told.agent, step=told.step, action=action)
+        self._memory = _copy(told.memory, task.memory, np.float64)
+        self._fields = task.split(_copy(told.fields, task.values, np.float32))
         self._block, self._views = (told.block, told.block_bytes), views
+
+    @property
+    def memory(self) -> NDArray[np.float64]:
+        """WorldTask.memory numbers; writable."""
+        return self._memory
+
+    @memory.setter
+    def memory(self, numbers: ArrayLike) -> None:
+        self._memory = np.asarray(numbers, np.float64)
+
+    @property
+    def fields(self) -> Dict[str, NDArray[np.float32]]:
+        """WorldTask.fields by name; writable."""
+        return self._fields
+
+    @fields.setter
+    def fields(self, fields: Dict[str, NDArray[np.float32]]) -> None:
+        self._fields = fields
 
     @property
     def observation(self) -> Optional[Observation]:
@@ -92,7 +109,7 @@ class WorldTask:
 
         Of success or failure say whether they end the episode (`terminated`); there is no `info`.
         """
-        raise NotImplementedError
+        raise missing(self, "evaluate(self, world, moment)")
 
     def __deepcopy__(self, memo: Dict[int, Any]) -> "WorldTask":
         return self
@@ -102,6 +119,8 @@ class Bound:
     """A task as the library was told of it."""
 
     def __init__(self, task: WorldTask) -> None:
+        if isinstance(task, type):
+            raise TypeError(f"task is the class {task.__name__}, expected an object of it: {task.__name__}(...)")
         if not isinstance(task, WorldTask):
             raise TypeError(f"task is {task!r}, expected a mimo.WorldTask; make and make_vec take a mimo.Task")
         self.task, self.name = task, type(task).__name__

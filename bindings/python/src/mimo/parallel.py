@@ -8,17 +8,22 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
-from pettingzoo import ParallelEnv as _ParallelEnv
 from typing_extensions import Unpack
 
+from .arguments import known_keywords, numbers_in
 from .env import PICTURE, begin, judged_info, with_task, world_info
 from .layout import Observation
 from .options import EnvOptions, refuse_unknown
-from .pictures import ARRAYS, Painter
+from .pictures import ARRAYS, Painter, without_mode
 from .scene import Scene
 from .spaces import View, action_box, split
 from .tasks import GoalTask, Judge, Task
 from .world import World
+
+try:
+    from pettingzoo import ParallelEnv as _ParallelEnv
+except ImportError as error:
+    raise ImportError("mimo.ParallelEnv needs PettingZoo: pip install 'mimo[pettingzoo]'") from error
 
 SOLE = "infant"  # PettingZoo's name of an infant without one
 
@@ -74,6 +79,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         """The space of one infant's actions."""
         return self._action_spaces[agent]
 
+    @known_keywords
     def reset(
         self, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Dict[str, Any], Dict[str, Dict[str, Any]]]:
@@ -84,7 +90,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         self.agents = list(self.possible_agents)
         block = self.world.layout.new_block()
         begin(self.world, self._judge, block, seed)
-        return self._observations(self.world.layout.views(block), self.agents), {agent: {} for agent in self.agents}
+        return self._observations(self.world.observation, self.agents), {agent: {} for agent in self.agents}
 
     def step(
         self, actions: Dict[str, Any]
@@ -94,7 +100,6 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         self.world.step_into(block, self._joined(actions))
         acted = self.agents
         numbers = {agent: self.possible_agents.index(agent) for agent in acted}
-        self.world.observation = self.world.layout.views(block)
         rewards, terminated, truncated, infos = self._judged(numbers)
         self.agents = [agent for agent in acted if not (terminated[agent] or truncated[agent])]
         return self._observations(self.world.observation, acted), rewards, terminated, truncated, infos
@@ -122,7 +127,11 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
 
     def render(self) -> Optional[NDArray[Any]]:
         """A picture of the world."""
-        return self._painter.paint(self.world) if self.render_mode else None
+        if self.render_mode is None:
+            without_mode(type(self))
+            return None
+        picture: NDArray[Any] = self._painter.paint(self.world)
+        return picture
 
     def close(self) -> None:
         """Closes the world."""
@@ -131,7 +140,10 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     def _joined(self, actions: Dict[str, Any]) -> NDArray[np.float32]:
         joined = np.zeros(len(self.world.action_names), np.float32)
         for agent, action in actions.items():
-            joined[self.world.agents[self.possible_agents.index(agent)].actions] = action
+            if agent not in self.possible_agents:
+                raise ValueError(f"actions has {agent!r}, expected infants: {', '.join(self.possible_agents)}")
+            place = self.world.agents[self.possible_agents.index(agent)].actions
+            joined[place] = numbers_in(f"actions[{agent!r}]", action, joined[place].shape)
         return joined
 
     def _observations(self, views: Observation, agents: List[str]) -> Dict[str, Any]:

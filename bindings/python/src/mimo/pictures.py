@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence, Tuple
 
+import gymnasium
+
 from .arguments import number_of
 from .world import World
 
 ARRAYS = ("rgb_array", "depth_array")
+
+
+def without_mode(kind: type) -> None:
+    """What render() does in an environment that was made without a mode: as Gymnasium's own, it says so."""
+    gymnasium.logger.warn(
+        f"render() draws nothing: this {kind.__name__} was made without render_mode; give it render_mode={ARRAYS[0]!r}"
+    )
 
 
 class Painter:

@@ -40,8 +40,20 @@ class Recording(Handle):
     Its numbers are read with `read`, or by h5py, MATLAB, R ... from the file.
     """
 
+    path: str
+    format_version: int
+    steps: int
+    states: int
+    bodies: int  # ages that infants had
+    step_seconds: float
+    same_build: bool  # whether this library wrote it
+    build: str
+    this_build: str
+    configuration: str
+    seed: int
+
     def __init__(self, path: "Union[str, os.PathLike[str]]", hdf5: Optional[str] = None) -> None:
-        self.path = os.fspath(path)
+        self._have(path=os.fspath(path))
         handle = ctypes.c_void_p()
 
         def read(library: Optional[bytes]) -> None:
@@ -51,12 +63,18 @@ class Recording(Handle):
         self._own(handle.value, LIB.mimo_recording_destroy)
         info = _abi.RecordingInfo()
         check(LIB.mimo_recording_describe(self._handle, info))
-        self.format_version = int(info.format_version)
-        self.steps, self.states, self.bodies = int(info.steps), int(info.states), int(info.bodies)
-        self.step_seconds = float(info.step_seconds)
-        self.same_build = bool(info.same_build)
-        self.build, self.this_build = text(info.build), text(info.this_build)
-        self.configuration, self.seed = text(info.configuration), int(info.seed)
+        self._have(
+            format_version=int(info.format_version),
+            steps=int(info.steps),
+            states=int(info.states),
+            bodies=int(info.bodies),
+            step_seconds=float(info.step_seconds),
+            same_build=bool(info.same_build),
+            build=text(info.build),
+            this_build=text(info.this_build),
+            configuration=text(info.configuration),
+            seed=int(info.seed),
+        )
 
     def read(self, dataset: str, dtype: Type[np.generic], first: int = 0, rows: Optional[int] = None) -> NDArray[Any]:
         """Rows of a dataset, as many as there are; actions and most fields are float32, joints and rewards float64."""

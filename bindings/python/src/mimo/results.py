@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, NamedTuple
+from typing import Any, Dict, NamedTuple, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,18 @@ class Followed(NamedTuple):
 
     observation: Observation
     forces: Numbers  # physics steps x degrees of freedom: what the movement takes, N or Nm
+
+
+class Last:
+    """What was done and sensed last: the one place of it, which everything that shows a world looks at."""
+
+    __slots__ = ("actions", "seen", "sensed", "times")
+
+    def __init__(self, sensed: Observation) -> None:
+        self.actions: Optional[NDArray[np.float32]] = None  # as they were given
+        self.sensed: Union[Observation, NDArray[np.uint8]] = sensed  # or a block, until somebody asks for its fields
+        self.times = 0  # how often something was sensed
+        self.seen = 0  # of a world in a batch: how often the batch had sensed then
 
 
 class Results:

@@ -7,11 +7,15 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, Union
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
-from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
 from .arguments import reset_options
 from .scene import Scene
 from .vector import VectorEnv
+
+try:
+    from stable_baselines3.common.vec_env.base_vec_env import VecEnv
+except ImportError as error:
+    raise ImportError("mimo.sb3 needs Stable-Baselines3: pip install 'mimo[train]'") from error
 
 
 class SB3VecEnv(VecEnv):
@@ -90,7 +94,7 @@ class SB3VecEnv(VecEnv):
 
     def get_images(self) -> Sequence[Optional[NDArray[np.uint8]]]:
         """One picture a world."""
-        return list(self.envs.render() or [None] * self.num_envs)
+        return [None] * self.num_envs if self.render_mode is None else list(self.envs.render() or ())
 
 
 def _there_already(envs: VectorEnv, num_envs: Optional[int], options: Dict[str, Any]) -> VectorEnv:

@@ -15,6 +15,7 @@ from ._library import LIB, check, log_to_python, text, utf8
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
 from .constants import NOW, Hearing, Place, Proprioception, Quantity, Reflex, Touch, Vestibular
+from .errors import NotFoundError
 from .maturity import Maturity, maturity_from
 from .options import (
     AgentOptions,
@@ -61,6 +62,9 @@ EDITS = (
     "set_task",
     "_set_parameter",
 )
+
+
+FILES = (".xml", ".mjcf")
 
 
 def scenes() -> List[str]:
@@ -504,6 +508,18 @@ def _described(index: int) -> _abi.Parameter:
     return parameter
 
 
+def start_of(scene: Any) -> Scene:
+    """A built-in scene by its name; says of what is a file how files are given."""
+    if isinstance(scene, os.PathLike):
+        raise TypeError(f"scene is {scene!r}, expected a name or a mimo.Scene; for a file use mimo.Scene(file=...)")
+    try:
+        return Scene(scene)
+    except NotFoundError as error:
+        if isinstance(scene, str) and (os.path.basename(scene) != scene or os.path.splitext(scene)[1] in FILES):
+            error.args = (f"{error}; for a file use mimo.Scene(file={scene!r})",)
+        raise
+
+
 def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str, Any]]:
     """A scene with its infants, and what is left of the options for the worlds made of it."""
     agent, world, parameters = _sorted(options)
@@ -511,13 +527,15 @@ def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str
         if agent:
             raise TypeError(f"{', '.join(agent)}: of a scene of your own, give these to its add_agent")
         return _with_parameters(scene.copy(), parameters), world
-    made = Scene(scene)
+    made = start_of(scene)
     made.add_agents(**agent)
     return _with_parameters(made, parameters), world
 
 
 def _sorted(options: Mapping[str, Any]) -> Tuple[Dict[str, Any], Dict[str, Any], Mapping[str, float]]:
     refuse_unknown(options, Options)
+    if isinstance(options.get("task"), type):
+        raise TypeError(f"task is the class {options['task'].__name__}, expected a name")
     if isinstance(options.get("task"), Task):
         raise TypeError("task is a mimo.Task, expected a name; make, make_vec and ParallelEnv take tasks of your own")
     agent = {key: value for key, value in options.items() if key in enums(AgentOptions)}

@@ -14,9 +14,9 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, advice_for_host, check, log_to_python, mujoco_version
-from .arguments import number_of
+from .arguments import known_keywords, number_of
 from .errors import UnsupportedError
-from .layout import Layout, Observation, Supply
+from .layout import Fields, Layout, Observation, Supply
 from .options import SensesOptions, fill
 from .scene import Scene
 from .sounds import play
@@ -41,6 +41,8 @@ class Senses(Handle):
     reference.
     """
 
+    layout: Layout
+
     def __init__(
         self,
         scene: Scene,
@@ -63,9 +65,10 @@ class Senses(Handle):
             raise
         self._own(handle.value, LIB.mimo_senses_destroy)
         self._handle.keeps = model
-        self.layout = Layout(self._handle, LIB.mimo_senses_layout)
+        self._have(layout=Layout(self._handle, LIB.mimo_senses_layout))
         self._supply = Supply(self.layout)
 
+    @known_keywords
     def reset(self, data: Any, seed: Optional[int] = None) -> None:
         """Starts an episode: nothing was sensed before what data hold; noise follows from the seed."""
         check(LIB.mimo_senses_reset(self._handle, _address_of(data), reset_config(seed)))
@@ -80,6 +83,8 @@ class Senses(Handle):
         Four numbers a motor. Without actuators (ids in the host's model), of all that have spindles.
         """
         numbers = np.ascontiguousarray(rates, np.float64)
+        if numbers.ndim > 1 and numbers.shape[1:] != (4,):
+            raise ValueError(f"rates of the shape {numbers.shape}, expected four for each motor")
         ids = None if actuators is None else np.ascontiguousarray(actuators, np.int32)
         where, count = (None, 0) if ids is None else (ids.ctypes.data, ids.size)
         check(LIB.mimo_senses_drive_spindles(self._handle, where, count, numbers.ctypes.data, numbers.size))
@@ -95,7 +100,7 @@ class Senses(Handle):
         """
         address, observation = self._supply.take()
         check(LIB.mimo_senses_observe(self._handle, _address_of(data), address, self.layout.bytes))
-        return observation
+        return Fields(observation)
 
     def save(self) -> bytes:
         """What the senses remember, as bytes."""

@@ -17,7 +17,13 @@ def play(
     call: Callable[..., int], handle: Any, layout: Layout, body: str, samples: ArrayLike, rate: Optional[float]
 ) -> None:
     """Hands samples over; without a rate they are taken to have that of the ears."""
-    wave = np.ascontiguousarray(samples, dtype=np.float32)
+    given = np.asarray(samples)
+    if given.size > 0 and given.dtype.kind != "f":
+        raise TypeError(
+            f"samples are {given.dtype}, expected pascals at 1 m as floating-point numbers; "
+            "of a recording divide by its full scale, and multiply by the pressure of that"
+        )
+    wave = np.ascontiguousarray(given, dtype=np.float32)
     if wave.ndim != 1:
         raise ValueError(f"samples has shape {wave.shape}, expected one number a sample")
     at = rate_of(layout) if rate is None else real_number("rate", rate)

@@ -66,7 +66,7 @@ class Task:
         `world.observation` has what was sensed, `world.action` what was done. Positions of bodies are those of the
         start of its last physics step.
         """
-        raise NotImplementedError
+        raise missing(self, "evaluate(self, world)")
 
     def observe(self, world: Access) -> Mapping[str, Any]:
         """The values of `fields`, after evaluate and after reset: arrays by name, of a batch with worlds in front."""
@@ -84,15 +84,15 @@ class GoalTask(Task):
 
     def achieved_goal(self, world: Access) -> Any:
         """What has been reached: an array, of a batch with worlds in front."""
-        raise NotImplementedError
+        raise missing(self, "achieved_goal(self, world)")
 
     def desired_goal(self, world: Access) -> Any:
         """What was to be reached."""
-        raise NotImplementedError
+        raise missing(self, "desired_goal(self, world)")
 
     def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
         """The reward, of goals alone. Computes along the last axis: goals are (n,), or any number of rows of them."""
-        raise NotImplementedError
+        raise missing(self, "compute_reward(self, achieved_goal, desired_goal, info)")
 
     def evaluate(self, world: Access) -> Union[Judgement, Mapping[str, Judgement]]:
         """The reward of the goals; derive it for ends of episodes: super().evaluate(world)._replace(terminated=...)."""
@@ -172,6 +172,11 @@ class Judge:
                 raise ValueError(f"{self._name}: {name!r} has the shape {array.shape}, expected {shape}")
             arrays[name] = array
         return arrays
+
+
+def missing(task: Any, method: str) -> NotImplementedError:
+    """What is raised where a task lacks a method that it has to have."""
+    return NotImplementedError(f"{type(task).__name__} has no method {method}; write one")
 
 
 def _what(given: Any) -> str:

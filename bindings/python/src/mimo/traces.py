@@ -37,9 +37,7 @@ class Traces(NamedTuple):
 def _own(world: World, prefix: str) -> Selection:
     """An infant's joints that have limits."""
     joints = limited(world)
-    chosen = Selection(world, joints.ids[[name.startswith(f"{prefix}robot:") for name in joints.names]])
-    chosen.kind = joints.kind
-    return chosen
+    return Selection(world, joints.ids[[name.startswith(f"{prefix}robot:") for name in joints.names]], joints.kind)
 
 
 class Listener:

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from .ages import Age
-from .arguments import reset_options
+from .arguments import known_keywords, reset_options
 from .batch import Batch
 from .constants import Autoreset, Outcome
 from .env import check_sole, with_task
 from .options import EnvOptions, refuse_unknown
-from .pictures import ARRAYS, Painter
+from .pictures import ARRAYS, Painter, without_mode
 from .scene import Scene
 from .spaces import View, action_box
 from .tasks import GoalTask, Judge, Judgement, Own, Task
@@ -107,6 +107,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
 
     # ---- Gymnasium -----------------------------------------------------------------------------------------------
 
+    @known_keywords
     def reset(
         self,
         *,
@@ -114,6 +115,9 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         options: Optional[Dict[str, Any]] = None,
     ) -> Tuple[Any, Dict[str, Any]]:
         """Starts episodes. One seed s means s, s + 1, ...; options={"reset_mask": mask} restarts some worlds only.
+
+        Of several seeds, one for each world, None leaves a world's random numbers as they are; in the first reset they
+        come from chance.
 
         options={"ages": [...]} makes infants as old as that, one number of months (or options of growth) a world.
         """
@@ -123,9 +127,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         if mask is not None:
             return self._reset_some(seed, np.asarray(mask, np.bool_), ages)
         super().reset(seed=seed if isinstance(seed, int) else None)
-        if seed is None and not self._seeded:
-            seed = secrets.randbits(63)
-        self._seeded = True
+        seed, self._seeded = seed if self._seeded else from_chance(seed), True
         self._turn = 1 - self._turn
         self._start(self._blocks[self._turn], seed, None, ages)
         self._over[:] = False
@@ -148,6 +150,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     def render(self) -> Optional[Tuple[NDArray[Any], ...]]:
         """One picture a world."""
         if self.render_mode is None:
+            without_mode(type(self))
             return None
         return tuple(self._painter.paint(world) for world in self._worlds)
 
@@ -161,7 +164,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     def _results(self) -> Results:
         """What the step gave that has just ended."""
         self._turn = 1 - self._turn
-        self.batch.observation = self._views[self._turn]
+        self.batch._last.sensed = self._views[self._turn]  # made once
         reward, terminated, truncated, judged = self._judged()
         begins = self._over if self._mode == Autoreset.NEXT_STEP else np.zeros_like(self._over)
         self._over = (terminated | truncated) & ~begins
@@ -231,7 +234,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         if self._judge is not None:
             self._judge.task.reset(self.batch, mask)
             self.batch.observe_into(blocks, mask)
-        self.batch.observation = self._views[self._turn]
+        self.batch._last.sensed = self._views[self._turn]
 
     def _reset_some(
         self, seed: Any, mask: NDArray[np.bool_], ages: Optional[Sequence[Age]]
@@ -266,6 +269,13 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._blocks[self._turn][...] = block
         if self._judge is not None:
             self._judge.task.setup(self.batch)  # what it had looked up belonged to the other batch
+
+
+def from_chance(seed: Any) -> Any:
+    """Seeds for worlds that have none yet: what was not given comes from chance."""
+    if isinstance(seed, (list, tuple)):
+        return [secrets.randbits(63) if one is None else one for one in seed]
+    return secrets.randbits(63) if seed is None else seed
 
 
 def make_vec(scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **options: Any) -> VectorEnv:

@@ -9,6 +9,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from typing import Any, List, Optional
 
@@ -34,6 +35,7 @@ CAMERA = {"distance": 1.35, "azimuth": 145.0, "elevation": -25.0, "fovy": 45.0}
 FOLLOW = 0.2  # how much of its way to the infant the camera goes in a frame
 RATE = 25  # pictures a second
 FULL_SCALE = 1.0  # Pa, 94 dB, as in the program's sound files
+FORMATS = (".mp4", ".m4v", ".mov", ".mkv", ".avi", ".ts")  # that hold H.264 and AAC
 GREY, SKIN, PAPER = (110, 110, 110), (205, 205, 205), (255, 255, 255)
 
 
@@ -121,11 +123,15 @@ class Frame:
 
 
 class File:
-    """A video file that is written; MP4, MKV or what else FFmpeg knows by the name's end."""
+    """A video file that is written, in one of FORMATS."""
 
     def __init__(self, path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> None:
         av = _av()
         require_folder(path)
+        if os.path.splitext(path)[1].lower() not in FORMATS:
+            raise ValueError(
+                f"{path} cannot be written as a video: expected a name that ends with {', '.join(FORMATS)}"
+            )
         try:
             self._file = av.open(path, "w")
         except (av.FFmpegError, ValueError) as error:

@@ -13,9 +13,10 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Native
 from ._library import LIB, check, log_to_python, raise_error, text
+from ._strict import reading
 from .access import Mask
 from .ages import Age, growths, of_agents
-from .arguments import index_in, number_of, real_number, vector, whole_number
+from .arguments import index_in, known_keywords, number_of, numbers_in, real_number, vector, whole_number
 from .constants import Kind, Look, Quantity
 from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
 from .geometry import Geometry
@@ -97,8 +98,10 @@ class World(Geometry):
     Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
     """
 
+    block: NDArray[np.uint8]  # where step, reset and observe sense into
     _growths: Sequence[Mapping[str, Any]] = ()  # of its infants
     _owner: Any = None  # the batch that a world belongs to and keeps alive
+    _row: Any = None  # of a world in a batch: gives what the batch sensed of it later than the world itself, or None
 
     def __init__(self, scene: Union[str, Scene] = "benchmark", **options: Unpack[Options]) -> None:
         made, rest = prepare(scene, options)
@@ -114,7 +117,7 @@ class World(Geometry):
     def _of_batch(cls, batch: Any, index: int, keeps: bool) -> "World":
         """A world of a batch, with a row of its results; `keeps` says whether it keeps the batch alive."""
         world = cls.__new__(cls)
-        world._owner = batch if keeps else None
+        world._owner, world._row = batch if keeps else None, batch._row_of(index)
         handle, results = batch._world_handle(index), batch._results.of_world(index)
         world._describe(handle, batch._scene, batch._options, batch.layout, results)
         return world
@@ -127,8 +130,8 @@ class World(Geometry):
         if scene._task is not None and handle.value is not None:  # which is to know the world that it is asked about
             scene._task.worlds.setdefault(handle.value, self)
         self._take(layout, agents_of(handle, layout.agents))
-        self.block = layout.new_block()
-        self.observation = self._views = layout.views(self.block)
+        self._have(block=layout.new_block())
+        self._views = layout.views(self.block)
         self._show(results, self._views)
         self._term_places = [
             [(term.name, index) for index, term in enumerate(layout.terms) if term.agent == agent]
@@ -142,23 +145,25 @@ class World(Geometry):
 
     # ---- Stepping ------------------------------------------------------------------------------------------------
 
+    @known_keywords
     def reset(self, seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None) -> Observation:
         """Starts an episode; without a seed the world goes on with its own random numbers.
 
         With `age`, months or options of growth, its infants become as old as that; a list has one for each.
         """
         self.reset_into(self.block, seed, age)
-        self.observation = self._views
-        return self.observation
+        return self._views
 
+    @known_keywords
     def reset_into(
         self, block: Optional[NDArray[np.uint8]], seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None
     ) -> None:
         """As reset, with a block of your own (layout.new_block()); None skips the senses."""
         ages = [] if age is None else of_agents(self._growths, age)
         config = reset_config(seed, ages)
-        self._given = None
+        self._last.actions = None
         check(LIB.mimo_env_reset(self._handle, config, *self._place(block)))
+        self._sense(block)
         if ages:
             self._growths = ages
             self.renew()
@@ -166,17 +171,35 @@ class World(Geometry):
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
         """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
         self.step_into(self.block, action)
-        self.observation = self._views
         return self._result
 
     def step_into(self, block: Optional[NDArray[np.uint8]], action: Optional[ArrayLike] = None) -> None:
         """As step, with a block of your own; None skips the senses. What else it gives is in reward, outcome, ..."""
         self._step_at(*self._place(block), action)
+        self._sense(block)
 
     def _step_at(self, address: Optional[int], size: int, action: Optional[ArrayLike]) -> None:
         status = _step(self._handle, *self._prepared(action), address, size, self._results_place)
         if status != 0:
             raise_error(status)
+
+    def _sense(self, sensed: "Union[Observation, NDArray[np.uint8], None]") -> None:
+        """Remembers what was sensed: its block, or its fields; None: nothing was."""
+        if sensed is None:
+            return
+        self._last.sensed = self._views if sensed is self.block else sensed
+        if self._row is not None:
+            self._row.sensed_itself(self._last)
+
+    @property
+    def observation(self) -> Observation:
+        """What was sensed last, by a step, reset or observe, into whatever block; zeros before anything was.
+
+        Of a world in a batch, by the batch or by the world itself.
+        """
+        if self._row is not None:
+            self._row.look(self._last)
+        return super().observation
 
     def follow(self, positions: ArrayLike) -> Followed:
         """One step of a movement that is known: joints go where they are told, and senses answer.
@@ -186,6 +209,10 @@ class World(Geometry):
         for each degree of freedom, N or Nm, beside contacts, limits, springs and dampers.
         """
         told = np.ascontiguousarray(positions, np.float64)
+        if told.ndim > 1 and len(told) != self.frame_skip:
+            raise ValueError(
+                f"positions of the shape {told.shape}, expected {self.frame_skip} rows, one a physics step"
+            )
         forces = np.empty((self.frame_skip, len(self.get(Quantity.JOINT_VELOCITY).ravel())))
         movement = _abi.Movement(
             positions=told.ctypes.data,
@@ -194,29 +221,30 @@ class World(Geometry):
             force_count=forces.size,
         )
         check(LIB.mimo_env_follow(self._handle, movement, *self._place(self.block)))
-        self.observation = self._views
-        return Followed(self.observation, forces)
+        self._sense(self.block)
+        return Followed(self._views, forces)
 
     def step_with(self, move: Any, senses: bool = True) -> None:
         """A step that a function of the library makes, which gets this world, and where block and results go."""
-        self._given = None
-        check(move(self._handle, *self._place(self.block if senses else None), self._results_place))
-        self.observation = self._views
+        self._last.actions = None
+        block = self.block if senses else None
+        check(move(self._handle, *self._place(block), self._results_place))
+        self._sense(block)
 
     def renew(self) -> None:
         """Looks again at what depends on the age of infants."""
-        self.agents = agents_of(self._handle, self.layout.agents)
+        self._have(agents=agents_of(self._handle, self.layout.agents))
         self.layout._renew()
 
     def observe(self) -> Observation:
         """What the senses give for the current state, without changing the trajectory."""
         self.observe_into(self.block)
-        self.observation = self._views
-        return self.observation
+        return self._views
 
     def observe_into(self, block: NDArray[np.uint8]) -> None:
         """As observe, with a block of your own."""
         check(LIB.mimo_env_observe(self._handle, *self._place(block)))
+        self._sense(block)
 
     def physics_step(self, count: int = 1) -> None:
         """Bare physics: physics steps with the controls as they are, without senses or task."""
@@ -234,14 +262,12 @@ class World(Geometry):
         check(LIB.mimo_env_update(self._handle))
 
     def _prepared(self, action: Optional[ArrayLike]) -> Tuple[Optional[int], int]:
-        self._given = None
+        last = self._last
+        last.actions = None
         if action is None:
             return None, 0
-        try:
-            self._action[...] = action
-        except ValueError as error:
-            raise ValueError(f"action: {error}; expected {len(self._action)} numbers") from None
-        self._given = self._action
+        self._action[...] = numbers_in("action", action, self._action.shape)
+        last.actions = self._action
         return self._action_place
 
     def _place(self, block: Optional[NDArray[np.uint8]]) -> Tuple[Optional[int], int]:
@@ -401,7 +427,7 @@ class World(Geometry):
     @property
     def gravity(self) -> Numbers:
         """Gravity, m/s^2, world frame; writable, and outlives resets."""
-        return self.get(Quantity.WORLD_GRAVITY).ravel()
+        return reading(self.get(Quantity.WORLD_GRAVITY).ravel())
 
     @gravity.setter
     def gravity(self, xyz: ArrayLike) -> None:

@@ -9,6 +9,11 @@ Every machine needs this package, of the same version.
 
 from __future__ import annotations
 
+try:
+    import ray as _ray  # noqa: F401
+except ImportError as error:
+    raise ImportError("mimo.ray needs Ray: pip install 'mimo[ray]'") from error
+
 from .cluster import connect
 from .rllib import configure, register
 from .vector import VectorEnv, make_vec

@@ -11,7 +11,7 @@ from gymnasium.vector.utils import batch_space
 from ..arguments import reset_options, whole_number
 from ..scene import Scene
 from ..tasks import GoalTask
-from ..vector import Results
+from ..vector import Results, from_chance
 from .actors import Part
 from .cluster import connect
 from .names import check, scene_of
@@ -77,9 +77,9 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
             if len(values) != self.num_envs:
                 raise ValueError(f"options has {len(values)} of {name!r}, expected one a world, {self.num_envs}")
         super().reset(seed=seed if isinstance(seed, int) else None)
-        if seed is None and not self._seeded:
-            seed = int(np.random.SeedSequence().generate_state(1)[0])
-        self._seeded = True
+        if isinstance(seed, (list, tuple)) and len(seed) != self.num_envs:
+            raise ValueError(f"{len(seed)} seeds, expected {self.num_envs}, one for each world")
+        seed, self._seeded = seed if self._seeded else from_chance(seed), True
         for part in self._parts:
             some = seed + part.worlds.start if isinstance(seed, int) else seed and list(seed[part.worlds])
             part.ask("reset", some, {name: values[part.worlds] for name, values in given.items()})

@@ -1,0 +1,92 @@
+"""What is assigned counts, or is refused: attributes that are there, and arrays that are no copies."""
+
+from __future__ import annotations
+
+import difflib
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+PACKAGE = __name__.split(".")[0]
+
+
+class Strict:
+    """Takes no attribute that nobody would read; a class that a user derives may have attributes of its own."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        kind: Any = type(self)
+        if not _assignable(kind, name):
+            raise AttributeError(_refusal(kind, name))
+        object.__setattr__(self, name, value)
+
+    def _have(self, **attributes: Any) -> None:
+        """Has attributes that users read but do not assign."""
+        self.__dict__.update(attributes)
+
+
+@lru_cache(maxsize=None)
+def _assignable(kind: Any, name: str) -> bool:
+    own = kind.__module__.split(".")[0] != PACKAGE
+    return own or name.startswith("_") or hasattr(_in_class(kind, name), "__set__")
+
+
+def _in_class(kind: type, name: str) -> Any:
+    return next((vars(base)[name] for base in kind.__mro__ if name in vars(base)), None)
+
+
+def _refusal(kind: type, name: str) -> str:
+    members = {member for base in kind.__mro__ for member in vars(base) if not member.startswith("_")}
+    writable = sorted(member for member in members if _is_writable(_in_class(kind, member)))
+    near = difflib.get_close_matches(name, writable, 1)
+    if near:
+        return f"a {kind.__name__} has no {name!r} that can be assigned; did you mean {near[0]!r}?"
+    expected = f"expected {' or '.join(writable)}" if writable else "it has none"
+    return f"a {kind.__name__} has no {name!r} that can be assigned, {expected}"
+
+
+def _is_writable(member: Any) -> bool:
+    return member.fset is not None if isinstance(member, property) else bool(getattr(member, "writable", False))
+
+
+class Reading(np.ndarray):
+    """What an attribute gives: a copy, so it cannot be written to. What is computed of it is an ordinary array.
+
+    `joints.position += 0.1` works: it computes a new array, and assigns that.
+    """
+
+    def __setitem__(self, key: Any, value: Any) -> None:
+        raise ValueError(
+            "writing to this array would change nothing, for it is a copy: assign to the attribute that gave it, "
+            "as in joints.position = values, or write to a copy() of it"
+        )
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        plain = np.asarray(array)
+        return plain if plain.ndim else plain[()]
+
+    # Copies, and what is pickled, are ordinary arrays.
+    def copy(self, order: Any = "C") -> Any:
+        """An array of one's own, as numpy's."""
+        return np.array(self, order=order)
+
+    def __copy__(self) -> Any:
+        return np.array(self)
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return np.array(self)
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return np.asarray(self).__reduce_ex__(protocol)
+
+
+for _name in ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow"):  # x += y is x = x + y
+    setattr(Reading, f"__i{_name}__", getattr(np.ndarray, f"__{_name}__"))
+
+
+def reading(values: NDArray[Any]) -> NDArray[Any]:
+    """The array as one that cannot be written to."""
+    read = values.view(Reading)
+    read.flags.writeable = False
+    return read
