@@ -27,14 +27,18 @@ def env(request, monkeypatch):
     monkeypatch.setattr(webbrowser, "open", lambda url: True)
     with mimo.make("benchmark", render_mode="human", task=request.param, **EYES) as env:
         env.reset(seed=1)
-        for _ in range(60):
-            env.step(np.zeros(env.action_space.shape, np.float32))
+        for _ in range(30):
+            env.step(rest(env))
         yield env
+
+
+def rest(env):
+    return np.zeros(env.action_space.shape, np.float32)
 
 
 def felt(observation):
     force = np.linalg.norm(observation["touch/force"], axis=1)
-    assert np.count_nonzero(force) > 10
+    assert force.any()
     return force[force > 0]
 
 
@@ -43,7 +47,7 @@ def test_the_page(env):
     skin = page._marks[0]
     skin.visible = True
     for _ in range(3):
-        observation, *_ = env.step(env.action_space.sample())
+        observation, *_ = env.step(rest(env))
         page._frames = 0
         page.update()
         eyes = page._senses._pictures[""].image
@@ -53,7 +57,7 @@ def test_the_page(env):
 
 
 def test_the_map_of_touch(env):
-    observation, *_ = env.step(env.action_space.sample())
+    observation, *_ = env.step(rest(env))
     _, points = mimo.plot.touch_map(env.unwrapped.world).axes[0].collections
     np.testing.assert_array_equal(np.sort(points.get_array()), np.sort(felt(observation)))
 
@@ -63,7 +67,7 @@ def test_the_log(env, monkeypatch):
     monkeypatch.setattr(
         mimo.rerun, "_field", lambda world, field, values, *to: logged.update({field.name: values.copy()})
     )
-    observation, *_ = env.step(env.action_space.sample())
+    observation, *_ = env.step(rest(env))
     mimo.rerun.log(env.unwrapped.world, recording=mimo.rerun.sdk.RecordingStream("test"))
     assert logged.keys() == observation.keys()
     for name, field in observation.items():
