@@ -69,6 +69,53 @@ def test_rolling_on_and_on():
     Page("guide/balance.md").says("| rolling on and on at 60 degrees a second | {} degrees off |", off(*last))
 
 
+def test_a_tilt_that_stays():
+    scene, told = head_of_a_model(), []
+    with mimo.World(scene, frame_skip=1) as world:
+        world.reset(seed=0)
+        world.joints("roll").position = [np.deg2rad(90)]
+        for _ in range(round(60 / TICK) + 2):
+            seen = world.step().observation["vestibular/otoliths"]
+            told.append(abs(float(seen[0, 0, 1, 0]) - 70))  # the left utricle's outward afferents, regular
+    Page("guide/balance.md").says(
+        "by 90 degrees regular afferents tell {} Hz after 1 s, {} after 5 and {} after 20, of {} at last",
+        *(told[round(seconds / TICK)] for seconds in (1, 5, 20)),
+        told[-1],
+    )
+
+
+def test_a_force_that_stays():
+    tilts = []
+    with mimo.World(head_of_a_model(), frame_skip=1) as world:
+        world.reset(seed=0)
+        world.gravity = [0, 0.2 * 9.81, -9.81]
+        for _ in range(round(60 / TICK)):
+            told = world.step().observation["vestibular/gravity"]
+            tilts.append(np.rad2deg(np.arctan2(np.hypot(told[0], told[1]), told[2])))
+    half = next(i for i, tilt in enumerate(tilts) if tilt > 0.5 * tilts[-1]) * TICK
+    Page("guide/balance.md").says("a tilt of {} degrees in the end, half of it after {} s |", tilts[-1], half)
+
+
+def maculae(hertz):
+    """|H| of regular and irregular afferents, spikes/s per g: the library's sum and Schneider's function."""
+    s = 2j * np.pi * hertz
+    sums = {
+        (46.165, (8.394, 8.539, 9.786, 14.278)): (59.01, 0.0643, 2.208, 0.0138, 0.0255),
+        (30.558, (35.685, 68.376, 131.808, 377.814)): (112.74, 0.3084, 2.6834, 0.0136, 0.0318),
+    }
+    for (still, gains), (k, k1, k2, a, b) in sums.items():
+        ours = still + sum(gain * s / (s + corner) for gain, corner in zip(gains, (0.1, 1, 10, 100), strict=True))
+        yield abs(ours), abs(k * s**k1 * (1 + a * s) ** k2 / (1 + b * s))
+
+
+def test_how_maculae_follow():
+    page, slow, once, fast = Page("guide/balance.md"), *(list(maculae(hertz)) for hertz in (0.1, 1, 5))
+    page.says("rates are {} % (regular) and {} % (irregular) too high at 5 Hz", *(100 * (a / b - 1) for a, b in fast))
+    page.says(
+        "regular ones have {} and {}, irregular ones {} and {}.", *(it[i][0] for i in (0, 1) for it in (slow, once))
+    )
+
+
 def test_balance_in_tests():
     page = Page("guide/balance.md")
     page.tested("| left anterior | {} | {} | {} |", LABYRINTH)
@@ -120,6 +167,11 @@ def test_hearing_in_tests():
     voices = "unit/growth/voice_test.cpp"
     page.tested("around that of its age: {} Hz at 3 months, {} at 6, {} from 9 on", voices)
     page.tested("of {} cm at birth and {} at 24 months: {}, {}, {} and {}, {}, {} Hz", voices)
+
+
+def test_thresholds_of_hearing():
+    claim = "at 500 Hz {} dB for a newborn, {} at 3, {} at 6 and {} at 12 months, {} for adults"
+    Page("guide/hearing.md").tested(claim, "unit/growth/hearing_test.cpp")
 
 
 def test_sound_in_steps():
