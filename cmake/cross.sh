@@ -55,6 +55,7 @@ fetch_dependencies() {
   for folder in eigen3/Eigen eigen3/unsupported fmt GL KHR CLI nlohmann; do cp -r "/usr/include/$folder" "$cross/include/"; done
   fetch_sources bookworm pugixml libpng1.6 zlib
   fetch_sources trixie highway
+  basename --multiple "$cross"/sources/*-[0-9]*/ >"$cross/sources.txt"
   mv "$cross"/sources/highway-*/hwy "$cross/include/"
   mkdir -p "$cross/licences"
   for folder in highway pugixml libpng zlib; do cp "$cross/sources/$folder"*-[0-9]*/debian/copyright "$cross/licences/$folder.txt"; done
@@ -62,7 +63,7 @@ fetch_dependencies() {
   cp "$cross/libpng/scripts/pnglibconf.h.prebuilt" "$cross/libpng/pnglibconf.h"
   rm -rf "$cross/sources"
   new_venv cross/python
-  build/cross/python/bin/pip install -q ziglang==0.13.0 || fail "zig cannot be fetched"
+  install_pinned cross/python zig
   touch "$cross/complete"
 }
 
@@ -158,15 +159,17 @@ foreign_debian() {
   touch "$folder/complete"
 }
 
-# put_wheel SYSTEM PYTHON FOLDER [PACKAGE...]: the wheel that wheel_for made for a system, and the newest of what it needs for
-# that Python, chosen by their tags.
+# put_wheel SYSTEM PYTHON FOLDER [LIST]: the wheel that wheel_for made for a system, and what it needs for that Python, chosen
+# by their tags out of cmake/pins/LIST.txt, by default run-PYTHON.txt.
 put_wheel() {
   local own tag platforms=()
   own=$(python_tag "$1")
   for tag in "$own" "${own/manylinux_2_28/manylinux2014}" "${own/manylinux_2_28/manylinux_2_27}"; do platforms+=(--platform "$tag"); done
   rm -rf "$3"
   build/release/python/bin/pip install -q --target "$3" --implementation cp --python-version "$2" --only-binary=:all: \
-    "${platforms[@]}" build/wheel/mimo-*-"$own".whl "${@:4}"
+    "${platforms[@]}" --no-deps --require-hashes -r "cmake/pins/${4:-run-$2}.txt"
+  build/release/python/bin/pip install -q --target "$3" --implementation cp --python-version "$2" --only-binary=:all: \
+    "${platforms[@]}" --no-deps build/wheel/mimo-*-"$own".whl
 }
 
 python_version() {
@@ -179,13 +182,12 @@ first_steps() {
 }
 
 # Releases of 2021 and 2025, whose C libraries are 2.31 and 2.41: the same numbers there as here.
-# What pip would add for an old Python is named: it asks the Python that runs it.
 test_elsewhere() {
   local suite=$1 version=$2 root=$PWD/build/release/$1
   foreign_debian "$root" "$suite" amd64
   cp tests/package/first_steps.py build-linux/bin/capi_same build-linux/lib/lib{mimo.so.1,mujoco.so.2.2.2} "$root/opt/"
   same_as_here build-linux/bin/capi_same chroot "$root" env LD_LIBRARY_PATH=/opt /opt/capi_same
-  put_wheel linux "$version" "$root/opt/packages" "${@:3}"
+  put_wheel linux "$version" "$root/opt/packages"
   same_as_here first_steps chroot "$root" env PYTHONPATH=/opt/packages /usr/bin/python3 /opt/first_steps.py
   chroot "$root" env LD_LIBRARY_PATH=/opt/packages/mimo/_native /opt/packages/mimo/_native/mimo info >/dev/null  # no /proc
 }
@@ -196,10 +198,9 @@ test_linux() {
   test_system linux
   wheel_for linux
   put_wheel linux "$(python_version)" build/release/packages
-  [[ -x build/release/python/bin/auditwheel ]] || build/release/python/bin/pip install -q auditwheel
   build/release/python/bin/auditwheel show build/wheel/mimo-*manylinux_2_28_x86_64.whl | tr '\n' ' ' |
     grep -o 'consistent with *the following platform tag: *"manylinux_2_[0-9]*_x86_64"' || fail "auditwheel does not confirm the wheel's tag"
-  test_elsewhere bullseye 3.9 importlib_metadata
+  test_elsewhere bullseye 3.9
   test_elsewhere trixie 3.13
   # A processor of 2008 has no AVX.
   need qemu-user
@@ -285,7 +286,7 @@ test_wheel_on_windows() {
   wheel_for linux
   wheel_for windows
   put_wheel linux "$(python_version)" build/release/packages
-  put_wheel windows 3.11 "$python/packages" 'numpy<2.1' 'h5py<3.13'  # what came later does not start under this wine
+  put_wheel windows 3.11 "$python/packages" wine
   same_as_here first_steps python_on_windows "$python/packages" tests/package/first_steps.py
 }
 

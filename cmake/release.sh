@@ -141,11 +141,12 @@ wheel_for() {
 # make_wheel SOURCES FILES LICENCES TAG: FILES are what is native in it.
 make_wheel() {
   local made=build/release/wheel
+  date_packages
   echo "Wheel of $1 for $4"
-  [[ -x build/release/python/bin/wheel ]] || { new_venv release/python && build/release/python/bin/pip install -q wheel; }
+  [[ -x build/release/python/bin/auditwheel ]] || { new_venv release/python && install_pinned release/python build; }
   rm -rf "$made" build/release/python-build
   mkdir -p build/wheel
-  build/release/python/bin/pip wheel -q --no-deps "./$1" -w "$made" \
+  build/release/python/bin/pip wheel -q --no-deps --no-build-isolation "./$1" -w "$made" \
     --config-settings=build-dir="$PWD/build/release/python-build" --config-settings=cmake.define.MIMO_PREBUILT="$2" \
     --config-settings=cmake.define.MIMO_LICENCES="$3"
   build/release/python/bin/wheel tags --remove --platform-tag "$4" "$made"/*.whl >/dev/null
@@ -221,7 +222,8 @@ package_rust() {
   rm -rf "$crates"
   mkdir -p "$crates"
   cp -rL bindings/rust/mimo-sys bindings/rust/mimo "$crates/"
-  cp bindings/rust/README.md "$crates/mimo/"
+  # A registry shows the page alone: what it leads to stays in the repository.
+  sed -E 's/\[([^]]*)\]\(\.\.\/[^)]*\)/\1/g' bindings/rust/README.md >"$crates/mimo/README.md"
   sed -i '/^\[\[example/,$d; s|^readme = .*|readme = "README.md"|' "$crates/mimo/Cargo.toml"
   for system in $systems; do native+="\"mimo-native-$(nuget_name "$system")\", "; done
   sed -i "s/^bundled = \[\]/bundled = [${native%, }]/" "$crates/mimo-sys/Cargo.toml"
@@ -234,16 +236,36 @@ package_rust() {
   cp "$crates"/target/package/*.crate build/package/
 }
 
+# seal_packages FOLDER: what is inside the packages that lie there, and their hashes.
+seal_packages() {
+  "$(system_python)" cmake/bill.py "$(version_text)" "$1" build/cross/sources.txt "$1/libmimo-$(version_text).spdx.json"
+  (cd "$1" && LC_ALL=C && sha256sum -- *[!S] >SHA256SUMS)
+}
+
 make_packages() {
   package
-  [[ $# -gt 0 ]] || return 0
-  [[ $* == --all ]] || fail "expected --all or nothing, not '$*'"
+  [[ $* != --all ]] || make_packages_of_all_systems
+  [[ $# == 0 || $* == --all ]] || fail "expected --all or nothing, not '$*'"
+  seal_packages build/package
+}
+
+make_packages_of_all_systems() {
   each_system wheel_for all
   wheel_for_mujoco4
   each_system archive_for all
   cp build/wheel/mimo*.whl build/package/
   package_csharp
   package_rust
+}
+
+# check_same_packages [--all]: made once more, the packages are the same files.
+check_same_packages() {
+  rm -rf build/package-first
+  mv build/package build/package-first
+  make_packages "$@"
+  diff build/package-first/SHA256SUMS build/package/SHA256SUMS || fail "made twice, packages differ"
+  rm -rf build/package-first
+  echo "Made twice, the packages are the same"
 }
 
 test_release() {
@@ -260,4 +282,5 @@ test_release() {
   tests/package/check_nuget "build/package/Mimo.$version.nupkg" build/dotnet/linux/dotnet
   tests/package/check_unity "build/package/org.libmimo.mimo-$version.tgz"
   tests/package/check_crates "build/package/mimo-$version.crate" build/package
+  check_same_packages --all
 }
