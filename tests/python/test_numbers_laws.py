@@ -62,6 +62,9 @@ LAWS = {
     "guide/muscles.md": [
         ("goes towards the action with a time constant of {} ms", "actuation/muscle.cpp"),
         ("rises with {} ms and falls with {} ms", "actuation/muscle.cpp"),
+        ("| bump with a shoulder, from {} to {} |", "actuation/muscle_curves.h"),
+        ("1 at rest, up to {} when stretched", "actuation/muscle_curves.h"),
+        ("from {} at one end of the range of motion to {} at the other", "actuation/muscle_curves.h"),
     ],
     "guide/proprioception.md": [
         ("**Tendon organs**: {} Hz ln(1 + {} f)", "receptors/tendon_organ.cpp"),

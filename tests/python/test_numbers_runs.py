@@ -1,6 +1,8 @@
-"""Numbers that the guides tell of runs whose data are kept beside them: means and deviations over seeds."""
+"""Numbers that the guides tell of runs whose data are kept beside them: means and deviations over seeds; and what
+senses cost, which ./dev ratios guards."""
 
 import csv
+import json
 
 import numpy as np
 import pytest
@@ -59,3 +61,14 @@ def test_first_runs(row, task, steps):
     claim = f"\n{row} 3 | {steps} | {{}} +- {{}} | {{}} +- {{}} | {{}} +- {{}}"
     assert len(rows) == 3
     Page("learning.md").says(claim, *np.ravel(columns))
+
+
+def test_costs():
+    ratios = json.loads((ROOT / "tests/bench/ratios.json").read_text())["ratios"]
+    Page("guide/hearing.md").says(
+        "both ears and bands take {} of a step without eyes", ratios["hearing, over the step without eyes"]
+    )
+    Page("guide/maturity.md").says(
+        "a newborn's nerves take {} of a step without eyes",
+        ratios["a newborn's nerves, over the step without eyes"],
+    )

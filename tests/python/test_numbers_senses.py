@@ -215,3 +215,18 @@ def test_skin_at_rest():
             settled.append(float(np.median(world.step().observation["touch/temperature"])))
     page.says("{} degrees in a room of 24, with", settled[0])
     assert settled[1] < 31
+
+
+def test_limits_of_senses():
+    """A Gaussian that leaves half of some lines leaves 0.5^(r^2) of lines r times as fine."""
+    claim = "lines half as fine {} %, lines twice as fine {} %"
+    Page("guide/limited-senses.md").says(claim, 100 * 0.5**0.25, 100 * 0.5**4)
+
+
+def test_fields_of_ears():
+    scene = mimo.Scene("free")
+    scene.add_agent(vision=False, touch=False, hearing=True, age=0)
+    with mimo.World(scene) as world:
+        bands, apart = (world.layout.fields[f"hearing/{name}"] for name in ("bands", "time_difference"))
+        Page("guide/hearing.md").says("| `hearing/bands` | [{}, {}] | dB |", *bands.shape)
+        Page("guide/hearing.md").says("| `hearing/time_difference` | [{}] | s |", *apart.shape)
