@@ -6,6 +6,7 @@
 
 #include "actuation/muscle_curves.h"
 #include "base/fail.h"
+#include "body/motor_forces.h"
 #include "engine/muscle.h"
 
 namespace mimo::actuation {
@@ -47,7 +48,8 @@ Muscle::Muscle(const mjModel& model, const body::Body& body, bool normalize) : A
       fail(Status::kUnsupported, "muscles: joint {} of {} has no range",
            engine::name(model, Kind::kJoint, motor.joint.id), engine::name(model, Kind::kActuator, motor.id));
     }
-    const double low = motor.joint.low - joint.rest, high = motor.joint.high - joint.rest;
+    const auto [shortest, longest] = body::muscle_range(model, body, motor.joint);
+    const double low = shortest - joint.rest, high = longest - joint.rest;
     const double range = curves::kAtLongEnd - curves::kAtShortEnd + kTiny;
     Side& negative = joint.sides[0];
     negative.slope = range / (high - low + kTiny);

@@ -1,9 +1,9 @@
 // Muscles: two antagonists turn each joint, one to its negative and one to its positive side. An action is the
 // activation that a muscle is told to have. Both may pull at once, which stiffens the joint.
 //
-// Lengths are normalised and grow linearly with the joint's angle, in opposite directions. Torques go to the joint's
-// motor, freed from its limits; the joint loses its spring, and nearly all of its damper, which stand for muscles
-// elsewhere.
+// Lengths are normalised and grow linearly with the joint's angle, in opposite directions, by how far the joint goes at
+// 18 months (body::muscle_range). Torques go to the joint's motor, freed from its limits; the joint loses its spring,
+// and nearly all of its damper, which stand for muscles elsewhere.
 #pragma once
 
 #include "actuation/actuation.h"

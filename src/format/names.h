@@ -35,6 +35,8 @@ constexpr const char* kGrowth = "mimo:growth";  // numbers: age in months; statu
 // Of each geom of its tree at 18 months, by id: where its touch sensors are placed before they grow with it.
 constexpr const char* kBornSizes = "mimo:born_sizes";    // numbers: three sizes, as MuJoCo's
 constexpr const char* kBornPlaces = "mimo:born_places";  // numbers: its position in its body
+// Of each hinge of its tree at 18 months, by id, where one goes less far or further now: its muscles keep their levers.
+constexpr const char* kBornRanges = "mimo:born_ranges";  // numbers: lower and upper limit, rad
 
 // Of an infant's parts: a body, and how names of others begin.
 constexpr const char* kRootBody = "mimo_location";

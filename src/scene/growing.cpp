@@ -152,15 +152,25 @@ std::vector<double> of_geoms(const Skeleton& skeleton, growth::Vector growth::Ge
   return numbers;
 }
 
+// The limits of each hinge.
+std::vector<double> ranges_of(const Skeleton& skeleton) {
+  std::vector<double> limits;
+  for (const growth::Bone& bone : skeleton.bones) {
+    for (const growth::Joint& joint : bone.joints) limits.insert(limits.end(), joint.range.begin(), joint.range.end());
+  }
+  return limits;
+}
+
 // How large it is against the body of 18 months.
 struct Factors {
   double stature, arm;
 };
 
-// Says in the document what tasks and skin have to know of it.
-void tell(pugi::xml_node root, const std::string& prefix, const Skeleton& born, const Factors& factors,
-          const growth::Growth& growth) {
+// Says in the document what tasks, muscles and skin have to know of it.
+void tell(pugi::xml_node root, const std::string& prefix, const Skeleton& born, const Skeleton& grown,
+          const Factors& factors, const growth::Growth& growth) {
   say(root, prefix + names::kGrowth, {growth.age, factors.stature, factors.arm});
+  if (ranges_of(grown) != ranges_of(born)) say(root, prefix + names::kBornRanges, ranges_of(born));
   if (growth.keep_spacing) return;
   say(root, prefix + names::kBornSizes, of_geoms(born, &growth::Geom::size));
   say(root, prefix + names::kBornPlaces, of_geoms(born, &growth::Geom::position));
@@ -182,7 +192,7 @@ void grow(pugi::xml_node root, const std::string& prefix, const growth::Growth& 
   fit_to_arm(root, prefix, factors.arm,
              {[&](const std::string& name) { return was.place_of(name); },
               [&](const std::string& name) { return is.place_of(name); }});
-  tell(root, prefix, born, factors, growth);
+  tell(root, prefix, born, grown, factors, growth);
 }
 
 }  // namespace mimo::scene

@@ -22,6 +22,7 @@ struct Pair {
   int motor;
   body::Joint joint;
   double weakest, strongest;  // forces of the motor, negative and positive
+  double low, high;           // angles where its muscles are at their shortest and longest
 };
 
 std::vector<Pair> pairs_of(const mjModel& model, const body::Body& body) {
@@ -33,7 +34,9 @@ std::vector<Pair> pairs_of(const mjModel& model, const body::Body& body) {
     if ((type != mjJNT_HINGE && type != mjJNT_SLIDE) || model.jnt_limited[joint] == 0) continue;
     if (!(model.jnt_range[2 * joint] < model.jnt_range[2 * joint + 1])) continue;
     const auto [weakest, strongest] = body::forces_of(model, motor);
-    pairs.push_back({motor, body::joint(model, joint), weakest, strongest});
+    const body::Joint turned = body::joint(model, joint);
+    const auto [low, high] = body::muscle_range(model, body, turned);
+    pairs.push_back({motor, turned, weakest, strongest, low, high});
   }
   return pairs;
 }
@@ -76,9 +79,9 @@ class Spindles : public observation::Process {
     using receptors::kLongestMuscle;
     using receptors::kShortestMuscle;
     const bool negative = muscle < pairs_.size();
-    const body::Joint& joint = pairs_[negative ? muscle : muscle - pairs_.size()].joint;
-    const double up =
-        (kLongestMuscle - kShortestMuscle) * (data.qpos[joint.qpos] - joint.low) / (joint.high - joint.low);
+    const Pair& pair = pairs_[negative ? muscle : muscle - pairs_.size()];
+    const double angle = data.qpos[pair.joint.qpos];
+    const double up = (kLongestMuscle - kShortestMuscle) * (angle - pair.low) / (pair.high - pair.low);
     return negative ? kShortestMuscle + up : kLongestMuscle - up;
   }
   void rest(const mjModel&, const mjData& data) override {
