@@ -5,7 +5,7 @@
 
 namespace mimo::receptors {
 
-enum class Region { kFace, kHand, kFinger, kFoot, kTrunk, kArm, kThigh, kLeg };
+enum class Region { kFace, kEye, kHand, kFinger, kFoot, kTrunk, kArm, kThigh, kLeg };
 
 // In the order of the outputs: SA1, RA, PC, SA2.
 constexpr std::size_t kTouchKinds = 4;
@@ -15,6 +15,18 @@ constexpr std::size_t kTouchKinds = 4;
 // these three within 8 %. How they divide among the kinds is an estimate, too. Hairy skin has no PC here; fingers have
 // no SA2 (Pare 2003 found next to none).
 double afferents_per_square_metre(Region region, std::size_t kind);
+// A kind's share of all there.
+double share_of(Region region, std::size_t kind);
+
+// What shares a number of afferents, both sides of the body together.
+enum class Territory { kFace, kEyes, kHands, kFeet, kTrunk, kArms, kThighs, kLegs };
+Territory territory_of(Region region);  // a finger is part of the hand
+
+// How many afferents a person has there, of all kinds and at any age: skin grows, and they move apart (Peters and
+// Goldreich 2013). 15 % of 230 000 are in the palms of both hands, 19 % in face and lips (Corniani and Saal 2020). What
+// is left of an adult's 1.8 m^2 by the chart of Lund and Browder (1944), at the densities above, has 153 360, and all
+// add up to 231 560. An eye has as many as the face has on the 2 cm^2 that lids leave open, an estimate.
+double afferents_of(Territory territory);
 
 // Factors of the rates of cold and warm receptors, estimates.
 double thermal_factor(Region region);

@@ -48,8 +48,28 @@ def test_babybench_takes_a_scale_of_0(root, tmp_path):
 
 def test_no_example_is_forgotten(root):
     in_test_sb3 = {"train.py", "learning_curves.py", "profile_training.py", "figure4.py", "single_file_ppo.py"}
-    elsewhere = in_test_sb3 | {"cluster.py", "torchrl_ppo.py"}  # in test_ray and test_torchrl
+    elsewhere = in_test_sb3 | {
+        "cluster.py",
+        "torchrl_ppo.py",
+        "receptor_steps.py",
+    }  # in test_ray, test_torchrl, and below
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | elsewhere
+
+
+def rows(text):
+    """Rows of a table with five columns by their first one, as numbers."""
+    cells = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("|")]
+    numbers = re.compile(r"\d+\.\d")
+    return {row[0]: [float(cell) for cell in row[1:]] for row in cells if len(row) == 5 and numbers.match(row[1])}
+
+
+def test_the_page_on_steps_has_the_table_that_the_example_prints(root, tmp_path):
+    printed = rows(run([sys.executable, root / "examples/python/receptor_steps.py"], tmp_path))
+    assert len(printed) > 30
+    page = rows((root / "docs/guide/receptor-steps.md").read_text(encoding="utf-8"))
+    assert page.keys() == printed.keys()
+    for name, told in printed.items():
+        assert page[name] == pytest.approx(told, abs=0.11, rel=0.005), name
 
 
 @pytest.mark.parametrize(

@@ -95,7 +95,10 @@ OWN_RANGES = (
 
 @pytest.mark.parametrize(
     ("numbers", "complaint"),
-    [("0 1", "has 2 numbers, expected two for each of the infant's 47 hinges"), ("1 0 " * 47, "goes from 1 to 0")],
+    [
+        ("0 1", "has 2 numbers, expected two for each of the infant's 47 hinges"),
+        (" ".join(["1 0"] * 47), "goes from 1 to 0"),
+    ],
 )
 def test_ranges_that_do_not_fit_the_body_are_refused(numbers, complaint):
     scene = mimo.Scene(xml=OWN_RANGES.format(numbers))

@@ -14,8 +14,9 @@ constexpr double kStill = 1e-5;       // m/s
 
 }  // namespace
 
-Afferents::Afferents(const std::vector<Patch>& patches, double slip_threshold, double tick)
+Afferents::Afferents(const std::vector<Patch>& patches, Rattle& rattle, double slip_threshold, double tick)
     : patches_(patches),
+      rattle_(rattle),
       slip_threshold_(slip_threshold),
       tick_(tick),
       kept_(std::exp(-tick / kSmoothing)),
@@ -28,19 +29,20 @@ void Afferents::add(int sensor) {
 // What presses has pressed for ever: no onset.
 void Afferents::rest(const Felt& felt) {
   table_.clear();
+  rattle_.clear();
   take_in(felt);
   for (std::size_t i = 0; i < table_.size(); ++i) {
-    table_[kNormal][i] = table_[kFeltNormal][i];
+    table_[kTold][i] = table_[kNormal][i] = table_[kFeltNormal][i];
     table_[kAlong][i] = table_[kFeltAlong][i];
     table_[kAcross][i] = table_[kFeltAcross][i];
     table_[kDepth][i] = receptors::indentation(table_[kNormal][i], table_[kSpacing][i]);
-    tell(i, {}, {});
+    tell(i, {0, -1}, {});
   }
 }
 
 void Afferents::go_on(const Felt& felt) {
   take_in(felt);
-  smooth();
+  smooth(felt);
   for (std::size_t i = table_.size(); i-- > 0;) {
     if (gone(i)) table_.remove(i);
   }
@@ -58,13 +60,26 @@ void Afferents::take_in(const Felt& felt) {
   }
 }
 
-void Afferents::smooth() {
+// What slides is told of as it presses in the mean.
+void Afferents::steady(const Felt& felt) {
+  std::copy_n(table_[kNormal], table_.size(), table_[kTold]);
+  rattle_.advance(felt, [this](std::size_t sensor) { return table_.number(kNormal, sensor); });
+  rattle_.tell([this](std::size_t sensor, double force) {
+    const int place = table_.place(sensor);
+    if (place != table_.kNone) table_[kTold][static_cast<std::size_t>(place)] = force;
+  });
+}
+
+void Afferents::smooth(const Felt& felt) {
   const auto smoothed = [this](const Row& before, const Row& now) -> Row { return now + kept_ * (before - now); };
   for (std::size_t i = 0; i < table_.size(); i += kRow) {
     for (const std::size_t part : {0, 1, 2}) {
       table_.row(kNormal + part, i) = smoothed(table_.row(kNormal + part, i), table_.row(kFeltNormal + part, i));
     }
-    const Row depth = receptors::indentation<Row>(table_.row(kNormal, i), table_.row(kSpacing, i));
+  }
+  steady(felt);
+  for (std::size_t i = 0; i < table_.size(); i += kRow) {
+    const Row depth = receptors::indentation<Row>(table_.row(kTold, i), table_.row(kSpacing, i));
     const Row speed = (depth - table_.row(kDepth, i)) / tick_;
     const Row jolt = receptors::pc_rate<Row>((speed - table_.row(kSpeed, i)) / tick_);
     table_.row(kJolts, i) = smoothed(table_.row(kJolts, i), jolt);
@@ -77,22 +92,29 @@ void Afferents::smooth() {
 }
 
 bool Afferents::gone(std::size_t place) const {
-  return table_[kFeltNormal][place] == 0 && table_[kNormal][place] < kNoForce &&
+  return table_[kFeltNormal][place] == 0 && std::max(table_[kNormal][place], table_[kTold][place]) < kNoForce &&
          std::abs(table_[kSpeed][place]) < kStill && table_[kJolts][place] == 0;
 }
 
 void Afferents::tell(const Felt& felt, const Things& things) {
-  for (std::size_t i = 0; i < table_.size(); ++i) tell(i, felt.of(table_.sensors()[i]), things);
+  for (std::size_t i = 0; i < table_.size(); ++i) {
+    const int sensor = table_.sensors()[i];
+    const Feeling& feeling = felt.of(sensor);
+    const bool pressed = feeling.normal > 0;
+    tell(i,
+         pressed ? Rattle::Slide{feeling.sliding / feeling.normal, feeling.other}
+                 : rattle_.slide(static_cast<std::size_t>(sensor)),
+         things);
+  }
 }
 
-void Afferents::tell(std::size_t place, const Feeling& feeling, const Things& things) {
+void Afferents::tell(std::size_t place, const Rattle::Slide& slide, const Things& things) {
   const auto value = [&](Column column) { return table_[column][place]; };
   double ra = receptors::ra_rate(value(kSpeed)), pc = value(kJolts);
-  const double sliding = feeling.normal > 0 ? feeling.sliding / feeling.normal : 0;
-  if (sliding > slip_threshold_ && feeling.other >= 0) {
-    const Thing& thing = things.by_geom[static_cast<std::size_t>(feeling.other)];
-    ra += receptors::ra_of_sliding(sliding, {thing.wavelength, thing.amplitude});
-    pc += receptors::pc_of_sliding(sliding, {thing.wavelength, thing.amplitude});
+  if (slide.speed > slip_threshold_ && slide.other >= 0) {
+    const Thing& thing = things.by_geom[static_cast<std::size_t>(slide.other)];
+    ra += receptors::ra_of_sliding(slide.speed, {thing.wavelength, thing.amplitude});
+    pc += receptors::pc_of_sliding(slide.speed, {thing.wavelength, thing.amplitude});
   }
   const auto put = [&](Rate rate, double hertz) { table_[kFirstRate + std::size_t{rate}][place] = hertz; };
   put(kSa1, receptors::sa1_rate(value(kDepth), value(kSpeed)));
@@ -101,8 +123,10 @@ void Afferents::tell(std::size_t place, const Feeling& feeling, const Things& th
   const Patch& patch = patches_[static_cast<std::size_t>(table_.sensors()[place])];
   const double along = value(kAlong), across = value(kAcross);
   const bool stretched = value(kNormal) >= kNoForce && patch.region != receptors::Region::kFinger;
+  // Friction goes with the normal force.
+  const double share = value(kNormal) > 0 ? value(kTold) / value(kNormal) : 1;
   const double force = std::sqrt(along * along + across * across);
-  const double all = receptors::stretch(force, patch.spacing);
+  const double all = receptors::stretch(share * force, patch.spacing);
   const auto channel = [&](double part) {
     return stretched ? receptors::sa2_rate(force > 0 ? all * part / force : 0, all) : 0;
   };

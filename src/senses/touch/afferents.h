@@ -5,6 +5,7 @@
 #include "base/bytes.h"
 #include "senses/touch/felt.h"
 #include "senses/touch/patches.h"
+#include "senses/touch/rattle.h"
 #include "senses/touch/restless.h"
 #include "senses/touch/things.h"
 
@@ -16,7 +17,8 @@ class Afferents {
   enum Rate : std::size_t { kSa1, kRa, kPc, kSa2Along, kSa2Across };
   static constexpr std::size_t kRates = 5;
 
-  Afferents(const std::vector<Patch>& patches, double slip_threshold, double tick);
+  // What slides over the skin rattles there.
+  Afferents(const std::vector<Patch>& patches, Rattle& rattle, double slip_threshold, double tick);
 
   void rest(const Felt& felt);
   void go_on(const Felt& felt);
@@ -46,6 +48,7 @@ class Afferents {
     kFeltNormal = kStates,  // forces of this tick, N
     kFeltAlong,
     kFeltAcross,
+    kTold,     // the normal force that nerves are told of, N: the smoothed one, but of what slides
     kSpacing,  // m
     kFirstRate,
     kColumns = kFirstRate + kRates
@@ -53,11 +56,13 @@ class Afferents {
 
   void add(int sensor);
   void take_in(const Felt& felt);
-  void smooth();
+  void smooth(const Felt& felt);
+  void steady(const Felt& felt);
   bool gone(std::size_t place) const;
-  void tell(std::size_t place, const Feeling& feeling, const Things& things);
+  void tell(std::size_t place, const Rattle::Slide& slide, const Things& things);
 
   const std::vector<Patch>& patches_;
+  Rattle& rattle_;
   double slip_threshold_, tick_, kept_;
   Restless<kColumns> table_;
 };

@@ -42,6 +42,7 @@ void Felt::add(const mjModel& model, const mjData& data, const Press& press, int
     if (feeling.normal == 0) sensors_.push_back(share.sensor);
     feeling.normal += normal;
     feeling.sliding += sliding * normal;
+    if (sliding > wanted_.slip_threshold) feeling.lift = std::max(feeling.lift, press.friction * sliding);
     feeling.tangent +=
         share.weight * (skin_.sensors()[static_cast<std::size_t>(share.sensor)].frame.bottomRows<2>() * force);
     if (normal > feeling.strongest) {

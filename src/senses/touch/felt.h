@@ -14,6 +14,7 @@ struct Feeling {
   double normal = 0;                                  // N
   Eigen::Vector2d tangent = Eigen::Vector2d::Zero();  // along the sensor's two tangents, N
   double sliding = 0;                                 // m/s, weighted by the normal force: divide by it
+  double lift = 0;                                    // m/s, with which friction of what slides may throw it off
   double strongest = 0;                               // normal force of the contact that presses it most, N
   int other = -1;                                     // and the geom that does
 };
@@ -26,9 +27,10 @@ struct Prick {
 
 class Felt {
  public:
-  // What is not wanted, slip and pricks, costs nothing.
+  // What is not wanted, slip and pricks, costs nothing. Slip below the threshold (m/s) is that of friction that holds.
   struct Wanted {
     bool sliding, pricks;
+    double slip_threshold;
   };
   Felt(const Skin& skin, Response response, Wanted wanted, const Things& things);
 

@@ -19,9 +19,10 @@ struct SkinReceptorOptions {
   bool nociception_fast = false, nociception_slow = false;
   bool units = false;  // how many afferents of the first four kinds each sensor stands for
 
+  bool touch() const { return sa1 || ra || pc || sa2; }
   bool warmth() const { return temperature || cold || warm; }
   bool pain() const { return nociception_fast || nociception_slow; }
-  bool any() const { return sa1 || ra || pc || sa2 || warmth() || pain() || units; }
+  bool any() const { return touch() || warmth() || pain() || units; }
 };
 
 struct TouchOptions {

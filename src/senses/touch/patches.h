@@ -12,12 +12,15 @@ namespace mimo::senses::touch {
 
 struct Patch {
   receptors::Region region;
-  double spacing;  // m
+  double spacing;    // m; not wider than all skin of its body
+  double afferents;  // of all kinds
 };
 
 // By the name of a body of an infant; anything unknown is trunk.
 receptors::Region region_of(const std::string& name);
 
+// An infant has as many afferents as anybody, at any age, wherever its skin has sensors: each part has a share by its
+// area and density at 18 months, which its sensors share equally. Of what is no infant only the densities are known.
 std::vector<Patch> patches(const mjModel& model, const body::Body& body, const Skin& skin);
 
 }  // namespace mimo::senses::touch

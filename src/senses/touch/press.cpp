@@ -52,6 +52,7 @@ Press press_on(const mjModel& model, const mjData& data, int contact_id, const C
   press.normal = sign * normal;
   press.force = -sign * (frame.transpose() * Vec3(force.data()));
   press.normal_force = force[0];
+  press.friction = contact.dim > 1 ? contact.friction[0] : 0;
   press.friction_use = friction_use(model, contact, force);
   return press;
 }

@@ -17,6 +17,7 @@ struct Press {
   Vec3 normal;          // from this body to the other; world
   Vec3 force;           // on this body; world, N
   double normal_force;  // N
+  double friction;      // coefficient of sliding; 0 where the contact has none
   double friction_use;  // share of the friction cone, 0 (no friction) to 1 (about to slip, or slipping)
 };
 

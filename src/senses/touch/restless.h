@@ -25,6 +25,7 @@ class Restless {
   }
 
   std::size_t size() const { return sensors_.size(); }
+  std::size_t sensor_count() const { return places_.size(); }  // at rest or not
   const std::vector<int>& sensors() const { return sensors_; }
   // Of a sensor in the columns; kNone where it is at rest.
   int place(std::size_t sensor) const { return places_[sensor]; }

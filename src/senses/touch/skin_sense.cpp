@@ -19,7 +19,7 @@ using observation::Signal;
 class Nerves : public observation::Process {
  public:
   Nerves(const mjModel& model, const body::Body& body, std::shared_ptr<const touch::Skin> skin,
-         const TouchOptions& options, touch::ThingsPtr things, double tick)
+         const TouchOptions& options, touch::ThingsPtr things, touch::Rattle& rattle, double tick)
       : Process("touch"),
         skin_(std::move(skin)),
         things_(std::move(things)),
@@ -27,8 +27,8 @@ class Nerves : public observation::Process {
         wants_warmth_(options.receptors.warmth() || options.receptors.pain()),
         wants_pain_(options.receptors.pain()),
         wants_rates_of_warmth_(options.receptors.cold || options.receptors.warm),
-        felt_(*skin_, options.response, {options.receptors.ra || options.receptors.pc, wants_pain_}, *things_),
-        afferents_(patches_, options.slip_threshold, tick),
+        felt_(*skin_, options.response, {options.receptors.touch(), wants_pain_, options.slip_threshold}, *things_),
+        afferents_(patches_, rattle, options.slip_threshold, tick),
         warmth_(patches_, *things_, tick),
         pain_(patches_, tick) {}
 
@@ -135,14 +135,12 @@ Signal Nerves::told(const char* name, const std::vector<float>& values, const ch
       name, 1, [&values](float* out) { std::copy(values.begin(), values.end(), out); }, unit);
 }
 
-// How many afferents of each kind a sensor stands for; on a regular grid of triangles it has 0.87 of its spacing's
-// square to itself.
+// How many afferents of each kind a sensor stands for.
 Signal Nerves::units() const {
   std::vector<float> counts;
   for (const touch::Patch& patch : patches_) {
-    const double area = 0.87 * patch.spacing * patch.spacing;
     for (std::size_t kind = 0; kind < receptors::kTouchKinds; ++kind) {
-      counts.push_back(static_cast<float>(area * receptors::afferents_per_square_metre(patch.region, kind)));
+      counts.push_back(static_cast<float>(patch.afferents * receptors::share_of(patch.region, kind)));
     }
   }
   const auto fill = [counts](float* out) { std::copy(counts.begin(), counts.end(), out); };
@@ -179,8 +177,10 @@ std::vector<Signal> Nerves::signals(const SkinReceptorOptions& wanted) const {
 std::unique_ptr<observation::Sense> make_skin_sense(const mjModel& model, const body::Body& body,
                                                     std::shared_ptr<const touch::Skin> skin,
                                                     const TouchOptions& options, touch::ThingsPtr things, double tick) {
-  auto nerves = std::make_unique<Nerves>(model, body, std::move(skin), options, std::move(things), tick);
+  auto rattle = std::make_unique<touch::Rattle>(skin->sensors().size(), static_cast<std::size_t>(model.ngeom), tick);
+  auto nerves = std::make_unique<Nerves>(model, body, std::move(skin), options, std::move(things), *rattle, tick);
   auto sense = std::make_unique<observation::Signals>(observation::Share::kTouch, nerves->signals(options.receptors));
+  sense->keep(std::move(rattle));
   sense->keep(std::move(nerves));
   return sense;
 }

@@ -92,6 +92,27 @@ TEST(Innervation, MeetsWhatWasCounted) {
   EXPECT_NEAR(tip, 0.8 * 241e4, 1);  // without SA2
 }
 
+// Corniani and Saal 2020: 230 000 afferents, 34 500 in both palms, 43 700 in face and lips. The rest follows from
+// densities and an adult's 1.8 m^2: trunk 6120 cm^2 at 9, arms 2520 at 12, thighs 3420 and lower legs 2520 at 7, feet
+// 1260 at 21.
+TEST(Innervation, AddsUpToAPerson) {
+  EXPECT_NEAR(afferents_of(Territory::kHands), 34500, 1);
+  EXPECT_NEAR(afferents_of(Territory::kFace), 43700, 1);
+  EXPECT_NEAR(afferents_of(Territory::kTrunk), 55080, 1);
+  EXPECT_NEAR(afferents_of(Territory::kFeet), 26460, 1);
+  double all = 0;
+  for (const Territory territory : {Territory::kFace, Territory::kEyes, Territory::kHands, Territory::kFeet,
+                                    Territory::kTrunk, Territory::kArms, Territory::kThighs, Territory::kLegs}) {
+    all += afferents_of(territory);
+  }
+  EXPECT_NEAR(all, 230000, 0.01 * 230000);
+  for (const Region region : {Region::kFace, Region::kEye, Region::kHand, Region::kFinger, Region::kLeg}) {
+    double shares = 0;
+    for (std::size_t kind = 0; kind < kTouchKinds; ++kind) shares += share_of(region, kind);
+    EXPECT_NEAR(shares, 1, 1e-12);
+  }
+}
+
 // Of skin of 33 and things of 22 and 60 degrees; interface, and after 1 and 10 s (the table of materials).
 TEST(SkinTemperature, FollowsWhatTouchesIt) {
   struct Row {

@@ -1,0 +1,71 @@
+// What of a sliding contact is the solver's, not the skin's. MuJoCo's friction is soft: a surface that slides at w with
+// a friction of mu presses its contact apart at up to mu w, however small the steps and however well the solver has
+// converged. What slides therefore hops: it is in the air for up to 2 mu w / g, falls back, and presses so much harder
+// that the mean over a hop is the force with which it is held. Nothing of that is in the world.
+//
+// A contact that slides and opens is not believed for as long as a hop may take: its sensors are told of the mean force
+// then, until it has stopped to hop. What opens without sliding, what stays open for longer, what comes down and what
+// changes without opening is told as it is.
+#pragma once
+
+#include "observation/process.h"
+#include "senses/touch/felt.h"
+#include "senses/touch/restless.h"
+
+namespace mimo::senses::touch {
+
+class Rattle : public observation::Process {
+ public:
+  // `geoms` are those of the model; `tick` is the time from one advance to the next, s.
+  Rattle(std::size_t sensors, std::size_t geoms, double tick);
+
+  // What each sensor feels at this tick, and its force as skin has smoothed it, by sensor.
+  template <typename Smoothed>
+  void advance(const Felt& felt, Smoothed&& smoothed) {
+    take_in(felt);
+    for (std::size_t i = table_.size(); i-- > 0;) {
+      settle(i, felt.of(table_.sensors()[i]), smoothed(static_cast<std::size_t>(table_.sensors()[i])));
+    }
+  }
+  void clear() { table_.clear(); }
+
+  // Calls take(sensor, force) for all whose smoothed force may not be the one to believe; this one is, N.
+  template <typename Take>
+  void tell(Take&& take) const {
+    for (std::size_t i = 0; i < table_.size(); ++i) {
+      take(static_cast<std::size_t>(table_.sensors()[i]), table_[kTold][i]);
+    }
+  }
+  // What slides over a sensor, also while it hops: a geom, -1 for none, and how fast, m/s.
+  struct Slide {
+    double speed;
+    int other;
+  };
+  Slide slide(std::size_t sensor) const;
+
+  void save(ByteWriter& to) const override;
+  void load(ByteReader& from) override;
+
+ private:
+  static constexpr std::size_t kStages = 3;
+  enum Column : std::size_t {
+    kMean,                     // force in the mean, N, after each stage of a filter
+    kDoubt = kMean + kStages,  // time for which it is yet told, s
+    kAir,                      // time for which it may yet be in the air, s
+    kSpeed,                    // of what slides, m/s
+    kOther,                    // and its geom
+    kStates,                   // those above are remembered
+    kTold = kStates,           // N
+    kColumns
+  };
+
+  void rest(const mjModel&, const mjData&) override { clear(); }
+  void go_on(const mjModel&, const mjData&) override {}
+  void take_in(const Felt& felt);
+  void settle(std::size_t place, const Feeling& feeling, double smoothed);
+
+  double geoms_, tick_, kept_;
+  Restless<kColumns> table_;
+};
+
+}  // namespace mimo::senses::touch
