@@ -189,9 +189,22 @@ def test_skin_in_tests():
     page.tested("| SA1, ramp to 1 mm at {}, {}, {}, {} mm/s | {}, {}, {}, {} |", SKIN)
     page.tested("| RA, at {}, {}, {}, {}, {} mm/s | {}, {}, {}, {}, {} | {}, {}, {}, {}, {} |", SKIN)
     page.tested("in a room of {}, with a time constant of {} s", SKIN)
-    page.tested("`touch/units`: {} afferents a cm^2 at fingertips, {} in palms", SKIN)
+    page.tested("divide a territory among its parts: {} at fingertips, {} in palms", SKIN)
+    page.tested("{} are in both hands and {} in the face", SKIN)
+    page.tested("trunk {}, arms 30,240, thighs 23,940, lower legs 17,640, feet {}.", SKIN)
     page.tested("| {} | {} | 29.48 | {} | {} | 32.09 | {} |", SKIN)
     page.tested("1 N with 10 mm makes {} kPa, with 0.5 mm {} kPa", SKIN)
+
+
+def test_afferents_of_a_person():
+    with mimo.World("free", vision=False, touch=mimo.Touch.UNITS) as world:
+        world.reset(0)
+        units = world.observation["touch/units"].astype(float)
+        bodies = world.layout.receptors("touch/units").bodies
+        eye = units[bodies == world.find(mimo.Kind.BODY, "left_eye")].sum()
+    page = Page("guide/skin.md")
+    page.says("all add up to {}, of which", units.sum())
+    page.says("An eyeball has {}, as many", eye)
 
 
 def test_muscles_in_tests():
