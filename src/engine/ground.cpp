@@ -27,6 +27,12 @@ double distance_below(const mjModel& model, const mjData& data, int geom, const 
   }
 }
 
+// How far a box reaches from its middle along a direction.
+double reach_of_box(const mjModel& model, const mjData& data, int geom, const Eigen::Vector3d& direction) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.geom_xmat + 9 * geom);
+  return (frame.transpose() * direction).cwiseAbs().dot(Eigen::Vector3d(model.geom_size + 3 * geom));
+}
+
 }  // namespace
 
 double half_height(const mjModel& model, const mjData& data, int geom) {
@@ -72,14 +78,25 @@ std::vector<double> heights_at(const mjModel& model, const mjData& data, const s
   return heights;
 }
 
+// Of boxes it follows from their places: along the normal, how far both reach less how far they are apart.
+double overlap_of(const mjModel& model, const mjData& data, const mjContact& contact) {
+  const int one = contact.geom1, other = contact.geom2;
+  if (model.geom_type[one] != mjGEOM_BOX || model.geom_type[other] != mjGEOM_BOX) return -contact.dist;
+  const Eigen::Vector3d normal(contact.frame);
+  const Eigen::Vector3d way = Eigen::Vector3d(data.geom_xpos + 3 * other) - Eigen::Vector3d(data.geom_xpos + 3 * one);
+  return reach_of_box(model, data, one, normal) + reach_of_box(model, data, other, normal) - way.dot(normal);
+}
+
 Overlap deepest_overlap(const mjModel& model, const mjData& data, int root) {
   Overlap deepest;
   for (int i = 0; i < data.ncon; ++i) {
     const mjContact& contact = data.contact[i];
     const bool first = model.body_rootid[model.geom_bodyid[contact.geom1]] == root;
     const bool second = model.body_rootid[model.geom_bodyid[contact.geom2]] == root;
-    if (first == second || -contact.dist <= deepest.depth) continue;
-    deepest = {-contact.dist, first ? contact.geom1 : contact.geom2, first ? contact.geom2 : contact.geom1};
+    if (first == second || contact.dist >= 0) continue;
+    const double depth = overlap_of(model, data, contact);
+    if (depth <= deepest.depth) continue;
+    deepest = {depth, first ? contact.geom1 : contact.geom2, first ? contact.geom2 : contact.geom1};
   }
   return deepest;
 }

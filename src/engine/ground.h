@@ -18,6 +18,9 @@ std::vector<int> geoms_of_tree(const mjModel& model, int root);
 std::vector<double> heights_at(const mjModel& model, const mjData& data, const std::vector<int>& geoms, double x,
                                double y);
 
+// How deep the two geoms of a contact are in each other, m: of two boxes MuJoCo 2.2 reports half of it.
+double overlap_of(const mjModel& model, const mjData& data, const mjContact& contact);
+
 struct Overlap {
   double depth = 0;          // m
   int own = -1, other = -1;  // geoms

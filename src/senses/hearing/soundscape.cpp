@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "engine/ground.h"
 #include "engine/model.h"
 #include "senses/hearing/struck.h"
 #include "sound/air.h"
@@ -160,7 +161,7 @@ void Soundscape::find_blows(const mjModel& model, const mjData& data) {
     slide(model, data, i);
     const double speed = approach(model, data, contact);
     if (speed < kSlowest) continue;
-    const double deep = overlap(model, data, contact);
+    const double deep = contact.includemargin + engine::overlap_of(model, data, contact);
     if (deep > kDeeper * speed * tick_) continue;
     // The tick ends now; it came together so much earlier.
     const double onset =

@@ -23,12 +23,6 @@ Vec3 velocity(const mjModel& model, const mjData& data, int body, const Vec3& po
   return speed + spin.cross(point - Vec3(data.subtree_com + 3 * model.body_rootid[body]));
 }
 
-// How far a box reaches from its middle along a direction.
-double reach_of_box(const mjModel& model, const mjData& data, int geom, const Vec3& direction) {
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.geom_xmat + 9 * geom);
-  return (frame.transpose() * direction).cwiseAbs().dot(Vec3(model.geom_size + 3 * geom));
-}
-
 // What rolls: 1/m; 0 for what has sides.
 double roundness(const mjModel& model, int geom) {
   const mjtNum* size = model.geom_size + 3 * geom;
@@ -82,18 +76,6 @@ sound::Struck struck(const mjModel& model, int geom, const sound::Solid& solid) 
   }
   if (made.inverse_mass <= 0 && made.length > kLongest) made.solid.efficiency = 0;
   return made;
-}
-
-// Of two boxes MuJoCo 2.2.2 reports half of it; how deep they are in each other along the normal follows from their
-// places.
-double overlap(const mjModel& model, const mjData& data, const mjContact& contact) {
-  const int one = contact.geom1, other = contact.geom2;
-  if (model.geom_type[one] != mjGEOM_BOX || model.geom_type[other] != mjGEOM_BOX) {
-    return contact.includemargin - contact.dist;
-  }
-  const Vec3 normal(contact.frame), way = Vec3(data.geom_xpos + 3 * other) - Vec3(data.geom_xpos + 3 * one);
-  const double reach = reach_of_box(model, data, one, normal) + reach_of_box(model, data, other, normal);
-  return contact.includemargin + reach - way.dot(normal);
 }
 
 double approach(const mjModel& model, const mjData& data, const mjContact& contact) {

@@ -14,9 +14,6 @@ namespace mimo::senses {
 // alone: at corners it is too large).
 sound::Struck struck(const mjModel& model, int geom, const sound::Solid& solid);
 
-// How deep the two geoms of a contact overlap, m.
-double overlap(const mjModel& model, const mjData& data, const mjContact& contact);
-
 // How fast the two geoms of a contact come nearer, m/s: of the start of the last physics step. Forces of contacts,
 // which MuJoCo spreads over tens of milliseconds, would tell nothing of sound.
 double approach(const mjModel& model, const mjData& data, const mjContact& contact);

@@ -1,0 +1,70 @@
+// How deep things are in each other: as far as one of them was moved from where they touch.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/ground.h"
+#include "engine/physics.h"
+#include "support/numbers.h"
+
+namespace mimo::test {
+namespace {
+
+std::string scene(const std::string& under, const std::string& thing) {
+  return R"(
+<mujoco>
+  <worldbody>
+    <geom )" +
+         under + R"(/>
+    <body name="thing"><joint name="up" type="slide" axis="0 0 1"/><geom )" +
+         thing + R"(/></body>
+  </worldbody>
+</mujoco>)";
+}
+
+// The largest of all contacts.
+double overlap_at(engine::Physics& physics, double height) {
+  physics.data().qpos[0] = height;
+  physics.forward();
+  double deepest = 0;
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    deepest = std::max(deepest, engine::overlap_of(physics.model(), physics.data(), physics.data().contact[i]));
+  }
+  return deepest;
+}
+
+// Where it just touches: MuJoCo has contacts below, and none above.
+double touching(engine::Physics& physics) {
+  double low = 0, high = 0.3;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    physics.data().qpos[0] = middle;
+    physics.forward();
+    (physics.data().ncon > 0 ? low : high) = middle;
+  }
+  return high;
+}
+
+// Flat, on an edge, on a corner, and askew; what lies under them is flat on top.
+TEST(Overlap, IsHowFarThingsWereMovedIntoEachOther) {
+  for (const char* under : {R"(type="plane" size="1 1 0.1")", R"(type="box" size="0.5 0.5 0.1" pos="0 0 -0.1")",
+                            R"(type="box" size="0.5 0.5 0.1" pos="0 0 -0.1" euler="0 0 30")"}) {
+    for (const char* thing :
+         {R"(type="sphere" size="0.05")", R"(type="box" size="0.05 0.04 0.03")",
+          R"(type="box" size="0.05 0.04 0.03" euler="45 0 0")", R"(type="box" size="0.05 0.05 0.05" euler="35 45 0")",
+          R"(type="box" size="0.05 0.04 0.03" euler="20 30 10")",
+          R"(type="capsule" size="0.02 0.05" euler="0 60 0")"}) {
+      engine::Physics physics(engine::compile(scene(under, thing), {}, {}), {});
+      const double touch = touching(physics);
+      EXPECT_GT(touch, 0.02);
+      for (const double deep : {1e-4, 1e-3, 5e-3}) {
+        EXPECT_NEAR(overlap_at(physics, touch - deep), deep, 1e-9) << thing << " in " << under;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mimo::test
