@@ -5,6 +5,11 @@ import pytest
 
 import mimo
 
+
+def pytest_addoption(parser):
+    parser.addoption("--guides", default="plain", help="which programs of the pages test_guides.py runs, see guides.py")
+
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
