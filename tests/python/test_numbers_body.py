@@ -216,3 +216,34 @@ def test_worlds_of_batches():
         touch, angles = (world.layout.fields[name] for name in ("touch/force", "proprioception/position"))
         assert angles.start == angles.end == 0
         page.says("| touch, torques, balance, pictures | {}, {}:", touch.start, touch.end)
+
+
+def sensors_of(body, parts):
+    """How many sensors each of these parts has, at four densities."""
+    counts = []
+    for scale in (0.25, 0.5, 1, 2):
+        with mimo.World("free", vision=False, body=body, touch_scale=scale) as world:
+            bodies = list(world.layout.receptors("touch/force").bodies)
+            counts.append([bodies.count(world.find(mimo.Kind.BODY, part)) for part in parts])
+    return np.transpose(counts)
+
+
+def test_sensors_of_parts():
+    """Ours are the first of each two."""
+    rows = "".join(
+        f"| {part} |" + " {}, {} |" * 4 + " " for part in ("upper_body", "hand", "fingers", "lower_leg", "foot", "toes")
+    )
+    written = Page("differences.md").numbers(rows.strip())[::2]
+    parts = ["upper_body", "left_hand", "left_fingers", "left_lower_leg", "left_foot", "left_toes"]
+    assert [int(text) for text in written] == sensors_of("mitten", parts).ravel().tolist()
+    rows = (
+        "| upper_body |"
+        + " {}, {} |" * 4
+        + " | hand |"
+        + " {}, {} |" * 4
+        + " | lfmetacarpal | equal |"
+        + " {}, {} |" * 3
+    )
+    written = Page("differences.md").numbers(rows)[::2]
+    counts = sensors_of("fingers", ["upper_body", "left_hand", "left_lfmetacarpal"])
+    assert [int(text) for text in written] == [*counts[0], *counts[1], *counts[2][1:]]
