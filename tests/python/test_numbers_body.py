@@ -196,7 +196,43 @@ def test_parameters_of_tasks():
         *(1e3 * parameters[f"catch/{name}"] for name in ("radius_low", "radius_high", "mass_low", "mass_high")),
         within=1e-6,
     )
-    page.says("* `success`: {} when the skin has touched", parameters["catch/success_reward"])
+    page.says(
+        "* `success`: {} when the skin has touched the ball in {} steps in a row",
+        *(parameters[f"catch/{name}"] for name in ("success_reward", "hold_steps")),
+    )
+    page.says(
+        "* `failure`: {} when the ball is {} cm below the palm or {} cm away",
+        *(
+            parameters["catch/failure_reward"],
+            100 * parameters["catch/lost_below"],
+            100 * parameters["catch/lost_beyond"],
+        ),
+    )
+    page.says("* `effort`: minus {} times the effort", parameters["catch/effort_weight"])
+    page.says("up to {} cm to each side of, and {} cm above", *(100 * parameters[f"catch/{it}_spread"] for it in "xz"))
+    page.says("* `height`: height of the head's origin minus {} m", parameters["standup/base_height"])
+    page.says(
+        "ball is moved by {}..0 m in x, {}..{} in y and {}..0 in z",
+        *(parameters[f"reach/target_{it}"] for it in ("x_low", "y_low", "y_high", "z_low")),
+    )
+    page.says("Each joint starts up to {} rad off the stored pose", parameters["standup/pose_noise"])
+
+
+def test_motors_of_those_who_come_from_mimo():
+    page = Page("coming-from-mimo.md")
+    for name, scene, options in (
+        ("MIMoReach", "reach", {}),
+        ("MIMoStandup", "standup", {}),
+        ("MIMoSelfBody", "selfbody", {}),
+        ("MIMoBench", "benchmark", {}),
+        ("MIMoBenchV2", "benchmark", {"body": "fingers"}),
+        ("MIMoShowroom", "showroom", {}),
+        ("MIMoMuscle", "benchmark", {"body": "fingers", "actuation": mimo.Actuation.MUSCLE}),
+    ):
+        row = next(line for line in page.text.splitlines() if line.startswith(f"| `{name}-v0`"))
+        claim = row[: row.rindex("|", 0, -2) + 1] + " {}, {} |"
+        with mimo.World(scene, vision=False, **options) as world:
+            page.says(claim, *[len(world.action_names)] * 2)
 
 
 def test_eyes_of_the_body():
