@@ -11,6 +11,7 @@ namespace mimo::sound {
 namespace {
 
 constexpr double kNearest = 1.05;                      // radii
+constexpr double kLargest = 1;                         // m: larger heads have the filter of this one
 constexpr double kLowMatch = 2000, kHighMatch = 4000;  // Hz
 
 // The shortest way round the sphere, in radii.
@@ -50,7 +51,7 @@ Way way_to_ear(double radius, double distance, double cosine) {
   const double rho = std::max(distance / radius, kNearest), bounded = std::clamp(cosine, -1.0, 1.0);
   const double angle = std::acos(bounded);
   const double length = path(rho, angle, bounded);
-  Way way{radius / kSpeed * length, 1 / (length * radius), sphere_filter(angle), radius / kSpeed};
+  Way way{radius / kSpeed * length, 1 / (length * radius), sphere_filter(angle), std::min(radius, kLargest) / kSpeed};
   // High sounds of near sources are as strong as their way is long; low ones go round the sphere like a field at rest.
   way.filter.still = at_rest(rho, bounded) * length / rho;
   way.filter.b1 *= std::sqrt(way.filter.still);
@@ -61,7 +62,8 @@ bool can_be(const Way& way) {
   const SphereFilter& f = way.filter;
   if (f.a2 == 0) return true;
   const auto within = [](double number) { return number >= 1e-4 && number <= 10; };
-  return within(f.a1) && within(f.a2) && within(f.b1) && within(f.b2) && within(f.still) && within(way.size);
+  return within(f.a1) && within(f.a2) && within(f.b1) && within(f.b2) && within(f.still) && way.size > 0 &&
+         way.size < 1;
 }
 
 std::complex<double> response(const Way& way, double frequency) {

@@ -321,9 +321,23 @@ TEST(Voices, FallSilent) {
   EXPECT_TRUE(ears.silent(1600));
 }
 
-TEST(Voices, GoOnFromASavedState) {
+// Heads of no infants may have any size.
+class AnyHead : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Radii, AnyHead, ::testing::Values(1e-3, kRadius, 2.0, 300.0));
+
+TEST_P(AnyHead, HearsWithinReason) {
+  const Head listener = head(GetParam());
+  const double distance = 3 * GetParam() + 1;
+  const Streams streams = play(
+      tone(500, 3), [&](double) { return Eigen::Vector3d(distance * direction(30)); }, listener);
+  for (const std::vector<float>& stream : streams) {
+    for (const float sample : stream) ASSERT_LT(std::abs(sample), 3 / GetParam());
+  }
+}
+
+TEST_P(AnyHead, GoesOnFromASavedState) {
   Ears one(kTick, kRate, 800, 0), other(kTick, kRate, 800, 0);
-  const Head listener = head();
+  const Head listener = head(GetParam());
   for (int i = 0; i < 40; ++i) one.add(wooden_blow(3.1 * i), listener, 0);  // more than there is room for
   one.advance(listener, {}, 0);
   ByteWriter counter;
