@@ -20,10 +20,9 @@ mimo_picture_config default_picture_config() {
   config.struct_size = sizeof config;
   config.width = 640;
   config.height = 480;
-  config.look_at[0] = 0.05;
-  config.look_at[2] = 0.45;
-  config.distance = 1.6;
-  config.azimuth = 150;
+  config.look_at[2] = 0.4;
+  config.distance = 1.35;
+  config.azimuth = 140;  // what lies before an infant in the built-in scenes is beside the view
   config.elevation = -12;
   return config;
 }

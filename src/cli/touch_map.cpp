@@ -14,7 +14,7 @@ namespace {
 using mimo::Vector;
 
 constexpr std::uint32_t kWidth = 640, kHeight = 480;
-constexpr Rgb kPaper{255, 255, 255}, kSkin{190, 190, 190}, kInk{60, 60, 60};
+constexpr Rgb kPaper{255, 255, 255}, kSkin{140, 140, 140}, kInk{60, 60, 60};
 
 // All joints of one number at 0.
 mimo::Env straightened(const mimo::Env& env) {
@@ -74,7 +74,7 @@ ColorPicture TouchMap::draw(const mimo::Block& block) const {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return forces[a] < forces[b]; });
   for (const std::size_t i : order) {  // the strongest last, so that nothing lies over them
     const bool felt = forces[i] > kNothing;
-    stroke(picture, spot(places_[i]), spot(places_[i]), felt ? 3.2 : 0.6,
+    stroke(picture, spot(places_[i]), spot(places_[i]), felt ? 3.2 : 1.0,
            {felt ? heat(strength(forces[i])) : kSkin, 1});
   }
   const auto label = [&](const char* text, double x) {

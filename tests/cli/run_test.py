@@ -119,6 +119,14 @@ class Run(Case):
         self.assertGreater(share["touch_map"][1], four_dots)
         self.assertLess(share["outside"][1], 0.0001)
 
+    @needs_renderer
+    def test_sensors_that_feel_nothing_are_seen_in_print(self):
+        """Grey of at most 60 % of white, for hundreds of sensors; printers draw nothing lighter as a fine dot."""
+        self.mimo("run", "--scene", "free", "--vision", "off", "--seconds", "0.1", "--out", "p")
+        pixels = b"".join(read_png(self.folder / "p" / "touch_map.png")[4][:400])  # without the scale
+        grey = [red for red, green, blue in zip(pixels[0::3], pixels[1::3], pixels[2::3]) if red == green == blue]
+        self.assertGreater(sum(tone <= 153 for tone in grey), 1000)
+
     def test_who_ignores_interrupts_goes_on(self):
         done = subprocess.Popen([PROGRAM, "run", "--seconds", "2", "--vision", "off", "--touch", "off", "--out", "p"],
                                 stdout=subprocess.PIPE, universal_newlines=True, cwd=self.folder,

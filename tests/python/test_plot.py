@@ -128,6 +128,43 @@ def test_a_recording_at_a_glance(run, tmp_path, monkeypatch, capsys):
     assert not (tmp_path / "no.png").exists()
 
 
+def test_touch_over_time_is_a_running_mean():
+    """A sensor that is pressed in every fourth step of 10 ms, with 4 N, feels 1 N on an average over 0.25 s or so."""
+    time = np.arange(1, 201) / 100
+    values = np.zeros((200, 2))
+    values[::4, 0] = 4
+    values[100, 1] = 25
+    mean = plot.running_mean(time, values)
+    assert np.abs(mean[20:-20, 0] - 1).max() < 0.15  # 25 steps have six or seven
+    np.testing.assert_allclose(np.flatnonzero(mean[:, 1]), np.arange(88, 113))  # 12 steps before and after
+    assert mean[100, 1] == pytest.approx(1)
+    np.testing.assert_allclose(plot.running_mean(time, np.full((200, 1), 3.0)), 3)  # at the ends too
+    assert plot.running_mean(time[:1], values[:1]).tolist() == [[4, 0]]
+
+
+def test_figures_for_papers(run):
+    """No title unless it is asked for, legends that cover nothing, units as acousticians write them; not in pyplot."""
+    with mimo.Recording(run) as recording:
+        seen = traces(recording)
+    figure = plot.run(seen)
+    assert figure.get_suptitle() == ""
+    assert plot.run(seen, "night 3").get_suptitle() == "night 3"
+    FigureCanvasAgg(figure).draw()
+    legends = [axes for axes in figure.axes if axes.get_legend()]
+    assert len(legends) == 2
+    for axes in legends:
+        assert axes.get_legend().get_window_extent().y0 >= axes.get_window_extent().y1 - 1
+    assert "dB re 20 µPa" in [axes.get_ylabel() for axes in figure.axes]
+    with mimo.World("benchmark", vision_width=8, vision_height=8) as world:
+        skin = plot.touch_map(world, world.reset(seed=1))
+        plot.eyes(world.observation)
+        plot.joint_angles([0], [world.joints("robot:left_elbow").position], world.joints("robot:left_elbow"))
+    idle = skin.axes[0].collections[0]
+    assert idle.get_facecolor().ravel()[0] <= 0.6  # of white; a printer prints that
+    assert np.sqrt(idle.get_sizes()[0]) >= 1.5  # points of 1/72 inch, across
+    assert plt.get_fignums() == []
+
+
 def test_joint_angles_lie_between_their_limits():
     world = mimo.World("reach")
     joints = world.joints("robot:right_elbow", "robot:right_shoulder_ad_ab")

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import mimo
+from mimo.frames import placed
 
 
 def test_the_infant_is_the_paper_s(reach):
@@ -265,3 +266,31 @@ def test_timing_tells_where_time_goes():
         world.step()
     assert world.timing["steps"] == 3
     assert 0 < world.timing["physics"] < world.timing["total"]
+
+
+@pytest.mark.parametrize("scene", ["benchmark", "free", "reach", "catch"])
+def test_the_usual_picture_shows_the_infant_large_in_the_middle(scene):
+    """Who stands takes two thirds of the height and more; nothing hides more of it than a hand's or a ball's size."""
+    with mimo.World(scene, vision=False, touch=False) as world:
+        world.reset(seed=1)
+        own = [body for body, name in zip(world.joints().body_ids, world.joints().names) if name.startswith("robot:")]
+        rows, columns = np.nonzero(np.isin(world.geoms().body_ids, own)[world.draw().segmentation])
+        assert 0.65 < np.ptp(rows) / 480 < 0.95
+        assert abs((rows.min() + rows.max()) / 2 / 480 - 0.5) < 0.1
+        assert abs((columns.min() + columns.max()) / 2 / 640 - 0.5) < 0.1
+
+
+@pytest.mark.parametrize("age", [0.0, 6.0, 18.0])
+def test_who_begins_above_the_floor(age):
+    """As the page on scenes says: 0.4 m, as in the original's scene, less the 0.329 m from there down to the soles."""
+    with mimo.World("benchmark", age=age, vision=False, touch=False) as world:
+        world.reset(seed=1)
+        poses, names = world.poses("geom"), world.bodies().names
+        feet = [
+            geom for geom, body in enumerate(world.geoms().body_ids) if "foot" in names[body] or "toes" in names[body]
+        ]
+        lowest = min(
+            placed(poses.positions[geom], poses.rotations[geom], world.mesh(geom).positions)[:, 2].min()
+            for geom in feet
+        )
+        assert lowest == pytest.approx(0.07, abs=0.005)

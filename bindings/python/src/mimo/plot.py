@@ -7,13 +7,13 @@
 
     python -m mimo.plot run.h5 --out run.png       # a recording at a glance
 
-Each function draws into `axes` (or a figure of its own) and returns the figure, to be shown or saved.
+Each function returns a matplotlib Figure, which a notebook shows as its cell's last line, and which
+`figure.savefig("file.pdf")` saves. pyplot does not keep it.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
 
@@ -38,7 +38,14 @@ try:
 except ImportError as error:
     raise ImportError("pictures need matplotlib: pip install 'mimo[plot]'") from error
 
+IDLE = "0.55"  # of sensors that feel nothing: grey that a printer still prints
+MEAN = 0.25  # s over which touch is averaged in plots over time: single steps are too short to be seen
 HEAT = LinearSegmentedColormap.from_list("heat", STOPS / 255)  # the viewer's
+
+
+def _figure(width: float, height: float) -> Figure:
+    """One that pyplot does not know: a notebook would show that twice, and it would stay in memory."""
+    return Figure(figsize=(width, height), layout="constrained")
 
 
 def anaglyph(left: NDArray[np.uint8], right: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -53,8 +60,8 @@ def eyes(observation: Observation, agent: str = "") -> Figure:
     left, right = pictures
     if left is None or right is None:
         raise ValueError("the observation has no pictures; make the world with vision=mimo.Vision.RGB")
-    figure, axes = plt.subplots(1, 3, figsize=(9, 3.4), layout="constrained")
-    titled = zip(axes, (left, right, anaglyph(left, right)), ("left eye", "right eye", "anaglyph"))
+    figure = _figure(9, 3.4)
+    titled = zip(figure.subplots(1, 3), (left, right, anaglyph(left, right)), ("left eye", "right eye", "anaglyph"))
     for place, picture, title in titled:
         place.imshow(picture)
         place.set_title(title)
@@ -68,8 +75,9 @@ def touch_map(world: World, observation: Optional[Observation] = None, agent: in
     force = body.force if observation is None else body.force_in(observation)
     felt = np.flatnonzero(force > 0)
     felt = felt[np.argsort(force[felt])]
-    figure, axes = plt.subplots(figsize=(2.4 + 4.6 * body.width, 5.4), layout="constrained")
-    axes.scatter(body.places[:, 0], body.places[:, 1], s=1.5, color="0.8", linewidths=0)
+    figure = _figure(2.4 + 4.6 * body.width, 5.4)
+    axes = figure.subplots()
+    axes.scatter(body.places[:, 0], body.places[:, 1], s=3, color=IDLE, linewidths=0)
     scale = LogNorm(WEAK, STRONG)
     points = axes.scatter(
         body.places[felt, 0], body.places[felt, 1], s=14, c=force[felt], cmap=HEAT, norm=scale, linewidths=0
@@ -89,9 +97,8 @@ def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
     names, limits = joints.names, joints.range.reshape(-1, 2)
     columns = min(4, len(names))
     rows = -(-len(names) // columns)
-    figure, axes = plt.subplots(
-        rows, columns, figsize=(2.6 * columns, 1.7 * rows), squeeze=False, sharex=True, layout="constrained"
-    )
+    figure = _figure(2.6 * columns, 1.7 * rows)
+    axes = figure.subplots(rows, columns, squeeze=False, sharex=True)
     for place, name, (low, high), line in zip(axes.flat, names, limits, angle.T):
         place.axhspan(low, high, color="0.92")
         place.plot(time, line, linewidth=1)
@@ -107,10 +114,9 @@ def run(traces: Traces, title: str = "") -> Figure:
     """A recording at a glance: joints, touch by part, gaze, sound and rewards over time."""
     shown = [part for part in _PARTS if part.has(traces)]
     heights = [part.height(traces) for part in shown]
-    size = (10, sum(heights) + 0.9)
-    figure, axes = plt.subplots(
-        len(shown), 1, figsize=size, height_ratios=heights, sharex=True, squeeze=False, layout="constrained"
-    )
+    figure = _figure(10, sum(heights) + 0.9)
+    ratios = {"height_ratios": heights}
+    axes = figure.subplots(len(shown), 1, sharex=True, squeeze=False, gridspec_kw=ratios)
     for part, place in zip(shown, axes[:, 0]):
         part.draw(traces, place)
         place.set_title(part.title, loc="left", fontsize=10)
@@ -138,6 +144,21 @@ def _rows(axes: Any, time: NDArray[np.float64], values: NDArray[np.float64], nam
     return picture
 
 
+def running_mean(time: NDArray[np.float64], values: NDArray[np.float64], seconds: float = MEAN) -> Any:
+    """Means (times x values) over so much time around each moment; at the ends, over what there is of it."""
+    step = float(np.median(np.diff(time))) if len(time) > 1 else seconds
+    half = max(0, round((seconds / step - 1) / 2))
+    sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
+    first = np.maximum(np.arange(len(values)) - half, 0)
+    end = np.minimum(np.arange(len(values)) + half + 1, len(values))
+    return (sums[end] - sums[first]) / (end - first).reshape(-1, *[1] * (values.ndim - 1))
+
+
+def _legend(axes: Any) -> None:
+    """Above the plot, where it covers nothing."""
+    axes.legend(ncols=4, fontsize=7, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, frameon=False)
+
+
 def _draw_joints(traces: Traces, axes: Any) -> None:
     picture = _rows(axes, traces.time, traces.bends, traces.joints, cmap="RdBu_r", vmin=-1, vmax=1)
     bar = axes.figure.colorbar(picture, ax=axes, pad=0.01)
@@ -145,7 +166,7 @@ def _draw_joints(traces: Traces, axes: Any) -> None:
 
 
 def _draw_touch(traces: Traces, axes: Any) -> None:
-    forces = np.ma.masked_less_equal(traces.forces, 0)
+    forces = np.ma.masked_less(running_mean(traces.time, traces.forces), WEAK / 10)
     picture = _rows(axes, traces.time, forces, traces.parts, cmap=HEAT, norm=LogNorm(WEAK, 10 * STRONG))
     axes.set_facecolor("0.95")
     axes.figure.colorbar(picture, ax=axes, pad=0.01, label="N")
@@ -158,15 +179,15 @@ def _draw_gaze(traces: Traces, axes: Any) -> None:
         axes.plot(traces.time, traces.gaze[:, up], color=color, linewidth=1, linestyle=":", label=f"{eye}, up")
     axes.axhline(0, color="0.8", linewidth=0.8, zorder=0)
     axes.set_ylabel("degrees")
-    axes.legend(ncols=4, fontsize=7, loc="upper right", framealpha=0.8)
+    _legend(axes)
 
 
 def _draw_sound(traces: Traces, axes: Any) -> None:
     if traces.levels is not None:
         axes.plot(traces.time, traces.levels[:, 0], color="tab:blue", linewidth=0.8, label="left ear")
         axes.plot(traces.time, traces.levels[:, 1], color="tab:red", linewidth=0.8, label="right ear")
-    axes.set_ylabel("dB of 20 µPa")
-    axes.legend(ncols=2, fontsize=7, loc="upper right", framealpha=0.8)
+    axes.set_ylabel("dB re 20 µPa")
+    _legend(axes)
 
 
 def _draw_rewards(traces: Traces, axes: Any) -> None:
@@ -178,7 +199,7 @@ _PARTS = (
         "joints, in their ranges", lambda it: len(it.joints) > 0, lambda it: 0.1 * len(it.joints) + 0.3, _draw_joints
     ),
     _Part(
-        "touch, force by part of the body",
+        f"touch, by part of the body, means over {MEAN:g} s",
         lambda it: len(it.parts) > 0,
         lambda it: max(0.11 * len(it.parts), 1.0) + 0.3,
         _draw_touch,
@@ -226,12 +247,13 @@ def main() -> int:
     parser.add_argument("recording", metavar="FILE.h5", help="the recording")
     parser.add_argument("--out", required=True, metavar="FILE.png", help="the picture; .pdf and .svg as well")
     parser.add_argument("--infant", type=int, default=0, help="which one: 0, the first")
+    parser.add_argument("--title", default="", help="above the picture; none unless it is given")
     parser.add_argument("--scene", help="of a recording that does not tell of which world it is")
     asked = parser.parse_args()
     plt.switch_backend("Agg")
     try:
         with Recording(asked.recording) as recording:
-            figure = run(traces(recording, asked.infant, asked.scene), os.path.basename(asked.recording))
+            figure = run(traces(recording, asked.infant, asked.scene), asked.title)
         figure.savefig(asked.out, dpi=130)
     except (Error, OSError, ValueError) as error:
         print(f"python -m mimo.plot: {error}", file=sys.stderr)

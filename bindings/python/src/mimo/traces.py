@@ -30,7 +30,7 @@ class Traces(NamedTuple):
     gaze: (
         Numbers  # left eye to the side and up, right eye likewise, seen from the head, degrees; to its left is positive
     )
-    levels: Optional[Numbers]  # left and right ear, dB of 20 uPa; None: it has no ears
+    levels: Optional[Numbers]  # left and right ear, dB re 20 uPa; None: it has no ears
     rewards: Numbers
 
 

@@ -36,7 +36,7 @@ FOLLOW = 0.2  # how much of its way to the infant the camera goes in a frame
 RATE = 25  # pictures a second
 FULL_SCALE = 1.0  # Pa, 94 dB, as in the program's sound files
 FORMATS = (".mp4", ".m4v", ".mov", ".mkv", ".avi", ".ts")  # that hold H.264 and AAC
-GREY, SKIN, PAPER = (110, 110, 110), (205, 205, 205), (255, 255, 255)
+GREY, SKIN, PAPER = (110, 110, 110), (140, 140, 140), (255, 255, 255)
 
 
 class Frame:

@@ -117,7 +117,7 @@ class Door:
     def _connection(self, web: Any) -> Any:
         takes = self.takes
 
-        class Checked(web.ServerConnection):  # type: ignore[misc, name-defined]
+        class Checked(web.ServerConnection):  # type: ignore[misc]
             async def recv(self, *how: Any, **more: Any) -> Any:
                 while True:
                     raw = await super().recv(*how, **more)
