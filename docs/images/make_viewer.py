@@ -6,6 +6,7 @@ PYTHONPATH=tests/python python docs/images/make_viewer.py
 """
 
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -34,7 +35,7 @@ def shot(viewer: view.Viewer, size: tuple, path: Path) -> Image.Image:
 
 
 def save(picture: Image.Image, name: str) -> None:
-    picture.quantize(COLORS, Image.Quantize.MAXCOVERAGE).save(HERE / name, optimize=True)
+    picture.quantize(COLORS, kmeans=2).save(HERE / name, optimize=True)
 
 
 def draw_pages(folder: Path) -> None:
@@ -55,7 +56,7 @@ def draw_pages(folder: Path) -> None:
 def draw_figures(folder: Path) -> None:
     run = ["mimo", "record", "--scene", "benchmark", "--senses", "hearing", "--seconds", "6", "--seed", "3", "--out"]
     subprocess.run([*run, folder / "run.h5"], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["python", "-m", "mimo.plot", folder / "run.h5", "--out", folder / "run.png"], check=True)
+    subprocess.run([sys.executable, "-m", "mimo.plot", folder / "run.h5", "--out", folder / "run.png"], check=True)
     save(Image.open(folder / "run.png").convert("RGB").reduce(2), "figure_run.png")
     with mimo.World("benchmark", vision=False) as world:
         world.reset(seed=1)

@@ -337,6 +337,34 @@ def test_worlds_and_environments_of_ones_own():
         view.open(3)
 
 
+def test_the_page_shows_what_the_infant_senses():
+    """Of an environment: the eyes and the skin of the observation that it has just returned, from the reset on."""
+    pytest.importorskip("viser", reason="viser is not installed")
+    env = mimo.make("benchmark", vision_width=24, vision_height=24, touch=True)
+    observation, _ = env.reset(seed=1)
+    with view.open(env) as viewer:
+        for _ in range(100):
+            viewer.clock.speed = 1e6  # no waiting
+            viewer._next_frame, viewer._page._frames = 0.0, 0  # everything is drawn
+            viewer.show()
+            both = viewer._page._senses._pictures[""].image
+            np.testing.assert_array_equal(both[:, :24], observation["vision/eye_left"])
+            np.testing.assert_array_equal(both[:, -24:], observation["vision/eye_right"])
+            felt = (np.linalg.norm(observation["touch/force"], axis=1) > 0).sum()
+            assert len(viewer._page._marks[0]._handle.points) - 1 == felt
+            observation, *_ = env.step(np.zeros(env.action_space.shape, np.float32))
+        assert felt > 0
+    env.close()
+
+
+def test_the_first_episode_too_is_the_seed_s():
+    """Its random actions are those of that seed, as after a reset."""
+    with viewer_or_skip(view.Live("reach", vision=False), seed=7) as viewer:
+        first = [viewer._page.motors.next() for _ in range(60)]
+        viewer.restart()
+        np.testing.assert_array_equal(first, [viewer._page.motors.next() for _ in range(60)])
+
+
 def test_a_failed_simulation_begins_again(shown):
     shown.change("benchmark", "")
     told, world = [], shown._source.world

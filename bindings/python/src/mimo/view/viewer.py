@@ -54,6 +54,7 @@ class Viewer:
         page = Page(self._server, self._source, self.clock, task, self)
         if page.time.seed is not None and self._seed is not None:
             page.time.seed.value = self._seed
+            page.motors.restart(self._seed)
         return page
 
     def _greet(self, client: Any) -> None:
