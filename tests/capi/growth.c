@@ -216,6 +216,10 @@ static void refused(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "do not go together", add(scene, "mitten", "", &growth));
   growth = age_of(24.5);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "age is 24.5, expected 0 to 24 months", add(scene, "mitten", "", &growth));
+  growth = age_of(6);
+  growth.percentile = 0.5; /* of those who mean the median */
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "percentile is 0.5, expected percent, 1 to 99.865, of which 50 is the median",
+              add(scene, "mitten", "", &growth));
   CHECK_OK(add(scene, "mitten", "", NULL)); /* nothing has been added so far */
   mimo_scene_destroy(scene);
 }

@@ -27,6 +27,8 @@ def everything():
         "selection": world.bodies("head"),
         "joints of a batch": batch.joints("robot:left_elbow"),
         "agent": world.agents[0],
+        "layout": world.layout,
+        "parameters": mimo.Scene("reach").parameters,
         "field": next(iter(world.layout.fields.values())),
     }
 

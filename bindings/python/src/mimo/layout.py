@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from . import _abi
 from ._handle import Native
 from ._library import LIB, check, text, utf8
+from ._strict import Strict
 from .constants import Receptor
 from .errors import ClosedError
 
@@ -104,22 +105,30 @@ class Receptors(NamedTuple):
     frame: NDArray[np.float64]  # n x 3 x 3, rows: outward normal, two tangents, in the frame of the body
 
 
-class Layout:
+class Layout(Strict):
     """What a world, a batch or attached senses observe, act with and are rewarded for.
 
     `fields` are by name, in the order of the block; `actions` and `terms` in that of their arrays.
     """
+
+    bytes: int  # of a block
+    agents: int
+    fields: Dict[str, Field]
+    actions: Tuple[Action, ...]
+    terms: Tuple[Term, ...]
 
     def __init__(self, owner: Native, layout_of: Callable[[Native, ctypes.c_void_p], int]) -> None:
         self._owner = weakref.ref(owner)  # which is not to live as long as its description
         self._handle, info = ctypes.c_void_p(), _abi.LayoutInfo()
         check(layout_of(owner, self._handle))
         check(LIB.mimo_layout_describe(self._handle, info))
-        self.bytes: int = info.block_bytes
-        self.agents: int = info.agents
-        self.fields = {field.name: field for field in map(self._field, range(info.fields))}
-        self.actions = tuple(map(self._action, range(info.actions)))
-        self.terms = tuple(map(self._term, range(info.terms)))
+        self._have(
+            bytes=info.block_bytes,
+            agents=info.agents,
+            fields={field.name: field for field in map(self._field, range(info.fields))},
+            actions=tuple(map(self._action, range(info.actions))),
+            terms=tuple(map(self._term, range(info.terms))),
+        )
         self._names = list(self.fields)
         listed = self.fields.values()
         self._record = np.dtype(

@@ -12,6 +12,7 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._library import LIB, check, log_to_python, text, utf8
+from ._strict import Strict
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
 from .constants import NOW, Hearing, Place, Proprioception, Quantity, Reflex, Touch, Vestibular
@@ -467,7 +468,7 @@ def _rebuilt(start: Dict[str, Any], steps: List[_Step]) -> Scene:
     return scene
 
 
-class Parameters(MutableMapping[str, float]):
+class Parameters(Strict, MutableMapping[str, float]):
     """The parameters of a scene's tasks, by name. They count for worlds made from now on."""
 
     def __init__(self, scene: Scene) -> None:
