@@ -21,7 +21,7 @@ PROBE = """<body name="skin"><geom type="box" size=".05 .05 .01"/></body>
 BELT = """<body name="belt"><joint name="x" type="slide" axis="1 0 0"/>
     <geom type="box" size=".3 .05 .01" mass="5" friction="{0} .005 .0001" condim="{1}"/></body>
   <body name="skin" pos="0 0 .0199"><joint type="slide" axis="0 0 1"/>
-    <geom size=".01" mass=".2" friction="{0} .005 .0001" condim="{1}"/></body>"""
+    <geom size="{2}" pos="0 0 {3}" mass=".2" friction="{0} .005 .0001" condim="{1}"/></body>"""
 HEAD = '<body name="head"><joint name="turn" axis="0 0 1"/><geom size=".07"/></body>'
 ARM = """<body name="arm"><joint name="elbow" axis="0 1 0" range="-1 1" limited="true" damping="1"/>
   <geom type="capsule" fromto="0 0 0 .2 0 0" size=".02"/></body>"""
@@ -104,7 +104,7 @@ def drop(step):
 
 def belt(step, friction, material, speed=0.1):
     """A means of the last of two seconds, and all of the normal force's course."""
-    bodies = BELT.format(max(friction, 1e-3), 3 if friction > 0 else 1)
+    bodies = BELT.format(max(friction, 1e-3), 3 if friction > 0 else 1, 0.01, 0)
     world = skin_world(step, bodies, SKIN | mimo.Touch.NORMAL_FORCE, material=material)
     slide = world.joints("x")
     told = []
@@ -150,7 +150,19 @@ def pain(step):
     for _ in range(round(2 / step)):
         world.step()
     fast, slow = seen(world, "nociception_fast", "nociception_slow")
-    return {"nociceptors, 2 N on a tip of 0.5 mm for 2 s, fast": fast, "nociceptors there, slow": slow}
+    world = skin_world(step, BELT.format(1, 3, 0.0005, -0.0095), kinds)
+    slides = []
+    for _ in range(round(2 / step)):
+        world.joints("x").position, world.joints("x").velocity = -0.1, 0.1
+        world.step()
+        slides.append(seen(world, "nociception_fast", "nociception_slow"))
+    late = np.mean(slides[len(slides) // 2 :], axis=0)
+    return {
+        "nociceptors, 2 N on a tip of 0.5 mm for 2 s, fast": fast,
+        "nociceptors there, slow": slow,
+        "nociceptors, the same tip slides at 0.1 m/s with friction 1, fast": late[0],
+        "nociceptors, slow, while it slides": late[1],
+    }
 
 
 def balance(step):

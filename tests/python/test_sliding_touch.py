@@ -22,13 +22,16 @@ BELT = """<mujoco>{options}<worldbody>
     <geom {shape} mass=".2" friction="{friction} .005 .0001"/></body></worldbody></mujoco>"""
 BALL = {"shape": 'size=".01"', "tip": ""}
 PLATE = {"shape": 'type="box" size=".02 .02 .01"', "tip": '<joint name="tip" axis="0 1 0"/>'}
+TIP = {"shape": 'size=".0005" pos="0 0 -.0095"', "tip": ""}
 SENSES = mimo.Touch.SA1 | mimo.Touch.RA | mimo.Touch.PC | mimo.Touch.NORMAL_FORCE
 
 
 class Belt:
     """Skin that its weight presses on a belt, which runs under it."""
 
-    def __init__(self, step, friction, material="plastic", kind=BALL, cone="elliptic", response="NEAREST"):
+    def __init__(
+        self, step, friction, material="plastic", kind=BALL, cone="elliptic", response="NEAREST", senses=SENSES
+    ):
         xml = BELT.format(options=OPTIONS.format(step, cone), friction=friction, **kind)
         scene = mimo.Scene(xml=xml)
         scene.add_agent(
@@ -37,7 +40,7 @@ class Belt:
             vision=False,
             vestibular=False,
             proprioception=0,
-            touch=SENSES,
+            touch=senses,
             touch_response=mimo.TouchResponse[response],
         )
         scene.set_touch("skin", 0.01)
@@ -45,14 +48,14 @@ class Belt:
         self.world = mimo.World(scene, frame_skip=1)
         self.world.reset(0)
 
-    def run(self, seconds, speed):
+    def run(self, seconds, speed, names=("force", "sa1", "ra", "pc")):
         """Force, SA1, RA and PC in their course, each of the sensor that tells most."""
         told = []
         belt = self.world.joints("x")
         for _ in range(round(seconds / self.world.timestep)):
             belt.position, belt.velocity = 0, speed
             seen = self.world.step().observation
-            told.append([seen[f"touch/{name}"].max() for name in ("force", "sa1", "ra", "pc")])
+            told.append([seen[f"touch/{name}"].max() for name in names if f"touch/{name}" in seen])
         return np.array(told)
 
 
@@ -88,6 +91,16 @@ def test_a_texture_is_told_through_friction(friction):
     told = late(Belt(0.005, friction, "cotton").run(1.5, 0.1))
     assert told[:, 3] == pytest.approx(100, rel=0.04)
     assert told[:, 2].max() == 0  # below half of RA's threshold there, 134 micrometres
+
+
+# By Hertz 1.962 N on a tip of 0.5 mm make 209 kPa x 1.962^(1/3) = 261.7 kPa, 1.817 times an infant's threshold.
+@pytest.mark.parametrize("friction", [0.3, 1])
+def test_a_sharp_thing_hurts_as_much_while_it_slides(friction):
+    belt = Belt(0.005, friction, kind=TIP, senses=mimo.Touch.NOCICEPTION_FAST | mimo.Touch.NOCICEPTION_SLOW)
+    belt.run(4, 0.1)
+    told = belt.run(1, 0.1, ("nociception_fast", "nociception_slow"))
+    assert told[:, 0] == pytest.approx(20 * 0.817 * 0.4, rel=0.05)
+    assert told[:, 1] == pytest.approx(5 * (1.817 - 0.8), rel=0.03)
 
 
 def test_what_comes_down_on_what_moves_is_told_at_once_and_so_is_its_leaving():

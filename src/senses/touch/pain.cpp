@@ -10,13 +10,18 @@ namespace mimo::senses::touch {
 Pain::Pain(const std::vector<Patch>& patches, double tick)
     : patches_(patches), kept_(std::exp(-tick / receptors::kFastAdapts)), table_(patches.size()) {}
 
-void Pain::go_on(const Felt& felt, const Warmth& warmth) {
-  for (const Prick& prick : felt.pricks()) {
-    const receptors::Region region = patches_[static_cast<std::size_t>(prick.sensor)].region;
-    const double threshold = receptors::kPainfulPressure * receptors::pain_factor(region);
-    double& over = table_[kOver][table_.add(prick.sensor)];
-    over = std::max(over, prick.pressure / threshold);
+void Pain::prick(int sensor, double pressure) {
+  const receptors::Region region = patches_[static_cast<std::size_t>(sensor)].region;
+  const double threshold = receptors::kPainfulPressure * receptors::pain_factor(region);
+  double& over = table_[kOver][table_.add(sensor)];
+  over = std::max(over, pressure / threshold);
+}
+
+void Pain::go_on(const Felt& felt, const Rattle& rattle, const Warmth& warmth) {
+  for (const Prick& each : felt.pricks()) {
+    if (!rattle.doubts(static_cast<std::size_t>(each.sensor))) prick(each.sensor, each.pressure);
   }
+  rattle.prick([this](int sensor, double pressure) { prick(sensor, pressure); });
   warmth.beyond(receptors::kPainfulCold, receptors::kPainfulHeat, [this](int sensor, float degrees) {
     if (receptors::slow_heat_rate(static_cast<double>(degrees)) > 0) table_.add(sensor);
   });

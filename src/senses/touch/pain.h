@@ -12,7 +12,8 @@ class Pain {
   Pain(const std::vector<Patch>& patches, double tick);
 
   void rest() { table_.clear(); }
-  void go_on(const Felt& felt, const Warmth& warmth);
+  // What slides pricks as it rattles.
+  void go_on(const Felt& felt, const Rattle& rattle, const Warmth& warmth);
 
   // Fills a rate in where a sensor is not at rest: there it is 0.
   void fill_in(Rate rate, float* out) const { table_.spread(kFirstRate + std::size_t{rate}, out); }
@@ -27,6 +28,7 @@ class Pain {
     kFirstRate,
     kColumns = kFirstRate + 2
   };
+  void prick(int sensor, double pressure);
   // Says whether the sensor goes on being restless.
   bool update(std::size_t place, double temperature);
 

@@ -24,6 +24,12 @@ Rattle::Rattle(std::size_t sensors, std::size_t geoms, double tick)
 void Rattle::take_in(const Felt& felt) {
   for (const int sensor : felt.sensors()) {
     if (felt.of(sensor).lift > 0) table_.add(sensor);
+    if (table_.place(static_cast<std::size_t>(sensor)) != table_.kNone) sharpness(sensor) = 0;
+  }
+  for (const Prick& prick : felt.pricks()) {
+    if (table_.place(static_cast<std::size_t>(prick.sensor)) == table_.kNone) continue;
+    const double sharp = prick.pressure / std::cbrt(felt.of(prick.sensor).normal);
+    sharpness(prick.sensor) = std::max(sharpness(prick.sensor), sharp);
   }
 }
 

@@ -8,6 +8,8 @@
 // changes without opening is told as it is.
 #pragma once
 
+#include <cmath>
+
 #include "observation/process.h"
 #include "senses/touch/felt.h"
 #include "senses/touch/restless.h"
@@ -36,6 +38,16 @@ class Rattle : public observation::Process {
       take(static_cast<std::size_t>(table_.sensors()[i]), table_[kTold][i]);
     }
   }
+  // Whether a sensor is told of another force than it feels.
+  bool doubts(std::size_t sensor) const { return table_.number(kDoubt, sensor) > 0; }
+  // Calls take(sensor, pressure) for those of them that something pricks, by Hertz with the force they are told of, Pa.
+  template <typename Take>
+  void prick(Take&& take) const {
+    for (std::size_t i = 0; i < table_.size(); ++i) {
+      const double pressure = table_[kSharpness][i] * std::cbrt(table_[kTold][i]);
+      if (table_[kDoubt][i] > 0 && pressure > 0) take(table_.sensors()[i], pressure);
+    }
+  }
   // What slides over a sensor, also while it hops: a geom, -1 for none, and how fast, m/s.
   struct Slide {
     double speed;
@@ -54,6 +66,7 @@ class Rattle : public observation::Process {
     kAir,                      // time for which it may yet be in the air, s
     kSpeed,                    // of what slides, m/s
     kOther,                    // and its geom
+    kSharpness,                // of what pricks: its pressure over the cube root of the force, Pa
     kStates,                   // those above are remembered
     kTold = kStates,           // N
     kColumns
@@ -62,6 +75,9 @@ class Rattle : public observation::Process {
   void rest(const mjModel&, const mjData&) override { clear(); }
   void go_on(const mjModel&, const mjData&) override {}
   void take_in(const Felt& felt);
+  double& sharpness(int sensor) {
+    return table_[kSharpness][static_cast<std::size_t>(table_.place(static_cast<std::size_t>(sensor)))];
+  }
   void settle(std::size_t place, const Feeling& feeling, double smoothed);
 
   double geoms_, tick_, kept_;

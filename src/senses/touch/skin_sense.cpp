@@ -27,7 +27,9 @@ class Nerves : public observation::Process {
         wants_warmth_(options.receptors.warmth() || options.receptors.pain()),
         wants_pain_(options.receptors.pain()),
         wants_rates_of_warmth_(options.receptors.cold || options.receptors.warm),
-        felt_(*skin_, options.response, {options.receptors.touch(), wants_pain_, options.slip_threshold}, *things_),
+        felt_(*skin_, options.response, {options.receptors.touch() || wants_pain_, wants_pain_, options.slip_threshold},
+              *things_),
+        rattle_(rattle),
         afferents_(patches_, rattle, options.slip_threshold, tick),
         warmth_(patches_, *things_, tick),
         pain_(patches_, tick) {}
@@ -47,7 +49,7 @@ class Nerves : public observation::Process {
     afferents_.go_on(felt_);
     stale_ = true;
     if (wants_warmth_) warmth_.go_on(felt_, afferents_);
-    if (wants_pain_) pain_.go_on(felt_, warmth_);
+    if (wants_pain_) pain_.go_on(felt_, rattle_, warmth_);
   }
   void save(ByteWriter& to) const override {
     tell();
@@ -85,6 +87,7 @@ class Nerves : public observation::Process {
   bool wants_warmth_, wants_pain_, wants_rates_of_warmth_;
   mutable bool stale_ = false;  // rates are of an earlier step
   touch::Felt felt_;
+  const touch::Rattle& rattle_;
   mutable touch::Afferents afferents_;
   mutable touch::Warmth warmth_;
   touch::Pain pain_;
