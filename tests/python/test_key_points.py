@@ -252,3 +252,12 @@ def test_where_errors_cannot_be_written_nothing_is(tmp_path, capsys):
     assert motion.main([str(tmp_path / "points.csv"), *files]) == 1
     assert "nowhere" in capsys.readouterr().err
     assert not (tmp_path / "motion.csv").exists()
+
+
+@pytest.mark.parametrize("text", ["[" * 100000, '{"matrix": ' + "9" * 5000 + "}", "{", "[1]", ""])
+def test_files_that_are_no_cameras(text, tmp_path):
+    path = tmp_path / "camera.json"
+    path.write_text(text)
+    with pytest.raises(ValueError, match=r"is no camera: |matrix has the shape") as raised:
+        mimo.key_points.Camera.read(str(path))
+    assert "\n" not in str(raised.value)

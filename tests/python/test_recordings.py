@@ -7,6 +7,7 @@ import pytest
 from recorded import record, recorder_or_skip, table_of
 
 import mimo
+from mimo.recorded_world import recorded_world
 
 ROOM = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><light pos="0 0 3"/></worldbody></mujoco>"""
 
@@ -141,3 +142,19 @@ def test_what_is_no_recording(tmp_path):
         poor.attrs["format_version"], poor.attrs["step_seconds"] = 1, 0.01
     with pytest.raises(mimo.FileError, match=r"other.h5 is not a whole recording"):
         mimo.Recording(tmp_path / "other.h5")
+
+
+@pytest.mark.parametrize(
+    ("configuration", "line"),
+    [
+        ("[" * 100000, "nested too deeply"),
+        ('{"scene": ' + "9" * 5000 + "}", "cannot be made anew"),
+        ("[]", "it is not an object"),
+        ("{", "cannot be made anew"),
+    ],
+)
+def test_configurations_that_say_nothing(configuration, line):
+    with pytest.raises(ValueError, match=line) as raised:
+        recorded_world("run.h5", configuration, 0, None)
+    assert str(raised.value).startswith("run.h5 has a configuration that cannot be made anew: ")
+    assert "\n" not in str(raised.value)
