@@ -3,7 +3,9 @@
  * Recordings: what a program does with a world, written into one HDF5 file by itself, and played again from there.
  * docs/guide/recordings.md has the file's layout. HDF5 1.10 or later is loaded when it is first needed: the one that
  * `hdf5` of a call names, else that of the environment variable MIMO_HDF5, else the system's. It stays for the
- * process.
+ * process. In programs with elevated rights (setuid and the like) MIMO_HDF5 does not count, and recordings are
+ * MIMO_E_UNSUPPORTED where HDF5's own variables (HDF5_...) are set. HDF5 itself does not survive it when memory runs out
+ * while it starts.
  */
 #ifndef MIMO_RECORDING_H
 #define MIMO_RECORDING_H
@@ -50,12 +52,17 @@ MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, siz
  *
  * A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to
  * the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened.
- * @param path     of the file; one that is there is replaced.
+ * Nobody else's file is written over: a whole recording that no program is using is replaced, once the new one has
+ * been made beside it, and so is an empty file. What else is there stays, as MIMO_E_FILE. While it is recorded, no
+ * other recorder takes the file, in this process or another one; where somebody else moves, removes, replaces or cuts
+ * it all the same, the recording ends as on a full disk.
+ * @param path     of the file.
  * @param config   NULL means defaults.
  * @param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
  * Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
  *         MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
- *         for a file that cannot be made; MIMO_E_SIMULATION for a world that has failed.
+ *         for a file that cannot be made, and for one that is there and is no whole recording or is in use;
+ *         MIMO_E_SIMULATION for a world that has failed.
  */
 MIMO_API mimo_status mimo_recorder_open(mimo_env *env, const char *path, const mimo_recorder_config *config,
                                         mimo_recorder **recorder) MIMO_NOEXCEPT;
@@ -74,7 +81,8 @@ MIMO_API mimo_status mimo_recorder_flush(mimo_recorder *recorder) MIMO_NOEXCEPT;
 MIMO_API mimo_status mimo_recorder_close(mimo_recorder *recorder) MIMO_NOEXCEPT;
 
 /**
- * Opens a recording, also one whose program was killed.
+ * Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md says
+ * what it can do.
  * @param hdf5      path of the HDF5 library, or NULL.
  * @param recording receives the handle; destroy it with mimo_recording_destroy.
  * Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no

@@ -1,15 +1,14 @@
 #include "bvh.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <string_view>
 
 #include "angles.h"
 #include "failure.h"
+#include "files.h"
 #include "text.h"
 
 namespace cli {
@@ -21,8 +20,7 @@ constexpr std::size_t kMostJoints = 1000;
 class Words {
  public:
   explicit Words(const std::string& path) : path_(path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Failure("cannot read " + path + ": " + std::strerror(errno));
+    std::ifstream file = open_to_read(path);
     text_.assign(std::istreambuf_iterator<char>(file), {});
     rest_ = text_;
   }

@@ -1,13 +1,13 @@
 #include "csv.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "failure.h"
+#include "files.h"
 #include "text.h"
 
 namespace cli {
@@ -26,9 +26,7 @@ std::vector<std::string_view> split(std::string_view line) {
 // Reads lines and knows where it is.
 class Reader {
  public:
-  explicit Reader(const std::string& path) : path_(path), file_(path) {
-    if (!file_) throw Failure("cannot read " + path + ": " + std::strerror(errno));
-  }
+  explicit Reader(const std::string& path) : path_(path), file_(open_to_read(path)) {}
 
   bool next(std::string& line) {
     ++number_;
@@ -103,7 +101,7 @@ NumberTable read_numbers(const std::string& path, const std::string& named) {
 }
 
 void write_numbers(const std::string& path, const NumberTable& table, int digits) {
-  std::ofstream file(path);
+  std::ostringstream file;
   const char* comma = "";
   for (const std::string& name : table.names) {
     file << comma << name;
@@ -117,8 +115,7 @@ void write_numbers(const std::string& path, const NumberTable& table, int digits
     }
   }
   file << "\n";
-  file.close();
-  if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+  write_file(path, file.str());
 }
 
 }  // namespace cli

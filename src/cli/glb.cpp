@@ -1,11 +1,8 @@
 #include "glb.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
-#include "failure.h"
+#include "files.h"
 #include "picture.h"
 
 namespace cli {
@@ -77,7 +74,7 @@ std::size_t Glb::add_indices(const std::vector<std::uint32_t>& values) {
 }
 
 std::size_t Glb::add_texture(const mimo::Texture& texture, const std::string& name) {
-  const std::vector<std::uint8_t> png = png_of(texture);
+  const std::string png = png_of(texture);
   const std::size_t view = add_view(png.data(), png.size());
   const std::size_t image = add("images", {{"name", name}, {"mimeType", "image/png"}, {"bufferView", view}});
   return add("textures", {{"source", image}});
@@ -96,10 +93,7 @@ void Glb::write(const std::string& path) const {
   put(file, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + data.size()));
   put_chunk(file, kJsonChunk, json);
   put_chunk(file, kBinChunk, data);
-  std::ofstream out(path, std::ios::binary);
-  out.write(file.data(), static_cast<std::streamsize>(file.size()));
-  out.close();
-  if (!out) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+  write_file(path, file);
 }
 
 }  // namespace cli

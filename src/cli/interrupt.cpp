@@ -6,30 +6,41 @@
 namespace cli {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+constexpr int kSignals[] = {
+    SIGINT,
+    SIGTERM,
+#ifdef SIGHUP
+    SIGHUP,
+#endif
+};
 
-void note(int) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+volatile std::sig_atomic_t interrupted = 0;  // by which signal
+
+void note(int signal) {
+  interrupted = signal;
+  for (const int any : kSignals) std::signal(any, SIG_DFL);
+}
+
+// Who started the program without such a signal (nohup, in the background) keeps it so.
+void handle(void (*handler)(int)) {
+  for (const int signal : kSignals) {
+    if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 }  // namespace
 
-// Who started the program without Ctrl-C (nohup, in the background) keeps it so.
-Interrupt::Interrupt() {
-  if (std::signal(SIGINT, note) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
-}
+Interrupt::Interrupt() { handle(note); }
 
-Interrupt::~Interrupt() {
-  if (std::signal(SIGINT, SIG_DFL) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
-}
+Interrupt::~Interrupt() { handle(SIG_DFL); }
 
 bool Interrupt::requested() { return interrupted != 0; }
 
 void Interrupt::pass_on() {
-  std::signal(SIGINT, SIG_DFL);
-  std::raise(SIGINT);
-  std::_Exit(130);  // where the signal is blocked
+  const int signal = interrupted;
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+  std::_Exit(128 + signal);  // where the signal is blocked
 }
 
 }  // namespace cli

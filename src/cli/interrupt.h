@@ -1,4 +1,5 @@
-// Ctrl-C: the first one asks for an early end, which leaves time to report; the second one ends the program at once.
+// Ctrl-C, and what batch systems and closing terminals send: the first such signal asks for an early end, which leaves
+// time to report and to close files; the second one ends the program at once.
 #pragma once
 
 namespace cli {
@@ -11,7 +12,7 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
   static bool requested();
-  // Ends the program as Ctrl-C would have, so that a script that called it ends, too.
+  // Ends the program as the signal would have, so that a script that called it ends, too.
   [[noreturn]] static void pass_on();
 };
 

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "facts.h"
-#include "failure.h"
+#include "files.h"
 #include "full_world.h"
 #include "progress.h"
 #include "reference.h"
@@ -87,7 +87,7 @@ void print(const std::vector<Row>& rows) {
 }
 
 void write_csv(const std::vector<Row>& rows, const std::string& path) {
-  std::ofstream file(path);
+  std::ostringstream file;
   file << "vision_px,touch_scale,touch_sensors,steps,ms_per_step,realtime_factor,reference_us,reference_steps";
   for (const auto& [part, ms] : rows[0].split) file << ',' << part << "_ms";
   file << '\n';
@@ -97,7 +97,7 @@ void write_csv(const std::vector<Row>& rows, const std::string& path) {
     for (const auto& [part, ms] : row.split) file << ',' << ms;
     file << '\n';
   }
-  if (!file.flush()) throw Failure("file " + path + " cannot be written");
+  write_file(path, file.str());
 }
 
 }  // namespace

@@ -3,13 +3,11 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 
 #include "failure.h"
+#include "files.h"
 
 namespace cli {
 namespace {
@@ -24,16 +22,19 @@ Rgb from_hsv(double hue, double saturation, double value) {
   return {channel(5), channel(3), channel(1)};
 }
 
-void write_png(const std::string& path, std::uint32_t format, std::uint32_t width, std::uint32_t height,
-               const void* pixels) {
+// libpng writes into memory: what a file gets is whole.
+std::string png_of(std::uint32_t format, std::uint32_t width, std::uint32_t height, const void* pixels) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = width;
   image.height = height;
   image.format = format;
-  if (png_image_write_to_file(&image, path.c_str(), 0, pixels, 0, nullptr) == 0) {
-    throw Failure("cannot write " + path + ": " + image.message);
-  }
+  png_alloc_size_t bytes = 0;
+  if (png_image_write_to_memory(&image, nullptr, &bytes, 0, pixels, 0, nullptr) == 0) throw Failure(image.message);
+  std::string png(bytes, '\0');
+  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, pixels, 0, nullptr) == 0) throw Failure(image.message);
+  png.resize(bytes);
+  return png;
 }
 
 template <typename Pixel>
@@ -46,12 +47,9 @@ void write_npy(const std::string& path, const char* type, const Picture<Pixel>& 
   header += '\n';
   const char length[2] = {static_cast<char>(header.size() & 0xff), static_cast<char>(header.size() >> 8)};
 
-  std::ofstream file(path, std::ios::binary);
-  file.write("\x93NUMPY\x01\x00", 8).write(length, 2) << header;
-  file.write(reinterpret_cast<const char*>(picture.pixels.data()),
-             static_cast<std::streamsize>(picture.pixels.size() * sizeof(Pixel)));
-  file.close();
-  if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+  std::string file = std::string("\x93NUMPY\x01\x00", 8).append(length, 2) + header;
+  file.append(reinterpret_cast<const char*>(picture.pixels.data()), picture.pixels.size() * sizeof(Pixel));
+  write_file(path, file);
 }
 
 }  // namespace
@@ -89,27 +87,16 @@ Picture<std::uint16_t> millimetres(const Picture<float>& metres, const Picture<s
   return picture;
 }
 
-std::vector<std::uint8_t> png_of(const mimo::Texture& texture) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = texture.width;
-  image.height = texture.height;
-  image.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t bytes = 0;
-  const void* pixels = texture.pixels.data();
-  if (png_image_write_to_memory(&image, nullptr, &bytes, 0, pixels, 0, nullptr) == 0) throw Failure(image.message);
-  std::vector<std::uint8_t> png(bytes);
-  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, pixels, 0, nullptr) == 0) throw Failure(image.message);
-  png.resize(bytes);
-  return png;
+std::string png_of(const mimo::Texture& texture) {
+  return png_of(PNG_FORMAT_RGBA, texture.width, texture.height, texture.pixels.data());
 }
 
 void write_png(const std::string& path, const ColorPicture& picture) {
-  write_png(path, PNG_FORMAT_RGB, picture.width, picture.height, picture.pixels.data());
+  write_file(path, png_of(PNG_FORMAT_RGB, picture.width, picture.height, picture.pixels.data()));
 }
 
 void write_png(const std::string& path, const Picture<std::uint16_t>& picture) {
-  write_png(path, PNG_FORMAT_LINEAR_Y, picture.width, picture.height, picture.pixels.data());
+  write_file(path, png_of(PNG_FORMAT_LINEAR_Y, picture.width, picture.height, picture.pixels.data()));
 }
 
 void write_npy(const std::string& path, const Picture<float>& picture) { write_npy(path, "<f4", picture); }

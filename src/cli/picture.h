@@ -24,7 +24,7 @@ ColorPicture color_coded(const Picture<std::int32_t>& ids);
 Picture<std::uint16_t> millimetres(const Picture<float>& metres, const Picture<std::int32_t>& ids);
 
 // A texture as a PNG file.
-std::vector<std::uint8_t> png_of(const mimo::Texture& texture);
+std::string png_of(const mimo::Texture& texture);
 
 // Write a file or throw a Failure. .npy is NumPy's format.
 void write_png(const std::string& path, const ColorPicture& picture);

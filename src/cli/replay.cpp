@@ -1,12 +1,14 @@
 // mimo replay: plays a recording again and says how far the results are from the recorded ones.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "commands.h"
 #include "failure.h"
@@ -59,6 +61,13 @@ mimo::Env open_recorded(const WorldOptions& options, const mimo_recording_info& 
   return open_world(options, config);
 }
 
+std::uint64_t seed_of(const std::string& file, std::string_view words) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), seed);
+  if (error == std::errc() && end == words.data() + words.size()) return seed;
+  throw Failure(file + " is not a whole recording: its attribute 'seed' is not a whole number");
+}
+
 Replay::Replay(const ReplayOptions& options, const CLI::App& command)
     : options_(options),
       recording_(options.file),
@@ -90,7 +99,7 @@ void Replay::play() {
   Progress progress(end_ - first_);
   for (std::size_t step = first_; step < end_ && !Interrupt::requested(); ++step) {
     if (step == start_ && !options_.recorder.out.empty()) {
-      recorder.emplace(open_recorder(env_, options_.recorder, configuration_, std::stoull(info_.seed)));
+      recorder.emplace(open_recorder(env_, options_.recorder, configuration_, seed_of(options_.file, info_.seed)));
     }
     recording_.step(env_, block_, results_);
     progress.show(step + 1 - first_);

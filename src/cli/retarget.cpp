@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -16,6 +13,7 @@
 #include "csv.h"
 #include "facts.h"
 #include "failure.h"
+#include "files.h"
 #include "joints.h"
 
 namespace cli {
@@ -69,8 +67,7 @@ std::string plain(const std::string& name) {
 
 // Lines of a file: a joint's name and the body that it moves.
 std::map<std::string, std::string> read_map(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw Failure("cannot read " + path + ": " + std::strerror(errno));
+  std::ifstream file = open_to_read(path);
   std::map<std::string, std::string> names;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {

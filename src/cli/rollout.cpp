@@ -1,11 +1,9 @@
 // mimo rollout: applies a stored control sequence and writes down the states.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "commands.h"
 #include "csv.h"
@@ -89,12 +87,11 @@ class Recording {
   }
 
   void write(const std::string& path) const {
-    std::ofstream file(path);
+    std::ostringstream file;
     file << "{\"states\": [";
     for (const State& state : states_) file << (&state == states_.data() ? "\n" : ",\n") << to_json(state).dump();
     file << "\n]}\n";
-    file.close();
-    if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+    write_file(path, file.str());
   }
 
  private:

@@ -73,7 +73,7 @@ Run::Run(const RunOptions& options)
     const std::string name = env_.agents()[0].name;
     wave_.emplace(env_.layout(), name.empty() ? "" : name + "/");
   }
-  std::filesystem::create_directories(options.out);
+  make_folder(options.out);
 }
 
 void Run::simulate() {

@@ -1,12 +1,11 @@
 #include "wave.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
+#include <sstream>
 
 #include "failure.h"
+#include "files.h"
 
 namespace cli {
 namespace {
@@ -16,7 +15,7 @@ constexpr std::uint16_t kChannels = 2, kBytes = 2;
 
 // Numbers of WAV files have their lowest byte first.
 template <typename T>
-void put(std::ofstream& file, T value) {
+void put(std::ostream& file, T value) {
   for (std::size_t i = 0; i < sizeof(T); ++i) file.put(static_cast<char>((value >> (8 * i)) & 0xff));
 }
 
@@ -46,7 +45,7 @@ void Wave::add(const mimo::Block& block) {
 void Wave::write(const std::string& path, double full_scale) const {
   const auto rate = static_cast<std::uint32_t>(std::lround(left_.sample_rate));
   const auto bytes = static_cast<std::uint32_t>(samples_.size() * kBytes);
-  std::ofstream file(path, std::ios::binary);
+  std::ostringstream file;
   file << "RIFF";
   put(file, std::uint32_t{36} + bytes);
   file << "WAVEfmt ";
@@ -63,8 +62,7 @@ void Wave::write(const std::string& path, double full_scale) const {
     const float level = std::clamp(sample / static_cast<float>(full_scale), -1.0F, 1.0F) * kLargest;
     put(file, static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(level))));
   }
-  file.close();
-  if (!file) throw Failure("cannot write " + path + ": " + std::strerror(errno));
+  write_file(path, file.str());
 }
 
 }  // namespace cli

@@ -28,13 +28,6 @@ void for_each_member(Growth& growth, Visit&& visit) {
   visit("flicker", growth.flicker);
 }
 
-std::size_t count_members() {
-  std::size_t count = 0;
-  const growth::Growth any;
-  for_each_member(any, [&](const char*, const auto&) { ++count; });
-  return count;
-}
-
 void take(double number, double& member) { member = number; }
 void take(double number, bool& member) { member = number != 0; }
 void take(double number, growth::Sex& member) {
@@ -52,6 +45,13 @@ Growths growths_of(const env::World& world) {
   Growths growths;
   for (const env::Agent& agent : world.agents()) growths.push_back(agent.growth);
   return growths;
+}
+
+std::size_t growth_numbers() {
+  std::size_t count = 0;
+  const growth::Growth any;
+  for_each_member(any, [&](const char*, const auto&) { ++count; });
+  return count;
 }
 
 std::vector<double> row_of(const Growths& growths) {
@@ -72,7 +72,7 @@ std::string names_of_row(const env::World& world) {
 }
 
 Growths growths_of_row(const std::vector<double>& row) {
-  const std::size_t numbers = count_members();
+  const std::size_t numbers = growth_numbers();
   require(row.size() % numbers == 0, "a row has {} numbers, expected {} for each agent", row.size(), numbers);
   Growths growths(row.size() / numbers);
   const double* next = row.data();

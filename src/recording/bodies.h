@@ -13,6 +13,8 @@ using Growths = std::vector<growth::Growth>;  // by agent
 
 Growths growths_of(const env::World& world);
 
+// How many numbers an infant has in a row.
+std::size_t growth_numbers();
 // Numbers of one row, and what they are, a line each.
 std::vector<double> row_of(const Growths& growths);
 std::string names_of_row(const env::World& world);

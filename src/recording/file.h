@@ -9,6 +9,7 @@
 
 #include "base/span.h"
 #include "recording/hdf5.h"
+#include "recording/place.h"
 
 namespace mimo::recording {
 
@@ -24,8 +25,8 @@ constexpr char kTime[] = "time", kActions[] = "actions", kRewards[] = "rewards",
 // take their turn with HDF5 by themselves.
 class Writer {
  public:
-  Writer(std::string path, unsigned compression);
-  ~Writer();
+  Writer(const std::string& path, unsigned compression);
+  ~Writer();  // leaves the file as it is on the disk where it was not closed; one that was not started goes
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
@@ -40,16 +41,18 @@ class Writer {
              const std::string& names = "", Rows rows = Rows::kFixed);
   void start();
 
-  void append(const std::string& table, const void* row);               // kept until flush() or until there are many
+  // Rows are kept until flush() or until there are many. While another thread uses HDF5, which may take as long as a
+  // disk takes, there may be very many before it is waited for.
+  void append(const std::string& table, const void* row);
   void append(const std::string& table, Span<const std::uint8_t> row);  // that may have grown
   void flush();
+  bool flush_if_free();  // false, and nothing done, while another thread uses HDF5
   void close();
-  // Leaves the file as it is on the disk, where no more can be written.
-  void abandon() noexcept;
 
  private:
   struct Table {
-    hdf5::Id dataset, type;
+    hdf5::Handle dataset;
+    hdf5::Id type;
     std::vector<hdf5::Size> extents;  // of all rows written; the first is their number
     std::size_t row_bytes, chunk_rows;
     std::vector<std::uint8_t> waiting;
@@ -58,17 +61,19 @@ class Writer {
   void check(std::int64_t result) const;
   void write_attribute(hdf5::Id object, const std::string& name, hdf5::Id type, const void* value) const;
   void write_text(hdf5::Id object, const std::string& name, const std::string& text) const;
-  void append(Table& table, Span<const std::uint8_t> row) const;
-  void write_waiting(Table& table) const;
-  void lengthen(Table& table, std::size_t row_bytes) const;
+  void append(Table& table, Span<const std::uint8_t> row);
+  void write_waiting(Table& table);
+  int descriptor() const;  // of the system; negative where there is none
 
   const hdf5::Library& h5_;
-  std::string path_;
+  Place place_;
   unsigned compression_;
-  hdf5::Id file_ = -1;
+  hdf5::Handle file_;
   std::map<std::string, Table> tables_;
 };
 
+// Of files that anybody may have made: HDF5 is asked for nothing that was not looked at before. What is not as
+// recordings are throws Status::kFile.
 class Reader {
  public:
   explicit Reader(std::string path);
@@ -82,35 +87,44 @@ class Reader {
   double real(const std::string& attribute) const;
   bool has(const std::string& table) const;         // of those that a recording has
   bool has_dataset(const std::string& name) const;  // of any, groups excluded
+  // That it has numbers of this type, and rows of that many dimensions.
+  void require_table(const std::string& table, hdf5::Id type, std::size_t dimensions) const;
   std::size_t rows(const std::string& table) const;
-  std::size_t row_bytes(const std::string& table) const;
+  std::size_t row_bytes(const std::string& table) const;  // rows() times this is a size_t
   // All of them must be there; `bytes` has room for them.
   void read(const std::string& table, std::size_t first, std::size_t count, Span<std::uint8_t> bytes) const;
   std::vector<std::uint8_t> row(const std::string& table, std::size_t index) const;
+  // Of a table with one number a row.
   template <typename T>
-  T number(const std::string& table, std::size_t index) const {
-    T value{};
-    if (row_bytes(table) != sizeof value) damaged("'" + table + "' has numbers of another length");
-    read(table, index, 1, {reinterpret_cast<std::uint8_t*>(&value), sizeof value});
-    return value;
+  std::vector<T> numbers(const std::string& table, std::size_t first, std::size_t count) const {
+    if (row_bytes(table) != sizeof(T)) damaged("'" + table + "' has numbers of another length");
+    std::vector<T> values(count);
+    read(table, first, count, {reinterpret_cast<std::uint8_t*>(values.data()), count * sizeof(T)});
+    return values;
   }
+  std::uint64_t bytes() const;  // of the file
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:
   struct Table {
-    hdf5::Id dataset = -1, type = -1;
+    hdf5::Handle dataset, type;
     std::vector<hdf5::Size> extents;
     std::size_t row_bytes = 0;
   };
+  enum class Link { kNone, kHere, kElsewhere };
 
   void check_format() const;
-  bool has_link(const std::string& table) const;
+  Link find(const std::string& name) const;
+  hdf5::Handle open_attribute(const std::string& name) const;
+  void read_number(const std::string& name, int type_class, hdf5::Id type, void* value) const;
   const Table& open(const std::string& name) const;
-  void read_number(const std::string& name, hdf5::Id type, void* value) const;
+  void open_type(const std::string& name, Table& table) const;
+  void open_shape(const std::string& name, Table& table) const;
+  void require_plain_storage(const std::string& name, const Table& table) const;
 
   const hdf5::Library& h5_;
   std::string path_;
-  hdf5::Id file_ = -1;
+  hdf5::Handle file_;
   mutable std::map<std::string, Table> tables_;
 };
 

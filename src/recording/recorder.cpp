@@ -158,7 +158,6 @@ void Recorder::attempt(Work&& work) noexcept {
     } catch (...) {
       trouble_ = "no memory";  // short enough to need none
     }
-    file_->abandon();
     file_.reset();
   }
 }
@@ -174,7 +173,7 @@ void Recorder::begin(const env::World& world) {
   save(world, state_);
   const bool first = steps_ == 0 && after_step_.empty(), changed = !first && state_ != after_step_;
   if (changed || static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(world, changed);
-  if (first) file_->flush();  // from here on a run that is killed can be replayed
+  if (!begun_) begun_ = file_->flush_if_free();  // from here on a run that is killed can be replayed
 }
 
 void Recorder::keep_state(const env::World& world, bool changed) {
@@ -221,8 +220,7 @@ void Recorder::write(const env::World& world, Span<const float> actions, const s
   for (const Kept& field : fields_) file_->append(field.table, block + field.offset);
   save(world, after_step_);
   if (std::chrono::duration<double>(Clock::now() - flushed_).count() < flush_seconds_) return;
-  file_->flush();
-  flushed_ = Clock::now();
+  if (file_->flush_if_free()) flushed_ = Clock::now();
 }
 
 void Recorder::complain(const env::World& world) const {

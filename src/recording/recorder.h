@@ -67,6 +67,7 @@ class Recorder : public env::Listener {
   std::string trouble_;           // what went wrong first, "" for nothing
   bool told_ = false;             // to the user
   bool stepping_ = false;
+  bool begun_ = false;       // with a first state on its way to the disk
   std::size_t state_every_;  // steps
   double step_seconds_, flush_seconds_;
   std::vector<Kept> fields_;

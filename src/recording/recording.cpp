@@ -16,6 +16,22 @@ std::string table_of(const observation::Field& field) { return "fields/" + field
 
 std::size_t row_bytes_of(const Reader& file, const char* table) { return file.has(table) ? file.row_bytes(table) : 0; }
 
+// Throws where a table is not as the format has it.
+void check_tables(const Reader& file) {
+  const hdf5::Library& h5 = hdf5::library();
+  const struct {
+    const char* table;
+    hdf5::Id type;
+    std::size_t dimensions;
+  } tables[] = {{kTime, h5.f64, 1},          {kActions, h5.f32, 2},       {kRewards, h5.f64, 2},
+                {kJointPosition, h5.f64, 2}, {kJointVelocity, h5.f64, 2}, {kStates, h5.u8, 2},
+                {kStateSteps, h5.i64, 1},    {kStateGiven, h5.u8, 1},     {kStateBodies, h5.i64, 1},
+                {kBodies, h5.f64, 2}};
+  for (const auto& [table, type, dimensions] : tables) {
+    if (file.has(table)) file.require_table(table, type, dimensions);
+  }
+}
+
 // A run that was killed may have lost more of one table than of another.
 std::size_t whole_steps(const Reader& file) {
   std::size_t steps = std::min(file.rows(kTime), file.rows(kJointPosition));
@@ -33,33 +49,34 @@ Recording::Recording(const std::string& path)
       seed_(file_.text("seed")),
       build_(file_.text("build")),
       joint_names_(file_.text("joint_names")),
-      step_seconds_(file_.real("step_seconds")),
-      steps_(whole_steps(file_)),
-      actions_(row_bytes_of(file_, kActions) / sizeof(float)),
-      agents_(row_bytes_of(file_, kRewards) / sizeof(double)),
-      bodies_(file_.has(kBodies) ? file_.rows(kBodies) : 0) {
+      step_seconds_(file_.real("step_seconds")) {
   if (!(step_seconds_ > 0 && std::isfinite(step_seconds_))) file_.damaged("'step_seconds' is no time");
+  check_tables(file_);
+  steps_ = whole_steps(file_);
+  actions_ = row_bytes_of(file_, kActions) / sizeof(float);
+  agents_ = row_bytes_of(file_, kRewards) / sizeof(double);
+  if (file_.has(kBodies)) bodies_ = file_.rows(kBodies);
   read_states();
 }
 
 void Recording::read_states() {
-  const bool marked = file_.has(kStateGiven);  // format version 2
+  const bool marked = file_.integer("format_version") >= 2;
   std::size_t count = std::min(file_.rows(kStateSteps), file_.rows(kStates));
   if (marked) count = std::min({count, file_.rows(kStateGiven), file_.rows(kStateBodies)});
+  if (count > file_.bytes()) file_.damaged("it has more states than bytes");
+  const auto steps = file_.numbers<std::int64_t>(kStateSteps, 0, count);
+  std::vector<std::uint8_t> given(count);
+  std::vector<std::int64_t> bodies(count);
+  if (marked) {
+    given = file_.numbers<std::uint8_t>(kStateGiven, 0, count);
+    bodies = file_.numbers<std::int64_t>(kStateBodies, 0, count);
+  }
+  const bool has_bodies = file_.has(kBodies);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto step = file_.number<std::int64_t>(kStateSteps, i);
-    if (step < 0 || (i > 0 && static_cast<std::size_t>(step) < states_.back().step)) {
-      file_.damaged("'states/step' is not in order");
-    }
-    State state{static_cast<std::size_t>(step), false, 0};
-    if (marked) {
-      const auto body = file_.number<std::int64_t>(kStateBodies, i);
-      // Of a body that was not flushed any more.
-      if (body < 0) file_.damaged("'states/body' is negative");
-      if (static_cast<std::size_t>(body) >= bodies_) break;
-      state.changed = file_.number<std::uint8_t>(kStateGiven, i) != 0;
-      state.body = static_cast<std::size_t>(body);
-    }
+    if (steps[i] < (i > 0 ? steps[i - 1] : 0)) file_.damaged("'states/step' is not in order");
+    if (bodies[i] < 0) file_.damaged("'states/body' is negative");
+    const State state{static_cast<std::size_t>(steps[i]), given[i] != 0, static_cast<std::size_t>(bodies[i])};
+    if (has_bodies && state.body >= bodies_) break;  // was not flushed any more
     states_.push_back(state);
   }
 }
@@ -104,10 +121,13 @@ std::size_t Recording::seek(const Stage& stage, std::size_t step, bool compare_f
 }
 
 Growths Recording::growths_of_state(std::size_t state) const {
-  const std::vector<std::uint8_t> bytes = file_.row(kBodies, states_[state].body);
-  std::vector<double> row(bytes.size() / sizeof(double));
-  std::memcpy(row.data(), bytes.data(), row.size() * sizeof(double));
   try {
+    require(file_.row_bytes(kBodies) == agents_ * growth_numbers() * sizeof(double),
+            "a row has {} bytes, expected {} numbers for each of {} agents", file_.row_bytes(kBodies), growth_numbers(),
+            agents_);
+    const std::vector<std::uint8_t> bytes = file_.row(kBodies, states_[state].body);
+    std::vector<double> row(bytes.size() / sizeof(double));
+    std::memcpy(row.data(), bytes.data(), bytes.size());
     return growths_of_row(row);
   } catch (const Error& error) {
     file_.damaged("'bodies/growth': " + error.message());
@@ -166,8 +186,8 @@ void Recording::compare(const env::World& world, const std::uint8_t* block) {
 
 void Recording::compare(const std::string& table, observation::Type type, const void* now, std::size_t bytes) {
   if (bytes == 0 || !file_.has(table) || next_ >= file_.rows(table)) return;
-  row_.resize(file_.row_bytes(table));
-  if (row_.size() != bytes) file_.damaged("'" + table + "' has rows of another length");
+  if (file_.row_bytes(table) != bytes) file_.damaged("'" + table + "' has rows of another length");
+  row_.resize(bytes);
   file_.read(table, next_, 1, row_);
   if (std::memcmp(row_.data(), now, bytes) == 0) return;
   if (verdict_.identical) verdict_.first = next_;

@@ -29,7 +29,7 @@ struct Stage {
 
 class Recording {
  public:
-  // Throws Status::kUnsupported for what comes from a newer version, kNotFound and kInvalidArgument for what is no
+  // Throws Status::kUnsupported for what comes from a newer version, kNotFound and kFile for what is no
   // recording.
   explicit Recording(const std::string& path);
 
@@ -68,7 +68,7 @@ class Recording {
   Reader file_;
   std::string configuration_, seed_, build_, joint_names_;
   double step_seconds_;
-  std::size_t steps_, actions_, agents_, bodies_;
+  std::size_t steps_ = 0, actions_ = 0, agents_ = 0, bodies_ = 0;
   std::vector<State> states_;
   // Of a replay.
   const void* host_ = nullptr;  // null: none has begun

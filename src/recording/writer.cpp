@@ -8,60 +8,93 @@ namespace mimo::recording {
 namespace {
 
 constexpr std::size_t kChunkBytes = 256 * 1024, kMostRows = 1024;
+constexpr std::size_t kPatience = 64;  // chunks that wait until HDF5 is waited for
+
+// Zeros come behind the rows that wait. The file follows when they are written.
+template <typename Table>
+void widen(Table& table, std::size_t row_bytes) {
+  const std::size_t rows = table.waiting.size() / table.row_bytes;
+  std::vector<std::uint8_t> wider(rows * row_bytes);
+  for (std::size_t i = 0; i < rows; ++i) {
+    std::copy_n(table.waiting.data() + i * table.row_bytes, table.row_bytes, wider.data() + i * row_bytes);
+  }
+  table.waiting = std::move(wider);
+  table.extents.back() = table.row_bytes = row_bytes;
+}
 
 }  // namespace
 
-Writer::Writer(std::string path, unsigned compression)
-    : h5_(hdf5::library()), path_(std::move(path)), compression_(compression) {
+Writer::Writer(const std::string& path, unsigned compression)
+    : h5_(hdf5::library()), place_(path), compression_(compression) {
+  place_.require_room();
   const hdf5::Turn turn;
   // What is needed for a file that stays whole while it grows ("single writer, multiple readers").
-  const hdf5::Id access = h5_.CreateProperties(h5_.file_access);
-  h5_.SetVersions(access, hdf5::kVersion110, hdf5::kVersion110);
-  file_ = h5_.CreateFile(path_.c_str(), hdf5::kTruncate, hdf5::kDefault, access);
-  h5_.CloseProperties(access);
-  check(file_);
+  const hdf5::Handle access(h5_.CreateProperties(h5_.file_access), h5_.CloseProperties);
+  h5_.SetVersions(access.id(), hdf5::kVersion110, hdf5::kVersion110);
+  file_ = hdf5::Handle(h5_.CreateFile(place_.file().c_str(), hdf5::kMustBeNew, hdf5::kDefault, access.id()),  //
+                       h5_.CloseFile);
+  check(file_.id());
+  place_.made();
 }
 
+// What HDF5 could not write it would try again now, and when the process ends, and complain on the error stream. So it
+// writes the rest to nowhere.
 Writer::~Writer() {
   const hdf5::Turn turn;
-  for (auto& [name, table] : tables_) h5_.CloseDataset(table.dataset);
-  if (file_ >= 0) h5_.CloseFile(file_);
+  const int open = descriptor();
+  if (open >= 0) {
+    end_claim(open);
+    write_to_nowhere(open);
+  }
+  tables_.clear();
+  file_.close();
 }
 
+int Writer::descriptor() const {
+  void* descriptor = nullptr;
+  if (!file_ || h5_.FileOfSystem(file_.id(), hdf5::kDefault, &descriptor) < 0 || descriptor == nullptr) return -1;
+  return *static_cast<const int*>(descriptor);
+}
+
+// Of what HDF5 was asked for last.
 void Writer::check(std::int64_t result) const {
-  if (result < 0) {
-    fail(Status::kFile, "cannot write {}: HDF5 refused; is there room, and the right to write?", path_);
-  }
+  if (result >= 0) return;
+  const hdf5::Reason reason = hdf5::last_reason();
+  if (reason.no_memory) fail(Status::kOutOfMemory, "cannot write {}: HDF5 has no memory", place_.path());
+  const char* const why = reason.system[0] != '\0' ? reason.system : "HDF5 refused";
+  fail(Status::kFile, "cannot write {}: {}; is there room, and the right to write?", place_.path(), why);
 }
 
 void Writer::write_attribute(hdf5::Id object, const std::string& name, hdf5::Id type, const void* value) const {
   const hdf5::Turn turn;
-  const hdf5::Id space = h5_.CreateSpace(hdf5::kScalar);
-  const hdf5::Id attribute = h5_.CreateAttribute(object, name.c_str(), type, space, hdf5::kDefault, hdf5::kDefault);
-  h5_.CloseSpace(space);
-  check(attribute);
-  check(h5_.WriteAttribute(attribute, type, value));
-  h5_.CloseAttribute(attribute);
+  const hdf5::Handle space(h5_.CreateSpace(hdf5::kScalar), h5_.CloseSpace);
+  check(space.id());
+  const hdf5::Id created = h5_.CreateAttribute(object, name.c_str(), type, space.id(), hdf5::kDefault, hdf5::kDefault);
+  const hdf5::Handle attribute(created, h5_.CloseAttribute);
+  check(created);
+  check(h5_.WriteAttribute(created, type, value));
 }
 
 void Writer::write_text(hdf5::Id object, const std::string& name, const std::string& text) const {
   const hdf5::Turn turn;
-  const hdf5::Id type = h5_.CopyType(h5_.string);
-  h5_.SetTypeSize(type, text.size() + 1);
-  write_attribute(object, name, type, text.c_str());
-  h5_.CloseType(type);
+  const hdf5::Handle type(h5_.CopyType(h5_.string), h5_.CloseType);
+  check(type.id());
+  h5_.SetTypeSize(type.id(), text.size() + 1);
+  write_attribute(object, name, type.id(), text.c_str());
 }
 
-void Writer::attribute(const std::string& name, const std::string& text) { write_text(file_, name, text); }
+void Writer::attribute(const std::string& name, const std::string& text) { write_text(file_.id(), name, text); }
 
-void Writer::attribute(const std::string& name, std::int64_t value) { write_attribute(file_, name, h5_.i64, &value); }
+void Writer::attribute(const std::string& name, std::int64_t value) {
+  write_attribute(file_.id(), name, h5_.i64, &value);
+}
 
-void Writer::attribute(const std::string& name, double value) { write_attribute(file_, name, h5_.f64, &value); }
+void Writer::attribute(const std::string& name, double value) { write_attribute(file_.id(), name, h5_.f64, &value); }
 
 void Writer::table(const std::string& name, hdf5::Id type, const std::vector<std::size_t>& shape,
                    const std::string& unit, const std::string& names, Rows rows) {
   const hdf5::Turn turn;
-  Table table{-1, type, {0}, h5_.TypeSize(type), 1, {}};
+  Table table{{}, type, {0}, h5_.TypeSize(type), 1, {}};
   for (const std::size_t extent : shape) {
     table.extents.push_back(extent);
     table.row_bytes *= extent;
@@ -73,28 +106,30 @@ void Writer::table(const std::string& name, hdf5::Id type, const std::vector<std
   if (rows == Rows::kMayGrow) most[1] = hdf5::kUnlimited;
   chunk[0] = table.chunk_rows;
   const int rank = static_cast<int>(chunk.size());
-  const hdf5::Id space = h5_.CreateSimpleSpace(rank, table.extents.data(), most.data());
-  const hdf5::Id layout = h5_.CreateProperties(h5_.dataset_create), groups = h5_.CreateProperties(h5_.link_create);
-  h5_.SetCreateGroups(groups, 1);
-  h5_.SetChunk(layout, rank, chunk.data());
+  const hdf5::Handle space(h5_.CreateSimpleSpace(rank, table.extents.data(), most.data()), h5_.CloseSpace);
+  const hdf5::Handle layout(h5_.CreateProperties(h5_.dataset_create), h5_.CloseProperties);
+  const hdf5::Handle groups(h5_.CreateProperties(h5_.link_create), h5_.CloseProperties);
+  h5_.SetCreateGroups(groups.id(), 1);
+  h5_.SetChunk(layout.id(), rank, chunk.data());
   if (compression_ != 0 && h5_.deflate) {
-    h5_.SetShuffle(layout);
-    h5_.SetDeflate(layout, compression_);
+    h5_.SetShuffle(layout.id());
+    h5_.SetDeflate(layout.id(), compression_);
   }
-  table.dataset = h5_.CreateDataset(file_, name.c_str(), type, space, groups, layout, hdf5::kDefault);
-  h5_.CloseProperties(groups);
-  h5_.CloseProperties(layout);
-  h5_.CloseSpace(space);
-  check(table.dataset);
-  if (!unit.empty()) write_text(table.dataset, "unit", unit);
-  if (!names.empty()) write_text(table.dataset, "names", names);
+  table.dataset = hdf5::Handle(
+      h5_.CreateDataset(file_.id(), name.c_str(), type, space.id(), groups.id(), layout.id(), hdf5::kDefault),
+      h5_.CloseDataset);
+  check(table.dataset.id());
+  if (!unit.empty()) write_text(table.dataset.id(), "unit", unit);
+  if (!names.empty()) write_text(table.dataset.id(), "names", names);
   tables_.emplace(name, std::move(table));
 }
 
 void Writer::start() {
   const hdf5::Turn turn;
-  check(h5_.StartSwmrWrite(file_));
-  check(h5_.Flush(file_, hdf5::kGlobalScope));
+  check(h5_.Flush(file_.id(), hdf5::kGlobalScope));
+  check(h5_.StartSwmrWrite(file_.id()));
+  check(h5_.Flush(file_.id(), hdf5::kGlobalScope));
+  place_.settle(descriptor());
 }
 
 void Writer::append(const std::string& name, const void* row) {
@@ -105,56 +140,53 @@ void Writer::append(const std::string& name, const void* row) {
 
 void Writer::append(const std::string& name, Span<const std::uint8_t> row) { append(tables_.at(name), row); }
 
-void Writer::append(Table& table, Span<const std::uint8_t> row) const {
-  if (row.size() > table.row_bytes) lengthen(table, row.size());
+void Writer::append(Table& table, Span<const std::uint8_t> row) {
+  if (row.size() > table.row_bytes) widen(table, row.size());
   table.waiting.insert(table.waiting.end(), row.begin(), row.end());
   table.waiting.resize(table.waiting.size() + table.row_bytes - row.size());
-  if (table.waiting.size() >= table.chunk_rows * table.row_bytes) write_waiting(table);
+  const std::size_t chunk = table.chunk_rows * table.row_bytes;
+  if (table.waiting.size() < chunk) return;
+  if (table.waiting.size() >= kPatience * chunk) return write_waiting(table);
+  const hdf5::Turn turn(std::try_to_lock);
+  if (turn.mine()) write_waiting(table);
 }
 
-void Writer::lengthen(Table& table, std::size_t row_bytes) const {
-  write_waiting(table);
-  table.extents.back() = table.row_bytes = row_bytes;
-  const hdf5::Turn turn;
-  check(h5_.SetExtent(table.dataset, table.extents.data()));
-}
-
-void Writer::write_waiting(Table& table) const {
+void Writer::write_waiting(Table& table) {
   if (table.waiting.empty()) return;
   const hdf5::Turn turn;
+  place_.require_untouched(descriptor());
+  const hdf5::Id dataset = table.dataset.id();
   const hdf5::Size first = table.extents[0], count = table.waiting.size() / table.row_bytes;
   table.extents[0] += count;
-  check(h5_.SetExtent(table.dataset, table.extents.data()));
-  check(hdf5::with_rows(table.dataset, table.extents, first, count, [&](hdf5::Id memory, hdf5::Id place) {
-    return h5_.Write(table.dataset, table.type, memory, place, hdf5::kDefault, table.waiting.data());
+  check(h5_.SetExtent(dataset, table.extents.data()));
+  check(hdf5::with_rows(dataset, table.extents, first, count, [&](hdf5::Id memory, hdf5::Id place) {
+    return h5_.Write(dataset, table.type, memory, place, hdf5::kDefault, table.waiting.data());
   }));
   table.waiting.clear();
+  place_.written(descriptor());
 }
 
 void Writer::flush() {
   const hdf5::Turn turn;
+  place_.require_untouched(descriptor());
   for (auto& [name, table] : tables_) write_waiting(table);
-  check(h5_.Flush(file_, hdf5::kGlobalScope));
+  check(h5_.Flush(file_.id(), hdf5::kGlobalScope));
+  place_.written(descriptor());
 }
 
-// What HDF5 could not write it would try again when the process ends, and complain on the error stream. So it writes
-// the rest to nowhere.
-void Writer::abandon() noexcept {
-  if (file_ < 0) return;
-  const hdf5::Turn turn;
-  void* descriptor = nullptr;
-  if (h5_.FileOfSystem(file_, hdf5::kDefault, &descriptor) < 0 || descriptor == nullptr) return;
-  write_to_nowhere(*static_cast<const int*>(descriptor));
+bool Writer::flush_if_free() {
+  const hdf5::Turn turn(std::try_to_lock);
+  if (turn.mine()) flush();
+  return turn.mine();
 }
 
 void Writer::close() {
   const hdf5::Turn turn;
   flush();
-  for (auto& [name, table] : tables_) check(h5_.CloseDataset(table.dataset));
+  for (auto& [name, table] : tables_) check(table.dataset.close());
   tables_.clear();
-  const hdf5::Id file = file_;
-  file_ = -1;
-  check(h5_.CloseFile(file));
+  end_claim(descriptor());
+  check(file_.close());
 }
 
 }  // namespace mimo::recording

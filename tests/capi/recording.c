@@ -1,7 +1,9 @@
 /* Recordings: what a program does with a world is written by itself, and played again bit for bit. */
+#define _XOPEN_SOURCE 700 /* truncate */
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "support/capi.h"
@@ -296,6 +298,95 @@ static void a_full_disk_fails_no_step(void) {
   mimo_recording_destroy(recording);
 }
 
+static void write_text(const char* text) {
+  FILE* file = fopen(path, "w");
+  fputs(text, file);
+  fclose(file);
+}
+
+/* Only a whole recording that nobody uses is written over. */
+static void files_of_others_stay(void) {
+  char found[32] = "";
+  mimo_env *env = blind_env("benchmark", NULL), *neighbour = blind_env("benchmark", NULL);
+  mimo_recorder* recorder = NULL;
+  write_text("two years of data");
+  CHECK_FAILS(MIMO_E_FILE, "is not overwritten", mimo_recorder_open(env, path, NULL, &recorder));
+  FILE* file = fopen(path, "r");
+  CHECK(fgets(found, sizeof found, file) != NULL);
+  fclose(file);
+  CHECK_TEXT("two years of data", found);
+  CHECK(unlink(path) == 0 && mkfifo(path, 0600) == 0); /* at which opening would wait */
+  CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recorder_open(env, path, NULL, &recorder));
+  mimo_recording* recording = NULL;
+  CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recording_open(path, NULL, &recording));
+  unlink(path);
+  write_text(""); /* as mkstemp leaves it */
+  recorder = record(env, NULL);
+  go(env, 3);
+  mimo_recorder* second = NULL;
+  CHECK_FAILS(MIMO_E_FILE, "a program is using", mimo_recorder_open(neighbour, path, NULL, &second));
+  go(env, 1);
+  CHECK_OK(mimo_recorder_close(recorder));
+  recording = open_it();
+  CHECK(info_of(recording).steps == 4);
+  mimo_recording_destroy(recording);
+  recorder = record(neighbour, NULL); /* now it may */
+  go(neighbour, 2);
+  CHECK_OK(mimo_recorder_close(recorder));
+  recording = open_it();
+  CHECK(info_of(recording).steps == 2);
+  mimo_recording_destroy(recording);
+  mimo_env_destroy(env);
+  mimo_env_destroy(neighbour);
+}
+
+/* Whoever records learns that somebody else has taken the file away, or has cut it. */
+static void what_is_taken_away_is_told(void) {
+  mimo_env* env = blind_env("benchmark", NULL);
+  for (int how = 0; how < 2; ++how) {
+    mimo_recorder* recorder = record(env, NULL);
+    go(env, 2);
+    CHECK_OK(mimo_recorder_flush(recorder));
+    CHECK((how == 0 ? unlink(path) : truncate(path, 10)) == 0);
+    go(env, 2);
+    CHECK_FAILS(MIMO_E_FILE, "somebody else has", mimo_recorder_flush(recorder));
+    CHECK_FAILS(MIMO_E_FILE, "somebody else has", mimo_recorder_close(recorder));
+    unlink(path);
+  }
+  mimo_env_destroy(env);
+}
+
+/* HDF5 would read a damaged beginning again and again, longer than anybody lives. */
+static void damaged_beginnings_end(void) {
+  enum { BEGINNING = 60 };
+  mimo_env* env = blind_env("benchmark", NULL);
+  mimo_recording* recording = NULL;
+  mimo_recorder* recorder = record(env, "none");
+  go(env, 1);
+  CHECK_OK(mimo_recorder_close(recorder));
+  FILE* file = fopen(path, "r+b");
+  alarm(120);
+  for (int i = 0; i < BEGINNING; ++i) {
+    CHECK(fseek(file, i, SEEK_SET) == 0);
+    const int byte = fgetc(file);
+    for (int changed = 0; changed < 2; ++changed) {
+      CHECK(fseek(file, i, SEEK_SET) == 0 && fputc(changed == 0 ? byte ^ 0x10 : byte, file) != EOF);
+      CHECK(fflush(file) == 0);
+      if (changed != 0) continue;
+      if (mimo_recording_open(path, NULL, &recording) == MIMO_OK) mimo_recording_destroy(recording);
+    }
+  }
+  fclose(file);
+  mimo_recording_destroy(open_it()); /* whole again */
+  for (int size = BEGINNING; size >= 0; --size) {
+    CHECK(truncate(path, size) == 0);
+    CHECK_FAILS(MIMO_E_FILE, "not a recording", mimo_recording_open(path, NULL, &recording));
+  }
+  alarm(0);
+  unlink(path);
+  mimo_env_destroy(env);
+}
+
 static void bad_input_is_refused(void) {
   mimo_env *env = world_of("benchmark", 0), *muscles = NULL;
   mimo_recorder *recorder = NULL, *second = NULL;
@@ -327,9 +418,7 @@ static void bad_input_is_refused(void) {
   muscles = blind_env("reach", NULL);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "joints", mimo_recording_seek(recording, muscles, 0, 1, NULL));
   mimo_recording_destroy(recording);
-  FILE* file = fopen(path, "w");
-  fputs("not a recording", file);
-  fclose(file);
+  write_text("not a recording");
   recording = NULL;
   CHECK_FAILS(MIMO_E_FILE, "is not a recording", mimo_recording_open(path, NULL, &recording));
   CHECK(recording == NULL);
@@ -354,6 +443,9 @@ int main(void) {
   worlds_of_a_batch_are_recorded();
   a_difference_is_told();
   a_full_disk_fails_no_step();
+  files_of_others_stay();
+  what_is_taken_away_is_told();
+  damaged_beginnings_end();
   bad_input_is_refused();
   unlink(path);
   unlink(other);

@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import time
@@ -116,6 +117,85 @@ class Record(Case):
                     self.assertGreaterEqual(file["time"].shape[0], report["steps"])
             (self.folder / "run.h5").unlink()
 
+    def start(self, *arguments):
+        """A run without an end, after its file is there."""
+        run = subprocess.Popen([PROGRAM, "record", "--seconds", "100000", "--out", "run.h5", *arguments], cwd=self.folder,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        self.addCleanup(run.communicate)
+        self.addCleanup(run.kill)
+        while run.poll() is None and not (self.folder / "run.h5").exists():
+            time.sleep(0.02)
+        time.sleep(0.5)
+        return run
+
+    def test_a_run_that_is_asked_to_end_is_whole(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            run = self.start("--flush-every", "1000")
+            run.send_signal(number)
+            output, errors = run.communicate(timeout=30)
+            self.assertEqual(run.returncode, -number)
+            self.assertEqual(errors, "")
+            steps = int(output.split(" steps")[0].split()[-1])
+            self.assertGreater(steps, 0)
+            self.assertEqual(self.replay()["steps"], steps)
+            if h5py:
+                with h5py.File(self.folder / "run.h5") as file:  # which bears no mark of being written
+                    self.assertEqual(len(file["time"]), steps)
+            self.assertEqual(self.files(), ["run.h5"])
+
+    def test_two_runs_in_one_file(self):
+        first = self.start()
+        error = self.mimo("record", "--seconds", "0.1", "--out", "run.h5", code=1)
+        self.assertIn("a program is using", error)
+        first.terminate()
+        output, errors = first.communicate(timeout=30)
+        self.assertEqual(errors, "")
+        self.assertIn("%d steps" % self.replay()["steps"], output)
+        self.record("--seconds", "0.1")  # now it may
+        self.assertEqual(self.replay()["steps"], 10)
+
+    def test_files_of_others_stay(self):
+        self.write("data.h5", "two years of data")
+        error = self.mimo("record", "--seconds", "0.1", "--out", "data.h5", code=1)
+        self.assertIn("is not overwritten", error)
+        self.assertEqual((self.folder / "data.h5").read_text(), "two years of data")
+        self.record("--seconds", "0.1")
+        self.assertIn("is not overwritten", self.mimo("replay", "run.h5", "--out", "data.h5", code=1))
+        self.assertEqual(self.files(), ["data.h5", "run.h5"])
+
+    def test_places_that_are_no_files(self):
+        self.record("--seconds", "0.1")
+        os.mkfifo(self.folder / "pipe")
+        for place in ("pipe", "/dev/full", "/dev/null"):
+            self.assertIn("cannot write " + place, self.mimo("record", "--seconds", "0.1", "--out", place, code=1))
+            self.assertIn("cannot write " + place, self.mimo("replay", "run.h5", "--out", place, code=1))
+        for place in ("pipe", "/dev/zero", "."):
+            self.assertIn("cannot read " + place, self.mimo("replay", place, code=1))
+
+    def test_a_full_disk_leaves_nothing_and_no_complaints(self):
+        def no_room(size):
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+        for size in (0, 4000, 12000):  # bytes: less than a recording has before its first step
+            done = subprocess.run([PROGRAM, "record", "--seconds", "0.1", "--out", "run.h5"], cwd=self.folder,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                                  preexec_fn=lambda: (signal.signal(signal.SIGXFSZ, signal.SIG_IGN), no_room(size)))
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertRegex(done.stderr, r"\Amimo record: cannot write run.h5: [^\n]+\n\Z")
+            self.assertEqual(self.files(), [])
+
+    def test_a_damaged_beginning(self):
+        """HDF5 would read it again and again."""
+        self.record("--seconds", "0.1")
+        whole = (self.folder / "run.h5").read_bytes()
+        for at in range(8, 64, 5):
+            (self.folder / "damaged.h5").write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
+            done = subprocess.run([PROGRAM, "replay", "damaged.h5"], cwd=self.folder, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
+            self.assertEqual(len(done.stderr.splitlines()), done.returncode)  # one line where it is refused
+            (self.folder / "cut.h5").write_bytes(whole[:at])
+            self.assertIn("cut.h5 is not a recording", self.mimo("replay", "cut.h5", code=1))
+
     def test_what_is_no_recording(self):
         self.assertIn("none.h5", self.mimo("replay", "none.h5", code=1))
         self.write("text.h5", "not a recording")
@@ -131,6 +211,7 @@ class Record(Case):
         path = self.folder / "run.h5"
 
         def refused(word, **attributes):
+            path.unlink(missing_ok=True)  # what is no recording is not written over
             self.record("--seconds", "0.1")
             with h5py.File(path, "r+") as file:
                 for name, value in attributes.items():
@@ -144,6 +225,7 @@ class Record(Case):
         refused("--scene", configuration="{")
         refused("configuration", configuration='{"scene": 3}')
         refused("--scene", configuration='{"wings": ["2"]}')
+        refused("whole number", seed="seven")
         with h5py.File(path, "w") as file:
             file["x"] = 1
         self.assertIn("not a recording", self.mimo("replay", "run.h5", code=1))
