@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "cube_margins.h"
 #include "failure.h"
 #include "files.h"
 #include "glb.h"
@@ -114,7 +115,9 @@ class GltfScene {
     const mimo::Mesh mesh = env_.mesh(geom, MIMO_AXES_GLTF, segments_);
     Json attributes = {{"POSITION", file_.add_floats(mesh.positions, 3, true)},
                        {"NORMAL", file_.add_floats(mesh.normals, 3, true)}};
-    if (look.texture >= 0) attributes["TEXCOORD_0"] = file_.add_floats(mesh.texcoords, 2, true);
+    if (look.texture >= 0) {
+      attributes["TEXCOORD_0"] = file_.add_floats(with_margins(mesh.texcoords, env_.texture(look.texture)), 2, true);
+    }
     const Json triangles = {
         {"attributes", attributes}, {"indices", file_.add_indices(mesh.indices)}, {"material", add_material(look)}};
     return file_.add("meshes", {{"name", name_of(MIMO_GEOM, geom, "geom:")}, {"primitives", Json::array({triangles})}});
@@ -145,7 +148,7 @@ class GltfScene {
   std::size_t add_texture(std::int32_t id) {
     const auto found = textures_.find(id);
     if (found != textures_.end()) return found->second;
-    return textures_[id] = file_.add_texture(env_.texture(id), "texture:" + std::to_string(id));
+    return textures_[id] = file_.add_texture(with_margins(env_.texture(id)), "texture:" + std::to_string(id));
   }
 
   // Of bodies that move. A quaternion is also its negative: the one nearer to that before it.

@@ -7,7 +7,7 @@ import struct
 import subprocess
 import unittest
 
-from program import COUNTS, Case
+from program import COUNTS, Case, read_png
 
 WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 VALIDATE = """const validator = require("gltf-validator"), file = require("fs").readFileSync(process.argv[1]);
@@ -69,6 +69,32 @@ class Export(Case):
             self.assertEqual(file.view(image["bufferView"])[:8], b"\x89PNG\r\n\x1a\n")
         rough = [m["pbrMetallicRoughness"]["roughnessFactor"] for m in file.json["materials"]]
         self.assertTrue(all(0 < one <= 1 for one in rough))
+
+    def test_faces_of_cubes_do_not_bleed(self):
+        """Mipmaps mix a border with what is behind it: each of the six faces, one above the other, has a margin of an
+        eighth of its size, so that on a face of 1.25 edges texcoords lie between 0.125 / 1.25 and 1.125 / 1.25."""
+        self.mimo("export", "--gltf", "a.glb")
+        file = Glb(self.folder / "a.glb")
+        (head,) = [mesh for mesh in file.json["meshes"] if mesh["name"] == "head"]
+        part = head["primitives"][0]
+        texcoords = file.numbers(part["attributes"]["TEXCOORD_0"])
+        for u, v in texcoords:
+            for at in (u, 6 * v % 1):
+                self.assertGreater(at, 0.1)
+                self.assertLess(at, 0.9)
+        self.assertEqual({int(6 * v) for _, v in texcoords}, set(range(6)))
+        surface = file.json["materials"][part["material"]]["pbrMetallicRoughness"]
+        image = file.json["images"][file.json["textures"][surface["baseColorTexture"]["index"]]["source"]]
+        (self.folder / "head.png").write_bytes(file.view(image["bufferView"]))
+        width, height, _, _, rows = read_png(self.folder / "head.png")
+        self.assertEqual((width, height), (320, 6 * 320))  # of 256 pixels
+        size = len(rows[0]) // 320
+        for face in range(6):
+            pixels = rows[320 * face:320 * (face + 1)]
+            self.assertEqual({pixels[row] for row in range(32)}, {pixels[32]})  # borders are repeated
+            self.assertEqual({pixels[row] for row in range(288, 320)}, {pixels[287]})
+            middle = pixels[160]
+            self.assertEqual(middle[:32 * size], middle[32 * size:33 * size] * 32)
 
     def test_places(self):
         """Where the ball of a scene of known numbers lies: in glTF x is to the left, y up, z forward."""

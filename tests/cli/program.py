@@ -46,7 +46,7 @@ def read_png(path):
         if kind == b"IDAT":
             compressed += body
         at += 12 + length
-    channels = {0: 1, 2: 3}[color]
+    channels = {0: 1, 2: 3, 6: 4}[color]
     return width, height, bits, channels, unfilter(zlib.decompress(compressed), height, channels * bits // 8)
 
 
