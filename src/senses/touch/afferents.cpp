@@ -65,8 +65,7 @@ void Afferents::steady(const Felt& felt) {
   std::copy_n(table_[kNormal], table_.size(), table_[kTold]);
   rattle_.advance(felt, [this](std::size_t sensor) { return table_.number(kNormal, sensor); });
   rattle_.tell([this](std::size_t sensor, double force) {
-    const int place = table_.place(sensor);
-    if (place != table_.kNone) table_[kTold][static_cast<std::size_t>(place)] = force;
+    if (table_.has(sensor)) table_[kTold][static_cast<std::size_t>(table_.place(sensor))] = force;
   });
 }
 
@@ -160,7 +159,7 @@ void Afferents::load(ByteReader& from) {
   }
   const auto take = [&](std::size_t rate, std::size_t sensor) {
     const float hertz = from.take<float>();
-    if (table_.place(sensor) == table_.kNone) return;
+    if (!table_.has(sensor)) return;
     table_[kFirstRate + std::size_t{rate}][static_cast<std::size_t>(table_.place(sensor))] = static_cast<double>(hertz);
   };
   for (const std::size_t rate : {kSa1, kRa, kPc}) {

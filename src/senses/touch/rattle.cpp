@@ -24,10 +24,10 @@ Rattle::Rattle(std::size_t sensors, std::size_t geoms, double tick)
 void Rattle::take_in(const Felt& felt) {
   for (const int sensor : felt.sensors()) {
     if (felt.of(sensor).lift > 0) table_.add(sensor);
-    if (table_.place(static_cast<std::size_t>(sensor)) != table_.kNone) sharpness(sensor) = 0;
+    if (table_.has(static_cast<std::size_t>(sensor))) sharpness(sensor) = 0;
   }
   for (const Prick& prick : felt.pricks()) {
-    if (table_.place(static_cast<std::size_t>(prick.sensor)) == table_.kNone) continue;
+    if (!table_.has(static_cast<std::size_t>(prick.sensor))) continue;
     const double sharp = prick.pressure / std::cbrt(felt.of(prick.sensor).normal);
     sharpness(prick.sensor) = std::max(sharpness(prick.sensor), sharp);
   }
@@ -61,7 +61,7 @@ void Rattle::settle(std::size_t place, const Feeling& feeling, double smoothed) 
 }
 
 Rattle::Slide Rattle::slide(std::size_t sensor) const {
-  if (table_.place(sensor) == table_.kNone) return {0, -1};
+  if (!table_.has(sensor)) return {0, -1};
   return {table_.number(kSpeed, sensor), static_cast<int>(table_.number(kOther, sensor))};
 }
 

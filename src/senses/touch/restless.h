@@ -29,6 +29,7 @@ class Restless {
   const std::vector<int>& sensors() const { return sensors_; }
   // Of a sensor in the columns; kNone where it is at rest.
   int place(std::size_t sensor) const { return places_[sensor]; }
+  bool has(std::size_t sensor) const { return places_[sensor] != kNone; }
   double* operator[](std::size_t column) { return columns_[column].data(); }
   const double* operator[](std::size_t column) const { return columns_[column].data(); }
   Eigen::Map<Row> row(std::size_t column, std::size_t first) { return Eigen::Map<Row>(&columns_[column][first]); }
