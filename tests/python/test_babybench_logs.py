@@ -5,7 +5,6 @@ import io
 import pickle
 import random
 import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -144,7 +143,7 @@ def test_entries_that_count_nothing(entry, line, tmp_path):
     ("text", "line"),
     [
         ("[" * 20000, "nested too deeply"),
-        ("frame_skip: " + "9" * 5000, "is no YAML: Exceeds the limit"),
+        ("frame_skip: " + "9" * 5000, "is no YAML: Exceeds the limit|frame_skip is 9"),  # older Pythons read it
         ("save_dir: 2001-99-99", "is no YAML: month must be in 1..12"),
         ("a: [1\n", "is no YAML: while parsing"),
         ("\0", "is no YAML"),
@@ -157,10 +156,9 @@ def test_entries_that_count_nothing(entry, line, tmp_path):
         ),
         ("scene: &a [x, [&b [*a, *a], *b, *b]]\n", r"scene is \['x', \[\["),
     ],
+    ids=["deep", "long number", "date", "open", "zero", "names for names", "lists of lists"],
 )
 def test_yaml_that_is_no_configuration(text, line, tmp_path):
-    if sys.version_info < (3, 11) and "Exceeds" in line:
-        line = "frame_skip is"  # Python knows no limit there
     (tmp_path / "evil.yml").write_text(text)
     with pytest.raises(ValueError, match=line) as raised:
         babybench.load(tmp_path / "evil.yml")
