@@ -223,8 +223,9 @@ void add_rollout(CLI::App& program) {
       "free:<body>.\n"
       "Example:\n"
       "  mimo rollout --controls controls.csv --every 20 --out states.json");
-  command->callback(
-      [options] { options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<ControlRows>(*options); });
+  command->callback([options] {
+    options->world.actuation == "torque" ? roll_out<Motors>(*options) : roll_out<ControlRows>(*options);
+  });
 }
 
 }  // namespace cli
