@@ -119,6 +119,7 @@ class Record(Case):
 
     def start(self, *arguments):
         """A run without an end, after its file is there."""
+        (self.folder / "run.h5").unlink(missing_ok=True)
         run = subprocess.Popen([PROGRAM, "record", "--seconds", "100000", "--out", "run.h5", *arguments], cwd=self.folder,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         self.addCleanup(run.communicate)
