@@ -37,8 +37,8 @@ function world = mimo_create(scene, varargin)
 %     the room     objects, models, cameras and fields: struct arrays with the members that mimo_scene_add has; a camera with
 %                  look_at is a new one; a cell array of elements goes into struct() in braces, {{'ball', 'cup'}}
 %     the file     confined (1: what it names must lie in its folder), model_dir (a folder to take built-in models from),
-%                  max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_file_bytes, max_world_bytes:
-%                  how much it may ask for
+%                  max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_file_bytes, max_world_bytes,
+%                  max_compile_ms: how much it may ask for
 %     many worlds  ages (months; the infants of world i are as old as number i, and they repeat), worlds, threads, autoreset (0, 1 or 2), restart_failed. They are the last dimension of all arrays.
 if ~isnumeric(scene), scene = char(scene); end
 world = mimo_mex('create', scene, varargin{:});

@@ -9,11 +9,17 @@
   { #member, kind, offsetof(type, member) }
 
 const option mimo_scene_options[] = {
-    OPTION(mimo_scene_config, model_dir, kText),      OPTION(mimo_scene_config, max_file_bytes, kWide),
-    OPTION(mimo_scene_config, max_pixels, kWide),     OPTION(mimo_scene_config, max_vertices, kWide),
-    OPTION(mimo_scene_config, max_elements, kWide),   OPTION(mimo_scene_config, max_keyframes, kWide),
-    OPTION(mimo_scene_config, max_iterations, kWide), OPTION(mimo_scene_config, max_world_bytes, kWide),
-    OPTION(mimo_scene_config, confined, kUnsigned),   {NULL, kText, 0},
+    OPTION(mimo_scene_config, model_dir, kText),
+    OPTION(mimo_scene_config, max_file_bytes, kWide),
+    OPTION(mimo_scene_config, max_pixels, kWide),
+    OPTION(mimo_scene_config, max_vertices, kWide),
+    OPTION(mimo_scene_config, max_elements, kWide),
+    OPTION(mimo_scene_config, max_keyframes, kWide),
+    OPTION(mimo_scene_config, max_iterations, kWide),
+    OPTION(mimo_scene_config, max_world_bytes, kWide),
+    OPTION(mimo_scene_config, confined, kUnsigned),
+    OPTION(mimo_scene_config, max_compile_ms, kWide),
+    {NULL, kText, 0},
 };
 
 const option mimo_agent_options[] = {

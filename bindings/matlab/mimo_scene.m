@@ -4,7 +4,7 @@ function scene = mimo_scene(start, varargin)
 %   built-in scene (mimo_names('scene')), the path of an MJCF file, "room.xml", or MJCF itself, '<mujoco>...'. Nobody is
 %   in it yet. scene = mimo_scene() is an empty world. mimo_close frees it; worlds made of it live on.
 %   scene = mimo_scene(start, name, value, ...) takes confined, model_dir, max_pixels, max_vertices, max_elements,
-%   max_keyframes, max_iterations, max_file_bytes and max_world_bytes, see mimo_create.
+%   max_keyframes, max_iterations, max_file_bytes, max_world_bytes and max_compile_ms, see mimo_create.
 if nargin < 1
   scene = mimo_mex('scene');
 else

@@ -31,10 +31,14 @@ typedef struct mimo_scene_config {
   uint64_t max_elements;    /**< Elements of the document, and those that composites become. Default 40000. */
   uint64_t max_keyframes;   /**< Default 10000. */
   uint64_t max_iterations;  /**< Iterations of each solver in a physics step. Default 10000. */
-  uint64_t max_world_bytes; /**< What the buffers of one world may need, as estimated. Default 4294967296. */
+  uint64_t max_world_bytes; /**< What the buffers of one world and its model (textures, meshes, ...) may need, as
+                                 estimated. Default 4294967296; MuJoCo 2.2 counts a model's bytes up to 2147483647. */
   uint32_t confined;        /**< 1: includes and assets must lie in the folder of the document that names them, or
                                  below; 0: anywhere. */
   uint32_t limits_reserved; /**< 0. */
+  uint64_t max_compile_ms;  /**< Milliseconds that MuJoCo's compiler may work at the document, as estimated for one core
+                                 of a processor of 2022. No other world of the process is made meanwhile; above a
+                                 second log is told. Default 10000. */
 } mimo_scene_config;
 
 /**

@@ -1,5 +1,5 @@
 // Opaque handles. A handle points to a small control block that is given back only with the library, so that a
-// that a destroyed or wrong-type handle is recognised instead of crashing the host.
+// destroyed or wrong-type handle is recognised instead of crashing the host.
 #pragma once
 
 #include <memory>

@@ -21,10 +21,15 @@ scene::Limits limits(const mimo_scene_config& config) {
   check_reserved(config.limits_reserved, "config: limits_reserved");
   const auto or_usual = [](std::uint64_t given, std::uint64_t usual) { return given == 0 ? usual : given; };
   const scene::Limits usual;
-  return {or_usual(config.max_file_bytes, usual.file_bytes),   or_usual(config.max_pixels, usual.pixels),
-          or_usual(config.max_vertices, usual.vertices),       or_usual(config.max_elements, usual.elements),
-          or_usual(config.max_keyframes, usual.keyframes),     or_usual(config.max_iterations, usual.iterations),
-          or_usual(config.max_world_bytes, usual.world_bytes), config.confined != 0};
+  return {or_usual(config.max_file_bytes, usual.file_bytes),
+          or_usual(config.max_pixels, usual.pixels),
+          or_usual(config.max_vertices, usual.vertices),
+          or_usual(config.max_elements, usual.elements),
+          or_usual(config.max_keyframes, usual.keyframes),
+          or_usual(config.max_iterations, usual.iterations),
+          or_usual(config.max_world_bytes, usual.world_bytes),
+          or_usual(config.max_compile_ms, usual.compile_ms),
+          config.confined != 0};
 }
 
 scene::Source source(const mimo_scene_config& config) {

@@ -144,6 +144,8 @@ ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const
   return owned;
 }
 
+void enable_contacts(const mjModel& model) { const_cast<mjModel&>(model).opt.disableflags &= ~mjDSBL_CONTACT; }
+
 mjtObj object_type(Kind kind) {
   switch (kind) {
     case Kind::kBody: return mjOBJ_BODY;

@@ -24,6 +24,9 @@ struct Asset {
 // directory. Throws Status::kModel with MuJoCo's message. Warnings of the compiler go to the log.
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log);
 
+// Of a model that was compiled without contacts, before anybody else has it.
+void enable_contacts(const mjModel& model);
+
 // The version of MuJoCo that this was compiled for, as "2.2.2".
 std::string compiled_version();
 

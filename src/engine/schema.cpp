@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -82,6 +83,10 @@ const SchemaElement& schema() {
 }
 
 bool is_mujoco_2() { return mj_version() / 100 == 2; }
+
+double most_model_bytes() {
+  return is_mujoco_2() ? std::numeric_limits<int>::max() : std::numeric_limits<double>::infinity();
+}
 
 std::string compiler_name() { return std::string("MuJoCo ") + mj_versionString(); }
 

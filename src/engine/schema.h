@@ -19,6 +19,9 @@ const SchemaElement& schema();
 // Whether a MuJoCo 2 runs, whose documents newer versions do not all understand, nor it theirs.
 bool is_mujoco_2();
 
+// How many bytes a model can have: MuJoCo 2 counts them in an int, and crashes where that wraps.
+double most_model_bytes();
+
 // "MuJoCo 2.2.2", the one that runs.
 std::string compiler_name();
 

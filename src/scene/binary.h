@@ -24,4 +24,7 @@ inline std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
+// Bytes of the mark of UTF-8 that some editors put before a text.
+inline std::size_t mark_of_utf8(const std::string& bytes) { return bytes.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0; }
+
 }  // namespace mimo::scene

@@ -3,13 +3,14 @@
 
 #include <pugixml.hpp>
 
+#include "scene/budget.h"
 #include "scene/limits.h"
 
 namespace mimo::scene {
 
 // Throws Status::kModel, with file and line, for a document that asks for more than the limits allow, or that would
 // make the compiler read or write where it must not. What is wrong in other ways is left to the compiler, which says
-// so.
-void check(pugi::xml_node root, const Limits& limits);
+// so. Returns what the document will cost.
+Budget check(pugi::xml_node root, const Limits& limits);
 
 }  // namespace mimo::scene

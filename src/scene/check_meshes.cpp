@@ -13,6 +13,7 @@
 #include "scene/compiler.h"
 #include "scene/defaults.h"
 #include "scene/flat.h"
+#include "scene/hulls.h"
 #include "scene/lines.h"
 #include "scene/loaded_file.h"
 #include "scene/mesh_data.h"
@@ -21,6 +22,9 @@
 
 namespace mimo::scene {
 namespace {
+
+// Of the model: a vertex with normal and texture point, a corner of a hull's graph, a byte of a file.
+constexpr double kVertexBytes = 40, kHullBytes = 70, kFileGrowth = 2;
 
 // What an attribute that lists numbers in threes, such as faces, may not have.
 void require_few(pugi::xml_node node, double count, const char* what, const Limits& limits) {
@@ -54,9 +58,13 @@ MeshData read(pugi::xml_node mesh, const Limits& limits) {
   if (!mesh.attribute("file")) return read_inline(mesh, limits);
   const LoadedFile file(mesh, "file", limits);
   const std::string ending = file.extension();
-  if (ending == ".stl") return read_stl(file, limits);
-  if (ending == ".msh") return read_msh(file, limits);
-  if (ending == ".obj") return read_obj(file, limits);
+  const auto with_size = [&](MeshData data) {
+    data.file_bytes = static_cast<double>(file.bytes().size());
+    return data;
+  };
+  if (ending == ".stl") return with_size(read_stl(file, limits));
+  if (ending == ".msh") return with_size(read_msh(file, limits));
+  if (ending == ".obj") return with_size(read_obj(file, limits));
   file.refuse("ends in \"" + ending + "\", expected .stl, .obj or .msh");
 }
 
@@ -64,37 +72,9 @@ bool is_zero(pugi::xml_attribute attribute) {
   return !attribute.empty() && std::strtod(attribute.value(), nullptr) == 0;
 }
 
-// Whether some geom touches others with this mesh: for that MuJoCo makes its convex hull.
-bool is_touched(pugi::xml_node root, const std::string& name) {
-  const Defaults defaults(root);
-  bool touched = false;
-  for (const pugi::xml_node world : root.children("worldbody")) {
-    walk(world, [&](pugi::xml_node node) {
-      const bool shows = is(node, "geom") && name == defaults.find(node, "mesh").value() &&
-                         std::strcmp(defaults.find(node, "type").value(), "mesh") == 0;
-      if (!shows) return;
-      touched = touched || !is_zero(defaults.find(node, "contype")) || !is_zero(defaults.find(node, "conaffinity"));
-    });
-  }
-  return touched;
-}
-
 std::string name_of(pugi::xml_node mesh) {
   const std::string name = mesh.attribute("name").value();
   return name.empty() ? stem_of(mesh.attribute("file").value()) : name;
-}
-
-// The library that makes convex hulls writes to the host's stderr where it cannot.
-void check_hull(pugi::xml_node mesh, pugi::xml_node root, const MeshData& data) {
-  constexpr std::size_t kFewest = 4;
-  if (data.vertices.size() >= kFewest && !is_flat(data.vertices)) return;
-  const bool makes_hulls = compiler_setting(root, "convexhull") != "false";
-  if (data.has_faces && !(makes_hulls && is_touched(root, name_of(mesh)))) return;
-  fail(
-      Status::kModel,
-      "{}: mesh \"{}\" is flat, and has no convex hull; give it faces and its geoms contype=\"0\" conaffinity=\"0\" if "
-      "it is only looked at",
-      where(mesh), name_of(mesh));
 }
 
 // Walks along the bones: a name, a pose, and as many vertices and weights as it says.
@@ -135,20 +115,81 @@ void check_skin_file(const LoadedFile& file, const Limits& limits) {
 
 }  // namespace
 
-void check_mesh(pugi::xml_node mesh, pugi::xml_node root, const Limits& limits) {
-  const MeshData data = read(mesh, limits);
-  for (const auto& vertex : data.vertices) {
-    for (const double number : vertex) {
-      if (std::isfinite(static_cast<float>(number))) continue;
-      fail(Status::kModel, "{}: mesh \"{}\" has a vertex at {}, expected finite numbers", where(mesh), name_of(mesh),
-           number);
-    }
+Meshes::Meshes(pugi::xml_node root, const Limits& limits) : root_(root), limits_(limits) {}
+
+// Meshes that touch others as some geom: of those MuJoCo makes convex hulls. Looked for once, for those that ask.
+bool Meshes::has_hull(pugi::xml_node mesh) {
+  if (!touched_) {
+    touched_.emplace();
+    const Defaults defaults(root_);
+    const auto note = [&](pugi::xml_node node) {
+      if (!is(node, "geom") || std::strcmp(defaults.find(node, "type").value(), "mesh") != 0) return;
+      const bool touches = !is_zero(defaults.find(node, "contype")) || !is_zero(defaults.find(node, "conaffinity"));
+      if (touches) touched_->insert(defaults.find(node, "mesh").value());
+    };
+    for (const pugi::xml_node world : root_.children("worldbody")) walk(world, note);
   }
-  if (!data.vertices.empty()) check_hull(mesh, root, data);
+  return compiler_setting(root_, "convexhull") != "false" && touched_->count(name_of(mesh)) > 0;
 }
 
-void check_skin(pugi::xml_node skin, const Limits& limits) {
-  if (skin.attribute("file")) return check_skin_file(LoadedFile(skin, "file", limits), limits);
+// As MuJoCo keeps them: scaled, as floats.
+void Meshes::scale(pugi::xml_node mesh, MeshData& data) {
+  if (!defaults_) defaults_.emplace(root_);
+  const std::vector<double> scale = numbers_in(defaults_->giver(mesh, "scale"), "scale");
+  for (auto& vertex : data.vertices) {
+    for (std::size_t i = 0; i < vertex.size(); ++i) {
+      const auto number = static_cast<float>(static_cast<float>(vertex[i]) * (scale.size() == 3 ? scale[i] : 1));
+      if (!std::isfinite(number)) {
+        fail(Status::kModel, "{}: mesh \"{}\" has a vertex at {}, expected finite numbers", where(mesh), name_of(mesh),
+             scale.size() == 3 ? vertex[i] * scale[i] : vertex[i]);
+      }
+      vertex[i] = number;
+    }
+  }
+}
+
+// The library that makes convex hulls writes to the host's stderr where it cannot.
+void Meshes::check_hull(pugi::xml_node mesh, MeshData& data, Budget& budget) {
+  constexpr std::size_t kFewest = 4;
+  if (data.has_faces && !has_hull(mesh)) return;
+  if (data.polygons > 0) {
+    data.vertices = kept_vertices(mesh, limits_);
+    scale(mesh, data);
+  }
+  if (data.vertices.size() >= kFewest && !is_flat(data.vertices)) {
+    const double corners = hull_corners(data.vertices);
+    budget.add_time(mesh, (cost::kHullCorner + cost::kHullPair * corners) * corners);
+    return budget.add_bytes(mesh, kHullBytes * corners);
+  }
+  fail(
+      Status::kModel,
+      "{}: mesh \"{}\" is flat, and has no convex hull; give it faces and its geoms contype=\"0\" conaffinity=\"0\" if "
+      "it is only looked at",
+      where(mesh), name_of(mesh));
+}
+
+void Meshes::check(pugi::xml_node mesh, Budget& budget) {
+  for (const double number : numbers_in(mesh, "refpos")) {
+    if (std::isfinite(static_cast<float>(number))) continue;
+    fail(Status::kModel, "{}: mesh \"{}\" has refpos=\"{}\", expected finite numbers", where(mesh), name_of(mesh),
+         mesh.attribute("refpos").value());
+  }
+  MeshData data = read(mesh, limits_);
+  budget.add_time(mesh, cost::kTextByte * data.file_bytes + cost::kPolygon * data.polygons);
+  budget.add_bytes(mesh, kFileGrowth * data.file_bytes +
+                             kVertexBytes * std::max(data.kept, static_cast<double>(data.vertices.size())));
+  scale(mesh, data);
+  if (!data.vertices.empty()) check_hull(mesh, data, budget);
+}
+
+void check_skin(pugi::xml_node skin, const Limits& limits, Budget& budget) {
+  if (skin.attribute("file")) {
+    const LoadedFile file(skin, "file", limits);
+    const auto bytes = static_cast<double>(file.bytes().size());
+    budget.add_time(skin, cost::kTextByte * bytes);
+    budget.add_bytes(skin, kFileGrowth * bytes);
+    return check_skin_file(file, limits);
+  }
   const std::size_t vertices = numbers_in(skin, "vertex").size() / 3;
   require_few(skin, static_cast<double>(vertices), "vertices", limits);
   check_faces(skin, vertices, limits);

@@ -1,13 +1,18 @@
 #include "scene/composition.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 
+#include "base/format.h"
 #include "base/status.h"
+#include "scene/binary.h"
 #include "scene/check.h"
 #include "scene/compiler.h"
 #include "scene/library.h"
 #include "scene/lines.h"
+#include "scene/loaded_file.h"
+#include "scene/names.h"
 #include "scene/pictures.h"
 #include "scene/xml.h"
 
@@ -24,6 +29,34 @@ void drop_pictures(pugi::xml_node root) {
     node.remove_attribute("texture");
     while (node.child("layer")) node.remove_child("layer");
   });
+}
+
+// MuJoCo takes a mark of UTF-8 for part of the first word of an .obj, and so the first vertex for none.
+void hand_over_unmarked(pugi::xml_node mesh, const Limits& limits, Composition& composition) {
+  if (extension_of(mesh.attribute("file").value()) != ".obj") return;
+  const LoadedFile file(mesh, "file", limits);
+  const std::size_t mark = mark_of_utf8(file.bytes());
+  if (mark == 0) return;
+  if (!mesh.attribute("name")) set(mesh, "name", stem_of(file.path()));
+  const std::string name = "unmarked:" + std::to_string(composition.texts.size()) + ".obj";
+  set(mesh, "file", name);
+  composition.texts.push_back(std::make_shared<const std::string>(file.bytes().substr(mark)));
+  const std::string& text = *composition.texts.back();
+  composition.assets.push_back({name, {reinterpret_cast<const unsigned char*>(text.data()), text.size()}});
+}
+
+// The compiler makes a step of what it has compiled, in which every geom may be asked about every other one: for as
+// long as that takes, nobody else could compile. Whether the document itself has contacts.
+bool leave_out_contacts(pugi::xml_node root) {
+  constexpr const char* kOff = "disable";
+  bool had = true;
+  for (const pugi::xml_node option : root.children("option")) {
+    for (const pugi::xml_node flag : option.children("flag")) {
+      if (flag.attribute("contact")) had = std::strcmp(flag.attribute("contact").value(), kOff) != 0;
+    }
+  }
+  set(append(append(root, "option"), "flag"), "contact", kOff);
+  return had;
 }
 
 }  // namespace
@@ -52,8 +85,8 @@ void settle(pugi::xml_node root) {
 }
 
 Composition packed(const pugi::xml_document& document, const Limits& limits) {
-  check(document.document_element(), limits);
   Composition composition;
+  composition.seconds = check(document.document_element(), limits).seconds();
   const pugi::xml_document changed = copy(document);
   settle(changed.document_element());
   composition.lines = take_lines(changed.document_element());
@@ -61,6 +94,7 @@ Composition packed(const pugi::xml_document& document, const Limits& limits) {
   std::set<std::string> seen;
   for (const auto& [node, attribute] : asset_files(changed.document_element())) {
     const auto bytes = built_in_asset(attribute.value());
+    if (bytes.empty() && is(node, "mesh")) hand_over_unmarked(node, limits, composition);
     if (bytes.empty()) continue;
     // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
     std::string name = attribute.value();
@@ -72,13 +106,24 @@ Composition packed(const pugi::xml_document& document, const Limits& limits) {
   }
   decode_pictures(pictures);
   composition.assets.insert(composition.assets.end(), pictures.begin(), pictures.end());
+  composition.has_contacts = leave_out_contacts(changed.document_element());
   composition.xml = print(changed);
   return composition;
 }
 
 engine::ModelPtr compile(const Composition& composition, const LogSink& log) {
+  constexpr double kWorthSaying = 1;
+  if (composition.seconds > kWorthSaying) {
+    log(LogLevel::kWarning,
+        format(
+            "compiling may take {:.3g} s, in which no other world of this process can be made; max_compile_ms of the "
+            "scene limits that",
+            composition.seconds));
+  }
   try {
-    return engine::compile(composition.xml, composition.assets, log);
+    engine::ModelPtr model = engine::compile(composition.xml, composition.assets, log);
+    if (composition.has_contacts) engine::enable_contacts(*model);
+    return model;
   } catch (const Error& error) {
     throw Error(error.status(), with_users_lines(error.message(), composition.xml, composition.lines));
   }

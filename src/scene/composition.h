@@ -1,6 +1,7 @@
 // A document with the files that it refers to.
 #pragma once
 
+#include <memory>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -15,7 +16,10 @@ namespace mimo::scene {
 struct Composition {
   std::string xml;
   std::vector<engine::Asset> assets;
-  std::vector<std::string> lines;  // where each element was written
+  std::vector<std::string> lines;                         // where each element was written
+  std::vector<std::shared_ptr<const std::string>> texts;  // assets that are others than their files
+  double seconds = 0;                                     // that the compiler will work, estimated
+  bool has_contacts = true;                               // which the compiler is told nothing of
 };
 
 // Says what newer versions of MuJoCo do by themselves, and not what they have no longer: "apirate" never did anything.

@@ -37,7 +37,7 @@ const Point& farthest(const std::vector<Point>& points, Measure&& measure) {
 // A wide triangle among the points, and what is farthest from its plane.
 bool is_flat(const std::vector<Point>& points) {
   if (points.empty()) return true;
-  constexpr double kFlat = 3e-7;  // of the extent: a few roundings of a float
+  constexpr double kFlat = 3e-6;  // of the extent: below 1e-6 Qhull says at times that a hull is narrow
   const Point& any = points.front();
   const Point& one = farthest(points, [&](const Point& p) { return length(difference(p, any)); });
   const Point& two = farthest(points, [&](const Point& p) { return length(difference(p, one)); });

@@ -6,7 +6,7 @@
 
 namespace mimo::scene {
 
-// Whether all points lie in one plane, as exactly as their coordinates, which are floats, can tell.
+// Whether all points lie in one plane, but for some ten roundings of their coordinates, which are floats.
 bool is_flat(const std::vector<std::array<double, 3>>& points);
 
 }  // namespace mimo::scene

@@ -13,7 +13,8 @@ struct Limits {
   std::uint64_t elements = 40'000;          // of the document, and those that composites become
   std::uint64_t keyframes = 10'000;         // of a document
   std::uint64_t iterations = 10'000;        // of each solver
-  std::uint64_t world_bytes = 4ull << 30;   // what a world's buffers may need, estimated
+  std::uint64_t world_bytes = 4ull << 30;   // what a world and its model may need, estimated
+  std::uint64_t compile_ms = 10'000;        // that the compiler may work, estimated
   bool confined = false;                    // files lie in the folder of the document that names them, or below
 };
 

@@ -28,7 +28,7 @@ class LineTable {
 
 // The note of the element that begins on a line of a text, or before it where none does; "" if there is none.
 std::string note_at(std::size_t line, const std::string& xml, const std::vector<std::string>& notes) {
-  const pugi::xml_document document = parse(xml, "the composed document");
+  const pugi::xml_document document = parse(xml, "the composed document", Root::kMujoco);
   const LineTable table(xml);
   std::size_t index = 0;
   std::string found;

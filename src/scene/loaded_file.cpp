@@ -31,10 +31,10 @@ std::optional<std::string> LoadedFile::read(const std::string& path, const Limit
   }
 }
 
-std::string LoadedFile::extension() const {
-  const std::size_t dot = path_.find_last_of("./");
-  if (dot == std::string::npos || path_[dot] == '/') return "";
-  std::string ending = path_.substr(dot);
+std::string extension_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return "";
+  std::string ending = path.substr(dot);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;

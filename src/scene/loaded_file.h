@@ -9,6 +9,9 @@
 
 namespace mimo::scene {
 
+// ".png", in small letters; "" for a name that has none.
+std::string extension_of(const std::string& path);
+
 class LoadedFile {
  public:
   // Reads it; throws Status::kModel, with the asset's place, for what is no plain file, or too large. A file that is
@@ -19,7 +22,7 @@ class LoadedFile {
   bool built_in() const { return built_in_; }
   const std::string& bytes() const { return bytes_; }
   const std::string& path() const { return path_; }
-  std::string extension() const;  // ".png", in small letters; "" if it has none
+  std::string extension() const { return extension_of(path_); }
 
   // Another file that this one names; nothing if it cannot be opened. Throws as the constructor does.
   std::optional<std::string> read(const std::string& path, const Limits& limits) const;

@@ -81,7 +81,7 @@ pugi::xml_document Loader::file(const std::string& path) {
 pugi::xml_document Loader::text(const std::string& xml) { return load(xml, "xml text", {false, ""}); }
 
 pugi::xml_document Loader::load(const std::string& text, const std::string& name, const Origin& origin) {
-  pugi::xml_document document = parsed(text, name, origin);
+  pugi::xml_document document = parsed(text, name, origin, Root::kMujoco);
   const pugi::xml_node root = document.document_element();
   expand_includes(root, origin, in_radians(root));
   require_shallow(document, name);
@@ -99,8 +99,9 @@ void Loader::translate(pugi::xml_node root) const {
   report.write(log_);
 }
 
-pugi::xml_document Loader::parsed(const std::string& text, const std::string& name, const Origin& origin) const {
-  pugi::xml_document document = parse(text, name);
+pugi::xml_document Loader::parsed(const std::string& text, const std::string& name, const Origin& origin,
+                                  Root root) const {
+  pugi::xml_document document = parse(text, name, root);
   if (foreign(origin)) note_lines(document, text, name);
   return document;
 }
@@ -142,7 +143,7 @@ void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_r
 
   const auto content = from.library ? library_.text(path) : read_file(key, limits_);
   if (!content) fail(Status::kNotFound, "{}: included file {} cannot be read", where(include), key);
-  const pugi::xml_document document = parsed(*content, key, from);
+  const pugi::xml_document document = parsed(*content, key, from, Root::kAny);
   const pugi::xml_node root = document.document_element();
   const bool crosses = from.library && !origin.library;
   expand_includes(root, from, host_in_radians);
@@ -168,7 +169,7 @@ void Loader::locate_assets(pugi::xml_node root, const Origin& origin) const {
       if (std::string(node.name()) != entry.element) continue;
       std::string path = node.attribute(entry.attribute).value();
       if (path.empty() || (has_prefix(path, kLibraryPrefix) && !built_in_asset(path).empty())) continue;
-      if (strip) path = path.substr(folder_of(path).size());
+      if (strip) path = path.substr(path.find_last_of("/\\") + 1);
       path = join(join(base, compiler_setting(root, entry.folder)), path);
       if (!inside) require_inside(node, path, origin);
       set(node, entry.attribute, inside ? path : on_disk(path));

@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "scene/library.h"
 #include "scene/limits.h"
+#include "scene/xml.h"
 
 namespace mimo::scene {
 
@@ -37,7 +38,7 @@ class Loader {
   void insert(pugi::xml_node include, const Origin& origin, bool host_in_radians);
   bool names_built_in(const std::string& path) const;
   void locate_assets(pugi::xml_node root, const Origin& origin) const;
-  pugi::xml_document parsed(const std::string& text, const std::string& name, const Origin& origin) const;
+  pugi::xml_document parsed(const std::string& text, const std::string& name, const Origin& origin, Root root) const;
   bool foreign(const Origin& origin) const { return !origin.library || !library_.built_in(); }
   // A file named by an element, which is outside where it must not be.
   void require_inside(pugi::xml_node node, const std::string& path, const Origin& origin) const;

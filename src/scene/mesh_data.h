@@ -14,6 +14,9 @@ namespace mimo::scene {
 struct MeshData {
   std::vector<std::array<double, 3>> vertices;  // those that the mesh uses
   bool has_faces = false;
+  double kept = 0;  // vertices that MuJoCo keeps of them, which may be more
+  double file_bytes = 0;
+  double polygons = 0;  // faces of more than four corners: the sum of the squares of how many they have
 };
 
 // Read .stl, .msh and .obj as MuJoCo does. They refuse files with counts that lie, with indices that are out of range,

@@ -5,13 +5,19 @@
 
 #include "base/format.h"
 #include "scene/attributes.h"
+#include "scene/binary.h"
 #include "scene/mesh_data.h"
 
 namespace mimo::scene {
 namespace {
 
-// A corner of a face: numbers of a vertex, a point of a texture and a normal; 0 where it does not say.
-using Corner = std::array<std::int64_t, 3>;
+// Numbers of a vertex, a point of a texture and a normal; 0 where a corner does not say.
+using Numbers = std::array<std::int64_t, 3>;
+
+struct Corner {
+  Numbers numbers;
+  std::size_t line;
+};
 
 const char* const kKinds[3] = {"vertex", "texture point", "normal"};
 
@@ -23,11 +29,13 @@ class Reader {
 
   MeshData read() {
     const std::string& bytes = file_.bytes();
-    const char* at = bytes.data();
-    const char* const end = at + bytes.size();
+    const char* at = bytes.data() + mark_of_utf8(bytes);
+    const char* const end = bytes.data() + bytes.size();
     while (at < end) {
-      const char* const stop = std::find_if(at, end, [](char c) { return c == '\n' || c == '\r'; });
+      const char* stop = std::find_if(at, end, [](char c) { return c == '\n' || c == '\r'; });
+      ++line_;
       line(at, stop);
+      if (stop + 1 < end && stop[0] == '\r' && stop[1] == '\n') ++stop;
       at = stop < end ? stop + 1 : end;
     }
     check();
@@ -62,24 +70,32 @@ class Reader {
   }
 
   void face(const char* at, const char* end) {
-    require_few(file_, static_cast<double>(++faces_), "faces", limits_);
     int count = 0;
     for (;; ++count) {
       while (at != end && is_blank(*at)) ++at;
       if (at == end) break;
-      Corner corner{};
+      Numbers numbers{};
       for (std::size_t kind = 0; kind < 3; ++kind) {
-        const auto result = std::from_chars(at, end, corner[kind]);
-        if (result.ec == std::errc::result_out_of_range) corner[kind] = kBeyond;
-        corner[kind] = resolved(corner[kind], kind);
+        const auto result = std::from_chars(at, end, numbers[kind]);
+        if (result.ec == std::errc::result_out_of_range) numbers[kind] = kBeyond;
+        numbers[kind] = resolved(numbers[kind], kind);
         at = result.ptr;
         if (at == end || *at != '/') break;
         ++at;
       }
       while (at != end && !is_blank(*at)) ++at;
-      if (!first_is_over_) corners_.push_back(corner);
+      if (!first_is_over_) corners_.push_back({numbers, line_});
     }
+    count_polygon(count);
     has_object_ = has_object_ || count == 3 || count == 4;  // of larger ones nothing may be left
+  }
+
+  // A face becomes triangles. Whether one of three of its corners holds another one is asked of all of them.
+  void count_polygon(int corners) {
+    constexpr int kAsItIs = 4;
+    faces_ += std::max(1, corners - 2);
+    require_few(file_, static_cast<double>(faces_), "faces, cut into triangles", limits_);
+    if (corners > kAsItIs) polygons_ += static_cast<double>(corners) * corners;
   }
 
   // Libraries of materials are read with the file that names them, though nothing of them is used.
@@ -92,11 +108,10 @@ class Reader {
   }
 
   void check() const {
-    for (const Corner& corner : corners_) {
+    for (const auto& [numbers, line] : corners_) {
       for (std::size_t kind = 0; kind < 3; ++kind) {
         const bool needed = kind == 0 || counts_[kind] > 0;
-        if (!needed || (corner[kind] >= 1 && corner[kind] <= counts_[kind])) continue;
-        file_.refuse(format("has a face at {} {}, but there are {}", kKinds[kind], corner[kind], counts_[kind]));
+        if (needed && !(numbers[kind] >= 1 && numbers[kind] <= counts_[kind])) refuse(kind, numbers[kind], line);
       }
     }
     const bool fitting = (counts_[1] == 0 || counts_[1] == counts_[0]) && (counts_[2] == 0 || counts_[2] == counts_[0]);
@@ -104,10 +119,25 @@ class Reader {
       file_.refuse("has no faces, and not as many normals and texture points as vertices");
   }
 
+  [[noreturn]] void refuse(std::size_t kind, std::int64_t number, std::size_t line) const {
+    if (number == 0 && kind > 0) {
+      file_.refuse(
+          format("has, in line {}, a corner of a face without a {}, where the file has some; each corner of "
+                 "each face needs one",
+                 line, kKinds[kind]));
+    }
+    file_.refuse(
+        format("has, in line {}, a face at {} {}, but there are {}", line, kKinds[kind], number, counts_[kind]));
+  }
+
   MeshData used() {
     if (corners_.empty()) return {std::move(vertices_), false};
-    MeshData data{{}, true};
-    for (const Corner& corner : corners_) data.vertices.push_back(vertices_[static_cast<std::size_t>(corner[0] - 1)]);
+    std::vector<bool> used(vertices_.size());
+    for (const Corner& corner : corners_) used[static_cast<std::size_t>(corner.numbers[0] - 1)] = true;
+    MeshData data{{}, true, static_cast<double>(corners_.size()), 0, polygons_};
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (used[i]) data.vertices.push_back(vertices_[i]);
+    }
     return data;
   }
 
@@ -117,8 +147,10 @@ class Reader {
   const Limits& limits_;
   std::vector<std::array<double, 3>> vertices_;
   std::vector<Corner> corners_;  // of the first object, the only one that MuJoCo takes
-  Corner counts_{};
+  Numbers counts_{};
   std::int64_t faces_ = 0;
+  std::size_t line_ = 0;
+  double polygons_ = 0;
   bool has_object_ = false, first_is_over_ = false;
 };
 

@@ -59,7 +59,7 @@ void require_plain(const std::string& name) {
 }
 
 std::string stem_of(const std::string& path) {
-  const std::string file = path.substr(path.find_last_of('/') + 1);
+  const std::string file = path.substr(path.find_last_of("/\\") + 1);
   return file.substr(0, file.find_last_of('.'));
 }
 

@@ -14,6 +14,7 @@
 #include "scene/lines.h"
 #include "scene/names.h"
 #include "scene/newer_actuators.h"
+#include "scene/newer_cameras.h"
 #include "scene/report.h"
 #include "scene/xml.h"
 
@@ -232,6 +233,7 @@ void translate_newer(pugi::xml_node root, Report& report) {
   take_same(root);
   take_shells(root);
   translate_actuators(root);
+  translate_cameras(root, report);
   take_nearest(root, report);
   check(root, engine::schema(), report);
 }

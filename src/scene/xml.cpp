@@ -42,6 +42,15 @@ bool too_deep(pugi::xml_node root) {
   return false;
 }
 
+// The node itself, or the first behind it that is an element.
+pugi::xml_node element_from(pugi::xml_node node) {
+  while (node && node.type() != pugi::node_element) node = node.next_sibling();
+  return node;
+}
+
+pugi::xml_node first_element(pugi::xml_node parent) { return element_from(parent.first_child()); }
+pugi::xml_node next_element(pugi::xml_node node) { return element_from(node.next_sibling()); }
+
 void must(bool done) {
   if (!done) throw std::bad_alloc();
 }
@@ -64,7 +73,7 @@ bool same(pugi::xml_node one, pugi::xml_node two) {
 
 }  // namespace
 
-pugi::xml_document parse(const std::string& text, const std::string& origin) {
+pugi::xml_document parse(const std::string& text, const std::string& origin, Root root) {
   pugi::xml_document document;
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
   if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
@@ -72,9 +81,16 @@ pugi::xml_document parse(const std::string& text, const std::string& origin) {
     fail(Status::kModel, "{}, line {}: {}", origin, line_of(text, result.offset), result.description());
   }
   require_shallow(document, origin);
-  const std::string root = document.document_element().name();
-  if (root != "mujoco" && root != "mujocoinclude") {
-    fail(Status::kModel, "{}: the root element is <{}>, but MJCF has <mujoco>", origin, root);
+  const std::string name = document.document_element().name();
+  const bool is_mujoco = name == "mujoco" || name == "mujocoinclude";
+  if (root == Root::kMujoco && !is_mujoco) {
+    fail(Status::kModel, "{}: the root element is <{}>, but MJCF has <mujoco>", origin, name);
+  }
+  if (!is_mujoco && (name == "include" || !first_element(document.document_element()))) {
+    fail(Status::kModel, "{}: the root element is <{}>, which holds nothing to include", origin, name);
+  }
+  if (const pugi::xml_node second = next_element(document.document_element())) {
+    fail(Status::kModel, "{}: <{}> stands beside the root element, which is <{}>", origin, second.name(), name);
   }
   return document;
 }

@@ -11,8 +11,12 @@
 
 namespace mimo::scene {
 
-// Parses a document whose root is <mujoco> or <mujocoinclude>; `origin` is for messages. Throws Status::kModel.
-pugi::xml_document parse(const std::string& text, const std::string& origin);
+// What the root of a document may be called: <mujoco> or <mujocoinclude>; of an included file, whose content alone
+// counts, anything but <include>.
+enum class Root { kMujoco, kAny };
+
+// Parses a document; `origin` is for messages. Throws Status::kModel.
+pugi::xml_document parse(const std::string& text, const std::string& origin, Root root);
 
 // Throws Status::kModel for a document that is deeper than functions can go down.
 void require_shallow(const pugi::xml_document& document, const std::string& origin);

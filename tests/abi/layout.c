@@ -49,6 +49,7 @@ int main(void) {
   FIELD(mimo_scene_config, max_world_bytes);
   FIELD(mimo_scene_config, confined);
   FIELD(mimo_scene_config, limits_reserved);
+  FIELD(mimo_scene_config, max_compile_ms);
 
   BEGIN(mimo_growth);
   FIELD(mimo_growth, struct_size);

@@ -98,6 +98,18 @@ static void check_limits(void) {
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 
+  /* 49 million pixels each, at 20 ns. */
+  config.xml =
+      "<mujoco>\n<asset><texture name='a' type='2d' builtin='flat' width='7000' height='7000'/>\n"
+      "<texture name='b' type='2d' builtin='flat' width='7000' height='7000'/></asset></mujoco>";
+  config.max_compile_ms = 1500;
+  CHECK_OK(mimo_scene_create(&config, &scene));
+  CHECK_FAILS(MIMO_E_MODEL,
+              "xml text, line 3: with this <texture>, compiling the document would take about 1.96 s, more than "
+              "max_compile_ms (1500)",
+              mimo_env_create(scene, NULL, &env));
+  mimo_scene_destroy(scene);
+
   config.xml = "<mujoco><include file='/dev/null'/></mujoco>";
 #ifdef _WIN32
   CHECK_FAILS(MIMO_E_NOT_FOUND, "included file /dev/null cannot be read", mimo_scene_create(&config, &scene));

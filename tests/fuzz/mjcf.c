@@ -41,6 +41,7 @@ static void limit(mimo_scene_config* config) {
   config->max_keyframes = 100;
   config->max_iterations = 200;
   config->max_world_bytes = 1 << 28;
+  config->max_compile_ms = 1000;
   config->confined = 1;
 }
 

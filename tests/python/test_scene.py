@@ -72,6 +72,27 @@ def test_without_a_place_they_stand(caplog):
     caplog.clear()  # expected
 
 
+@pytest.mark.skipif(mimo.mujoco_version().startswith("4"), reason="which knows the attribute")
+def test_what_is_wrong_with_a_document_is_told_once(caplog):
+    scene = mimo.Scene(xml="<mujoco><option ls_iterations='9'/><worldbody><geom size='.1'/></worldbody></mujoco>")
+    mimo.World(scene, renderer="none")
+    mimo.World(scene.copy(), renderer="none")
+    assert [record.getMessage() for record in caplog.records] == [
+        "xml text, line 1: MuJoCo 2.2.2 does not know the attribute ls_iterations of <option>; it is left out"
+    ]
+    caplog.clear()  # expected
+
+
+def test_long_compilations_are_told_and_limited(caplog):
+    many = mimo.Scene(xml="<mujoco><worldbody>" + "<site/>" * 25000 + "</worldbody></mujoco>")
+    mimo.World(many, renderer="none")  # 25,000^2 comparisons, of 2 ns each
+    assert [record.levelname for record in caplog.records] == ["WARNING"]
+    assert "compiling may take 1.2" in caplog.text
+    caplog.clear()  # expected
+    with pytest.raises(mimo.ModelError, match=r"more than max_compile_ms \(1000\)"):
+        mimo.World(mimo.Scene(xml=many.xml, max_compile_ms=1000), renderer="none")
+
+
 def test_furnished_scenes_can_be_pickled():
     scene = furnished()
     again = pickle.loads(pickle.dumps(scene))

@@ -130,7 +130,7 @@ TEST_F(SceneHostile, MeshFilesThatLie) {
   obj.expect("a.obj", four + "f 1 2 99999999999999999999\n", "a face at vertex");
   obj.expect("a.obj", four + "v\nf 1 2 5\n", "a face at vertex 5, but there are 4");
   obj.expect("a.obj", four + "vn 0 0 1\nf 1//1 2//1 3//9\n", "a face at normal 9, but there are 1");
-  obj.expect("a.obj", four + "vn 0 0 1\nf 1 2 3\n", "a face at normal 0");
+  obj.expect("a.obj", four + "vn 0 0 1\nf 1 2 3\n", "without a normal");
   obj.expect("a.obj", four + "vt 0 0\nf 1/1 2/1 3/7\n", "a face at texture point 7");
   obj.expect("a.obj", four + "vn 0 0 1\n", "no faces, and not as many normals");
   obj.expect("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "is flat");

@@ -1,6 +1,8 @@
 // Documents that were written for newer versions of MuJoCo; what the words mean there is from its documentation.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -163,6 +165,50 @@ TEST_F(SceneNewer, OurRoomsSayNothingThatIsGone) {
   EXPECT_NE(scene.xml().find("autolimits=\"true\""), std::string::npos);
   EXPECT_EQ(scene.xml().find("mimo:line"), std::string::npos);
 }
+
+std::string filmed(const std::string& camera, const std::string& before = "") {
+  return "<mujoco>" + before + "<worldbody>\n<camera " + camera + "/><geom size='.1'/></worldbody></mujoco>";
+}
+
+// 2 atan(0.006 / 2 / 0.01) = 33.3985 degrees. A pixel is 0.006 / 100 high: 10 mm are 166.667 of them.
+TEST_F(SceneNewer, LensesOfCameras) {
+  const double expected = 2 * std::atan(0.003 / 0.01) * 180 / 3.14159265358979323846;
+  ASSERT_NEAR(expected, 33.3985, 1e-4);
+  const std::string sensor = "sensorsize='0.0096 0.006' resolution='160 100'";
+  for (const std::string& xml :
+       {filmed("focal='0.01 0.01' " + sensor), filmed("focalpixel='166.6666667 166.6666667' " + sensor),
+        filmed("class='c'",
+               "<default><default class='c'><camera focal='0.01 0.01' " + sensor + "/></default></default>"),
+        filmed("class='c' focal='0.01 0.01'",
+               "<default><camera fovy='70'/><default class='c'><camera " + sensor + "/></default></default>")}) {
+    const Loaded loaded = load(xml);
+    EXPECT_NEAR(loaded.model->cam_fovy[0], expected, 1e-4) << xml;
+    for (const std::string& warning : loaded.warnings)
+      EXPECT_NE(warning.find("resolution"), std::string::npos) << warning;
+  }
+}
+
+#if !MIMO_MUJOCO_4
+TEST_F(SceneNewer, WhatAFieldOfViewCannotSay) {
+  const std::string sensor = "focal='0.01 0.01' sensorsize='0.0096 0.006' ";
+  const auto warned = [](const std::string& camera, const std::string& what) {
+    const Loaded loaded = load(filmed(camera));
+    const auto says = [&](const std::string& warning) { return warning.find(what) != std::string::npos; };
+    EXPECT_EQ(std::count_if(loaded.warnings.begin(), loaded.warnings.end(), says), 1) << what;
+    return loaded.model->cam_fovy[0];
+  };
+  const char* const moved =
+      "xml text, line 2: MuJoCo 2.2.2 does not know principal points: the picture of this <camera> is "
+      "moved by 10 % of its width and -5 % of its height";
+  warned(sensor + "principal='0.00096 -0.0003' resolution='160 100'", moved);
+  warned(sensor + "principalpixel='16 -5' resolution='160 100'", moved);
+  warned(sensor + "resolution='160 200'", "are 2 times as wide as high");
+  EXPECT_EQ(warned("fovy='3' projection='orthographic'", "this one shows in perspective, 45 degrees high"), 45);
+  EXPECT_EQ(warned("fovy='3' orthographic='true'", "this one shows in perspective, 45 degrees high"), 45);
+  // Without a sensor the lens says nothing.
+  EXPECT_EQ(warned("fovy='50' focal='0.01 0.01'", "the attribute focal of <camera>; it is left out"), 50);
+}
+#endif
 
 }  // namespace
 }  // namespace mimo::test

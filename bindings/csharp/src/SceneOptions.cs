@@ -22,8 +22,10 @@ namespace Mimo
         public ulong MaxKeyframes;
         /// <summary>Iterations of each solver in a physics step.</summary>
         public ulong MaxIterations;
-        /// <summary>What the buffers of one world may need, as estimated.</summary>
+        /// <summary>What the buffers of one world and its model may need, as estimated.</summary>
         public ulong MaxWorldBytes;
+        /// <summary>Milliseconds that MuJoCo's compiler may work at the document, as estimated; nobody else in the process can make a world meanwhile.</summary>
+        public ulong MaxCompileMilliseconds;
         /// <summary>Whether includes and assets must lie in the folder of the document that names them, or below.</summary>
         public bool Confined;
 
@@ -57,6 +59,7 @@ namespace Mimo
             config.max_keyframes = MaxKeyframes;
             config.max_iterations = MaxIterations;
             config.max_world_bytes = MaxWorldBytes;
+            config.max_compile_ms = MaxCompileMilliseconds;
             config.confined = Confined ? 1u : 0u;
         }
     }

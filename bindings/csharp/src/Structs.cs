@@ -12,6 +12,7 @@ namespace Mimo
         internal IntPtr name, file, xml, model_dir, log, log_user;
         internal ulong max_file_bytes, max_pixels, max_vertices, max_elements, max_keyframes, max_iterations, max_world_bytes;
         internal uint confined, limits_reserved;
+        internal ulong max_compile_ms;
     }
 
     [StructLayout(LayoutKind.Sequential)]

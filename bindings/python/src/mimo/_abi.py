@@ -65,6 +65,7 @@ class SceneConfig(Struct):
         ("max_world_bytes", c_uint64),
         ("confined", c_uint32),
         ("limits_reserved", c_uint32),
+        ("max_compile_ms", c_uint64),
     ]
 
 

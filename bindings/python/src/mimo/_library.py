@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import importlib.util
 import logging
 import os
 import sys
+import threading
 from pathlib import Path
-from typing import Any, Optional, Tuple
+from typing import Any, Iterator, Optional, Tuple
 
 from . import _abi
 from .errors import make_error
@@ -103,10 +105,24 @@ def utf8(value: Optional[str], name: str = "name") -> Optional[bytes]:
     return value.encode(errors="surrogateescape")
 
 
+_told = threading.local()
+
+
+@contextlib.contextmanager
+def told_before() -> Iterator[None]:
+    """While this thread makes once more what it has made: the library's messages were told the first time."""
+    before = getattr(_told, "before", False)
+    _told.before = True
+    try:
+        yield
+    finally:
+        _told.before = before
+
+
 @_abi.LogFunction  # type: ignore[untyped-decorator]
 def log_to_python(_user: Any, told: Any) -> None:
     """Hands the library's messages to the logger "mimo". Lives as long as the process, so no handle can outlive it."""
-    if sys.is_finalizing():
+    if sys.is_finalizing() or getattr(_told, "before", False):
         return
     record = told.contents
     where = {"world": record.world, "time": record.time} if record.in_world else {"world": None, "time": None}

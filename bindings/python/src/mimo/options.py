@@ -52,6 +52,7 @@ class DocumentOptions(TypedDict, total=False):
     max_keyframes: int
     max_iterations: int
     max_world_bytes: int
+    max_compile_ms: int
     confined: bool
 
 

@@ -11,7 +11,7 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
-from ._library import LIB, check, log_to_python, text, utf8
+from ._library import LIB, check, log_to_python, text, told_before, utf8
 from ._strict import Strict
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
@@ -428,8 +428,9 @@ class Scene(Handle):
         return f"<mimo.Scene {self.source}: {self._agents} infants>"
 
     def copy(self) -> "Scene":
-        """Another scene, made by the same calls."""
-        return copy.deepcopy(self)
+        """Another scene, made by the same calls. What the log was told of this one it is not told again."""
+        with told_before():
+            return copy.deepcopy(self)
 
     def _set_parameter(self, name: str, value: float) -> None:
         check(LIB.mimo_scene_set_parameter(self._handle, utf8(name), value))

@@ -588,13 +588,18 @@ pub struct mimo_scene_config {
     pub max_keyframes: u64,
     #[doc = "Iterations of each solver in a physics step. Default 10000."]
     pub max_iterations: u64,
-    #[doc = "What the buffers of one world may need, as estimated. Default 4294967296."]
+    #[doc = "What the buffers of one world and its model (textures, meshes, ...) may need, as"]
+    #[doc = "estimated. Default 4294967296; MuJoCo 2.2 counts a model's bytes up to 2147483647."]
     pub max_world_bytes: u64,
     #[doc = "1: includes and assets must lie in the folder of the document that names them, or"]
     #[doc = "below; 0: anywhere."]
     pub confined: u32,
     #[doc = "0."]
     pub limits_reserved: u32,
+    #[doc = "Milliseconds that MuJoCo's compiler may work at the document, as estimated for one core"]
+    #[doc = "of a processor of 2022. No other world of the process is made meanwhile; above a"]
+    #[doc = "second log is told. Default 10000."]
+    pub max_compile_ms: u64,
 }
 extern "C" {
     #[doc = "Fills a config with defaults: an empty world, silent."]

@@ -36,8 +36,11 @@ pub struct DocumentLimits {
     pub max_keyframes: u64,
     /// Iterations of each solver in a physics step.
     pub max_iterations: u64,
-    /// What the buffers of one world may need, as estimated.
+    /// What the buffers of one world and its model may need, as estimated.
     pub max_world_bytes: u64,
+    /// Milliseconds that MuJoCo's compiler may work at the document, as estimated; nobody else in the process can make
+    /// a world meanwhile.
+    pub max_compile_ms: u64,
     /// Whether includes and assets must lie in the folder of the document that names them, or below.
     pub confined: bool,
 }
@@ -73,6 +76,7 @@ impl SceneConfig {
         self.raw.max_keyframes = limits.max_keyframes;
         self.raw.max_iterations = limits.max_iterations;
         self.raw.max_world_bytes = limits.max_world_bytes;
+        self.raw.max_compile_ms = limits.max_compile_ms;
         self.raw.confined = limits.confined.into();
         self
     }
