@@ -2213,12 +2213,17 @@ extern "C" {
     #[doc = ""]
     #[doc = "A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to"]
     #[doc = "the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened."]
-    #[doc = "@param path     of the file; one that is there is replaced."]
+    #[doc = "Nobody else's file is written over: a whole recording that no program is using is replaced, once the new one has"]
+    #[doc = "been made beside it, and so is an empty file. What else is there stays, as MIMO_E_FILE. While it is recorded, no"]
+    #[doc = "other recorder takes the file, in this process or another one; where somebody else moves, removes, replaces or cuts"]
+    #[doc = "it all the same, the recording ends as on a full disk."]
+    #[doc = "@param path     of the file."]
     #[doc = "@param config   NULL means defaults."]
     #[doc = "@param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed."]
     #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;"]
     #[doc = "        MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE"]
-    #[doc = "        for a file that cannot be made; MIMO_E_SIMULATION for a world that has failed."]
+    #[doc = "        for a file that cannot be made, and for one that is there and is no whole recording or is in use;"]
+    #[doc = "        MIMO_E_SIMULATION for a world that has failed."]
     pub fn mimo_recorder_open(
         env: *mut mimo_env,
         path: *const std::os::raw::c_char,
@@ -2238,7 +2243,8 @@ extern "C" {
     pub fn mimo_recorder_close(recorder: *mut mimo_recorder) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Opens a recording, also one whose program was killed."]
+    #[doc = "Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md says"]
+    #[doc = "what it can do."]
     #[doc = "@param hdf5      path of the HDF5 library, or NULL."]
     #[doc = "@param recording receives the handle; destroy it with mimo_recording_destroy."]
     #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no"]
