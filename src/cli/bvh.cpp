@@ -1,5 +1,7 @@
 #include "bvh.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -7,6 +9,7 @@
 #include <string_view>
 
 #include "angles.h"
+#include "csv.h"
 #include "failure.h"
 #include "files.h"
 #include "text.h"
@@ -16,6 +19,12 @@ namespace {
 
 constexpr std::size_t kMostJoints = 1000;
 
+// Exporters write keywords in any case: "End Site", "End site", "END SITE".
+bool same_word(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
 // Words of a text, and where they are.
 class Words {
  public:
@@ -23,6 +32,7 @@ class Words {
     std::ifstream file = open_to_read(path);
     text_.assign(std::istreambuf_iterator<char>(file), {});
     rest_ = text_;
+    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // the mark that some editors put first
   }
 
   // "" at the end.
@@ -37,15 +47,25 @@ class Words {
 
   void expect(std::string_view what) {
     const std::string_view word = next();
-    if (word != what) fail("expected '" + std::string(what) + "'", word);
+    if (!same_word(word, what)) fail("expected '" + std::string(what) + "'", word);
   }
 
-  double number() {
-    const std::string_view word = next();
-    const std::optional<double> value = finite_number(word);
-    if (!value) fail("expected a finite number", word);
-    return *value;
+  // The rest of the line, up to a bracket: names may have spaces ("Bip01 L Thigh").
+  std::string name() {
+    const std::string_view line = trim(rest_.substr(0, rest_.find_first_of("{\n")));
+    if (line.empty()) fail("expected a joint's name", next());
+    rest_.remove_prefix(static_cast<std::size_t>(line.data() - rest_.data()) + line.size());
+    return std::string(line);
   }
+
+  // All numbers up to the end of the file.
+  std::vector<double> numbers() {
+    std::vector<double> all;
+    for (std::string_view word = next(); !word.empty(); word = next()) all.push_back(to_number(word));
+    return all;
+  }
+
+  double number() { return to_number(next()); }
 
   std::size_t count(std::size_t most) {
     const double value = number();
@@ -61,6 +81,12 @@ class Words {
   }
 
  private:
+  double to_number(std::string_view word) const {
+    const std::optional<double> value = finite_number(word);
+    if (!value) fail("expected a finite number", word);
+    return *value;
+  }
+
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   void skip() {
@@ -94,15 +120,19 @@ class Hierarchy {
   std::size_t read() {
     words_.expect("HIERARCHY");
     words_.expect("ROOT");
-    read_joint(-1);
-    return channels_;
+    do {
+      read_joint(-1);
+      const std::string_view word = words_.next();
+      if (same_word(word, "MOTION")) return channels_;
+      if (!same_word(word, "ROOT")) words_.fail("expected 'MOTION' or another ROOT", word);
+    } while (true);
   }
 
  private:
   void read_joint(int parent) {
     if (bvh_.joints.size() == kMostJoints) words_.fail("expected at most 1000 joints", "JOINT");
     const auto number = bvh_.joints.size();
-    bvh_.joints.push_back({std::string(words_.next()), parent, {0, 0, 0}, {0, 0, 0}, "", channels_});
+    bvh_.joints.push_back({words_.name(), parent, {0, 0, 0}, {0, 0, 0}, "", channels_});
     words_.expect("{");
     words_.expect("OFFSET");
     bvh_.joints[number].offset = read_offset(words_);
@@ -111,9 +141,9 @@ class Hierarchy {
       bvh_.joints[number].channels += read_channel(words_);
     }
     for (std::string_view word = words_.next(); word != "}"; word = words_.next()) {
-      if (word == "JOINT") {
+      if (same_word(word, "JOINT")) {
         read_joint(static_cast<int>(number));
-      } else if (word == "End") {
+      } else if (same_word(word, "End")) {
         bvh_.joints[number].end = read_end();
       } else {
         words_.fail("expected JOINT, End Site or }", word);
@@ -170,11 +200,35 @@ std::vector<Eigen::Isometry3d> Bvh::rest() const {
   return all;
 }
 
+namespace {
+
+// Some programs write a frame more, or one less, than they say.
+void read_frames(Words& words, std::size_t channels, std::size_t said, Bvh& bvh) {
+  const std::vector<double> numbers = words.numbers();
+  if (channels == 0) words.fail("expected channels", "joints without any");
+  if (numbers.size() % channels != 0) {
+    words.fail("expected " + std::to_string(channels) + " numbers for each frame",
+               std::to_string(numbers.size() % channels) + "' for the last one of '" + std::to_string(numbers.size()));
+  }
+  const std::size_t found = numbers.size() / channels;
+  if (found == 0 || found + 1 < said || found > said + 1) {
+    words.fail("expected " + std::to_string(said) + " frames, as 'Frames:' says", std::to_string(found));
+  }
+  if (found != said) {
+    bvh.notes.push_back("'Frames:' says " + std::to_string(said) + ", the file has " + std::to_string(found) +
+                        ": all of these are read");
+  }
+  for (auto row = numbers.begin(); row != numbers.end(); row += static_cast<std::ptrdiff_t>(channels)) {
+    bvh.frames.emplace_back(row, row + static_cast<std::ptrdiff_t>(channels));
+  }
+}
+
+}  // namespace
+
 Bvh read_bvh(const std::string& path) {
   Words words(path);
   Bvh bvh;
   const std::size_t channels = Hierarchy(words, bvh).read();
-  words.expect("MOTION");
   words.expect("Frames:");
   const std::size_t frames = words.count(100000000);
   if (frames == 0) words.fail("expected at least one frame", "0");
@@ -182,12 +236,7 @@ Bvh read_bvh(const std::string& path) {
   words.expect("Time:");
   bvh.frame_seconds = words.number();
   if (bvh.frame_seconds <= 0) words.fail("expected a frame time above 0", std::to_string(bvh.frame_seconds));
-  for (std::size_t frame = 0; frame < frames; ++frame) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < channels; ++i) values.push_back(words.number());
-    bvh.frames.push_back(std::move(values));
-  }
-  if (const std::string_view more = words.next(); !more.empty()) words.fail("expected the end of the file", more);
+  read_frames(words, channels, frames, bvh);
   return bvh;
 }
 

@@ -9,7 +9,7 @@ namespace cli {
 
 struct BvhJoint {
   std::string name;
-  int parent;              // -1: the root
+  int parent;              // -1: a root
   Eigen::Vector3d offset;  // from its parent, in the file's unit
   Eigen::Vector3d end;     // from here to its end site, 0 without one
   std::string channels;    // a letter each: X, Y, Z move, x, y, z turn
@@ -20,6 +20,7 @@ struct Bvh {
   std::vector<BvhJoint> joints;  // parents before their children
   double frame_seconds;
   std::vector<std::vector<double>> frames;
+  std::vector<std::string> notes;  // where the file contradicts itself and is read all the same
 
   // Places and orientations of all joints in a frame, or at rest, where no channel turns or moves anything.
   std::vector<Eigen::Isometry3d> poses(std::size_t frame) const;

@@ -178,7 +178,8 @@ void Follow::report() const {
                                          {"senses", senses},
                                          {"largest_forces", forces},
                                          {"beyond_limits", beyond},
-                                         {"pose_errors", to_json(errors_, env_)}};
+                                         {"pose_errors", to_json(errors_, env_)},
+                                         {"notes", movement_.notes}};
     std::cout << json.dump(2) << "\n";
     return;
   }
@@ -196,6 +197,7 @@ void Follow::report() const {
   std::cout << text("\nlargest force or torque: %.4g at %s\n", largest[static_cast<std::size_t>(most)],
                     names_[static_cast<std::size_t>(most)].c_str());
   for (const std::string& joint : beyond) std::cout << "beyond its limits: " << joint << "\n";
+  for (const std::string& note : movement_.notes) std::cout << note << "\n";
 }
 
 }  // namespace
@@ -215,10 +217,14 @@ CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options) {
   command.add_option("--scale", options.skeleton.scale, "BVH: metres of its unit. Default: as long as the legs are")
       ->type_name("M")
       ->check(number(1e-9, 1e9));
-  command.add_option("--up", options.skeleton.up, "BVH: which of its axes points up")
+  command.add_option("--up", options.skeleton.up, "BVH: which of its axes points up. Default: the one it stands along")
       ->type_name("y|z")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->capture_default_str();
+      ->check(CLI::IsMember({"y", "z"}));
+  command
+      .add_option("--rest-frame", options.skeleton.rest_frame,
+                  "BVH: the frame, from 0, in which the skeleton stands upright. Default: as its offsets have it")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000000));
   const auto added = command.get_options();
   CLI::Option* motion =
       command

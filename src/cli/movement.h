@@ -28,6 +28,7 @@ struct Movement {
   std::vector<double> times;
   std::map<std::size_t, JointTrack> joints;  // by their place among the positions
   std::vector<BodyTrack> bodies;
+  std::vector<std::string> notes;  // what a reader should know of how the file was read
   bool of_another = false;  // who has other joints: joints should stay within their limits where bodies are followed
 };
 

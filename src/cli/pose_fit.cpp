@@ -45,7 +45,8 @@ class Fit {
   std::vector<double> moved(std::vector<double> positions, const Eigen::VectorXd& by) const;
   Attempt solve(std::size_t row, std::vector<double> start);
   Attempt solve_first();
-  std::vector<double> middle_of_ranges() const;
+  Attempt solve_next(std::size_t row);
+  std::vector<double> middle_of_ranges(std::vector<double> positions) const;
   double beyond_limits(std::size_t joint, const std::vector<double>& positions) const;  // rad, with its sign
   double beyond_limits(const std::vector<double>& positions) const;                     // of all
   void note(std::size_t row, const std::vector<double>& positions);
@@ -218,8 +219,7 @@ Fit::Attempt Fit::solve(std::size_t row, std::vector<double> start) {
   return best;
 }
 
-std::vector<double> Fit::middle_of_ranges() const {
-  std::vector<double> positions = env_.get_values(MIMO_JOINT_POSITION, all_);
+std::vector<double> Fit::middle_of_ranges(std::vector<double> positions) const {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const double middle = (ranges_[i][0] + ranges_[i][1]) / 2;
     if (std::isfinite(middle)) positions[joints_[i].place] = middle;
@@ -243,11 +243,21 @@ double Fit::beyond_limits(const std::vector<double>& positions) const {
 Fit::Attempt Fit::solve_first() {
   Attempt best = solve(0, env_.get_values(MIMO_JOINT_POSITION, all_));
   if (best.cost < 1e-16 && beyond_limits(best.positions) == 0) return best;
-  Attempt other = solve(0, middle_of_ranges());
+  Attempt other = solve(0, middle_of_ranges(best.positions));
   const double slack = 1e-9;
   const bool as_near = other.cost < best.cost + slack && other.cost > best.cost - slack;
   const bool better = as_near ? beyond_limits(other.positions) < beyond_limits(best.positions) : other.cost < best.cost;
   return better ? other : best;
+}
+
+// A straight elbow does not feel how its upper arm is turned, so a forearm that is bent out of the plane of the row
+// before may not be followed from there.
+Fit::Attempt Fit::solve_next(std::size_t row) {
+  constexpr double kWell = 0.01;  // a tenth of a radian, or a centimetre, in all
+  Attempt next = solve(row, rows_.back());
+  if (next.cost < kWell) return next;
+  Attempt other = solve(row, middle_of_ranges(rows_.back()));
+  return other.cost < next.cost / 2 ? other : next;
 }
 
 void Fit::note(std::size_t row, const std::vector<double>& positions) {
@@ -272,7 +282,7 @@ void Fit::run() {
   const std::size_t rows = movement_.times.size();
   Progress progress(rows);
   for (std::size_t row = 0; row < rows; ++row) {
-    rows_.push_back(row == 0 ? solve_first().positions : solve(row, rows_.back()).positions);
+    rows_.push_back(row == 0 ? solve_first().positions : solve_next(row).positions);
     note(row, rows_.back());
     progress.show(row + 1);
   }

@@ -1,7 +1,6 @@
 #include "retarget.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -13,72 +12,28 @@
 #include "csv.h"
 #include "facts.h"
 #include "failure.h"
-#include "files.h"
 #include "joints.h"
+#include "skeleton_names.h"
 
 namespace cli {
 namespace {
-
-using Names = std::vector<std::pair<const char*, const char*>>;
-
-// What joints are usually called, without case, signs and what is before a colon.
-const Names kTrunk = {
-    {"hips", "hip"},           {"hip", "hip"},
-    {"pelvis", "hip"},         {"spine", "lower_body"},
-    {"abdomen", "lower_body"}, {"lowerback", "lower_body"},
-    {"spine1", "upper_body"},  {"chest", "upper_body"},
-    {"thorax", "upper_body"},  {"head", "head"},
-};
-// After "left" or "right", and after "l" or "r".
-const Names kSides = {
-    {"arm", "upper_arm"},    {"uparm", "upper_arm"}, {"forearm", "lower_arm"}, {"elbow", "lower_arm"},
-    {"lowarm", "lower_arm"}, {"hand", "hand"},       {"wrist", "hand"},        {"upleg", "upper_leg"},
-    {"hip", "upper_leg"},    {"leg", "lower_leg"},   {"lowleg", "lower_leg"},  {"knee", "lower_leg"},
-    {"foot", "foot"},        {"ankle", "foot"},      {"toebase", "toes"},      {"toe", "toes"},
-};
-const Names kShortSides = {
-    {"shldr", "upper_arm"}, {"forearm", "lower_arm"}, {"hand", "hand"}, {"thigh", "upper_leg"},
-    {"shin", "lower_leg"},  {"foot", "foot"},         {"toe", "toes"},
-};
-
-// Bodies by joints.
-std::map<std::string, std::string> usual_names() {
-  std::map<std::string, std::string> names(kTrunk.begin(), kTrunk.end());
-  for (const std::string side : {"left", "right"}) {
-    for (const auto& [joint, body] : kSides) names[side + joint] = side + "_" + body;
-    for (const auto& [joint, body] : kShortSides) names[side[0] + std::string(joint)] = side + "_" + body;
-  }
-  return names;
-}
 
 // Parts that point somewhere: to the next one. Trunk, head and feet are alike in all who stand.
 const std::map<std::string, std::string> kLimbs = {
     {"upper_arm", "lower_arm"}, {"lower_arm", "hand"}, {"upper_leg", "lower_leg"}, {"lower_leg", "foot"}};
 
-std::string plain(const std::string& name) {
-  std::string result;
-  for (const char c : name.substr(name.rfind(':') + 1)) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
-  return result;
-}
-
-// Lines of a file: a joint's name and the body that it moves.
+// Rows of a file: a joint's name and the body that it moves.
 std::map<std::string, std::string> read_map(const std::string& path) {
-  std::ifstream file = open_to_read(path);
   std::map<std::string, std::string> names;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (trim(line).empty()) continue;
-    const auto comma = line.find(',');
-    if (comma == std::string::npos) {
-      throw Failure(path + ", line " + std::to_string(number) + ": expected 'joint,body', not '" +
-                    std::string(trim(line)) + "'");
+  for (const TextRow& row : read_texts(path)) {
+    const auto fail = [&, line = row.line](const std::string& what) {
+      throw Failure(path + ", line " + std::to_string(line) + ": " + what);
+    };
+    if (row.cells.size() != 2) {
+      fail("expected 'joint,body', found " + std::to_string(row.cells.size()) + " cells, the first '" + row.cells[0] +
+           "'");
     }
-    const std::string_view whole = line;
-    names[std::string(trim(whole.substr(0, comma)))] = trim(whole.substr(comma + 1));
+    if (!names.emplace(row.cells[0], row.cells[1]).second) fail("joint '" + row.cells[0] + "' is there twice");
   }
   return names;
 }
@@ -97,9 +52,13 @@ class Retarget {
     Eigen::Vector3d pointer;  // as of a BodyTrack
   };
 
+  std::vector<Eigen::Isometry3d> rest_of(const Bvh& bvh, int frame) const;
   void choose_bodies(const RetargetOptions& options);
+  std::map<std::string, std::size_t> mapped_bodies(const std::string& map) const;
+  Eigen::Vector3d upwards(const std::string& given) const;
+  std::vector<Eigen::Vector3d> upright_parts() const;
   void stand_upright();
-  void find_axes(const std::string& up);
+  void find_axes(const Eigen::Vector3d& above);
   void find_rest();
   void find_scale(double given);
   const Pair* pair_of(const std::string& body) const;
@@ -107,6 +66,7 @@ class Retarget {
   Eigen::Vector3d place(std::int32_t body) const;
   Eigen::Quaterniond orientation(std::int32_t body) const;
   std::optional<Eigen::Vector3d> between(const std::string& from, const std::string& to) const;
+  std::optional<Eigen::Vector3d> direction(const std::string& from, const std::string& to) const;
 
   std::string path_;
   mimo::Env& env_;
@@ -117,17 +77,18 @@ class Retarget {
   Eigen::Quaterniond axes_;                          // from the file's to the world's
   Eigen::Vector3d start_ = Eigen::Vector3d::Zero();  // of the hip
   double scale_ = 1;
+  std::vector<std::string> notes_;
 };
 
 Retarget::Retarget(const std::string& path, const RetargetOptions& options, mimo::Env& env)
-    : path_(path), env_(env), bvh_(read_bvh(path)), rest_(bvh_.rest()) {
+    : path_(path), env_(env), bvh_(read_bvh(path)), rest_(rest_of(bvh_, options.rest_frame)) {
   const std::vector<mimo_agent_info> agents = env.agents();
   if (infants(env).empty()) throw Failure(path + ": the scene has no infant that could move like it");
   prefix_ = agents.empty() ? "" : prefix(agents[0]);
   choose_bodies(options);
   if (const Pair* const hip = pair_of("hip")) start_ = place(hip->body);
   stand_upright();
-  find_axes(options.up);
+  find_axes(upwards(options.up));
   find_rest();
   find_scale(options.scale);
 }
@@ -139,31 +100,49 @@ std::int32_t Retarget::find_body(const std::string& name) const {
   return -1;
 }
 
+std::vector<Eigen::Isometry3d> Retarget::rest_of(const Bvh& bvh, int frame) const {
+  if (frame < 0) return bvh.rest();
+  const auto number = static_cast<std::size_t>(frame);
+  if (number < bvh.frames.size()) return bvh.poses(number);
+  throw Failure(path_ + ": --rest-frame is " + std::to_string(frame) + ", the frames are 0 to " +
+                std::to_string(bvh.frames.size() - 1));
+}
+
+// Joints by bodies, as the user's file has them.
+std::map<std::string, std::size_t> Retarget::mapped_bodies(const std::string& map) const {
+  std::map<std::string, std::size_t> bodies;
+  for (const auto& [joint, body] : read_map(map)) {
+    const auto is_it = [&name = joint](const BvhJoint& one) { return one.name == name; };
+    const auto found = std::find_if(bvh_.joints.begin(), bvh_.joints.end(), is_it);
+    if (found == bvh_.joints.end()) throw Failure(map + ": " + path_ + " has no joint '" + joint + "'");
+    if (find_body(body) < 0) {
+      throw Failure(map + ": the infant has no body '" + body + "'; there are: " + body_names(env_));
+    }
+    const auto number = static_cast<std::size_t>(found - bvh_.joints.begin());
+    if (!bodies.emplace(body, number).second) throw Failure(map + ": two joints move '" + body + "', expected one");
+  }
+  if (bodies.empty()) throw Failure(map + ": expected lines of joint,body, and there are none");
+  return bodies;
+}
+
 void Retarget::choose_bodies(const RetargetOptions& options) {
   const bool own = !options.map.empty();
-  std::map<std::string, std::string> names = own ? read_map(options.map) : usual_names();
+  const std::map<std::string, std::size_t> bodies = own ? mapped_bodies(options.map) : usual_bodies(bvh_.joints);
+  if (!own) check_whole(bodies, bvh_.joints, path_);
+  std::map<std::size_t, std::string> by_joint;
+  for (const auto& [body, joint] : bodies) by_joint[joint] = body;
+  std::string without;
   for (std::size_t i = 0; i < bvh_.joints.size(); ++i) {
-    const auto found = names.find(own ? bvh_.joints[i].name : plain(bvh_.joints[i].name));
-    if (found == names.end()) continue;
-    const std::int32_t body = find_body(found->second);
-    if (body < 0) {
-      if (!own) continue;
-      throw Failure(options.map + ": the infant has no body '" + found->second + "'; there are: " + body_names(env_));
-    }
-    const auto twice = [&](const Pair& pair) { return pair.body == body; };
-    if (std::none_of(pairs_.begin(), pairs_.end(), twice))
+    const auto found = by_joint.find(i);
+    const std::int32_t body = found == by_joint.end() ? -1 : find_body(found->second);
+    if (body < 0) {  // the mitten has no toes
+      without += (without.empty() ? "" : ", ") + bvh_.joints[i].name;
+    } else {
       pairs_.push_back({i, body, found->second, Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero()});
-    if (own) names.erase(found);
+    }
   }
-  if (own && !names.empty()) {
-    throw Failure(options.map + ": " + path_ + " has no joint '" + names.begin()->first + "'");
-  }
-  if (!pairs_.empty()) return;
-  std::string some;
-  for (const BvhJoint& joint : bvh_.joints) {
-    if (some.size() < 200) some += (some.empty() ? "" : ", ") + joint.name;
-  }
-  throw Failure(path_ + ": none of its joints has a usual name; --map tells which bodies they move. They are: " + some);
+  notes_ = bvh_.notes;
+  if (!without.empty()) notes_.push_back("joints that move no body: " + without);
 }
 
 // All hinges at 0: upright, limbs straight.
@@ -200,10 +179,46 @@ std::optional<Eigen::Vector3d> Retarget::between(const std::string& from, const 
   return rest_[b->joint].translation() - rest_[a->joint].translation();
 }
 
+// What points upwards in who stands: the trunk, and the legs from the feet.
+std::vector<Eigen::Vector3d> Retarget::upright_parts() const {
+  std::vector<Eigen::Vector3d> parts;
+  const auto add = [&](const std::string& from, const std::string& to) {
+    if (const auto part = between(from, to); part && part->norm() > 1e-9) parts.push_back(part->normalized());
+  };
+  add("hip", "head");
+  for (const std::string side : {"left_", "right_"}) {
+    add(side + "lower_leg", side + "upper_leg");
+    add(side + "foot", side + "lower_leg");
+  }
+  return parts;
+}
+
+// The file's axis that points upwards, as it is given or as the skeleton stands. A skeleton whose rest pose is no
+// standing one would be bent by what its bones are turned there.
+Eigen::Vector3d Retarget::upwards(const std::string& given) const {
+  constexpr double kLeast = 0.5;  // 60 degrees from what is up
+  const std::vector<Eigen::Vector3d> parts = upright_parts();
+  const auto stands = [&](const Eigen::Vector3d& axis) {
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const Eigen::Vector3d& part) { return part.dot(axis) > kLeast; });
+  };
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  const bool by_y = stands(y), by_z = stands(z);
+  if (given != "z" && by_y) return y;
+  if (given != "y" && by_z) return z;
+  if (by_y || by_z) {
+    throw Failure(path_ + ": --up is " + given + ", but the skeleton stands along " + (by_y ? "y" : "z") +
+                  ": there its head is above its hips and its feet below");
+  }
+  throw Failure(
+      path_ + ": the skeleton does not stand upright at rest, with its head above its hips and its feet below" +
+      ", along y or z; --rest-frame N takes the pose of frame N (from 0) in which it does, whatever its arms do");
+}
+
 // Who stands looks at right angles to his left side and to what is up; without hips and arms along the file's z, or x.
-void Retarget::find_axes(const std::string& up) {
-  const Eigen::Vector3d above = up == "z" ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-  Eigen::Vector3d left = up == "z" ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+void Retarget::find_axes(const Eigen::Vector3d& above) {
+  const bool up_is_z = above.z() > 0;
+  Eigen::Vector3d left = up_is_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
   for (const char* limb : {"upper_arm", "upper_leg"}) {
     const auto across = between(std::string("right_") + limb, std::string("left_") + limb);
     if (across && across->cross(above).norm() > 1e-6 * (1 + across->norm())) left = *across;
@@ -212,6 +227,24 @@ void Retarget::find_axes(const std::string& up) {
   Eigen::Matrix3d rows;
   rows << left.cross(above).transpose(), left.transpose(), above.transpose();
   axes_ = Eigen::Quaterniond(rows);
+}
+
+// The same where the second has no joint: to what hangs on the first, or to its end site.
+std::optional<Eigen::Vector3d> Retarget::direction(const std::string& from, const std::string& to) const {
+  std::optional<Eigen::Vector3d> found = between(from, to);
+  const Pair* const a = pair_of(from);
+  if (!found && a != nullptr) {
+    const auto child = std::find_if(bvh_.joints.begin(), bvh_.joints.end(),
+                                    [&](const BvhJoint& joint) { return joint.parent == static_cast<int>(a->joint); });
+    if (child != bvh_.joints.end()) {
+      const auto number = static_cast<std::size_t>(child - bvh_.joints.begin());
+      found = rest_[number].translation() - rest_[a->joint].translation();
+    } else {
+      found = rest_[a->joint].linear() * bvh_.joints[a->joint].end;
+    }
+  }
+  if (found && found->norm() < 1e-9) found.reset();
+  return found;
 }
 
 // How limbs are turned about themselves is not looked at: skeletons turn them at other joints than the infant does.
@@ -223,8 +256,11 @@ void Retarget::find_rest() {
     const auto limb = kLimbs.find(hand ? "lower_arm" : pair.name.substr(side));
     if (limb == kLimbs.end()) continue;
     const std::string from = pair.name.substr(0, side) + limb->first, to = pair.name.substr(0, side) + limb->second;
-    const auto theirs = between(from, to);
-    if (!theirs || theirs->norm() < 1e-9) continue;
+    const auto theirs = direction(from, to);
+    if (!theirs) {
+      throw Failure(path_ + ": nothing tells where '" + bvh_.joints[pair.joint].name + "', which moves " + pair.name +
+                    ", points to: it needs a joint or an end site below it");
+    }
     const Eigen::Vector3d ours = place(find_body(to)) - place(find_body(from));
     if (!hand) pair.pointer = pair.rest.conjugate() * ours.normalized();
     pair.rest = Eigen::Quaterniond::FromTwoVectors(ours, axes_ * *theirs) * pair.rest;
@@ -251,6 +287,7 @@ Movement Retarget::movement() const {
   Movement movement;
   movement.source = path_;
   movement.of_another = true;
+  movement.notes = notes_;
   for (const Pair& pair : pairs_) movement.bodies.push_back({pair.body, {}, {}, pair.pointer});
   const Pair* const hip = pair_of("hip");
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -259,7 +296,7 @@ Movement Retarget::movement() const {
     const std::vector<Eigen::Isometry3d> poses = bvh_.poses(frame);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const Eigen::Isometry3d& pose = poses[pairs_[i].joint];
-      const Eigen::Quaterniond turned(pose.linear());
+      const Eigen::Quaterniond turned(pose.linear() * rest_[pairs_[i].joint].linear().transpose());
       movement.bodies[i].orientations.push_back(axes_ * turned * axes_.conjugate() * pairs_[i].rest);
       if (&pairs_[i] != hip) continue;
       Eigen::Vector3d at = scale_ * (axes_ * pose.translation());

@@ -9,9 +9,10 @@
 namespace cli {
 
 struct RetargetOptions {
-  std::string map;       // a file of `joint,body` lines, "" for names that are usual
-  double scale = 0;      // m for a unit of the file; 0: by the length of the legs
-  std::string up = "y";  // the file's axis
+  std::string map;      // a file of `joint,body` lines, "" for names that are usual
+  double scale = 0;     // m for a unit of the file; 0: by the length of the legs
+  std::string up;       // the file's axis, "y" or "z"; "": the one along which the head is above the hips
+  int rest_frame = -1;  // the frame in which the skeleton stands; -1: as the file's offsets have it
 };
 
 // Poses of the first infant's bodies. Both stand upright when nothing turns, soles flat; limbs point where the file's

@@ -5,7 +5,7 @@ import math
 import unittest
 
 from program import Case
-from skeleton import bvh
+from skeleton import JOINTS, bvh
 
 
 LEGS = 0.135 + 0.177  # m from hip to knee and to ankle, of the body at 18 months (models/mimo/parts)
@@ -126,9 +126,115 @@ class Motion(Case):
             self.write("map.csv", line)
             self.assertIn(word, self.mimo("replay", "--motion", own, "--map", names, code=1))
 
+    def bent_elbow(self, text, *arguments):
+        """The left elbow in degrees, in the second frame of a skeleton whose forearm is turned by 60 degrees there."""
+        return math.degrees(self.joints("--motion", self.write("a.bvh", text), *arguments)[1]["robot:left_elbow"])
+
+    def test_a_straight_elbow_bends_in_any_plane(self):
+        """From an arm stretched to the side the forearm goes forwards, down, or up: the upper arm turns for it."""
+        for turn in ((0, 0, -60), (-60, 0, 0)):
+            self.assertAlmostEqual(self.bent_elbow(bvh({}, {"LeftForeArm": turn})), -60, delta=0.5)
+
+    def test_families_of_names(self):
+        """The same movement by the names of other programs."""
+        frames = [{}, {"LeftForeArm": (0, 0, -60)}]
+        sides = ("UpLeg", "Leg", "Foot", "Arm", "ForeArm", "Hand")
+        families = {  # those of the legs and arms, left; a name per word of `sides`
+            "Biovision": ("LeftHip", "LeftKnee", "LeftAnkle", "LeftShoulder", "LeftElbow", "LeftWrist"),
+            "SMPL": ("L_Hip", "L_Knee", "L_Ankle", "L_Shoulder", "L_Elbow", "L_Wrist"),
+            "Biped": ("Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot", "Bip01 L UpperArm", "Bip01 L Forearm", "Bip01 L Hand"),
+            "Unreal": ("thigh_l", "calf_l", "foot_l", "upperarm_l", "lowerarm_l", "hand_l"),
+            "VRM": ("J_Bip_L_UpperLeg", "J_Bip_L_LowerLeg", "J_Bip_L_Foot", "J_Bip_L_UpperArm", "J_Bip_L_LowerArm", "J_Bip_L_Hand"),
+        }
+        right = self.bent_elbow(bvh(*frames))
+        self.assertAlmostEqual(right, -60, delta=0.2)
+        for family, left in families.items():
+            names = {"Left" + part: name for part, name in zip(sides, left)}
+            other = {"Left": "Right", "L_": "R_", " L ": " R ", "_l": "_r", "_L_": "_R_"}
+            for part, name in list(names.items()):
+                word = next(word for word in other if word in name)
+                names[part.replace("Left", "Right")] = name.replace(word, other[word], 1)
+            if family == "Biped":
+                names["Hips"] = "Bip01 Pelvis"
+            text = bvh(*frames, rename=lambda name, names=names: names.get(name, name))
+            self.assertAlmostEqual(self.bent_elbow(text), right, delta=1e-6, msg=family)
+
+    def test_names_that_are_known_in_part_are_refused(self):
+        text = bvh({}, {}, rename=lambda name: name.replace("Leg", "Limb"))
+        message = self.mimo("replay", "--motion", self.write("a.bvh", text), "--scene", "free", code=1)
+        self.assertIn("no joint has a usual name for left_upper_leg, left_lower_leg, right_upper_leg, right_lower_leg; --map", message)
+        # names that say one thing, bones that say another
+        text = bvh({}, {}, rename=lambda name: {"LeftForeArm": "RightForeArm", "RightForeArm": "LeftForeArm"}.get(name, name))
+        message = self.mimo("replay", "--motion", self.write("a.bvh", text), "--scene", "free", code=1)
+        self.assertIn("'LeftForeArm' is called as left_lower_arm usually is, but does not hang on 'LeftArm'", message)
+
+    def test_a_skeleton_has_to_stand_at_rest(self):
+        """Bones that lie along x at rest, as Rokoko's; in the first frame they are turned so that the skeleton stands."""
+        lie = {name: (name, parent, (sum(x * x for x in offset) ** 0.5, 0, 0)) for name, parent, offset in JOINTS}
+        # the trunk is turned up; arms go out to both sides, seen from there; legs back down
+        stand = {"Spine": (90, 0, 0), "LeftArm": (-90, 0, 0), "RightArm": (90, 0, 0), "LeftUpLeg": (-90, 0, 0), "RightUpLeg": (-90, 0, 0)}
+        hips = {"LeftUpLeg": (9, -2, 0), "RightUpLeg": (-9, -2, 0), "LeftArm": (15, -15, 0), "RightArm": (15, 15, 0)}
+        bones = [(name, parent, hips.get(name, offset)) for name, parent, offset in lie.values()]
+        bent = dict(stand, LeftForeArm=(-60, 0, 0))
+        text = bvh(stand, bent, joints=bones)
+        message = self.mimo("replay", "--motion", self.write("a.bvh", text), "--scene", "free", code=1)
+        self.assertIn("does not stand upright at rest", message)
+        self.assertIn("--rest-frame N", message)
+        self.assertAlmostEqual(self.bent_elbow(text, "--rest-frame", "0"), -60, delta=0.5)
+        message = self.mimo("replay", "--motion", "a.bvh", "--rest-frame", "2", "--scene", "free", code=1)
+        self.assertIn("--rest-frame is 2, the frames are 0 to 1", message)
+
+    def test_the_skeleton_tells_what_is_up(self):
+        frames = [{}, {"LeftForeArm": (0, 0, -60)}]
+        for up, other in (("y", "z"), ("z", "y")):
+            path = self.write("a.bvh", bvh(*frames, up=up))
+            row = self.joints("--motion", path)[0]
+            self.assertAlmostEqual(row["mimo_orientation:qw"] ** 2 + row["mimo_orientation:qz"] ** 2, 1, delta=1e-6)
+            message = self.mimo("replay", "--motion", path, "--up", other, "--scene", "free", code=1)
+            self.assertIn("--up is %s, but the skeleton stands along %s" % (other, up), message)
+
+    def test_what_exporters_write_otherwise(self):
+        frames = [{}, {"LeftForeArm": (0, 0, -60)}]
+        whole = bvh(*frames)
+        right = self.bent_elbow(whole)
+        prop = "ROOT Prop\n{\nOFFSET 5 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION"
+        rows = whole.replace("MOTION", prop).splitlines()
+        rows[-2:] = [row + " 0 0 0" for row in rows[-2:]]
+        for text in ("\ufeff" + whole, whole.replace("End Site", "End site"), whole.replace("End Site", "END SITE"),
+                     whole.replace("\n", "\r\n"), whole.replace("Frames: 2", "Frames: 1"), whole.replace("Frames: 2", "Frames: 3"),
+                     "\n".join(rows)):
+            self.assertAlmostEqual(self.bent_elbow(text), right, delta=1e-9)
+        report = json.loads(self.mimo("replay", "--scene", "free", "--touch", "off", "--json", "--motion",
+                                      self.write("a.bvh", whole.replace("Frames: 2", "Frames: 1"))))
+        self.assertIn("'Frames:' says 1, the file has 2: all of these are read", report["notes"])
+
+    def test_joints_that_move_no_body_are_told(self):
+        joints = JOINTS + (("Tail", "Hips", (0, 0, -10)),)
+        path = self.write("a.bvh", bvh({}, {}, joints=joints))
+        report = json.loads(self.mimo("replay", "--scene", "free", "--touch", "off", "--json", "--motion", path))
+        self.assertEqual(report["notes"], ["joints that move no body: Tail"])
+
+    def test_a_limb_without_anything_below_it_is_refused(self):
+        text = bvh({}, {}, joints=[joint for joint in JOINTS if joint[0] != "LeftHand"])
+        self.assertAlmostEqual(self.bent_elbow(text), -90, delta=0.2)  # its end site points down, the arm to the side
+        message = self.mimo("replay", "--scene", "free", "--motion", self.write("a.bvh", text.replace("OFFSET 0 -5 0", "OFFSET 0 0 0")), code=1)
+        self.assertIn("nothing tells where 'LeftForeArm', which moves left_lower_arm, points to", message)
+
+    def test_tables_of_spreadsheets(self):
+        """R's write.csv quotes, countries with a decimal comma separate by semicolons, editors put a mark first."""
+        for table in ('"time","left_elbow"\n0,-0.1\n0.04,-0.2\n', 'time,left_elbow\n"0","-0.1"\n"0.04","-0.2"\n',
+                      "time;left_elbow\n0;-0,1\n0,04;-0,2\n", "time\tleft_elbow\n0\t-0,1\n0,04\t-0,2\n",
+                      "\ufefftime,left_elbow\n0,-0.1\n0.04,-0.2\n"):
+            rows = self.joints("--motion", self.write("m.csv", table))
+            self.assertEqual([round(row["robot:left_elbow"], 12) for row in rows], [-0.1, -0.2])
+        names = self.write("map.csv", '\ufeff"LeftUpLeg";"left_upper_leg"\n"LeftLeg";left_lower_leg\n')
+        rows = self.joints("--motion", self.write("a.bvh", bvh({"LeftLeg": (0, 50, 0)})), "--map", names)
+        self.assertAlmostEqual(rows[0]["robot:left_knee"], -math.radians(50), delta=1e-6)
+
     def test_bad_skeletons(self):
         whole = bvh({}, {})
-        for text, message in ((whole[:200], "the file ends"), (whole[:-20], "line "), (whole + "3", "end of the file"),
+        for text, message in ((whole[:200], "the file ends"), (whole[:-20], "line "), (whole + "3", "51 numbers for each frame"),
+                              (whole.replace("Frames: 2", "Frames: 4"), "expected 4 frames, as 'Frames:' says, not '2'"),
                               (whole.replace("Frames: 2", "Frames: many"), "many"), ("time,left_elbow\n0,0\n", "HIERARCHY"),
                               (whole.replace("Xposition", "Wposition", 1), "Wposition"), ("", "the file ends"),
                               (whole.replace("Frame Time: 0.05", "Frame Time: 0"), "frame time above 0"),

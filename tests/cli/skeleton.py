@@ -10,7 +10,7 @@ JOINTS = (
 )
 
 
-def bvh(*frames, rename=lambda name: name, up="y"):
+def bvh(*frames, rename=lambda name: name, up="y", joints=JOINTS):
     """A file: each frame has turns in degrees about z, x, y by joint, and "at", the place of the hips.
 
     With z up the same skeleton looks along -y: (x, y, z) is written as (x, -z, y).
@@ -30,7 +30,7 @@ def bvh(*frames, rename=lambda name: name, up="y"):
         channels = "3 " if depth else "6 Xposition Yposition Zposition "
         yield "%s %s\n{\nOFFSET %g %g %g\n" % (kind, rename(name), *place(*offset))
         yield "CHANNELS %s%s\n" % (channels, rotations)
-        children = [(child, where) for child, parent, where in JOINTS if parent == name]
+        children = [(child, where) for child, parent, where in joints if parent == name]
         for child, where in children:
             yield from joint(child, where, depth + 1)
         yield "}\n" if children else "End Site\n{\nOFFSET %g %g %g\n}\n}\n" % place(0, -5, 0)

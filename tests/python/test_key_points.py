@@ -157,6 +157,20 @@ def test_limits_hold():
     assert (hinges < limits[:, 1] + 1e-6).all()
 
 
+@pytest.mark.parametrize(
+    "table",
+    [
+        "time;left_wrist:x;left_wrist:y;left_wrist:z\n0;0,1;0,2;0,3\n",
+        "time\tleft_wrist:x\tleft_wrist:y\tleft_wrist:z\n0\t0,1\t0,2\t0,3\n",
+        '\ufeff"time","left_wrist:x","left_wrist:y","left_wrist:z"\n"0","0.1","0.2","0.3"\n',
+    ],
+)
+def test_tables_of_spreadsheets_are_read(tmp_path, table):
+    (tmp_path / "points.csv").write_text(table, encoding="utf-8")
+    points = mimo.motion.read_points(str(tmp_path / "points.csv"))
+    assert points.values.ravel().tolist() == [0.1, 0.2, 0.3]
+
+
 def test_a_filter_takes_what_is_fast_and_leaves_what_is_slow():
     """There and back, a Butterworth filter of second order leaves 1 / (1 + (f / cutoff)^4) of a wave."""
     times = np.arange(200) / 50

@@ -164,12 +164,19 @@ def read_points(path: str) -> KeyPoints:
 
 
 def _cells(path: str) -> List[List[str]]:
+    """Cells between commas; between semicolons or tabs, as mimo replay takes them, with decimal commas as points."""
     with open(path, newline="", encoding="utf-8-sig") as file:
-        reader = csv.reader(file)
+        first = file.readline()
+        separator = next((one for one in ",;\t" if one in first), ",")
+        file.seek(0)
+        reader = csv.reader(file, delimiter=separator)
         try:
-            return list(reader)
+            lines = list(reader)
         except csv.Error as error:
             raise ValueError(f"{path}, line {reader.line_num}: {error}") from None
+    if separator == ",":
+        return lines
+    return lines[:1] + [[cell.replace(",", ".") for cell in line] for line in lines[1:]]
 
 
 def _row(path: str, line: int, header: List[str], cells: List[str]) -> List[float]:
