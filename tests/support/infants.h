@@ -22,7 +22,7 @@ inline const growth::Skeleton& infant(const std::string& body) {
   if (known != bodies.end()) return known->second;
   scene::Scene scene(named("benchmark"));
   scene.add_body(body, "", nullptr);
-  const pugi::xml_document document = scene::parse(scene.xml(), body);
+  const pugi::xml_document document = scene::parse(scene.xml(), body, scene::Root::kMujoco);
   return bodies.emplace(body, scene::Anatomy(document.document_element(), "").skeleton()).first->second;
 }
 

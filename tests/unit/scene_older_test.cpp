@@ -105,7 +105,7 @@ std::array<int, 7> sizes_of(const mjModel& m) {
 }
 
 engine::ModelPtr expanded(const std::string& xml) {
-  const pugi::xml_document document = scene::parse(xml, "text");
+  const pugi::xml_document document = scene::parse(xml, "text", scene::Root::kMujoco);
   scene::Report report;
   scene::expand_composites(document.document_element(), {}, report);
   return engine::compile(scene::print(document), {}, {});
@@ -153,7 +153,7 @@ struct Upgraded {
 
 Upgraded upgraded(const std::string& xml) {
   Upgraded result;
-  result.document = scene::parse("<mujoco>" + xml + "</mujoco>", "text");
+  result.document = scene::parse("<mujoco>" + xml + "</mujoco>", "text", scene::Root::kMujoco);
   scene::Report report;
   scene::upgrade_older(result.root(), {}, report);
   report.write(LogSink([&result](const LogRecord& record) { result.warnings.push_back(record.text); }));
