@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <string_view>
@@ -152,5 +153,11 @@ DataPtr make_data(const mjModel& model) {
 }
 
 #endif
+
+int first_bad(const double* values, int count) {
+  const double* const end = values + count;
+  const double* const bad = std::find_if(values, end, [](double value) { return !(std::abs(value) <= mjMAXVAL); });
+  return bad == end ? -1 : static_cast<int>(bad - values);
+}
 
 }  // namespace mimo::engine

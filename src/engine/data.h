@@ -18,6 +18,9 @@ using DataPtr = std::unique_ptr<mjData, void (*)(mjData*)>;
 // mj_resetData clears each array at the size that is listed. Throws Status::kOutOfMemory.
 DataPtr make_data(const mjModel& model);
 
+// The place of the first number that MuJoCo takes for a divergence (none, infinite or huge), -1 where there is none.
+int first_bad(const double* values, int count);
+
 // How many numbers the constraints' Jacobian can have, all rows together.
 std::size_t jacobian_room(const mjModel& model);
 

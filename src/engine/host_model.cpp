@@ -6,6 +6,7 @@
 
 #include "base/fail.h"
 #include "engine/compat.h"
+#include "engine/data.h"
 #include "engine/physics.h"
 
 namespace mimo::engine {
@@ -109,6 +110,22 @@ bool is_sound(const mjModel& model, const mjData& data) {
 }
 #pragma GCC diagnostic pop
 
+// The limits that a step of MuJoCo's has. Senses would make infinite numbers of what is beyond.
+void require_sound(const mjModel& model, const mjData& data) {
+  struct Part {
+    const char* name;
+    const double* values;
+    int count;
+  };
+  const auto nq = static_cast<int>(model.nq), nv = static_cast<int>(model.nv);
+  for (const auto& [name, values, count] :
+       {Part{"qpos", data.qpos, nq}, {"qvel", data.qvel, nv}, {"qacc", data.qacc, nv}}) {
+    const int bad = first_bad(values, count);
+    if (bad < 0) continue;
+    fail(Status::kSimulation, "data: {}[{}] is {}: the host's simulation has diverged", name, bad, values[bad]);
+  }
+}
+
 void check_size(const char* what, std::size_t theirs, std::size_t ours) {
   if (theirs == 0 || theirs == ours) return;
   fail(Status::kUnsupported, "{} has {} bytes in the host's MuJoCo, but {} in libmimo's", what, theirs, ours);
@@ -133,6 +150,7 @@ const mjData& adopt_data(const mjModel& model, const void* data) {
   require(data != nullptr, "data is NULL, expected an mjData");
   const auto& theirs = *static_cast<const mjData*>(data);
   require(is_sound(model, theirs), "data does not point to an mjData of the model that the senses are attached to");
+  require_sound(model, theirs);
   return theirs;
 }
 

@@ -13,7 +13,6 @@
 #include "base/format.h"
 #include "base/plain_numbers.h"
 #include "base/processor.h"
-#include "base/utf8.h"
 #include "engine/callbacks.h"
 #include "engine/compat.h"
 #include "engine/compile_lock.h"
@@ -90,7 +89,7 @@ std::string one_line(const char* text) {
   std::string line(text);
   std::replace(line.begin(), line.end(), '\n', ' ');
   while (!line.empty() && line.back() == ' ') line.pop_back();
-  return valid_utf8(std::move(line));
+  return line;
 }
 
 // MuJoCo has one way to say that a model is wrong and that memory is out.

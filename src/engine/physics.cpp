@@ -19,6 +19,15 @@ bool diverged(const mjData& data) {
                      [&](mjtWarning kind) { return data.warning[kind].number > 0; });
 }
 
+// As mj_step notes it, which takes the state back as well.
+void note_bad(mjData& data, WarningCounts& counts, mjtWarning kind, const double* values, int count) {
+  const int bad = first_bad(values, count);
+  if (bad < 0) return;
+  data.warning[kind].lastinfo = bad;
+  ++data.warning[kind].number;
+  ++counts[static_cast<std::size_t>(kind_of(kind))];
+}
+
 // Trouble that the simulation survives, but that its user must hear of.
 constexpr mjtWarning kSurvivable[] = {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADCTRL};
 
@@ -65,7 +74,7 @@ void Physics::reset() {
   run([this] { mj_resetData(&model_, data_.get()); });
   std::copy(start_.begin(), start_.end(), data_->qpos);
   warned_.fill(0);
-  forward();
+  run_aside([this] { mj_forward(&model_, data_.get()); });
 }
 
 void Physics::step(int count, bool sensors) {
@@ -121,18 +130,27 @@ void Physics::follow(const double* positions, double* forces, bool sensors) {
     compat::expect_accelerations(*data);
     if (sensors) mj_sensorAcc(model, data);
   });
+  note_bad(*data_, counts_, mjWARN_BADQPOS, positions, model_.nq);
+  note_bad(*data_, counts_, mjWARN_BADQVEL, velocities_.data(), model_.nv);
+  note_bad(*data_, counts_, mjWARN_BADQACC, data->qacc, model_.nv);
+  check_divergence();
   if (forces != nullptr) std::copy_n(data->qfrc_inverse, model_.nv, forces);
   std::copy_n(positions, model_.nq, data->qpos);
   mj_normalizeQuat(model, data->qpos);
   std::copy_n(velocities_.data(), model_.nv, data->qvel);
   data->time += model_.opt.timestep;
-  check_divergence();
 }
 
 void Physics::forward() {
   require_usable();
   require_undisturbed();
+  step_time_ = data_->time;
+  note_bad(*data_, counts_, mjWARN_BADQPOS, data_->qpos, model_.nq);
+  note_bad(*data_, counts_, mjWARN_BADQVEL, data_->qvel, model_.nv);
+  check_divergence();
   run_aside([this] { mj_forward(&model_, data_.get()); });
+  note_bad(*data_, counts_, mjWARN_BADQACC, data_->qacc, model_.nv);
+  check_divergence();
 }
 
 void Physics::update_poses() {

@@ -181,7 +181,66 @@ static void bad_movements(void) {
   mimo_env_destroy(env);
 }
 
+static int all_are(const unsigned char* bytes, size_t count, unsigned char value) {
+  for (size_t i = 0; i < count; ++i) {
+    if (bytes[i] != value) return 0;
+  }
+  return 1;
+}
+
+/* Positions that are numbers, but that no step of MuJoCo takes (mjMAXVAL, 1e10), or that nothing could reach in a step:
+ * the world fails, nothing is written, and a reset helps. */
+static void absurd_movements(void) {
+  const double absurd[] = {1e12, -1e12, 1e100, 1e300, 9e9, -1e8};
+  size_t bytes = 0;
+  mimo_env* env = make("free");
+  unsigned char* block = block_of(env, &bytes);
+  double position[7], felt[7];
+  int32_t root = 0;
+  for (size_t i = 0; i < sizeof absurd / sizeof *absurd; ++i) {
+    for (size_t place = 0; place < nq; place += 7) {
+      CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+      look(env, 0);
+      positions[0][place] = absurd[i];
+      memset(block, 0x55, bytes);
+      memset(forces, 0x55, sizeof forces);
+      CHECK_FAILS(MIMO_E_SIMULATION, "huge value in Q",
+                  mimo_env_follow(env,
+                                  SIZED(mimo_movement, .positions = positions[0], .position_count = nq,
+                                        .forces = forces, .force_count = nv),
+                                  block, bytes));
+      CHECK(all_are(block, bytes, 0x55) && all_are((const unsigned char*)forces, sizeof forces, 0x55));
+      CHECK_FAILS(MIMO_E_SIMULATION, "failed before", mimo_env_observe(env, block, bytes));
+    }
+    /* Set by hand, and then looked at. */
+    CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+    CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &root, 1, position, 7));
+    memcpy(felt, position, sizeof felt);
+    position[1] = absurd[i];
+    CHECK_OK(mimo_env_set(env, MIMO_JOINT_POSITION, &root, 1, position, 7));
+    memset(block, 0x55, bytes);
+    if (fabs(absurd[i]) <= 1e10) {
+      CHECK_OK(mimo_env_observe(env, block, bytes));
+      continue;
+    }
+    CHECK_FAILS(MIMO_E_SIMULATION, "huge value in QPOS at 1", mimo_env_observe(env, block, bytes));
+    CHECK(all_are(block, bytes, 0x55));
+    CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+    memset(position, 0, sizeof position);
+    position[4] = absurd[i];
+    CHECK_OK(mimo_env_set(env, MIMO_JOINT_VELOCITY, &root, 1, position, 6));
+    CHECK_FAILS(MIMO_E_SIMULATION, "huge value in QVEL at 4", mimo_env_observe(env, block, bytes));
+    CHECK(all_are(block, bytes, 0x55));
+    CHECK_OK(mimo_env_reset(env, NULL, block, bytes));
+    CHECK_OK(mimo_env_get(env, MIMO_JOINT_POSITION, &root, 1, position, 7));
+    CHECK(memcmp(position, felt, sizeof felt) == 0);
+  }
+  free(block);
+  mimo_env_destroy(env);
+}
+
 int main(void) {
+  absurd_movements();
   falling_and_hanging();
   a_simulated_run_is_followed();
   bad_movements();
