@@ -6,7 +6,7 @@
 namespace mimo {
 
 void fail_formatted(Status status, fmt::string_view format, fmt::format_args arguments) {
-  throw Error(status, valid_utf8(format_arguments(format, arguments)));
+  throw Error(status, as_line(format_arguments(format, arguments)));
 }
 
 }  // namespace mimo

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "base/format.h"
+
 namespace mimo {
 namespace {
 
@@ -22,15 +24,45 @@ std::size_t letter_at(const std::string& text, std::size_t at) {
   return bytes;
 }
 
+// Of a letter of one to three bytes.
+unsigned number_of(const std::string& text, std::size_t at, std::size_t bytes) {
+  const auto low = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]) & 0x3Fu; };
+  const auto first = static_cast<unsigned char>(text[at]);
+  if (bytes == 1) return first;
+  return bytes == 2 ? (first & 0x1Fu) << 6 | low(1) : (first & 0xFu) << 12 | low(1) << 6 | low(2);
+}
+
+// Controls (C0, DEL, C1), and the two separators that some take for the end of a line.
+bool is_control(unsigned letter) {
+  return letter < 0x20 || (letter >= 0x7F && letter < 0xA0) || letter == 0x2028 || letter == 0x2029;
+}
+
+std::string escape(unsigned letter) {
+  switch (letter) {
+    case '\n': return "\\n";
+    case '\r': return "\\r";
+    case '\t': return "\\t";
+    default: return letter < 0x100 ? format("\\x{:02x}", letter) : format("\\u{:04x}", letter);
+  }
+}
+
 }  // namespace
 
-std::string valid_utf8(std::string text) {
+std::string as_line(const std::string& text) {
+  std::string line;
+  line.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t bytes = letter_at(text, at);
-    if (bytes == 0) text[at] = '?';
+    if (bytes == 0) {
+      line += '?';
+    } else if (bytes < 4 && is_control(number_of(text, at, bytes))) {
+      line += escape(number_of(text, at, bytes));
+    } else {
+      line.append(text, at, bytes);
+    }
     at += bytes == 0 ? 1 : bytes;
   }
-  return text;
+  return line;
 }
 
 }  // namespace mimo

@@ -1,11 +1,12 @@
-// Texts from outside (names, paths, MuJoCo's messages, which it cuts anywhere) may hold bytes that are no UTF-8.
+// Texts from outside (names, paths, what a task says, MuJoCo's messages, which it cuts anywhere) may hold anything.
 #pragma once
 
 #include <string>
 
 namespace mimo {
 
-// The same text with a '?' for every byte that belongs to no letter of UTF-8: callers decode messages strictly.
-std::string valid_utf8(std::string text);
+// The text as it stands in messages, which are one line of UTF-8 that terminals only show: '?' for every byte that
+// belongs to no letter, and escapes as in C for control characters and whatever else ends a line ("\n", "\x1b").
+std::string as_line(const std::string& text);
 
 }  // namespace mimo

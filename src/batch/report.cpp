@@ -1,11 +1,13 @@
 #include "batch/report.h"
 
+#include "base/utf8.h"
+
 namespace mimo::batch {
 
 void Report::note(Status what, const char* why) noexcept {
   status = what;
   try {
-    message = why;
+    message = as_line(why);
   } catch (...) {
     message.clear();
   }

@@ -1,5 +1,6 @@
 #include "capi/guard.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/utf8.h"
@@ -40,6 +41,9 @@ const LastError& last_error() noexcept { return last; }
 mimo_status report(const void* handle, Status status, const char* message) noexcept {
   last.status = static_cast<mimo_status>(status);
   keep(message);
+  // Of another library's exception; it needs no memory.
+  std::replace_if(
+      last.text.begin(), last.text.end(), [](char c) { return (c > 0 && c < ' ') || c == 0x7F; }, '?');
   keep_message(handle, last.text);
   return last.status;
 }
@@ -73,7 +77,7 @@ mimo_status mimo_fail(mimo_status status, const char* message) noexcept {
             MIMO_E_INVALID_ARGUMENT);
     check_choice(status, kLastStatus, MIMO_E_INVALID_ARGUMENT, "status");
     require(message != nullptr, "message is NULL");
-    throw Error(static_cast<Status>(status), valid_utf8(message));
+    throw Error(static_cast<Status>(status), as_line(message));
   });
 }
 

@@ -1,7 +1,10 @@
 // Messages, from the rooms' records to the public one.
 #pragma once
 
+#include <string>
+
 #include "base/log.h"
+#include "base/utf8.h"
 #include "mimo/log.h"
 
 namespace mimo::capi {
@@ -14,7 +17,8 @@ inline LogSink log_sink(mimo_log_fn write, void* user) {
     ours.level = static_cast<std::int32_t>(record.level);
     ours.code = record.code;
     ours.in_world = record.in_world ? 1 : 0;
-    ours.text = record.text.c_str();
+    const std::string text = as_line(record.text);
+    ours.text = text.c_str();
     ours.world = record.world;
     ours.time = record.time;
     write(user, &ours);

@@ -93,9 +93,9 @@ static void check_batch(void) {
 static void check_fail(void) {
   mimo_status status = -1;
   for (; strcmp(mimo_status_name(status), "MIMO_E_UNKNOWN") != 0; --status) CHECK(mimo_fail(status, "") == status);
-  CHECK(status == MIMO_E_TASK - 1);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "status is 0, expected a MIMO_E_ constant, -14 to -1", mimo_fail(MIMO_OK, ""));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "status is -15, which needs an interface newer", mimo_fail(status, ""));
+  CHECK(status == MIMO_E_BUSY - 1);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "status is 0, expected a MIMO_E_ constant, -15 to -1", mimo_fail(MIMO_OK, ""));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "status is -16, which needs an interface newer", mimo_fail(status, ""));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "message is NULL", mimo_fail(MIMO_E_INTERNAL, NULL));
   CHECK(mimo_fail(MIMO_E_FORKED, "split") == MIMO_E_FORKED);
   CHECK_TEXT("split", mimo_last_error());
@@ -135,7 +135,7 @@ static void check_handles(void) {
   CHECK(pthread_create(&thread, NULL, fail_elsewhere, env) == 0);
   pthread_join(thread, NULL);
   CHECK(strncmp("no body named \"griffin\"", message_of(env), 23) == 0);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "receive without", mimo_batch_receive(batch));
+  CHECK_FAILS(MIMO_E_BUSY, "receive without", mimo_batch_receive(batch));
   CHECK_TEXT("mimo_batch_receive without mimo_batch_send", message_of(batch));
   CHECK_OK(mimo_env_config_init(&config, sizeof config)); /* what fails to be made: its scene tells */
   config.frame_skip = 1001;
@@ -180,6 +180,67 @@ static void check_together(void) {
   for (i = 0; i < 4; ++i) CHECK(pthread_create(&threads[i], NULL, fail_often, env) == 0);
   for (i = 0; i < 4; ++i) pthread_join(threads[i], NULL);
   mimo_env_destroy(env);
+}
+
+/* ---- In one line ---- */
+
+#define CONTROLS "a\nb\r\t\x1b[31mred\x7f \xc2\x9b \xc2\xa0\xe2\x80\xa8 \xe2\x82\xac\\n"
+#define QUOTED "a\\nb\\r\\t\\x1b[31mred\\x7f \\x9b \xc2\xa0\\u2028 \xe2\x82\xac\\n"
+
+static mimo_status judge_oddly(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  (void)user, (void)env, (void)moment, (void)verdict;
+  return mimo_fail(MIMO_E_NOT_FOUND, CONTROLS);
+}
+
+static void keep_text(void* user, const mimo_log_record* record) { strncat(user, record->text, 1000 - strlen(user)); }
+
+static void check_lines(void) {
+  const char* expected = "the task's function evaluate returned -5 (MIMO_E_NOT_FOUND): " QUOTED;
+  char said[1024] = "";
+  mimo_scene_config room;
+  mimo_object_config object;
+  mimo_agent_config agent;
+  mimo_task task;
+  mimo_scene* scene = NULL;
+  mimo_env* env = NULL;
+  mimo_batch* batch = NULL;
+  const char* message = NULL;
+  int32_t id;
+  CHECK(mimo_fail(MIMO_E_NOT_FOUND, CONTROLS) == MIMO_E_NOT_FOUND);
+  CHECK_TEXT(QUOTED, mimo_last_error());
+
+  CHECK_OK(mimo_scene_config_init(&room, sizeof room));
+  room.name = "free";
+  room.log = keep_text;
+  room.log_user = said;
+  CHECK_OK(mimo_scene_create(&room, &scene));
+  CHECK_OK(mimo_object_config_init(&object, sizeof object));
+  object.name = "odd\ntoy";
+  object.size[0] = 0.5;
+  object.position[2] = 1;
+  object.fixed = 1;
+  CHECK_OK(mimo_scene_add_object(scene, &object));
+  CHECK_OK(mimo_agent_config_init(&agent, sizeof agent));
+  agent.vision = 0;
+  agent.place = MIMO_PLACE_ROOT;
+  agent.position[2] = 1;
+  CHECK_OK(mimo_scene_add_agent(scene, &agent, NULL));
+  CHECK_OK(mimo_task_init(&task, sizeof task));
+  task.evaluate = judge_oddly;
+  CHECK_OK(mimo_scene_set_task(scene, &task));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK(strstr(said, "odd\\ntoy") != NULL && strchr(said, '\n') == NULL);
+  CHECK(step(env) == MIMO_E_NOT_FOUND);
+  CHECK_TEXT(expected, mimo_last_error());
+  CHECK_TEXT(expected, message_of(env));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "no body named \"gr\\niffin\"", mimo_env_find(env, MIMO_BODY, "gr\niffin", &id));
+  mimo_env_destroy(env);
+  CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
+  CHECK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL) == MIMO_E_NOT_FOUND);
+  CHECK_OK(mimo_batch_world_error(batch, 0, NULL, &message));
+  CHECK_TEXT(expected, message);
+  mimo_batch_destroy(batch);
+  mimo_scene_destroy(scene);
 }
 
 /* ---- In UTF-8 ---- */
@@ -246,5 +307,6 @@ int main(void) {
   check_together();
   check_letters();
   check_no_letters();
+  check_lines();
   return failures();
 }
