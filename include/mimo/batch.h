@@ -85,7 +85,7 @@ MIMO_API mimo_status mimo_batch_layout(const mimo_batch *batch, const mimo_layou
  * contacts, pictures, state, single steps.
  * Different worlds may then be used by different threads, or by tasks of other batches.
  * @param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between
- *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT.
+ *            mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_BUSY.
  */
 MIMO_API mimo_status mimo_batch_world(mimo_batch *batch, size_t world, mimo_env **env) MIMO_NOEXCEPT;
 
@@ -154,12 +154,16 @@ MIMO_API mimo_status mimo_batch_step(mimo_batch *batch, const float *actions, si
 /**
  * Starts a step and returns at once, so that the caller can do something else meanwhile. Until mimo_batch_receive the
  * actions are read, and the blocks and what results points to are written: they have to stay where they are. The struct
- * results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between.
+ * results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between: the rest
+ * answers MIMO_E_BUSY.
  */
 MIMO_API mimo_status mimo_batch_send(mimo_batch *batch, const float *actions, size_t action_count, void *blocks,
                                      size_t block_bytes, const mimo_batch_results *results) MIMO_NOEXCEPT;
 
-/** Waits for the step that was sent. Errors: as mimo_batch_step; MIMO_E_INVALID_ARGUMENT within a task of that step. */
+/**
+ * Waits for the step that was sent.
+ * Errors: as mimo_batch_step; MIMO_E_BUSY where none was sent, and within a task of that step.
+ */
 MIMO_API mimo_status mimo_batch_receive(mimo_batch *batch) MIMO_NOEXCEPT;
 
 /** The observations of the current states, as mimo_env_observe. */

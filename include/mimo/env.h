@@ -155,7 +155,7 @@ typedef struct mimo_env_results {
  *         world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be
  *         written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION.
  *         MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block
- *         is written and results are not.
+ *         is written and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;
@@ -184,7 +184,9 @@ typedef struct mimo_movement {
  * the first six degrees of freedom, its free joint, are what is missing from its contacts.
  * @param block receives the observation; NULL with block_bytes 0 skips the senses.
  * Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);
- *         MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step.
+ *         MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step, also
+ *         where positions, or the velocities and accelerations to get there, are larger than 1e10: the block stays as
+ *         it was then.
  */
 MIMO_API mimo_status mimo_env_follow(mimo_env *env, const mimo_movement *movement, void *block,
                                      size_t block_bytes) MIMO_NOEXCEPT;
@@ -193,6 +195,8 @@ MIMO_API mimo_status mimo_env_follow(mimo_env *env, const mimo_movement *movemen
  * The observation of the current state, without changing the trajectory. All its fields belong to the current
  * state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next
  * step mimo_env_get gives values of the current state, too.
+ * Errors: MIMO_E_SIMULATION for a world that has failed, or now does: where positions, velocities or accelerations are
+ *         infinite or larger than 1e10; the block stays as it was then.
  */
 MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
 
@@ -201,7 +205,7 @@ MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_b
  * their activation; no action is on its way. What MuJoCo alone costs; also for hosts that bring senses and control of
  * their own.
  * @param count 0 to 1000000.
- * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world.
+ * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_BUSY from within a task of this world.
  */
 MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
 

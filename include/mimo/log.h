@@ -37,7 +37,8 @@ typedef struct mimo_log_record {
 
 /**
  * Receives messages; NULL in a config means silence. Called on the thread that called the library, before
- * that call returns. Must not call back into the library with the same handle, nor throw or longjmp.
+ * that call returns. The handle of that call can only be read meanwhile, the rest answers MIMO_E_BUSY; any other handle
+ * may be used. Must not throw or longjmp.
  */
 typedef void (*mimo_log_fn)(void *user, const mimo_log_record *record);
 

@@ -33,7 +33,8 @@
  *               every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before fork()
  *               answers MIMO_E_FORKED in the child.
  *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
- *               take a handle without const need it for themselves; different handles are independent.
+ *               take a handle without const need it for themselves, and answer MIMO_E_BUSY where another thread
+ *               uses it; different handles are independent.
  *               Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
  *     Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
  *               in bytes), but for points, poses and the like, of which it is said how many numbers they are.

@@ -60,7 +60,7 @@ MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, siz
  * @param config   NULL means defaults.
  * @param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
  * Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
- *         MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
+ *         MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
  *         for a file that cannot be made, and for one that is there and is no whole recording or is in use;
  *         MIMO_E_SIMULATION for a world that has failed.
  */
@@ -76,7 +76,8 @@ MIMO_API mimo_status mimo_recorder_flush(mimo_recorder *recorder) MIMO_NOEXCEPT;
 /**
  * Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed handles
  * are ignored. Where the world is gone, the file was closed with it.
- * Errors: as mimo_recorder_flush. MIMO_E_INVALID_ARGUMENT within a step of the world: the recorder then stays.
+ * Errors: as mimo_recorder_flush. MIMO_E_BUSY within a step of the world, and while another thread uses the world: the
+ *         recorder then stays.
  */
 MIMO_API mimo_status mimo_recorder_close(mimo_recorder *recorder) MIMO_NOEXCEPT;
 
@@ -148,8 +149,8 @@ MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *en
  * changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit.
  * Between two calls the world may be looked at, not changed.
  * @param block, block_bytes, results as in mimo_env_step.
- * Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek; as
- *         mimo_env_step.
+ * Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
+ *         MIMO_E_BUSY before any seek; as mimo_env_step.
  */
 MIMO_API mimo_status mimo_recording_step(mimo_recording *recording, mimo_env *env, void *block, size_t block_bytes,
                                          const mimo_env_results *results) MIMO_NOEXCEPT;

@@ -33,7 +33,7 @@ extern "C" {
 typedef int32_t mimo_status;
 
 #define MIMO_OK 0                  /**< The call did what it says. */
-#define MIMO_E_INVALID_ARGUMENT -1 /**< NULL, out of range, not finite; or a call that does not fit now. */
+#define MIMO_E_INVALID_ARGUMENT -1 /**< NULL, out of range, not finite. */
 #define MIMO_E_BAD_HANDLE -2       /**< Not a handle of that kind, or one already destroyed. */
 #define MIMO_E_BUFFER_TOO_SMALL -3 /**< A caller's buffer is shorter than needed; nothing was written. */
 #define MIMO_E_STRUCT_SIZE -4      /**< struct_size is not that of any version. */
@@ -47,6 +47,7 @@ typedef int32_t mimo_status;
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 #define MIMO_E_FILE -13            /**< A file cannot be written, or is not what it should be. */
 #define MIMO_E_TASK -14            /**< A task of your own threw, or said what cannot be meant; see mimo_env_step. */
+#define MIMO_E_BUSY -15            /**< Not now: another thread uses the handle, or another call has to come first. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;
@@ -98,7 +99,7 @@ MIMO_API mimo_status mimo_last_error_of(const void *handle, char *text, size_t c
  * Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this scene");`.
  * The call that runs the task fails with that status and quotes the message.
  * @param status  a MIMO_E_ constant.
- * @param message one line, UTF-8; copied.
+ * @param message UTF-8; copied. Control characters are quoted as in C ("\n"), as in all messages.
  * @return status, after mimo_last_error() was set to the message.
  */
 MIMO_API mimo_status mimo_fail(mimo_status status, const char *message) MIMO_NOEXCEPT;

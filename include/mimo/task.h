@@ -75,8 +75,8 @@ typedef struct mimo_task_verdict {
  * Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random
  * gives the random numbers.
  * @param user as in mimo_task.
- * @param env  the world; it takes everything but resets, steps, loading a state and destruction.
- * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns; mimo_fail says why. An exception of a C++ program
+ * @param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction.
+ * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns (MIMO_E_TASK for MIMO_E_BUSY); mimo_fail says why. An exception of a C++ program
  *         fails it too, and in a batch only that world. The function must not end its thread nor jump out.
  */
 typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, const mimo_task_moment *moment);

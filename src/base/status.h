@@ -25,6 +25,7 @@ enum class Status : std::int32_t {
   kInternal = -12,
   kFile = -13,
   kTask = -14,
+  kBusy = -15,
 };
 
 class Error : public std::exception {

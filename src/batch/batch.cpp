@@ -42,14 +42,15 @@ Batch::~Batch() {
 }
 
 void Batch::require_idle() const {
-  require(!busy_.load(std::memory_order_relaxed),
-          "the batch is at work: only mimo_batch_receive can follow mimo_batch_send");
+  if (!busy_.load(std::memory_order_relaxed)) return;
+  fail(Status::kBusy, "the batch is at work: {}",
+       works_on_this_thread() ? "a task cannot use the batch whose step it is part of"
+                              : "only mimo_batch_receive can follow mimo_batch_send");
 }
 
 void Batch::require_access(std::size_t world) const {
-  if (!busy_.load(std::memory_order_relaxed)) return;
-  require(workplace().batch == this && workplace().world == world,
-          "world {} belongs to a batch that is at work: mimo_batch_receive comes first", world);
+  if (!busy_.load(std::memory_order_relaxed) || is_at(world)) return;
+  fail(Status::kBusy, "world {} belongs to a batch that is at work: mimo_batch_receive comes first", world);
 }
 
 bool Batch::works_on_this_thread() const { return works_for(this); }
@@ -161,8 +162,10 @@ void Batch::send(const float* actions, const Output& output) {
 }
 
 void Batch::receive() {
-  require(!works_on_this_thread(), "a task cannot receive the step that it is part of: it would wait for itself");
-  require(sent_.has_value(), "mimo_batch_receive without mimo_batch_send");
+  if (works_on_this_thread()) {
+    fail(Status::kBusy, "a task cannot receive the step that it is part of: it would wait for itself");
+  }
+  if (!sent_) fail(Status::kBusy, "mimo_batch_receive without mimo_batch_send");
   pool_.wait();
   sent_.reset();
   finish();

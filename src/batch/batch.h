@@ -51,6 +51,8 @@ class Batch : private Job {
   // Throws while the batch is at work.
   void require_idle() const;
   bool works_on_this_thread() const;
+  // Whether this thread is at work on that very world. Looks at no member: others may be destroying them.
+  bool is_at(std::size_t world) const { return workplace().batch == this && workplace().world == world; }
 
   // Null seeds: every world goes on with its own stream. Kits are by worlds, which become worlds of these; null: they
   // stay what they are; none: so do all. Nothing happens where a kit's worlds are not like those here.

@@ -2,8 +2,8 @@
 #include "capi/access.h"
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 

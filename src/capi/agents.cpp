@@ -6,10 +6,10 @@
 
 #include "capi/check.h"
 #include "capi/growth.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/pose.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "capi/vision.h"
 #include "scene/groups.h"
 

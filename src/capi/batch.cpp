@@ -2,9 +2,9 @@
 #include "capi/check.h"
 #include "capi/env.h"
 #include "capi/growth.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 
@@ -19,15 +19,23 @@ BatchObject::BatchObject(blueprint::FamilyPtr of, const batch::Kits& kits, const
 
 Views::~Views() {
   for (mimo_env* handle : handles) {
-    delete static_cast<EnvObject*>(handle == nullptr ? nullptr : retire_handle(handle, HandleType::kEnv));
+    if (handle == nullptr) continue;
+    await_nobody(handle);
+    dispose(handle);
   }
 }
 
 mimo_env* BatchObject::view(std::size_t world) {
-  mimo_env*& handle = views.handles[world];
-  if (handle == nullptr) handle = wrap_env(std::make_unique<EnvObject>(family, batch, world, layout.get()));
-  return handle;
+  const std::lock_guard alone(views.mutex);
+  mimo_env*& known = views.handles[world];
+  if (known != nullptr) return known;
+  known = wrap_env(std::make_unique<EnvObject>(*this, world));
+  keep_for_owner(known);
+  return known;
 }
+
+EnvObject::EnvObject(BatchObject& all, std::size_t which)
+    : family(all.family), layout(all.layout.get()), batch(&all.batch), whole(&all), number(which) {}
 
 namespace {
 
@@ -112,14 +120,16 @@ mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* en
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     blueprint::FamilyPtr family = make_family(blueprint, read_struct(env_config, default_env_config(), "env_config"));
     const batch::Kits kits = kits_of(*family, many, blueprint.log());
-    result = wrap<mimo_batch>(std::make_unique<BatchObject>(std::move(family), kits, options));
+    auto object = std::make_unique<BatchObject>(std::move(family), kits, options);
+    BatchObject& inside = *object;
+    inside.handle = result = wrap<mimo_batch>(std::move(object));
   });
 }
 
 void mimo_batch_destroy(mimo_batch* batch) noexcept { destroy(batch); }
 
 mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* threads) noexcept {
-  return guard(batch, [&] {
+  return guard_guest(batch, [&] {
     const batch::Batch& inner = open(batch).batch;
     if (worlds != nullptr) *worlds = inner.size();
     if (threads != nullptr) *threads = inner.threads();
@@ -127,11 +137,11 @@ mimo_status mimo_batch_size(const mimo_batch* batch, size_t* worlds, size_t* thr
 }
 
 mimo_status mimo_batch_layout(const mimo_batch* batch, const mimo_layout** layout) noexcept {
-  return guard(batch, [&] { out(layout, "layout") = open(batch).layout.get(); });
+  return guard_guest(batch, [&] { out(layout, "layout") = open(batch).layout.get(); });
 }
 
 mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) noexcept {
-  return guard(batch, [&] {
+  return guard_guest(batch, [&] {
     BatchObject& object = open(batch);
     object.batch.require_idle();
     require(world < object.batch.size(), "world is {}, but there are {} worlds", world, object.batch.size());
@@ -141,7 +151,7 @@ mimo_status mimo_batch_world(mimo_batch* batch, size_t world, mimo_env** env) no
 
 mimo_status mimo_batch_world_error(const mimo_batch* batch, size_t world, mimo_status* status,
                                    const char** message) noexcept {
-  return guard(batch, [&] {
+  return guard_guest(batch, [&] {
     const batch::Batch& inner = open(batch).batch;
     inner.require_idle();
     require(world < inner.size(), "world is {}, but there are {} worlds", world, inner.size());

@@ -6,9 +6,9 @@
 #include "base/floats.h"
 #include "base/format.h"
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 // Quotes what the function said by mimo_fail, or what the call complained about whose status it returns.
 void check(mimo_status status, const char* function) {
   if (status == MIMO_OK) return;
-  const bool known = status < 0 && status >= kLastStatus;
+  const bool known = status < 0 && status >= kLastStatus && status != MIMO_E_BUSY;  // which says that nothing happened
   const char* why = last_error().status == status ? last_error().text.data() : "";
   fail(known ? static_cast<Status>(status) : Status::kTask, "the task's function {} returned {} ({}){}{}", function,
        status, mimo_status_name(status), *why == '\0' ? "" : ": ", why);

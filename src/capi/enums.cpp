@@ -42,6 +42,7 @@ static_assert(same(MIMO_E_FORKED, Status::kForked));
 static_assert(same(MIMO_E_INTERNAL, Status::kInternal));
 static_assert(same(MIMO_E_FILE, Status::kFile));
 static_assert(same(MIMO_E_TASK, Status::kTask));
+static_assert(same(MIMO_E_BUSY, Status::kBusy));
 
 static_assert(same(MIMO_LOG_WARNING, LogLevel::kWarning));
 static_assert(same(MIMO_LOG_INFO, LogLevel::kInfo));

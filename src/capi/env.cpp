@@ -1,10 +1,10 @@
 #include "capi/env.h"
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "env/succession.h"
 
 namespace mimo::capi {

@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/pose.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

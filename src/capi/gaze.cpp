@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "env/looking.h"
 
 namespace mimo::capi {

@@ -4,9 +4,9 @@
 
 #include "capi/access.h"
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "engine/compat.h"
 #include "engine/present.h"
 #include "geometry/axes.h"

@@ -1,4 +1,5 @@
-// The border: every function of the C API is one call of guard(), which turns exceptions into status codes.
+// The border: every function of the C API is one call of guard(), which turns exceptions into status codes; of
+// translate() where a handle needs no use (capi/use.h).
 #pragma once
 
 #include <pthread.h>
@@ -14,7 +15,7 @@
 namespace mimo::capi {
 
 // The MIMO_E_ constant that came last; they have no gaps.
-constexpr mimo_status kLastStatus = MIMO_E_TASK;
+constexpr mimo_status kLastStatus = MIMO_E_BUSY;
 
 // Plain bytes, because keeping a message must work when memory is out, and needs no destructor when a thread ends.
 using Message = std::array<char, 1024>;
@@ -55,9 +56,10 @@ class Uncancelled {
   int before_ = PTHREAD_CANCEL_ENABLE;
 };
 
-// `handle` is the one that the function was given first, null for those that take none.
+// `handle` is the one that the function was given first, null for those that take none. Functions that use a handle go
+// through capi/use.h.
 template <typename Body>
-mimo_status guard(const void* handle, Body&& body) noexcept {
+mimo_status translate(const void* handle, Body&& body) noexcept {
   const Uncancelled until_the_end;
   const PlainFloats plain;
   try {
@@ -76,7 +78,7 @@ mimo_status guard(const void* handle, Body&& body) noexcept {
 
 template <typename Body>
 mimo_status guard(Body&& body) noexcept {
-  return guard(nullptr, body);
+  return translate(nullptr, body);
 }
 
 }  // namespace mimo::capi

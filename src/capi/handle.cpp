@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <utility>
 
@@ -23,7 +24,36 @@ struct Control {
   std::atomic<void*> object;                 // null once retired
   std::atomic_flag busy = ATOMIC_FLAG_INIT;  // a thread is at the message
   std::unique_ptr<Message> message = {};     // of the last failed call; null once retired
+  std::atomic<std::uint64_t> users{0};       // see below
+  bool kept = false;                         // for its owner
 };
+
+// Who is in a call on a handle: one alone (the mark of its thread), or numbers of the others, each kind of which has
+// its own bits. kEnding: it is being destroyed, and stays so.
+using Users = std::uint64_t;
+constexpr Users kAlone = 1, kEnding = 2, kOneShares = 1u << 2, kOneIsGuest = 1u << 22, kOneWorks = Users{1} << 42;
+constexpr Users kSharing = kOneIsGuest - kOneShares, kWorking = 0 - kOneWorks;
+
+Users one_of(Sharing sharing) {
+  return sharing == Sharing::kShared ? kOneShares : sharing == Sharing::kGuest ? kOneIsGuest : kOneWorks;
+}
+
+bool is_in_the_way(Users users, Sharing sharing) {
+  if ((users & kAlone) != 0) return true;
+  switch (sharing) {
+    case Sharing::kShared: return (users & kWorking) != 0;
+    case Sharing::kAtWork: return (users & kSharing) != 0;
+    case Sharing::kAlone: return users != 0;
+    case Sharing::kGuest: return false;
+  }
+  return true;
+}
+
+// How many calls this thread is in.
+thread_local unsigned long calls = 0;
+
+// The mark of this thread.
+Users own_mark() { return reinterpret_cast<std::uintptr_t>(&calls) | kAlone; }
 
 // For a few instructions. A lock of the system's would stay locked in a child that is forked meanwhile; this one is
 // part of a handle that the child refuses.
@@ -143,6 +173,60 @@ void* retire_handle(void* handle, HandleType type) noexcept {
   const AtMessage alone(*control);
   freed = std::move(control->message);
   return control->object.exchange(nullptr);
+}
+
+Admission enter_handle(const void* handle, HandleType type, Sharing sharing, const char* argument) {
+  Control* control = sound(handle, type);
+  if (control == nullptr) return Admission::kNone;
+  const Users own = own_mark();
+  Users users = 0;
+  while (!control->users.compare_exchange_weak(users, sharing == Sharing::kAlone ? own : users + one_of(sharing),
+                                               std::memory_order_acquire, std::memory_order_relaxed)) {
+    if ((users & kEnding) != 0) fail_destroyed(*control, argument);
+    if (users == own) return Admission::kWithin;
+    if (is_in_the_way(users, sharing)) return Admission::kBusy;
+  }
+  ++calls;
+  return Admission::kEntered;
+}
+
+bool in_a_call() noexcept { return calls > 0; }
+
+bool leave_handle(const void* handle, Sharing sharing) noexcept {
+  auto* control = static_cast<Control*>(const_cast<void*>(handle));
+  --calls;
+  if (sharing == Sharing::kAlone) {
+    Users own = own_mark();
+    return !control->users.compare_exchange_strong(own, 0, std::memory_order_acq_rel);
+  }
+  const Users one = one_of(sharing);
+  return control->users.fetch_sub(one, std::memory_order_acq_rel) == (one | kEnding);
+}
+
+bool condemn_handle(void* handle, HandleType type) noexcept {
+  Control* control = sound(handle, type);
+  if (control == nullptr || control->kept) return false;
+  const Users own = own_mark();
+  Users users = 0;
+  while (
+      !control->users.compare_exchange_weak(users, (users == 0 ? own : users) | kEnding, std::memory_order_acq_rel)) {
+    if ((users & kEnding) != 0 || users == own) return false;
+  }
+  return users == 0;
+}
+
+void end_with_call(void* handle) noexcept { static_cast<Control*>(handle)->users.fetch_or(kEnding); }
+
+void keep_for_owner(void* handle) noexcept { static_cast<Control*>(handle)->kept = true; }
+
+// Whoever is there is about to find that the owner goes, and leaves.
+void await_nobody(void* handle) noexcept {
+  auto* control = static_cast<Control*>(handle);
+  Users nobody = 0;
+  while (!control->users.compare_exchange_weak(nobody, own_mark() | kEnding, std::memory_order_acq_rel)) {
+    nobody = 0;
+    sched_yield();
+  }
 }
 
 void* peek_handle(const void* handle, HandleType type) noexcept {

@@ -34,6 +34,29 @@ void keep_message(const void* handle, const Message& message) noexcept;
 // What was kept last, "" for nothing. Throws as open_handle.
 Message message_of(const void* handle);
 
+// Which calls on one handle get along: those that share it, or one alone. Of a batch further ones that work on one of
+// its worlds, and so do not get along with those that share it and read all worlds; and guests, who use no world, or
+// only read the one that they are in.
+enum class Sharing { kShared, kAlone, kAtWork, kGuest };
+// kNone: it is no handle of that type in use, which open_handle tells. kWithin: this thread is in a call that has the
+// handle alone, so in a function that this call runs. kBusy: another call, as a rule another thread's, is in the way.
+enum class Admission { kNone, kEntered, kWithin, kBusy };
+
+// A call begins. What has kEntered has to leave. Throws Status::kBadHandle for a handle that is being destroyed.
+Admission enter_handle(const void* handle, HandleType type, Sharing sharing, const char* argument);
+// True where the handle was destroyed meanwhile and nobody else uses it: the caller retires it and deletes its object.
+bool leave_handle(const void* handle, Sharing sharing) noexcept;
+// Whether this thread is in a call on any handle, so in a function that the call runs.
+bool in_a_call() noexcept;
+// Nobody enters the handle any more. True where nobody uses it: the caller retires it and deletes its object. Leaves
+// alone what this thread is in, and what is kept for its owner.
+bool condemn_handle(void* handle, HandleType type) noexcept;
+// The handle goes with the call of this thread that has it alone.
+void end_with_call(void* handle) noexcept;
+// No call destroys the handle but its owner does, by await_nobody and retire_handle.
+void keep_for_owner(void* handle) noexcept;
+void await_nobody(void* handle) noexcept;
+
 // What each public handle type stands for; specialised in objects.h.
 template <typename Public>
 struct HandleTraits;
@@ -57,24 +80,23 @@ Object<Public>& open(Public* handle) {
 }
 
 template <typename Public>
-bool may_destroy(Public* handle) noexcept {
-  using Traits = HandleTraits<Public>;
-  const auto* object = static_cast<const Object<Public>*>(peek_handle(handle, Traits::kType));
-  return object != nullptr && is_destructible(*object);
-}
-
-template <typename Public>
 const Object<Public>& open(const Public* handle) {
   return open(const_cast<Public*>(handle));
 }
 
-// Leaves alone what may not be destroyed now or by this call.
+// Retires the handle, and destroys what it stands for.
+template <typename Public>
+void dispose(Public* handle) noexcept {
+  delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kType));
+}
+
+// Leaves alone what a function runs for, and what others own. What another thread uses goes when its call returns.
 template <typename Public>
 void destroy(Public* handle) noexcept {
   const Uncancelled until_the_end;
   const PlainFloats plain;
-  if (!may_destroy(handle)) return;
-  delete static_cast<Object<Public>*>(retire_handle(handle, HandleTraits<Public>::kType));
+  if (is_at_work_for(static_cast<const Object<Public>*>(peek_handle(handle, HandleTraits<Public>::kType)))) return;
+  if (condemn_handle(handle, HandleTraits<Public>::kType)) dispose(handle);
 }
 
 }  // namespace mimo::capi

@@ -1,7 +1,7 @@
 // Sounds that a host plays.
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

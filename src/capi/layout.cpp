@@ -2,9 +2,9 @@
 #include "base/choice.h"
 #include "capi/access.h"
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "observation/foveal_map.h"
 
 namespace mimo::capi {
@@ -14,7 +14,8 @@ OwnLayout own_layout(const env::Description& description) {
 }
 
 void RetireLayout::operator()(mimo_layout* layout) const noexcept {
-  delete static_cast<LayoutObject*>(retire_handle(layout, HandleType::kLayout));
+  await_nobody(layout);
+  dispose(layout);
 }
 
 namespace {

@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

@@ -1,8 +1,8 @@
 // Eyes and nerves as old as the infant.
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "growth/eyesight.h"
 #include "growth/growth.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "base/fail.h"
@@ -34,13 +35,14 @@ struct RetireLayout {
 using OwnLayout = std::unique_ptr<mimo_layout, RetireLayout>;
 OwnLayout own_layout(const env::Description& description);
 
+struct BatchObject;
+
 // A world of its own, or the view of one in a batch, which answers with the batch's layout.
 struct EnvObject {
   EnvObject(blueprint::FamilyPtr of, env::KitPtr like);
   // In the state that a world of this kit is in.
   EnvObject(blueprint::FamilyPtr of, env::KitPtr like, const env::World& original);
-  EnvObject(blueprint::FamilyPtr of, batch::Batch& all, std::size_t which, const mimo_layout* of_all)
-      : family(std::move(of)), layout(of_all), batch(&all), number(which) {}
+  EnvObject(BatchObject& all, std::size_t which);
 
   // Until a reset to another age.
   env::World& world() const { return batch == nullptr ? *owned : batch->world(number); }
@@ -59,6 +61,7 @@ struct EnvObject {
   // Of any.
   const mimo_layout* layout;
   batch::Batch* batch = nullptr;
+  const BatchObject* whole = nullptr;  // of that batch
   std::size_t number = 0;
   env::LoadReport loaded;
 
@@ -84,6 +87,7 @@ struct Views {
   Views& operator=(const Views&) = delete;
 
   std::vector<mimo_env*> handles;
+  std::mutex mutex;  // of these, which several threads may ask for
 };
 
 struct BatchObject {
@@ -91,6 +95,7 @@ struct BatchObject {
   // The handle of a world, made when first asked for.
   mimo_env* view(std::size_t world);
 
+  const mimo_batch* handle = nullptr;
   blueprint::FamilyPtr family;
   // Before the batch, which waits for its work when it goes: tasks may be at work with them until then.
   Views views;
@@ -110,6 +115,7 @@ struct SensesObject {
 };
 
 struct RecorderObject {
+  mimo_env* env = nullptr;                        // that is recorded, destroyed or not
   std::shared_ptr<recording::Recorder> recorder;  // which its world has as well
 };
 
@@ -120,7 +126,7 @@ struct RecordingObject {
   std::string build;  // of this library
 };
 
-// Whether a handle may be used by this thread now.
+// Throws where a handle cannot be used now, whoever asks.
 inline void require_access(const SceneObject&) {}
 inline void require_access(const EnvObject& env) {
   if (env.batch != nullptr) env.batch->require_access(env.number);
@@ -131,13 +137,23 @@ inline void require_access(const RecorderObject&) {}
 inline void require_access(const RecordingObject&) {}
 inline void require_access(const LayoutObject&) {}  // it never changes
 
-// Views belong to their batch; a task must not pull away the world that it is at work in.
-inline bool is_destructible(const SceneObject&) { return true; }
-inline bool is_destructible(const EnvObject& env) { return env.batch == nullptr && !env.world().in_task(); }
-inline bool is_destructible(const BatchObject& object) { return !object.batch.works_on_this_thread(); }
-inline bool is_destructible(const SensesObject&) { return true; }
-inline bool is_destructible(const RecorderObject&) { return true; }
-inline bool is_destructible(const RecordingObject&) { return true; }
+// Whether this thread is at work for a batch: on one of its worlds, or for a task. Only the address is looked at, so
+// the object may be another thread's.
+inline bool is_at_work_for(const void*) { return false; }
+inline bool is_at_work_for(const BatchObject* object) {
+  return object != nullptr && batch::works_for(std::addressof(object->batch));
+}
+
+// The batch that a world is part of, where this thread has to share it to use the world: tasks have their world from
+// the batch that is at work.
+inline const void* whole_of(const void*) { return nullptr; }
+inline const mimo_batch* whole_of(const EnvObject* env) {
+  return env->batch == nullptr || env->batch->is_at(env->number) ? nullptr : env->whole->handle;
+}
+
+// Whether a function that a call runs may use the handle of that call as if it had it to itself.
+inline bool lends(const void*) { return false; }
+inline bool lends(const EnvObject* env) { return env->world().in_task(); }
 
 template <>
 struct HandleTraits<mimo_scene> {

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "capi/vision.h"
 #include "engine/present.h"
 #include "observation/foveation.h"

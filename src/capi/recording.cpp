@@ -1,15 +1,16 @@
 // Recordings: written while a world steps, read, and played again.
 #include "recording/recording.h"
 
+#include <optional>
 #include <string>
 
 #include "base/format.h"
 #include "capi/block.h"
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/results.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "recording/build.h"
 
 namespace mimo::capi {
@@ -63,6 +64,7 @@ recording::Options options_from(const char* path, const mimo_recorder_config& co
 // Calls play(stage) with the world of a handle.
 template <typename Play>
 void on_stage(mimo_env* env, Play&& play) {
+  const Use<mimo_env> use(env);
   EnvObject& object = open(env);
   const auto world = [&]() -> env::World& { return object.world(); };
   const auto grow = [&](const recording::Growths& growths) { object.grow(growths); };
@@ -90,6 +92,7 @@ mimo_status mimo_recorder_open(mimo_env* env, const char* path, const mimo_recor
     const recording::Options options = options_from(path, ours);
     recording::hdf5::load(text(ours.hdf5));
     auto object = std::make_unique<RecorderObject>();
+    object->env = env;
     object->recorder = recording::Recorder::follow(world, options);
     result = wrap<mimo_recorder>(std::move(object));
   });
@@ -100,11 +103,15 @@ mimo_status mimo_recorder_flush(mimo_recorder* recorder) noexcept {
 }
 
 mimo_status mimo_recorder_close(mimo_recorder* recorder) noexcept {
-  return guard(recorder, [&] {
+  return translate(recorder, [&] {
     if (peek_handle(recorder, HandleType::kRecorder) == nullptr) return;
-    const std::shared_ptr<recording::Recorder> inside = open(recorder).recorder;
+    const Use<mimo_recorder> use(recorder);
+    const RecorderObject& object = open(recorder);
+    std::optional<Use<mimo_env>> use_of_env;
+    if (peek_handle(object.env, HandleType::kEnv) != nullptr) use_of_env.emplace(object.env);
+    const std::shared_ptr<recording::Recorder> inside = object.recorder;
     inside->close();
-    destroy(recorder);
+    end_with_call(recorder);
     inside->require_whole();
   });
 }

@@ -2,9 +2,9 @@
 #include "base/format.h"
 #include "capi/access.h"
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

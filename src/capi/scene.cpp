@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

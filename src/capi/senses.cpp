@@ -4,11 +4,11 @@
 #include "capi/block.h"
 #include "capi/check.h"
 #include "capi/env.h"
-#include "capi/guard.h"
 #include "capi/log.h"
 #include "capi/objects.h"
 #include "capi/reset.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "engine/host_model.h"
 
 namespace mimo::capi {

@@ -1,7 +1,7 @@
 // The state of one world.
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/use.h"
 
 using namespace mimo;
 using namespace mimo::capi;

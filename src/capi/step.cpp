@@ -2,11 +2,11 @@
 #include "capi/block.h"
 #include "capi/check.h"
 #include "capi/growth.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/reset.h"
 #include "capi/results.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

@@ -1,8 +1,8 @@
 // Tasks and their parameters.
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 #include "tasks/task.h"
 
 using namespace mimo;

@@ -2,8 +2,8 @@
 #include "env/things.h"
 
 #include "capi/check.h"
-#include "capi/guard.h"
 #include "capi/objects.h"
+#include "capi/use.h"
 
 namespace mimo::capi {
 namespace {

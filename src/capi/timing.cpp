@@ -1,6 +1,6 @@
-#include "capi/guard.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
+#include "capi/use.h"
 
 using namespace mimo;
 using namespace mimo::capi;

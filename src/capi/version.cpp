@@ -42,6 +42,7 @@ const char* mimo_status_name(mimo_status status) noexcept {
     case MIMO_E_INTERNAL: return "MIMO_E_INTERNAL";
     case MIMO_E_FILE: return "MIMO_E_FILE";
     case MIMO_E_TASK: return "MIMO_E_TASK";
+    case MIMO_E_BUSY: return "MIMO_E_BUSY";
     default: return "MIMO_E_UNKNOWN";
   }
 }

@@ -109,7 +109,7 @@ void World::add_agent(const AgentOptions& options, const Setting& setting, const
 }
 
 void World::require_outside_task() const {
-  require(!in_task_, "a task may not reset, step or load the world that it is at work in");
+  if (in_task_) fail(Status::kBusy, "a task may not reset, step or load the world that it is at work in");
 }
 
 void World::succeed(const World& before) {

@@ -89,8 +89,8 @@ void save(const env::World& world, std::vector<std::uint8_t>& state) {
 }  // namespace
 
 std::shared_ptr<Recorder> Recorder::follow(env::World& world, const Options& options) {
-  require(!world.in_task(), "env is within a step or a reset, where no recording can begin");
-  require(world.listener() == nullptr, "env is being recorded already");
+  if (world.in_task()) fail(Status::kBusy, "env is within a step or a reset, where no recording can begin");
+  if (world.listener() != nullptr) fail(Status::kBusy, "env is being recorded already");
   std::shared_ptr<Recorder> recorder(new Recorder(world, options));
   world.tell(recorder);
   return recorder;
@@ -273,7 +273,7 @@ void Recorder::require_whole() const {
 
 void Recorder::close() {
   const std::lock_guard alone(mutex_);
-  require(!stepping_, "recorder is within a step of its world, where it cannot be closed");
+  if (stepping_) fail(Status::kBusy, "recorder is within a step of its world, where it cannot be closed");
   if (world_ != nullptr) {
     finish();
     world_->tell(nullptr);

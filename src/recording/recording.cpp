@@ -142,7 +142,7 @@ void Recording::enter(const Stage& stage, std::size_t state) {
 }
 
 void Recording::play(const Stage& stage, std::uint8_t* block, const env::Results& results) {
-  require(host_ != nullptr, "recording has no replay: mimo_recording_seek begins one");
+  if (host_ == nullptr) fail(Status::kBusy, "recording has no replay: mimo_recording_seek begins one");
   require(host_ == stage.host, "env is not the world that mimo_recording_seek was given");
   if (next_ >= steps_) fail(Status::kNotFound, "{} ends at step {}", file_.path(), steps_);
   for (; next_state_ < states_.size() && states_[next_state_].step <= next_; ++next_state_) {

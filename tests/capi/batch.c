@@ -123,7 +123,7 @@ static void check_arguments(mimo_batch* batch) {
   CHECK_OK(mimo_batch_get(batch, MIMO_BODY_MASS, &id, 1, NULL, 0, value, WORLDS));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "can only be read",
               mimo_batch_set(batch, MIMO_BODY_VELOCITY, &id, 1, NULL, 0, value, WORLDS));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "receive without", mimo_batch_receive(batch));
+  CHECK_FAILS(MIMO_E_BUSY, "receive without", mimo_batch_receive(batch));
   free(action);
   free(blocks);
 }
@@ -149,8 +149,8 @@ static void check_sending(mimo_batch* batch) {
   double time = 0;
   CHECK_OK(mimo_batch_world(batch, 0, &view));
   CHECK_OK(mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "at work", mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "at work", mimo_env_time(view, &time));
+  CHECK_FAILS(MIMO_E_BUSY, "at work", mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_BUSY, "at work", mimo_env_time(view, &time));
   CHECK_OK(mimo_batch_size(batch, &worlds, NULL));
   CHECK_OK(mimo_batch_receive(batch));
   CHECK_OK(mimo_env_time(view, &time));

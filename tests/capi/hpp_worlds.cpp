@@ -378,7 +378,7 @@ void check_batch_at_once() {
     batch.world(0);
     CHECK(false);
   } catch (const mimo::Exception& error) {
-    CHECK(error.status() == MIMO_E_INVALID_ARGUMENT);
+    CHECK(error.status() == MIMO_E_BUSY);
   }
   batch.receive();
   twin.step(actions, others);

@@ -20,8 +20,8 @@ static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* mome
   double share;
   size_t count = 0;
   if (it->target != 0 || it->steps != 0 || moment->agent != 0) return MIMO_E_INTERNAL;
-  if (mimo_env_reset(env, NULL, NULL, 0) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
-  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL) != MIMO_E_INVALID_ARGUMENT) return MIMO_E_INTERNAL;
+  if (mimo_env_reset(env, NULL, NULL, 0) != MIMO_E_BUSY) return MIMO_E_INTERNAL;
+  if (mimo_env_step(env, NULL, 0, NULL, 0, NULL) != MIMO_E_BUSY) return MIMO_E_INTERNAL;
   mimo_env_destroy(env); /* does nothing now */
   if (mimo_env_count(env, MIMO_AGENT, &count) != MIMO_OK || count != 1) return MIMO_E_INTERNAL;
   if (mimo_env_random(env, &share, 1) != MIMO_OK) return MIMO_E_INTERNAL;

@@ -24,7 +24,8 @@ int main(void) {
   CHECK_TEXT("MIMO_E_INTERNAL", mimo_status_name(MIMO_E_INTERNAL));
   CHECK_TEXT("MIMO_E_FILE", mimo_status_name(MIMO_E_FILE));
   CHECK_TEXT("MIMO_E_TASK", mimo_status_name(MIMO_E_TASK));
-  CHECK_TEXT("MIMO_E_UNKNOWN", mimo_status_name(-15));
+  CHECK_TEXT("MIMO_E_BUSY", mimo_status_name(MIMO_E_BUSY));
+  CHECK_TEXT("MIMO_E_UNKNOWN", mimo_status_name(-16));
   CHECK_TEXT("MIMO_E_UNKNOWN", mimo_status_name(1));
   CHECK_TEXT("", mimo_last_error());
   return failures();

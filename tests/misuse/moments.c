@@ -48,7 +48,7 @@ static void while_at_work(const row* r) {
   CHECK_OK(mimo_batch_layout(a.batch, &a.layout));
   remember_memory();
   CHECK_OK(mimo_batch_send(a.batch, NULL, 0, NULL, 0, NULL));
-  expect(r, "batch at work", r->uses & ON_LAYOUT ? MIMO_OK : MIMO_E_INVALID_ARGUMENT, r->call(&a));
+  expect(r, "batch at work", r->uses & ON_LAYOUT ? MIMO_OK : MIMO_E_BUSY, r->call(&a));
   CHECK_OK(mimo_batch_receive(a.batch));
   expect(r, "batch done", MIMO_OK, r->uses & ON_ENV ? mimo_env_update(view) : MIMO_OK);
   destroy_made(&a);
@@ -96,10 +96,10 @@ static mimo_status meddle(void* user, mimo_env* env, const mimo_task_moment* mom
   double time = -1, later = -2;
   (void)moment, (void)verdict;
   CHECK_OK(mimo_env_time(env, &time));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_reset(env, NULL, NULL, 0));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_physics_step(env, 1));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task may not", mimo_env_state_load(env, a->state, a->state_bytes, NULL));
+  CHECK_FAILS(MIMO_E_BUSY, "a task may not", mimo_env_reset(env, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_BUSY, "a task may not", mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(MIMO_E_BUSY, "a task may not", mimo_env_physics_step(env, 1));
+  CHECK_FAILS(MIMO_E_BUSY, "a task may not", mimo_env_state_load(env, a->state, a->state_bytes, NULL));
   mimo_env_destroy(env);
   CHECK_OK(mimo_env_time(env, &later));
   CHECK(time == later);

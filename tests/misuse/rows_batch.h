@@ -38,7 +38,7 @@ ROW(mimo_batch_step, ON_BATCH | SIMULATES,
     mimo_batch_step(a->batch, a->actions, a->actions_count, a->blocks, a->blocks_bytes, a->results), ACTIONS, BLOCKS,
     BATCH_RESULTS)
 ROW(mimo_batch_send, ON_BATCH | SIMULATES, send_and_receive(a), ACTIONS, BLOCKS, BATCH_RESULTS)
-ROW(mimo_batch_receive, ON_BATCH | SIMULATES | ANYTIME, send_and_receive(a), DO(nothing_sent, E_ARG, "without"),
+ROW(mimo_batch_receive, ON_BATCH | SIMULATES | ANYTIME, send_and_receive(a), DO(nothing_sent, MIMO_E_BUSY, "without"),
     DO(nothing_to_receive_from, MIMO_E_BAD_HANDLE, "destroyed"))
 ROW(mimo_batch_observe, ON_BATCH | SIMULATES,
     mimo_batch_observe(a->batch, a->mask, a->worlds, a->blocks, a->blocks_bytes), WORLDS, BLOCKS,

@@ -66,7 +66,7 @@ def test_send_and_receive_are_a_step(batch):
     batch.reset(seeds=1)
     batch.send(actions)
     actions[:] = 0  # the batch has its own
-    with pytest.raises(ValueError, match="receive"):
+    with pytest.raises(mimo.BusyError, match="receive"):
         batch.world(0).step()
     np.testing.assert_array_equal(batch.receive().observation["proprioception/velocity"], stepped)
 

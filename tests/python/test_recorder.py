@@ -96,7 +96,7 @@ def test_what_is_refused(run, tmp_path):
             mimo.Recorder(3, tmp_path / "new.h5")
         assert not (tmp_path / "new.h5").exists()
         with mimo.Recorder(world, run):
-            with pytest.raises(mimo.ArgumentError, match="already"):
+            with pytest.raises(mimo.BusyError, match="already"):
                 mimo.Recorder(world, tmp_path / "new.h5")
             move(world, 2)
         with mimo.Recording(run) as recording, pytest.raises(mimo.ArgumentError, match="other joints"):

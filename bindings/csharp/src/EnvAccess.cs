@@ -255,7 +255,14 @@ namespace Mimo
         public double[] Get(Quantity quantity)
         {
             var values = new double[Width(quantity, null)];
-            Get(quantity, null, values);
+            try
+            {
+                Get(quantity, null, values);
+            }
+            catch (MimoException) when (Width(quantity, null) != values.Length)
+            {
+                throw new MimoException(Status.Busy, "MIMO_E_BUSY", "another thread is using this Env: its contacts changed while they were read");
+            }
             return values;
         }
 

@@ -34,7 +34,9 @@ namespace Mimo
         /// <summary>A file cannot be written, or is not what it should be.</summary>
         File = -13,
         /// <summary>A MimoTask threw, or said what cannot be meant.</summary>
-        Task = -14
+        Task = -14,
+        /// <summary>Not now, and nothing was changed: another thread is using it, or another call has to come first.</summary>
+        Busy = -15
     }
 
     /// <summary>What the library complained about: one line that names the argument, its value and what was expected.</summary>

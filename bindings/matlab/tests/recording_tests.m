@@ -8,7 +8,7 @@ function programs_are_played_again()
   twin = one_that_hears();
   file = [tempname() '.h5'];
   mimo_record(world, file, 'keep', 'hearing/ear_left', 'state_seconds', 0.1, 'configuration', '{}', 'seed', 7);
-  refused(@() mimo_record(world, file), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_record(world, file), 'mimo:BUSY');
   actions = 0.3 * ones(numel(mimo_layout(world).actions), 1);
   mimo_play(world, 'head', 0.1 * sin(0.3 * (0:319)));
   for step = 1:5, mimo_step(world, actions); end

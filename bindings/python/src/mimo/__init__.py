@@ -46,6 +46,7 @@ from .constants import (
 from .env import Env, register
 from .errors import (
     ArgumentError,
+    BusyError,
     ClosedError,
     Error,
     FileError,
@@ -103,6 +104,7 @@ __all__ = [
     "Autoreset",
     "Axes",
     "Batch",
+    "BusyError",
     "ClosedError",
     "Disable",
     "Env",

@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 from ._handle import Native
 from ._library import LIB, check
 from .constants import Quantity
+from .errors import ArgumentError, make_error
 from .results import Numbers
+
+BUSY = -15  # MIMO_E_BUSY
 
 
 class Contacts(NamedTuple):
@@ -66,8 +69,18 @@ def step_contacts_of(handle: Native) -> StepContacts:
 
 def _all_of(handle: Native, quantity: Quantity, width: int) -> Numbers:
     """A quantity of all that a world has: a row of `width` numbers for each."""
+    values = np.empty((_numbers_of(handle, quantity) // width, width))
+    try:
+        check(LIB.mimo_env_get(handle, quantity, None, 0, values.ctypes.data, values.size))
+    except ArgumentError:
+        if _numbers_of(handle, quantity) == values.size:
+            raise
+        message = "another thread is using this world: its contacts changed while they were read"
+        raise make_error(BUSY, message) from None
+    return values
+
+
+def _numbers_of(handle: Native, quantity: Quantity) -> int:
     count = ctypes.c_size_t()
     check(LIB.mimo_env_width(handle, quantity, None, 0, count))
-    values = np.empty((count.value // width, width))
-    check(LIB.mimo_env_get(handle, quantity, None, 0, values.ctypes.data, values.size))
-    return values
+    return count.value

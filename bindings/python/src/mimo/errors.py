@@ -57,6 +57,10 @@ class TaskError(Error, RuntimeError):
     """A mimo.WorldTask raised something, or said what cannot be meant."""
 
 
+class BusyError(Error, RuntimeError):
+    """Not now, and nothing was changed: another thread is using this object, or another call has to come first."""
+
+
 class InternalError(Error, RuntimeError):
     """A defect in libmimo; please report the message."""
 
@@ -76,6 +80,7 @@ BY_STATUS: Dict[int, Type[Error]] = {
     -12: InternalError,
     -13: FileError,
     -14: TaskError,
+    -15: BusyError,
 }
 
 

@@ -20,7 +20,7 @@ pub const MIMO_API_MINOR: u32 = 0;
 pub const MIMO_API_VERSION: u32 = 1000;
 #[doc = "The call did what it says."]
 pub const MIMO_OK: u32 = 0;
-#[doc = "NULL, out of range, not finite; or a call that does not fit now."]
+#[doc = "NULL, out of range, not finite."]
 pub const MIMO_E_INVALID_ARGUMENT: i32 = -1;
 #[doc = "Not a handle of that kind, or one already destroyed."]
 pub const MIMO_E_BAD_HANDLE: i32 = -2;
@@ -48,6 +48,8 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 pub const MIMO_E_FILE: i32 = -13;
 #[doc = "A task of your own threw, or said what cannot be meant; see mimo_env_step."]
 pub const MIMO_E_TASK: i32 = -14;
+#[doc = "Not now: another thread uses the handle, or another call has to come first."]
+pub const MIMO_E_BUSY: i32 = -15;
 #[doc = "Something is not as the user probably meant it."]
 pub const MIMO_LOG_WARNING: u32 = 1;
 #[doc = "Worth knowing, once."]
@@ -522,7 +524,7 @@ extern "C" {
     #[doc = "Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, \"no ball in this scene\");`."]
     #[doc = "The call that runs the task fails with that status and quotes the message."]
     #[doc = "@param status  a MIMO_E_ constant."]
-    #[doc = "@param message one line, UTF-8; copied."]
+    #[doc = "@param message UTF-8; copied. Control characters are quoted as in C (\"\\n\"), as in all messages."]
     #[doc = "@return status, after mimo_last_error() was set to the message."]
     pub fn mimo_fail(status: mimo_status, message: *const std::os::raw::c_char) -> mimo_status;
 }
@@ -546,7 +548,8 @@ pub struct mimo_log_record {
     pub time: f64,
 }
 #[doc = "Receives messages; NULL in a config means silence. Called on the thread that called the library, before"]
-#[doc = "that call returns. Must not call back into the library with the same handle, nor throw or longjmp."]
+#[doc = "that call returns. The handle of that call can only be read meanwhile, the rest answers MIMO_E_BUSY; any other handle"]
+#[doc = "may be used. Must not throw or longjmp."]
 pub type mimo_log_fn = ::std::option::Option<
     unsafe extern "C" fn(user: *mut std::os::raw::c_void, record: *const mimo_log_record),
 >;
@@ -1603,7 +1606,7 @@ extern "C" {
     #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be"]
     #[doc = "        written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION."]
     #[doc = "        MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block"]
-    #[doc = "        is written and results are not."]
+    #[doc = "        is written and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
@@ -1644,7 +1647,9 @@ extern "C" {
     #[doc = "the first six degrees of freedom, its free joint, are what is missing from its contacts."]
     #[doc = "@param block receives the observation; NULL with block_bytes 0 skips the senses."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);"]
-    #[doc = "        MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step."]
+    #[doc = "        MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step, also"]
+    #[doc = "        where positions, or the velocities and accelerations to get there, are larger than 1e10: the block stays as"]
+    #[doc = "        it was then."]
     pub fn mimo_env_follow(
         env: *mut mimo_env,
         movement: *const mimo_movement,
@@ -1656,6 +1661,8 @@ extern "C" {
     #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
     #[doc = "state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next"]
     #[doc = "step mimo_env_get gives values of the current state, too."]
+    #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed, or now does: where positions, velocities or accelerations are"]
+    #[doc = "        infinite or larger than 1e10; the block stays as it was then."]
     pub fn mimo_env_observe(
         env: *mut mimo_env,
         block: *mut std::os::raw::c_void,
@@ -1667,7 +1674,7 @@ extern "C" {
     #[doc = "their activation; no action is on its way. What MuJoCo alone costs; also for hosts that bring senses and control of"]
     #[doc = "their own."]
     #[doc = "@param count 0 to 1000000."]
-    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world."]
+    #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_BUSY from within a task of this world."]
     pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
 }
 extern "C" {
@@ -2221,7 +2228,7 @@ extern "C" {
     #[doc = "@param config   NULL means defaults."]
     #[doc = "@param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed."]
     #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;"]
-    #[doc = "        MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE"]
+    #[doc = "        MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE"]
     #[doc = "        for a file that cannot be made, and for one that is there and is no whole recording or is in use;"]
     #[doc = "        MIMO_E_SIMULATION for a world that has failed."]
     pub fn mimo_recorder_open(
@@ -2239,7 +2246,8 @@ extern "C" {
 extern "C" {
     #[doc = "Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed handles"]
     #[doc = "are ignored. Where the world is gone, the file was closed with it."]
-    #[doc = "Errors: as mimo_recorder_flush. MIMO_E_INVALID_ARGUMENT within a step of the world: the recorder then stays."]
+    #[doc = "Errors: as mimo_recorder_flush. MIMO_E_BUSY within a step of the world, and while another thread uses the world: the"]
+    #[doc = "        recorder then stays."]
     pub fn mimo_recorder_close(recorder: *mut mimo_recorder) -> mimo_status;
 }
 extern "C" {
@@ -2344,8 +2352,8 @@ extern "C" {
     #[doc = "changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit."]
     #[doc = "Between two calls the world may be looked at, not changed."]
     #[doc = "@param block, block_bytes, results as in mimo_env_step."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek; as"]
-    #[doc = "        mimo_env_step."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;"]
+    #[doc = "        MIMO_E_BUSY before any seek; as mimo_env_step."]
     pub fn mimo_recording_step(
         recording: *mut mimo_recording,
         env: *mut mimo_env,
@@ -2448,7 +2456,7 @@ extern "C" {
     #[doc = "contacts, pictures, state, single steps."]
     #[doc = "Different worlds may then be used by different threads, or by tasks of other batches."]
     #[doc = "@param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between"]
-    #[doc = "           mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_INVALID_ARGUMENT."]
+    #[doc = "           mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_BUSY."]
     pub fn mimo_batch_world(batch: *mut mimo_batch, world: usize, env: *mut *mut mimo_env) -> mimo_status;
 }
 extern "C" {
@@ -2547,7 +2555,8 @@ extern "C" {
 extern "C" {
     #[doc = "Starts a step and returns at once, so that the caller can do something else meanwhile. Until mimo_batch_receive the"]
     #[doc = "actions are read, and the blocks and what results points to are written: they have to stay where they are. The struct"]
-    #[doc = "results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between."]
+    #[doc = "results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between: the rest"]
+    #[doc = "answers MIMO_E_BUSY."]
     pub fn mimo_batch_send(
         batch: *mut mimo_batch,
         actions: *const f32,
@@ -2558,7 +2567,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Waits for the step that was sent. Errors: as mimo_batch_step; MIMO_E_INVALID_ARGUMENT within a task of that step."]
+    #[doc = "Waits for the step that was sent."]
+    #[doc = "Errors: as mimo_batch_step; MIMO_E_BUSY where none was sent, and within a task of that step."]
     pub fn mimo_batch_receive(batch: *mut mimo_batch) -> mimo_status;
 }
 extern "C" {
@@ -2745,8 +2755,8 @@ pub struct mimo_task_verdict {
 #[doc = "Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random"]
 #[doc = "gives the random numbers."]
 #[doc = "@param user as in mimo_task."]
-#[doc = "@param env  the world; it takes everything but resets, steps, loading a state and destruction."]
-#[doc = "@return MIMO_OK, or a MIMO_E_ constant that the reset then returns; mimo_fail says why. An exception of a C++ program"]
+#[doc = "@param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction."]
+#[doc = "@return MIMO_OK, or a MIMO_E_ constant that the reset then returns (MIMO_E_TASK for MIMO_E_BUSY); mimo_fail says why. An exception of a C++ program"]
 #[doc = "        fails it too, and in a batch only that world. The function must not end its thread nor jump out."]
 pub type mimo_task_reset_fn = ::std::option::Option<
     unsafe extern "C" fn(

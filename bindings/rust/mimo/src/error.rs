@@ -34,11 +34,13 @@ pub enum Kind {
     File,
     /// A [`Task`](crate::Task) panicked, or said what cannot be meant.
     Task,
+    /// Not now, and nothing was changed: another thread is using it, or another call has to come first.
+    Busy,
     /// A status that this crate does not know.
     Unknown,
 }
 
-const STATUSES: [(i32, Kind); 14] = [
+const STATUSES: [(i32, Kind); 15] = [
     (sys::MIMO_E_INVALID_ARGUMENT, Kind::InvalidArgument),
     (sys::MIMO_E_BAD_HANDLE, Kind::BadHandle),
     (sys::MIMO_E_BUFFER_TOO_SMALL, Kind::BufferTooSmall),
@@ -53,6 +55,7 @@ const STATUSES: [(i32, Kind); 14] = [
     (sys::MIMO_E_INTERNAL, Kind::Internal),
     (sys::MIMO_E_FILE, Kind::File),
     (sys::MIMO_E_TASK, Kind::Task),
+    (sys::MIMO_E_BUSY, Kind::Busy),
 ];
 
 impl Kind {

@@ -31,6 +31,8 @@ fn a_program_is_played_again() {
     let (mut env, mut twin) = (world(), world());
     let mut block = env.new_block().unwrap();
     let Some(mut recorder) = record(&mut env, &path) else { return };
+    let second = Recorder::open(&mut env, &path, &RecorderConfig::new().unwrap());
+    assert_eq!(second.err().unwrap().kind(), Kind::Busy); // it is being recorded already
     let action = vec![0.3; env.layout().unwrap().action_count()];
     env.play("head", &[0.1; 160], 16000.0).unwrap();
     for _ in 0..5 {
