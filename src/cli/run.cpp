@@ -101,7 +101,8 @@ void Run::simulate() {
 }
 
 void Run::save(const std::string& name, const ColorPicture& picture, const std::string& what) {
-  const std::string path = (std::filesystem::path(options_.out) / (name + ".png")).generic_string();  // slashes of one kind
+  const std::string path =
+      (std::filesystem::path(options_.out) / (name + ".png")).generic_string();  // slashes of one kind
   write_png(path, picture);
   pictures_.add({path, what});
 }
