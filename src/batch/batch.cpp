@@ -205,8 +205,11 @@ void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
 
 env::LoadReport Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> states) {
   const bool shared = env::is_one_state(states);
-  require(shared || states.size() % size() == 0,
-          "state_bytes is {}, expected those of one state, or a number that {} worlds share", states.size(), size());
+  if (!shared && states.size() % size() != 0) {
+    env::check_version(states);
+    fail(Status::kInvalidArgument, "state_bytes is {}, expected those of one state, or a number that {} worlds share",
+         states.size(), size());
+  }
   const std::size_t row = shared ? states.size() : states.size() / size();
   const auto state_of = [&](std::size_t i) {
     try {

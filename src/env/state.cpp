@@ -26,12 +26,22 @@ struct Header {
   std::uint64_t bytes, model, sections, checksum;
 };
 
-Header read_header(Span<const std::uint8_t> state) {
+// A newer header may differ from ours in everything but these two numbers.
+ByteReader after_version(Span<const std::uint8_t> state) {
   require(state.size() >= kStateHeaderBytes, "state: {} bytes are too few for a state", state.size());
   ByteReader from(state);
   require(from.take<std::uint64_t>() == kMagic, "state: these bytes are no state of a world");
   const auto version = from.take<std::uint64_t>();
+  if (version > kVersion) {
+    fail(Status::kUnsupported, "state: its version {} needs a newer library, this one reads up to {}", version,
+         kVersion);
+  }
   require(version == kVersion, "state: its version is {}, expected {}", version, kVersion);
+  return from;
+}
+
+Header read_header(Span<const std::uint8_t> state) {
+  ByteReader from = after_version(state);
   Header header{};
   header.bytes = from.take<std::uint64_t>();
   header.model = from.take<std::uint64_t>();
@@ -109,6 +119,8 @@ Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes) {
   require(alone, "state: it has {} bytes, and those that follow are not zero", length);
   return bytes.part(0, length);
 }
+
+void check_version(Span<const std::uint8_t> bytes) { after_version(bytes); }
 
 bool is_one_state(Span<const std::uint8_t> bytes) {
   if (bytes.size() < kStateHeaderBytes) return false;

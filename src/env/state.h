@@ -18,6 +18,9 @@ constexpr std::size_t kStateHeaderBytes = 48;
 // The state that these bytes begin with; zeros may follow. Throws where they begin with none, or anything else follows.
 Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes);
 
+// Throws where these bytes begin with no state, or with one of another version than states have now.
+void check_version(Span<const std::uint8_t> bytes);
+
 // Whether these bytes are a state and nothing else, as far as its header says.
 bool is_one_state(Span<const std::uint8_t> bytes);
 

@@ -128,6 +128,24 @@ static void check_arguments(mimo_batch* batch) {
   free(blocks);
 }
 
+/* States of a newer library, one for each world or one for all, of which only the version can be read. No world
+ * changes. */
+static void check_newer_states(mimo_batch* batch, const uint8_t* states, size_t size) {
+  const size_t length = WORLDS * size;
+  uint8_t *newer = malloc(length), *after = malloc(length), *last = newer + (WORLDS - 1) * size;
+  memcpy(newer, states, length);
+  ++last[8]; /* its version */
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_batch_state_load(batch, NULL, 0, newer, length, NULL));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_batch_state_load(batch, NULL, 0, last, size, NULL));
+  memset(last + 16, 0x33, size - 16);
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_batch_state_load(batch, NULL, 0, last, size, NULL));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_batch_state_load(batch, NULL, 0, last, size - 1, NULL));
+  CHECK_OK(mimo_batch_state_save(batch, NULL, 0, after, length));
+  CHECK(memcmp(after, states, length) == 0);
+  free(after);
+  free(newer);
+}
+
 static void check_states(mimo_batch* batch) {
   mimo_env* view = NULL;
   size_t size = 0;
@@ -139,6 +157,7 @@ static void check_states(mimo_batch* batch) {
   CHECK_OK(mimo_batch_state_save(batch, NULL, 0, states, WORLDS * size));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state_bytes is", mimo_batch_state_load(batch, NULL, 0, states, 2 * size, NULL));
   CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states, WORLDS * size, NULL));
+  check_newer_states(batch, states, size);
   CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states + size, size, NULL));
   free(states);
 }

@@ -51,13 +51,29 @@ static void check_refusals(mimo_env* env) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes - 1, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes + 1, NULL));
   for (i = 0; i < bytes; i += 1 + i / 16) {
+    const int in_version = i >= 8 && i < 16; /* a higher one: of a newer library */
     copy[i] ^= 0x10;
-    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: ", mimo_env_state_load(env, copy, bytes, NULL));
+    CHECK_FAILS(in_version ? MIMO_E_UNSUPPORTED : MIMO_E_INVALID_ARGUMENT,
+                "state: ", mimo_env_state_load(env, copy, bytes, NULL));
     copy[i] ^= 0x10;
   }
   CHECK(same(env, state));
   CHECK_OK(mimo_env_state_load(env, copy, bytes, NULL));
   free(copy);
+  free(state);
+}
+
+static void check_versions(mimo_env* env) {
+  uint8_t* state = state_of(env);
+  uint64_t version;
+  memcpy(&version, state + 8, sizeof version); /* behind the magic number */
+  ++version;
+  memcpy(state + 8, &version, sizeof version);
+  memset(state + 16, 0x33, bytes - 16); /* all else may be of another form */
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_env_state_load(env, state, bytes, NULL));
+  version -= 2;
+  memcpy(state + 8, &version, sizeof version);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "its version is 1", mimo_env_state_load(env, state, bytes, NULL));
   free(state);
 }
 
@@ -122,6 +138,7 @@ int main(void) {
   CHECK_OK(mimo_env_state_size(env, &bytes));
   check_round_trip(env);
   check_refusals(env);
+  check_versions(env);
   check_other_model(env);
   check_clone(env);
   check_failed(env);

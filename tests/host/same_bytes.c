@@ -144,6 +144,9 @@ static mimo_senses* moved(const mimo_scene* scene, const mjModel* model, const m
   state = new_block(bytes);
   CHECK_OK(mimo_senses_state_save(senses, state, bytes));
   report.struct_size = sizeof report;
+  ++state[8]; /* its version: of a newer library */
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_senses_state_load(twin, state, bytes, &report));
+  --state[8];
   CHECK_OK(mimo_senses_state_load(twin, state, bytes, &report));
   CHECK(report.fresh == 0 && report.ignored == 0);
   CHECK_TEXT("", report.fresh_names);
