@@ -91,7 +91,7 @@ extern "C" {
 #define MIMO_CONTACT_BODIES 35       /**< Contact: 2, ids of their bodies. */
 #define MIMO_CONTACT_POSITION 36     /**< Contact: 3, world, m. */
 #define MIMO_CONTACT_FRAME 37        /**< Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world. */
-#define MIMO_CONTACT_DISTANCE 38     /**< Contact: 1, m; negative: overlap. */
+#define MIMO_CONTACT_DISTANCE 38     /**< Contact: 1, m; negative: how deep the geoms overlap, of boxes too. */
 #define MIMO_CONTACT_FORCE 39        /**< Contact: 3, on the second body, in the contact's frame, N. */
 #define MIMO_CONTACT_TORQUE 40       /**< Contact: 3, on the second body, in the contact's frame, Nm. */
 #define MIMO_STEP_CONTACT_GEOMS 41   /**< Step contact: 2, ids of geom 1 and geom 2. */

@@ -6,6 +6,7 @@
 
 #include "base/length.h"
 #include "engine/compat.h"
+#include "engine/schema.h"
 
 namespace mimo::engine {
 namespace {
@@ -27,10 +28,10 @@ double distance_below(const mjModel& model, const mjData& data, int geom, const 
   }
 }
 
-// How far a box reaches from its middle along a direction.
-double reach_of_box(const mjModel& model, const mjData& data, int geom, const Eigen::Vector3d& direction) {
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.geom_xmat + 9 * geom);
-  return (frame.transpose() * direction).cwiseAbs().dot(Eigen::Vector3d(model.geom_size + 3 * geom));
+// Whether a face of a box looks in a direction, or away from it.
+bool has_face(const mjData& data, int box, const Eigen::Vector3d& direction) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.geom_xmat + 9 * box);
+  return (frame.transpose() * direction).cwiseAbs().maxCoeff() > 1 - 1e-9;
 }
 
 }  // namespace
@@ -78,13 +79,12 @@ std::vector<double> heights_at(const mjModel& model, const mjData& data, const s
   return heights;
 }
 
-// Of boxes it follows from their places: along the normal, how far both reach less how far they are apart.
 double overlap_of(const mjModel& model, const mjData& data, const mjContact& contact) {
   const int one = contact.geom1, other = contact.geom2;
-  if (model.geom_type[one] != mjGEOM_BOX || model.geom_type[other] != mjGEOM_BOX) return -contact.dist;
+  const bool boxes = model.geom_type[one] == mjGEOM_BOX && model.geom_type[other] == mjGEOM_BOX;
+  if (!boxes || !is_mujoco_2()) return -contact.dist;
   const Eigen::Vector3d normal(contact.frame);
-  const Eigen::Vector3d way = Eigen::Vector3d(data.geom_xpos + 3 * other) - Eigen::Vector3d(data.geom_xpos + 3 * one);
-  return reach_of_box(model, data, one, normal) + reach_of_box(model, data, other, normal) - way.dot(normal);
+  return has_face(data, one, normal) || has_face(data, other, normal) ? -2 * contact.dist : -contact.dist;
 }
 
 Overlap deepest_overlap(const mjModel& model, const mjData& data, int root) {

@@ -18,7 +18,8 @@ std::vector<int> geoms_of_tree(const mjModel& model, int root);
 std::vector<double> heights_at(const mjModel& model, const mjData& data, const std::vector<int>& geoms, double x,
                                double y);
 
-// How deep the two geoms of a contact are in each other, m: of two boxes MuJoCo 2.2 reports half of it.
+// How deep the two geoms of a contact are in each other there, m, below 0 where they are apart. MuJoCo 2.2 reports half
+// of it where a face of a box touches another box, and all of it where edges cross.
 double overlap_of(const mjModel& model, const mjData& data, const mjContact& contact);
 
 struct Overlap {

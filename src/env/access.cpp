@@ -6,6 +6,7 @@
 
 #include "base/fail.h"
 #include "body/nerves.h"
+#include "engine/ground.h"
 #include "engine/overrides.h"
 #include "engine/present.h"
 #include "env/goals.h"
@@ -40,7 +41,6 @@ const double* stored(const mjModel& model, const mjData& data, Quantity quantity
     case Quantity::kLightDirection: return model.light_dir + 3 * id;
     case Quantity::kContactPosition: return data.contact[id].pos;
     case Quantity::kContactFrame: return data.contact[id].frame;
-    case Quantity::kContactDistance: return &data.contact[id].dist;
     case Quantity::kWorldGravity: return model.opt.gravity;
     default: return nullptr;
   }
@@ -139,6 +139,7 @@ void compute(const Source& source, Quantity quantity, int id, double* to) {
     case Quantity::kContactBodies:
       out.put(model.geom_bodyid[contact().geom1]).put(model.geom_bodyid[contact().geom2]);
       break;
+    case Quantity::kContactDistance: *to = -engine::overlap_of(model, data, contact()); break;
     case Quantity::kContactForce: out.put(engine::contact_force(model, data, id).data(), 3); break;
     case Quantity::kContactTorque: out.put(engine::contact_force(model, data, id).data() + 3, 3); break;
     default: of_world(*world, data, quantity, id, to); break;

@@ -132,3 +132,14 @@ def test_refused(world):
         world.joints().lock = [1, 0]
     with mimo.World(mimo.Scene(xml=BALL)) as plain, pytest.raises(mimo.UnsupportedError, match="step_contacts"):
         plain.step_contacts()
+
+
+def test_boxes_are_as_deep_in_boxes_as_they_lie():
+    """A cube of 5 cm with its middle at 4.9 cm: 1 mm. MuJoCo 2.2 says half of that where a face touches a box."""
+    for under in ('type="plane" size="1 1 0.1"', 'type="box" size="0.5 0.5 0.1" pos="0 0 -0.1"'):
+        xml = f"""<mujoco><worldbody><geom {under}/><body pos="0 0 0.049"><freejoint/>
+                  <geom type="box" size="0.05 0.05 0.05"/></body></worldbody></mujoco>"""
+        with mimo.World(mimo.Scene(xml=xml)) as world:
+            contacts = world.contacts()
+            assert contacts.distance == pytest.approx([-1e-3] * 4, abs=1e-9)
+            assert contacts.position[:, 2] == pytest.approx([-0.5e-3] * 4, abs=1e-9)  # midway

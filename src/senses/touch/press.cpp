@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/ground.h"
+
 namespace mimo::senses::touch {
 namespace {
 
@@ -47,8 +49,8 @@ Press press_on(const mjModel& model, const mjData& data, int contact_id, const C
   press.body = bodies[first ? 0 : 1];
   press.other = bodies[first ? 1 : 0];
   press.geom = first ? contact.geom1 : contact.geom2;
-  // MuJoCo's point lies midway between the surfaces, which overlap by -dist.
-  press.point = Vec3(contact.pos) - sign * 0.5 * contact.dist * normal;
+  // MuJoCo's point lies midway between the surfaces.
+  press.point = Vec3(contact.pos) + sign * 0.5 * engine::overlap_of(model, data, contact) * normal;
   press.normal = sign * normal;
   press.force = -sign * (frame.transpose() * Vec3(force.data()));
   press.normal_force = force[0];

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/ground.h"
@@ -64,6 +65,38 @@ TEST(Overlap, IsHowFarThingsWereMovedIntoEachOther) {
       }
     }
   }
+}
+
+// A cube that leans by one degree: two of its corners are deeper than the others.
+TEST(Overlap, IsThatOfEachCorner) {
+  const double half = 0.05, lean = 0.0174532925199433, middle = 0.0485;
+  for (const char* under : {R"(type="plane" size="1 1 0.1")", R"(type="box" size="0.5 0.5 0.1" pos="0 0 -0.1")"}) {
+    engine::Physics physics(engine::compile(scene(under, R"(type="box" size="0.05 0.05 0.05" euler="1 0 0")"), {}, {}),
+                            {});
+    physics.data().qpos[0] = middle;
+    physics.forward();
+    const mjData& data = physics.data();
+    int left = 0, right = 0;
+    for (int i = 0; i < data.ncon; ++i) {
+      const mjContact& contact = data.contact[i];
+      ++(contact.pos[1] > 0 ? left : right);
+      const double side = contact.pos[1] > 0 ? 1 : -1;  // what leans over goes up there
+      const double corner = middle + side * half * std::sin(lean) - half * std::cos(lean);
+      EXPECT_NEAR(engine::overlap_of(physics.model(), data, contact), -corner, 1e-9) << under << side;
+    }
+    EXPECT_EQ(left, 2) << under;
+    EXPECT_EQ(right, 2) << under;
+  }
+}
+
+// Both stand on an edge, and their edges cross at right angles.
+TEST(Overlap, IsThatOfEdgesThatCross) {
+  const double deep = 2e-3, edge = 0.05 * std::sqrt(2);
+  engine::Physics physics(engine::compile(scene(R"(type="box" size="0.3 0.05 0.05" euler="45 0 0")",
+                                                R"(type="box" size="0.05 0.3 0.05" euler="0 45 0")"),
+                                          {}, {}),
+                          {});
+  EXPECT_NEAR(overlap_at(physics, 2 * edge - deep), deep, 1e-9);
 }
 
 }  // namespace
