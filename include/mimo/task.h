@@ -76,8 +76,10 @@ typedef struct mimo_task_verdict {
  * gives the random numbers.
  * @param user as in mimo_task.
  * @param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction.
- * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns (MIMO_E_TASK for MIMO_E_BUSY); mimo_fail says why. An exception of a C++ program
- *         fails it too, and in a batch only that world. The function must not end its thread nor jump out.
+ * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns (MIMO_E_TASK for MIMO_E_BUSY); mimo_fail says why.
+ *         It must not end its thread nor jump out. An exception that leaves it fails the reset with MIMO_E_TASK, in a
+ *         batch only that world's, where program and library share an unwinder: on Linux and macOS. Elsewhere none
+ *         may leave it; mimo.hpp catches all on every system.
  */
 typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, const mimo_task_moment *moment);
 

@@ -6,7 +6,7 @@
 
 namespace {
 
-enum class Throws { kNothing, kOwn, kLibrary };
+enum class Throws { kNothing, kOwn, kLibrary, kForeign };
 
 class Goal : public mimo::Task {
  public:
@@ -20,6 +20,7 @@ class Goal : public mimo::Task {
   std::size_t memory_bytes() const override { return sizeof(double); }
 
   void reset(mimo::Env& env, const mimo_task_moment& moment) override {
+    throw_foreign();
     double& goal = *static_cast<double*>(moment.memory);
     CHECK(goal == 0 && moment.fields[0] == 0);
     goal = env.random(1)[0];
@@ -33,9 +34,15 @@ class Goal : public mimo::Task {
     verdict.truncated = moment.step == 3;
     if (throws == Throws::kOwn) throw std::runtime_error("the ball left the table");
     if (throws == Throws::kLibrary) env.find(MIMO_BODY, "unicorn");
+    throw_foreign();
   }
 
   Throws throws = Throws::kNothing;
+
+ private:
+  void throw_foreign() const {
+    if (throws == Throws::kForeign) throw 7;
+  }
 };
 
 mimo::Scene scene_with(mimo::Task& task) {
@@ -72,6 +79,15 @@ void check_told(mimo::Env& env) {
   }
 }
 
+// The program itself says so: nothing came through the C interface.
+void check_foreign_reset(mimo::Env& env, Goal& task) {
+  task.throws = Throws::kForeign;
+  CHECK_FAILS(MIMO_E_TASK, "the task's function reset returned -14 (MIMO_E_TASK): threw what is no std::exception",
+              mimo_env_reset(env.get(), nullptr, nullptr, 0));
+  task.throws = Throws::kNothing;
+  CHECK_OK(mimo_env_reset(env.get(), nullptr, nullptr, 0));
+}
+
 void check_thrown(mimo::Env& env, Goal& task, Throws throws, mimo_status status, const std::string& message) {
   mimo::Block none;
   task.throws = throws;
@@ -96,6 +112,9 @@ int main() {
   check_told(env);
   check_thrown(env, task, Throws::kOwn, MIMO_E_TASK, "threw an exception: the ball left the table");
   check_thrown(env, task, Throws::kLibrary, MIMO_E_NOT_FOUND, "evaluate returned -5 (MIMO_E_NOT_FOUND): ");
+  check_thrown(env, task, Throws::kForeign, MIMO_E_TASK,
+               "evaluate returned -14 (MIMO_E_TASK): threw what is no std::exception");
+  check_foreign_reset(env, task);
   scene.clear_task();
   CHECK(mimo::Env(scene).task() == "none");
   CHECK(!mimo::parameters().empty());

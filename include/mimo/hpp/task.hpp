@@ -7,6 +7,7 @@
 #define MIMO_HPP_TASK
 
 #include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <limits>
 #include <string>
@@ -60,8 +61,9 @@ struct Borrowed {
   Borrowed &operator=(const Borrowed &) = delete;
   Env env;
 };
-/// The status and the words of a call that failed inside. Exceptions end here, in the program: the library may have been
-/// built with another C++ library, which could not read them.
+/// The status and the words of a call that failed inside. Exceptions end here, in the program, whatever they are: the
+/// library may have been built with another C++ library, which could not read them, or another unwinder, which could not
+/// catch them. Nothing is allocated here, for that might throw again.
 template <typename Work>
 mimo_status task_status(Work work) {
   try {
@@ -70,7 +72,11 @@ mimo_status task_status(Work work) {
   } catch (const Exception &error) {
     return mimo_fail(error.status(), error.what());
   } catch (const std::exception &error) {
-    return mimo_fail(MIMO_E_TASK, (std::string("threw an exception: ") + error.what()).c_str());
+    char message[1024];
+    std::snprintf(message, sizeof message, "threw an exception: %s", error.what());
+    return mimo_fail(MIMO_E_TASK, message);
+  } catch (...) {
+    return mimo_fail(MIMO_E_TASK, "threw what is no std::exception");
   }
 }
 inline mimo_status reset_task(void *user, mimo_env *world, const mimo_task_moment *moment) {
