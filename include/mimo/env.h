@@ -122,7 +122,7 @@ typedef struct mimo_reset_config {
  * @param config NULL: the world's random numbers go on.
  * @param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
  * Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the
- *         observation (keep_spacing); what the task says. With another age nothing has changed then.
+ *         observation (keep_spacing); MIMO_E_TASK where a task of your own fails. With another age nothing has changed.
  */
 MIMO_API mimo_status mimo_env_reset(mimo_env *env, const mimo_reset_config *config, void *block,
                                     size_t block_bytes) MIMO_NOEXCEPT;
@@ -154,8 +154,8 @@ typedef struct mimo_env_results {
  *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
  *         world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be
  *         written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION.
- *         MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block
- *         is written and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then.
+ *         MIMO_E_TASK when a task of your own fails, whatever it returned: the step has happened then, block is written
+ *         and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;

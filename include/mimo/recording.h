@@ -150,7 +150,7 @@ MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *en
  * Between two calls the world may be looked at, not changed.
  * @param block, block_bytes, results as in mimo_env_step.
  * Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
- *         MIMO_E_BUSY before any seek; as mimo_env_step.
+ *         MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
  */
 MIMO_API mimo_status mimo_recording_step(mimo_recording *recording, mimo_env *env, void *block, size_t block_bytes,
                                          const mimo_env_results *results) MIMO_NOEXCEPT;

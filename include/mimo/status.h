@@ -46,7 +46,7 @@ typedef int32_t mimo_status;
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 #define MIMO_E_FILE -13            /**< A file cannot be written, or is not what it should be. */
-#define MIMO_E_TASK -14            /**< A task of your own threw, or said what cannot be meant; see mimo_env_step. */
+#define MIMO_E_TASK -14            /**< A task of your own failed, or said what cannot be meant; see mimo_env_step. */
 #define MIMO_E_BUSY -15            /**< Not now: another thread uses the handle, or another call has to come first. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
@@ -97,7 +97,7 @@ MIMO_API mimo_status mimo_last_error_of(const void *handle, char *text, size_t c
 
 /**
  * Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this scene");`.
- * The call that runs the task fails with that status and quotes the message.
+ * The call that runs the task fails with MIMO_E_TASK and quotes the status and the message.
  * @param status  a MIMO_E_ constant.
  * @param message UTF-8; copied. Control characters are quoted as in C ("\n"), as in all messages.
  * @return status, after mimo_last_error() was set to the message.

@@ -76,7 +76,8 @@ typedef struct mimo_task_verdict {
  * gives the random numbers.
  * @param user as in mimo_task.
  * @param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction.
- * @return MIMO_OK, or a MIMO_E_ constant that the reset then returns (MIMO_E_TASK for MIMO_E_BUSY); mimo_fail says why.
+ * @return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message quotes
+ *         the constant and what mimo_fail or the failed call said.
  *         It must not end its thread nor jump out. An exception that leaves it fails the reset with MIMO_E_TASK, in a
  *         batch only that world's, where program and library share an unwinder: on Linux and macOS. Elsewhere none
  *         may leave it; mimo.hpp catches all on every system.
@@ -89,8 +90,9 @@ typedef mimo_status (*mimo_task_reset_fn)(void *user, mimo_env *env, const mimo_
  * asked in their order: where one's task moves bodies, or calls mimo_env_update or _observe, the next one's finds all
  * bodies where they are now.
  * Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and
- * names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED.
+ * names them. So does an outcome that is unknown here. A step that fails by its task has happened.
  * @param env as in mimo_task_reset_fn.
+ * @return    as there, of the step.
  */
 typedef mimo_status (*mimo_task_evaluate_fn)(void *user, mimo_env *env, const mimo_task_moment *moment,
                                              mimo_task_verdict *verdict);

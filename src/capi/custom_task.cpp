@@ -13,13 +13,13 @@
 namespace mimo::capi {
 namespace {
 
-// Quotes what the function said by mimo_fail, or what the call complained about whose status it returns.
+// Quotes what the function said by mimo_fail, or what the call complained about whose status it returns. The status is
+// not handed on: most say that nothing has happened, and the step has.
 void check(mimo_status status, const char* function) {
   if (status == MIMO_OK) return;
-  const bool known = status < 0 && status >= kLastStatus && status != MIMO_E_BUSY;  // which says that nothing happened
   const char* why = last_error().status == status ? last_error().text.data() : "";
-  fail(known ? static_cast<Status>(status) : Status::kTask, "the task's function {} returned {} ({}){}{}", function,
-       status, mimo_status_name(status), *why == '\0' ? "" : ": ", why);
+  fail(Status::kTask, "the task's function {} returned {} ({}){}{}", function, status, mimo_status_name(status),
+       *why == '\0' ? "" : ": ", why);
 }
 
 // A C++ program may let exceptions out of its functions.
@@ -124,7 +124,7 @@ void CustomTask::evaluate(const engine::Physics&) {
 void CustomTask::check_terms(const mimo_task_verdict& verdict) const {
   const auto check_known = [this](std::int64_t value, std::int64_t low, const char* name) {
     if (value >= low && value <= 1) return;
-    fail(Status::kUnsupported,
+    fail(Status::kTask,
          "the task's function evaluate gave agent {} {} as {}, which needs an interface newer than {}.{}: this one "
          "knows {} to 1",
          agent_, name, value, MIMO_API_MAJOR, MIMO_API_MINOR, low);

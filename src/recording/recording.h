@@ -62,6 +62,8 @@ class Recording {
   Growths growths_of_state(std::size_t state) const;
   void require_fitting(const env::World& world, bool compare_fields) const;
   void enter(const Stage& stage, std::size_t state);
+  // Compares a step that was made, and goes to the next.
+  void go_on(const env::World& world, const std::uint8_t* block);
   void compare(const env::World& world, const std::uint8_t* block);
   void compare(const std::string& table, observation::Type type, const void* now, std::size_t bytes);
 

@@ -227,7 +227,7 @@ static void check_own_task(void) {
   mimo_env* env = env_of(scene);
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
   CHECK(seen == 18);
-  check_unchanged(env, MIMO_E_INVALID_ARGUMENT, "too young", AGED(&six));
+  check_unchanged(env, MIMO_E_TASK, "too young", AGED(&six));
   CHECK(seen == 6);
   CHECK_OK(mimo_env_reset(env, AGED(&twenty), NULL, 0));
   CHECK(seen == 20 && value_of(env, MIMO_AGENT_AGE) == 20);

@@ -111,7 +111,7 @@ int main() {
   mimo::Env env(scene);
   check_told(env);
   check_thrown(env, task, Throws::kOwn, MIMO_E_TASK, "threw an exception: the ball left the table");
-  check_thrown(env, task, Throws::kLibrary, MIMO_E_NOT_FOUND, "evaluate returned -5 (MIMO_E_NOT_FOUND): ");
+  check_thrown(env, task, Throws::kLibrary, MIMO_E_TASK, "evaluate returned -5 (MIMO_E_NOT_FOUND): ");
   check_thrown(env, task, Throws::kForeign, MIMO_E_TASK,
                "evaluate returned -14 (MIMO_E_TASK): threw what is no std::exception");
   check_foreign_reset(env, task);

@@ -42,22 +42,22 @@ static void check_tasks(void) {
 
   it.status = MIMO_E_RENDER; /* it says nothing: what failed before is not its reason, and nothing grows */
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_count(env, MIMO_AGENT, NULL));
-  CHECK(step(env) == MIMO_E_RENDER);
+  CHECK(step(env) == MIMO_E_TASK);
   CHECK_TEXT("the task's function evaluate returned -8 (MIMO_E_RENDER)", mimo_last_error());
-  CHECK(step(env) == MIMO_E_RENDER);
+  CHECK(step(env) == MIMO_E_TASK);
   CHECK_TEXT("the task's function evaluate returned -8 (MIMO_E_RENDER)", mimo_last_error());
   CHECK_TEXT("", it.at_start);
 
   it.says = 1;
-  CHECK(step(env) == MIMO_E_RENDER);
+  CHECK(step(env) == MIMO_E_TASK);
   CHECK_TEXT("the task's function evaluate returned -8 (MIMO_E_RENDER): the ball left the table", mimo_last_error());
   it.says = 0;
 
   it.mistakes = 1; /* it looked for something that is not there and lived with it */
-  CHECK(step(env) == MIMO_E_RENDER);
+  CHECK(step(env) == MIMO_E_TASK);
   CHECK_TEXT("the task's function evaluate returned -8 (MIMO_E_RENDER)", mimo_last_error());
   it.status = MIMO_E_NOT_FOUND; /* it hands on what failed */
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "(MIMO_E_NOT_FOUND): no body named \"unicorn\"", step(env));
+  CHECK_FAILS(MIMO_E_TASK, "(MIMO_E_NOT_FOUND): no body named \"unicorn\"", step(env));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "count is NULL", mimo_env_count(env, MIMO_AGENT, NULL));
   it.status = MIMO_OK; /* what failed inside is nothing to the outside */
   CHECK_OK(step(env));
@@ -82,7 +82,7 @@ static void check_batch(void) {
   const char* message = NULL;
   mimo_status status = MIMO_OK;
   CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
-  CHECK_FAILS(MIMO_E_RENDER, "world 0: the task's function evaluate returned -8 (MIMO_E_RENDER): the ball left",
+  CHECK_FAILS(MIMO_E_TASK, "world 0: the task's function evaluate returned -8 (MIMO_E_RENDER): the ball left",
               mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_world_error(batch, 0, &status, &message));
   CHECK_TEXT("the task's function evaluate returned -8 (MIMO_E_RENDER): the ball left the table", message);
@@ -230,13 +230,13 @@ static void check_lines(void) {
   CHECK_OK(mimo_scene_set_task(scene, &task));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   CHECK(strstr(said, "odd\\ntoy") != NULL && strchr(said, '\n') == NULL);
-  CHECK(step(env) == MIMO_E_NOT_FOUND);
+  CHECK(step(env) == MIMO_E_TASK);
   CHECK_TEXT(expected, mimo_last_error());
   CHECK_TEXT(expected, message_of(env));
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no body named \"gr\\niffin\"", mimo_env_find(env, MIMO_BODY, "gr\niffin", &id));
   mimo_env_destroy(env);
   CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
-  CHECK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL) == MIMO_E_NOT_FOUND);
+  CHECK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL) == MIMO_E_TASK);
   CHECK_OK(mimo_batch_world_error(batch, 0, NULL, &message));
   CHECK_TEXT(expected, message);
   mimo_batch_destroy(batch);

@@ -167,7 +167,8 @@ static void check_failing(mimo_scene* scene, rules* rule) {
   mimo_batch* batch = NULL;
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   rule->reset_status = MIMO_E_NOT_FOUND;
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "the task's function reset returned -5", mimo_env_reset(env, NULL, NULL, 0));
+  CHECK_FAILS(MIMO_E_TASK, "the task's function reset returned -5 (MIMO_E_NOT_FOUND)",
+              mimo_env_reset(env, NULL, NULL, 0));
   rule->reset_status = MIMO_OK;
   CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
   rule->evaluate_status = 5;
@@ -175,6 +176,51 @@ static void check_failing(mimo_scene* scene, rules* rule) {
   CHECK_OK(mimo_batch_create(scene, NULL, NULL, &batch));
   CHECK_FAILS(MIMO_E_TASK, "world 0: the task's function", mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
   rule->evaluate_status = MIMO_OK;
+  mimo_batch_destroy(batch);
+  mimo_env_destroy(env);
+}
+
+/* Whatever a task returns: the step has happened, so no status comes through that says otherwise. */
+static void check_statuses(mimo_scene* scene, rules* rule) {
+  mimo_env* env = NULL;
+  mimo_batch* batch = NULL;
+  mimo_batch_config config;
+  mimo_batch_results results;
+  mimo_status status, each = MIMO_OK;
+  uint8_t truncated = 7, was_reset = 7;
+  double before, after;
+  char said[64];
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_batch_config_init(&config, sizeof config));
+  config.worlds = 1;
+  config.restart_failed = 1;
+  CHECK_OK(mimo_batch_create(scene, NULL, &config, &batch));
+  memset(&results, 0, sizeof results);
+  results.struct_size = sizeof results;
+  results.worlds = results.agent_count = 1;
+  results.status = &each;
+  results.truncated = &truncated;
+  results.was_reset = &was_reset;
+  for (status = MIMO_E_BUSY - 1; status <= 1; ++status) { /* from an unknown one to one that will never be */
+    if (status == MIMO_OK) continue;
+    CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+    CHECK_OK(mimo_batch_reset(batch, NULL, NULL, 0));
+    CHECK_OK(mimo_env_time(env, &before));
+    rule->evaluate_status = status;
+    snprintf(said, sizeof said, "the task's function evaluate returned %d (%s)", status, mimo_status_name(status));
+    CHECK_FAILS(MIMO_E_TASK, said, mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+    CHECK_OK(mimo_env_time(env, &after));
+    CHECK(after > before);
+    CHECK_FAILS(MIMO_E_TASK, said, mimo_batch_step(batch, NULL, 0, NULL, 0, &results));
+    CHECK(each == MIMO_E_TASK && truncated == 0 && was_reset == 0);
+    rule->evaluate_status = MIMO_OK;
+    CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL)); /* the world has not failed */
+    rule->reset_status = status;
+    snprintf(said, sizeof said, "the task's function reset returned %d (%s)", status, mimo_status_name(status));
+    CHECK_FAILS(MIMO_E_TASK, said, mimo_env_reset(env, NULL, NULL, 0));
+    CHECK_FAILS(MIMO_E_TASK, said, mimo_batch_reset(batch, NULL, NULL, 0));
+    rule->reset_status = MIMO_OK;
+  }
   mimo_batch_destroy(batch);
   mimo_env_destroy(env);
 }
@@ -210,6 +256,7 @@ int main(void) {
   check_batch_equals_singles(scene);
   check_state(scene);
   check_failing(scene, &rule);
+  check_statuses(scene, &rule);
   check_name(scene);
   mimo_scene_destroy(scene);
   check_writing_judges();

@@ -83,6 +83,42 @@ static void check_identical(mimo_env* like, size_t steps) {
   mimo_recording_destroy(recording);
 }
 
+static mimo_status find_nothing(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
+  (void)env, (void)verdict;
+  return moment->step == *(const uint64_t*)user ? MIMO_E_NOT_FOUND : MIMO_OK;
+}
+
+/* The status by which a recording ends, given by a task: a replay goes on behind that step. */
+static void no_task_ends_a_replay(void) {
+  const size_t steps = 10;
+  uint64_t failing = UINT64_MAX;
+  mimo_scene* scene = blind_scene("free");
+  mimo_env* env = NULL;
+  mimo_recorder* recorder;
+  mimo_recording* recording;
+  mimo_task task;
+  CHECK_OK(mimo_task_init(&task, sizeof task));
+  task.evaluate = find_nothing;
+  task.user = &failing;
+  CHECK_OK(mimo_scene_set_task(scene, &task));
+  CHECK_OK(mimo_env_create(scene, NULL, &env));
+  CHECK_OK(mimo_env_reset(env, SEED(1), NULL, 0));
+  recorder = record(env, NULL);
+  go(env, (int)steps);
+  CHECK_OK(mimo_recorder_close(recorder));
+  recording = open_it();
+  CHECK_OK(mimo_recording_seek(recording, env, 0, 1, NULL));
+  failing = 4;
+  for (size_t step = 1; step <= steps; ++step) {
+    const mimo_status status = mimo_recording_step(recording, env, NULL, 0, NULL);
+    CHECK(status == (step == failing ? MIMO_E_TASK : MIMO_OK));
+  }
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "ends at step", mimo_recording_step(recording, env, NULL, 0, NULL));
+  mimo_recording_destroy(recording);
+  mimo_env_destroy(env);
+  mimo_scene_destroy(scene);
+}
+
 /* Everything that a program may do between two steps. */
 static void what_programs_do_is_replayed(void) {
   mimo_env *env = world_of("reach", 0), *twin = world_of("reach", 0);
@@ -439,6 +475,7 @@ int main(void) {
   }
   what_programs_do_is_replayed();
   other_ages_are_replayed();
+  no_task_ends_a_replay();
   what_is_heard_is_kept();
   worlds_of_a_batch_are_recorded();
   a_difference_is_told();

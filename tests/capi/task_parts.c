@@ -341,11 +341,11 @@ static void check_mistakes(mimo_env* env, rules* rule) {
   rule->mistake = OUT_OF_BOUNDS;
   CHECK_FAILS(MIMO_E_TASK, "gave agent 0 goal[0] as 4, expected a finite number from -1 to 0.5", step_once(env));
   rule->mistake = OUTCOME;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "gave agent 0 outcome as 2, which needs an interface newer", step_once(env));
+  CHECK_FAILS(MIMO_E_TASK, "gave agent 0 outcome as 2, which needs an interface newer", step_once(env));
   rule->mistake = GOES_ON;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "gave agent 0 goes_on as 3, which needs an interface newer", step_once(env));
+  CHECK_FAILS(MIMO_E_TASK, "gave agent 0 goes_on as 3, which needs an interface newer", step_once(env));
   rule->mistake = TRUNCATED;
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "gave agent 0 truncated as 9, which needs an interface newer", step_once(env));
+  CHECK_FAILS(MIMO_E_TASK, "gave agent 0 truncated as 9, which needs an interface newer", step_once(env));
   rule->mistake = NO_MISTAKE;
   CHECK_OK(mimo_env_state_save(env, state, state_bytes)); /* holds numbers only */
   CHECK_OK(mimo_env_state_load(env, state, state_bytes, NULL));

@@ -150,6 +150,7 @@ def test_mistakes_are_errors_of_the_step(message):
     with pytest.raises(mimo.Error) as raised:
         world.step()
     assert message in str(raised.value)
+    assert isinstance(raised.value, mimo.TaskError)
 
 
 @pytest.mark.parametrize(

@@ -46,7 +46,7 @@ pub const MIMO_E_FORKED: i32 = -11;
 pub const MIMO_E_INTERNAL: i32 = -12;
 #[doc = "A file cannot be written, or is not what it should be."]
 pub const MIMO_E_FILE: i32 = -13;
-#[doc = "A task of your own threw, or said what cannot be meant; see mimo_env_step."]
+#[doc = "A task of your own failed, or said what cannot be meant; see mimo_env_step."]
 pub const MIMO_E_TASK: i32 = -14;
 #[doc = "Not now: another thread uses the handle, or another call has to come first."]
 pub const MIMO_E_BUSY: i32 = -15;
@@ -522,7 +522,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, \"no ball in this scene\");`."]
-    #[doc = "The call that runs the task fails with that status and quotes the message."]
+    #[doc = "The call that runs the task fails with MIMO_E_TASK and quotes the status and the message."]
     #[doc = "@param status  a MIMO_E_ constant."]
     #[doc = "@param message UTF-8; copied. Control characters are quoted as in C (\"\\n\"), as in all messages."]
     #[doc = "@return status, after mimo_last_error() was set to the message."]
@@ -1564,7 +1564,7 @@ extern "C" {
     #[doc = "@param config NULL: the world's random numbers go on."]
     #[doc = "@param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
     #[doc = "Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the"]
-    #[doc = "        observation (keep_spacing); what the task says. With another age nothing has changed then."]
+    #[doc = "        observation (keep_spacing); MIMO_E_TASK where a task of your own fails. With another age nothing has changed."]
     pub fn mimo_env_reset(
         env: *mut mimo_env,
         config: *const mimo_reset_config,
@@ -1605,8 +1605,8 @@ extern "C" {
     #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
     #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be"]
     #[doc = "        written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION."]
-    #[doc = "        MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block"]
-    #[doc = "        is written and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then."]
+    #[doc = "        MIMO_E_TASK when a task of your own fails, whatever it returned: the step has happened then, block is written"]
+    #[doc = "        and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
@@ -2353,7 +2353,7 @@ extern "C" {
     #[doc = "Between two calls the world may be looked at, not changed."]
     #[doc = "@param block, block_bytes, results as in mimo_env_step."]
     #[doc = "Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;"]
-    #[doc = "        MIMO_E_BUSY before any seek; as mimo_env_step."]
+    #[doc = "        MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step."]
     pub fn mimo_recording_step(
         recording: *mut mimo_recording,
         env: *mut mimo_env,
@@ -2756,8 +2756,11 @@ pub struct mimo_task_verdict {
 #[doc = "gives the random numbers."]
 #[doc = "@param user as in mimo_task."]
 #[doc = "@param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction."]
-#[doc = "@return MIMO_OK, or a MIMO_E_ constant that the reset then returns (MIMO_E_TASK for MIMO_E_BUSY); mimo_fail says why. An exception of a C++ program"]
-#[doc = "        fails it too, and in a batch only that world. The function must not end its thread nor jump out."]
+#[doc = "@return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message quotes"]
+#[doc = "        the constant and what mimo_fail or the failed call said."]
+#[doc = "        It must not end its thread nor jump out. An exception that leaves it fails the reset with MIMO_E_TASK, in a"]
+#[doc = "        batch only that world's, where program and library share an unwinder: on Linux and macOS. Elsewhere none"]
+#[doc = "        may leave it; mimo.hpp catches all on every system."]
 pub type mimo_task_reset_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
@@ -2770,8 +2773,9 @@ pub type mimo_task_reset_fn = ::std::option::Option<
 #[doc = "asked in their order: where one's task moves bodies, or calls mimo_env_update or _observe, the next one's finds all"]
 #[doc = "bodies where they are now."]
 #[doc = "Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and"]
-#[doc = "names them. An outcome that is unknown here: MIMO_E_UNSUPPORTED."]
+#[doc = "names them. So does an outcome that is unknown here. A step that fails by its task has happened."]
 #[doc = "@param env as in mimo_task_reset_fn."]
+#[doc = "@return    as there, of the step."]
 pub type mimo_task_evaluate_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
