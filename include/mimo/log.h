@@ -26,7 +26,7 @@ extern "C" {
 
 /** A message. It lasts until the function that receives it returns. */
 typedef struct mimo_log_record {
-  uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
+  uint32_t struct_size; /**< Of the library's struct. 256 bytes are there, zero beyond it. */
   int32_t level;        /**< MIMO_LOG_WARNING or MIMO_LOG_INFO. */
   int32_t code;         /**< What it is about: a MIMO_WARNING_ constant where physics warns, else 0. */
   uint32_t in_world;    /**< 1: a world's physics warns; 0: a scene, a model or a renderer has something to say. */

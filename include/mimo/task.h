@@ -42,7 +42,7 @@ MIMO_API mimo_status mimo_scene_get_parameter(const mimo_scene *scene, const cha
 
 /** What a function of a task is told: of whom it is asked, and what happened. It lasts until the function returns. */
 typedef struct mimo_task_moment {
-  uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
+  uint32_t struct_size; /**< Of the library's struct. 256 bytes are there, zero beyond it. */
   uint32_t reserved;    /**< 0. */
   size_t world;         /**< Number of the world in its batch; 0 for a single environment. */
   size_t agent;         /**< Number of the agent. */
@@ -63,7 +63,8 @@ typedef struct mimo_task_moment {
 
 /** What a task says of a step of one agent. All is zero unless set. */
 typedef struct mimo_task_verdict {
-  uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
+  uint32_t struct_size; /**< Of the library's struct. 256 bytes are there, zero beyond it: what is set there is
+                             MIMO_E_TASK. */
   int32_t outcome;      /**< MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE; the latter two end the episode. */
   double reward;        /**< Of a task without terms. Of one with terms it stays 0: the reward is their sum. */
   double *terms;        /**< One for each of the task's terms. NULL where it declares none. */

@@ -6,6 +6,7 @@
 #include "base/floats.h"
 #include "base/format.h"
 #include "capi/check.h"
+#include "capi/handed.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"
@@ -71,9 +72,7 @@ CustomTask::CustomTask(std::shared_ptr<const TaskPlan> plan, const env::Identity
   ends_ = true;
 }
 
-mimo_task_moment CustomTask::moment() {
-  mimo_task_moment moment{};
-  moment.struct_size = sizeof moment;
+void CustomTask::tell(mimo_task_moment& moment) {
   moment.world = world_;
   moment.agent = agent_;
   moment.step = step_.number;
@@ -83,7 +82,6 @@ mimo_task_moment CustomTask::moment() {
   moment.action_count = step_.actions.size();
   moment.block = step_.block.data();
   moment.block_bytes = step_.block.size();
-  return moment;
 }
 
 // What was observed last stays so where the function fails.
@@ -98,19 +96,28 @@ void CustomTask::reset(engine::Physics&, Random&) {
   std::fill(memory_.begin(), memory_.end(), std::uint8_t{0});
   std::fill(fields_.begin(), fields_.end(), 0.0f);
   if (plan_->reset == nullptr) return;
-  const mimo_task_moment now = moment();
-  ask("reset", [&] { return plan_->reset(plan_->user, *env_, &now); });
+  Handed<mimo_task_moment> now;
+  tell(*now);
+  ask("reset", [&] { return plan_->reset(plan_->user, *env_, now.get()); });
   fields_ = new_fields_;
 }
 
 void CustomTask::evaluate(const engine::Physics&) {
   withdraw();
   std::fill(new_terms_.begin(), new_terms_.end(), 0.0);
-  const mimo_task_moment now = moment();
-  mimo_task_verdict verdict{};
-  verdict.struct_size = sizeof verdict;
-  verdict.terms = data_of(new_terms_);
-  ask("evaluate", [&] { return plan_->evaluate(plan_->user, *env_, &now, &verdict); });
+  Handed<mimo_task_moment> now;
+  tell(*now);
+  Handed<mimo_task_verdict> said;
+  const mimo_task_verdict& verdict = *said;
+  said->terms = data_of(new_terms_);
+  ask("evaluate", [&] { return plan_->evaluate(plan_->user, *env_, now.get(), said.get()); });
+  if (const std::size_t byte = said.newer_at(); byte != 0) {
+    fail(
+        Status::kTask,
+        "the task's function evaluate gave agent {} a verdict with a member at byte {}, which needs an interface newer "
+        "than {}.{}: this one knows {} bytes",
+        agent_, byte, MIMO_API_MAJOR, MIMO_API_MINOR, sizeof verdict);
+  }
   check_terms(verdict);
   fields_ = new_fields_;
   if (new_terms_.empty()) terms_[0].value = verdict.reward;

@@ -24,7 +24,7 @@ class CustomTask : public tasks::Task {
   void load(ByteReader& from) override;
 
  private:
-  mimo_task_moment moment();
+  void tell(mimo_task_moment& moment);
   template <typename Call>
   void ask(const char* function, Call&& call);
   void check_terms(const mimo_task_verdict& verdict) const;

@@ -192,7 +192,13 @@ static mimo_status judge_oddly(void* user, mimo_env* env, const mimo_task_moment
   return mimo_fail(MIMO_E_NOT_FOUND, CONTROLS);
 }
 
-static void keep_text(void* user, const mimo_log_record* record) { strncat(user, record->text, 1000 - strlen(user)); }
+static void keep_text(void* user, const mimo_log_record* record) {
+  const unsigned char* bytes = (const unsigned char*)record;
+  size_t i;
+  CHECK(record->struct_size == sizeof *record);
+  for (i = sizeof *record; i < 256; ++i) CHECK(bytes[i] == 0); /* room for a later version */
+  strncat(user, record->text, 1000 - strlen(user));
+}
 
 static void check_lines(void) {
   const char* expected = "the task's function evaluate returned -5 (MIMO_E_NOT_FOUND): " QUOTED;

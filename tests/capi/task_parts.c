@@ -2,14 +2,14 @@
  * is refused. The task: hold the left elbow at an angle that each episode draws anew. */
 #include "support/capi.h"
 
-enum { WORLDS = 5, STEPS = 30, CUT = 20 };
+enum { HANDED = 256, WORLDS = 5, STEPS = 30, CUT = 20 };
 
 /* Of each world and agent. */
 typedef struct memory {
   double goal;
 } memory;
 
-enum mistake { NO_MISTAKE, NAN_TERM, REWARD_BESIDE, INFINITE_FIELD, OUT_OF_BOUNDS, OUTCOME, GOES_ON, TRUNCATED };
+enum mistake { NO_MISTAKE, NAN_TERM, REWARD_BESIDE, INFINITE_FIELD, OUT_OF_BOUNDS, OUTCOME, GOES_ON, TRUNCATED, NEWER };
 
 typedef struct rules {
   int32_t elbow;
@@ -20,10 +20,21 @@ typedef struct rules {
   enum mistake mistake;
 } rules;
 
+/* A program of a later version finds what this library does not know: zeros. */
+static int has_room(const void* handed, size_t struct_size) {
+  const unsigned char* bytes = handed;
+  size_t i;
+  for (i = struct_size; i < HANDED; ++i) {
+    if (bytes[i] != 0) return 0;
+  }
+  return struct_size < HANDED;
+}
+
 static mimo_status start(void* user, mimo_env* env, const mimo_task_moment* moment) {
   memory* own = moment->memory;
   double share;
   (void)user;
+  if (!has_room(moment, sizeof *moment)) return MIMO_E_INTERNAL;
   if (moment->struct_size != sizeof *moment || moment->step != 0 || own->goal != 0) return MIMO_E_INTERNAL;
   if (moment->action != NULL || moment->action_count != 0 || moment->block != NULL) return MIMO_E_INTERNAL;
   if (moment->fields[0] != 0 || moment->fields[1] != 0 || moment->fields[2] != 0) return MIMO_E_INTERNAL;
@@ -44,6 +55,7 @@ static void err(const rules* rule, const mimo_task_moment* moment, mimo_task_ver
     case OUTCOME: verdict->outcome = 2; break;
     case GOES_ON: verdict->goes_on = 3; break;
     case TRUNCATED: verdict->truncated = 9; break;
+    case NEWER: ((unsigned char*)verdict)[HANDED - 1] = 1; break;
   }
 }
 
@@ -51,6 +63,7 @@ static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* mome
   const rules* rule = user;
   const memory* own = moment->memory;
   double angle;
+  if (!has_room(moment, sizeof *moment) || !has_room(verdict, sizeof *verdict)) return MIMO_E_INTERNAL;
   if (verdict->struct_size != sizeof *verdict || verdict->reward != 0 || verdict->outcome != 0) return MIMO_E_INTERNAL;
   if (verdict->terms[0] != 0 || verdict->terms[1] != 0 || verdict->goes_on != 0) return MIMO_E_INTERNAL;
   if ((moment->block != NULL) != rule->looks || (moment->block_bytes > 0) != rule->looks) return MIMO_E_INTERNAL;
@@ -346,6 +359,9 @@ static void check_mistakes(mimo_env* env, rules* rule) {
   CHECK_FAILS(MIMO_E_TASK, "gave agent 0 goes_on as 3, which needs an interface newer", step_once(env));
   rule->mistake = TRUNCATED;
   CHECK_FAILS(MIMO_E_TASK, "gave agent 0 truncated as 9, which needs an interface newer", step_once(env));
+  rule->mistake = NEWER;
+  CHECK_FAILS(MIMO_E_TASK, "gave agent 0 a verdict with a member at byte 255, which needs an interface newer",
+              step_once(env));
   rule->mistake = NO_MISTAKE;
   CHECK_OK(mimo_env_state_save(env, state, state_bytes)); /* holds numbers only */
   CHECK_OK(mimo_env_state_load(env, state, state_bytes, NULL));

@@ -532,7 +532,7 @@ extern "C" {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_log_record {
-    #[doc = "Of the library's struct: what lies beyond it is not there."]
+    #[doc = "Of the library's struct. 256 bytes are there, zero beyond it."]
     pub struct_size: u32,
     #[doc = "MIMO_LOG_WARNING or MIMO_LOG_INFO."]
     pub level: i32,
@@ -2706,7 +2706,7 @@ extern "C" {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task_moment {
-    #[doc = "Of the library's struct: what lies beyond it is not there."]
+    #[doc = "Of the library's struct. 256 bytes are there, zero beyond it."]
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
@@ -2739,7 +2739,8 @@ pub struct mimo_task_moment {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task_verdict {
-    #[doc = "Of the library's struct: what lies beyond it is not there."]
+    #[doc = "Of the library's struct. 256 bytes are there, zero beyond it: what is set there is"]
+    #[doc = "MIMO_E_TASK."]
     pub struct_size: u32,
     #[doc = "MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE; the latter two end the episode."]
     pub outcome: i32,
