@@ -25,8 +25,8 @@ Territory territory_of(Region region);  // a finger is part of the hand
 // How many afferents a person has there, of all kinds and at any age: skin grows, and they move apart (Peters and
 // Goldreich 2013). 15 % of 230 000 are in the palms of both hands, 19 % in face and lips (Corniani and Saal 2020). The
 // rest of an adult's 1.8 m^2, divided by the chart of Lund and Browder (1944, from memory), has 153 360 at the
-// densities above; all add up to 231 560. An eye has as many as the face has on the 2 cm^2 that lids leave open, an
-// estimate.
+// densities above. An eye has as many as the face has on the 2 cm^2 that lids leave open, an estimate. All add up to
+// 231 664.
 double afferents_of(Territory territory);
 
 // Factors of the rates of cold and warm receptors, estimates.

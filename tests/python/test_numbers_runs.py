@@ -68,6 +68,12 @@ def test_costs():
     Page("guide/hearing.md").says(
         "both ears and bands take {} of a step without eyes", ratios["hearing, over the step without eyes"]
     )
+    page = Page("guide/skin.md")
+    page.says("this page takes {} of a step without eyes", ratios["receptors of skin, over the step without eyes"])
+    page.says("receptors of muscles and joints {}.", ratios["all receptors, over the step without eyes"])
+    Page("guide/recordings.md").says(
+        "the compression: {} of a step without eyes", ratios["recorded, over the step without eyes"]
+    )
     Page("guide/maturity.md").says(
         "a newborn's nerves take {} of a step without eyes",
         ratios["a newborn's nerves, over the step without eyes"],

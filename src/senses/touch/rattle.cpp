@@ -50,14 +50,14 @@ void Rattle::settle(std::size_t place, const Feeling& feeling, double smoothed) 
     doubt = std::min(doubt, kComingBack);
     if (feeling.normal == 0) table_[kSpeed][place] = 0;
   }
+  if (doubt == 0 && air == 0) return table_.remove(place);
   double told = smoothed;
   for (std::size_t stage = kMean; stage < kMean + kStages; ++stage) {
     double& mean = table_[stage][place];
-    mean = doubt > 0 ? told + kept_ * (mean - told) : smoothed;
-    told = mean;
+    if (doubt > 0) told += kept_ * (mean - told);
+    mean = told;
   }
   table_[kTold][place] = smoothed + std::min(1.0, doubt / kComingBack) * (told - smoothed);
-  if (doubt == 0 && air == 0) table_.remove(place);
 }
 
 Rattle::Slide Rattle::slide(std::size_t sensor) const {

@@ -44,8 +44,8 @@ class Rattle : public observation::Process {
   template <typename Take>
   void prick(Take&& take) const {
     for (std::size_t i = 0; i < table_.size(); ++i) {
-      const double pressure = table_[kSharpness][i] * std::cbrt(table_[kTold][i]);
-      if (table_[kDoubt][i] > 0 && pressure > 0) take(table_.sensors()[i], pressure);
+      if (!(table_[kDoubt][i] > 0 && table_[kSharpness][i] > 0 && table_[kTold][i] > 0)) continue;
+      take(table_.sensors()[i], table_[kSharpness][i] * std::cbrt(table_[kTold][i]));
     }
   }
   // What slides over a sensor, also while it hops: a geom, -1 for none, and how fast, m/s.
