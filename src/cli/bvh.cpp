@@ -12,12 +12,14 @@
 #include "csv.h"
 #include "failure.h"
 #include "files.h"
+#include "movement.h"
 #include "text.h"
 
 namespace cli {
 namespace {
 
 constexpr std::size_t kMostJoints = 1000;
+constexpr double kLeastSeconds = kLeastRowSeconds, kMostSeconds = 3600;  // of a frame
 
 // Exporters write keywords in any case: "End Site", "End site", "END SITE".
 bool same_word(std::string_view word, std::string_view keyword) {
@@ -25,7 +27,7 @@ bool same_word(std::string_view word, std::string_view keyword) {
                     [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-// Words of a text, and where they are.
+// Words of a text, and where they are. A bracket is a word by itself.
 class Words {
  public:
   explicit Words(const std::string& path) : path_(path) {
@@ -38,8 +40,8 @@ class Words {
   // "" at the end.
   std::string_view next() {
     while (!rest_.empty() && is_space(rest_[0])) skip();
-    std::size_t length = 0;
-    while (length < rest_.size() && !is_space(rest_[length])) ++length;
+    std::size_t length = rest_.empty() ? 0 : 1;
+    while (length < rest_.size() && !is_bracket(rest_[0]) && !ends_word(rest_[length])) ++length;
     const std::string_view word = rest_.substr(0, length);
     rest_.remove_prefix(length);
     return word;
@@ -68,9 +70,10 @@ class Words {
   double number() { return to_number(next()); }
 
   std::size_t count(std::size_t most) {
-    const double value = number();
+    const std::string_view word = next();
+    const double value = number_of_file(word).value_or(-1);
     if (value < 0 || value > static_cast<double>(most) || value != std::floor(value)) {
-      fail("expected a whole number from 0 to " + std::to_string(most), std::to_string(value));
+      fail("expected a whole number from 0 to " + std::to_string(most), word);
     }
     return static_cast<std::size_t>(value);
   }
@@ -82,11 +85,13 @@ class Words {
 
  private:
   double to_number(std::string_view word) const {
-    const std::optional<double> value = finite_number(word);
-    if (!value) fail("expected a finite number", word);
+    const std::optional<double> value = number_of_file(word);
+    if (!value) fail(std::string("expected ") + kNumberOfFile, word);
     return *value;
   }
 
+  static bool is_bracket(char c) { return c == '{' || c == '}'; }
+  static bool ends_word(char c) { return is_space(c) || is_bracket(c); }
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   void skip() {
@@ -107,8 +112,8 @@ Eigen::Vector3d read_offset(Words& words) {
 char read_channel(Words& words) {
   const std::string_view word = words.next();
   for (const char axis : {'X', 'Y', 'Z'}) {
-    if (word == axis + std::string("position")) return axis;
-    if (word == axis + std::string("rotation")) return static_cast<char>(axis - 'A' + 'a');
+    if (same_word(word, axis + std::string("position"))) return axis;
+    if (same_word(word, axis + std::string("rotation"))) return static_cast<char>(axis - 'A' + 'a');
   }
   words.fail("expected a channel (Xposition ... Zrotation)", word);
 }
@@ -138,7 +143,12 @@ class Hierarchy {
     bvh_.joints[number].offset = read_offset(words_);
     words_.expect("CHANNELS");
     for (std::size_t left = words_.count(6); left > 0; --left, ++channels_) {
-      bvh_.joints[number].channels += read_channel(words_);
+      std::string& channels = bvh_.joints[number].channels;
+      const char channel = read_channel(words_);
+      if (channel <= 'Z' && channels.find(channel) != std::string::npos) {
+        words_.fail("expected each position once", channel + std::string("position, of which there are two"));
+      }
+      channels += channel;
     }
     for (std::string_view word = words_.next(); word != "}"; word = words_.next()) {
       if (same_word(word, "JOINT")) {
@@ -234,8 +244,11 @@ Bvh read_bvh(const std::string& path) {
   if (frames == 0) words.fail("expected at least one frame", "0");
   words.expect("Frame");
   words.expect("Time:");
-  bvh.frame_seconds = words.number();
-  if (bvh.frame_seconds <= 0) words.fail("expected a frame time above 0", std::to_string(bvh.frame_seconds));
+  const std::string_view time = words.next();
+  bvh.frame_seconds = number_of_file(time).value_or(0);
+  if (!(bvh.frame_seconds >= kLeastSeconds && bvh.frame_seconds <= kMostSeconds)) {
+    words.fail("expected a frame time from 1e-6 to 3600 s", time);
+  }
   read_frames(words, channels, frames, bvh);
   return bvh;
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <unordered_set>
 
 #include "failure.h"
 #include "files.h"
@@ -28,42 +30,38 @@ char separator_of(std::string_view line) {
   return semicolons > 0 ? ';' : tabs > 0 ? '\t' : ',';
 }
 
-// A cell without what quotes it (RFC 4180).
-std::string unquoted(std::string_view cell) {
-  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return std::string(cell);
-  std::string text;
-  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
-    text += cell[i];
-    if (cell[i] == '"' && cell[i + 1] == '"' && i + 2 < cell.size()) ++i;
-  }
-  return text;
-}
-
-std::vector<std::string> split(std::string_view line, char separator) {
-  std::vector<std::string> cells;
-  std::size_t first = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') quoted = !quoted;
-    if (i < line.size() && (quoted || line[i] != separator)) continue;
-    cells.push_back(unquoted(trim(line.substr(first, i - first))));
-    first = i + 1;
-  }
-  return cells;
-}
-
-// Reads lines and knows where it is.
+// Reads rows and knows where it is.
 class Reader {
  public:
-  explicit Reader(const std::string& path) : path_(path), file_(open_to_read(path)) {}
+  explicit Reader(const std::string& path) : path_(path) {
+    std::ifstream file = open_to_read(path);
+    text_.assign(std::istreambuf_iterator<char>(file), {});
+    rest_ = text_;
+    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // the mark that some spreadsheets put first
+    separator_ = separator_of(rest_.substr(0, rest_.find_first_of(kEnds)));
+  }
 
-  bool next(std::string& line) {
-    const bool first = ++number_ == 1;
-    if (!std::getline(file_, line)) return false;
-    if (!first) return true;
-    if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // the mark that some spreadsheets put first
-    separator_ = separator_of(line);
+  // False at the end. Lines end with any of the three marks that systems use.
+  bool next() {
+    ++number_;
+    if (rest_.empty()) return false;
+    line_ = rest_.substr(0, rest_.find_first_of(kEnds));
+    rest_.remove_prefix(line_.size());
+    rest_.remove_prefix(rest_.substr(0, 2) == "\r\n" ? 2 : rest_.empty() ? 0 : 1);
     return true;
+  }
+
+  bool is_blank() const { return trim(line_).empty(); }
+
+  std::vector<std::string> cells() const {
+    std::vector<std::string> cells;
+    std::string_view line = line_;
+    for (bool more = true; more;) {
+      cells.push_back(take_cell(line));
+      more = !line.empty();
+      if (more) line.remove_prefix(1);  // the separator
+    }
+    return cells;
   }
 
   std::size_t number() const { return number_; }
@@ -74,20 +72,59 @@ class Reader {
   }
 
  private:
-  std::string path_;
-  std::ifstream file_;
+  static constexpr char kEnds[] = "\r\n";
+
+  // Takes a cell off the line, up to the separator.
+  std::string take_cell(std::string_view& line) const {
+    skip_blanks(line);
+    if (!line.empty() && line[0] == '"') return take_quoted(line);
+    const std::string_view cell = line.substr(0, line.find(separator_));
+    line.remove_prefix(cell.size());
+    if (cell.find('"') != std::string_view::npos) {
+      fail("the cell " + shown(cell) +
+           " has a quote within; expected it to be quoted as a whole, and its quotes doubled");
+    }
+    return std::string(trim(cell));
+  }
+
+  // As RFC 4180 has them: a quote within is written twice, and nothing follows the last one.
+  std::string take_quoted(std::string_view& line) const {
+    const std::string_view whole = line;
+    std::string cell;
+    for (;;) {
+      line.remove_prefix(1);  // the quote
+      const std::size_t length = line.find('"');
+      if (length == std::string_view::npos) fail("the quote before " + shown(whole.substr(1)) + " is not closed");
+      cell += line.substr(0, length);
+      line.remove_prefix(length + 1);
+      if (line.empty() || line[0] != '"') break;
+      cell += '"';
+    }
+    skip_blanks(line);
+    if (!line.empty() && line[0] != separator_) {
+      fail("the quoted cell " + shown(cell) + " is followed by " + shown(line) + "; expected the next cell");
+    }
+    return cell;
+  }
+
+  static std::string shown(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
+
+  void skip_blanks(std::string_view& line) const {
+    while (!line.empty() && line[0] != separator_ && (line[0] == ' ' || line[0] == '\t')) line.remove_prefix(1);
+  }
+
+  std::string path_, text_;
+  std::string_view rest_, line_;
   std::size_t number_ = 0;
   char separator_ = ',';
 };
 
-std::vector<std::string> read_header(Reader& reader, const std::string& line, const std::string& named) {
-  std::vector<std::string> names;
-  for (const std::string& cell : split(line, reader.separator())) {
-    if (cell.empty()) reader.fail("column " + std::to_string(names.size() + 1) + " has no " + named + "'s name");
-    if (std::find(names.begin(), names.end(), cell) != names.end()) {
-      reader.fail("there are two columns '" + cell + "'");
-    }
-    names.push_back(cell);
+std::vector<std::string> read_header(const Reader& reader, const std::string& named) {
+  std::vector<std::string> names = reader.cells();
+  std::unordered_set<std::string_view> known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) reader.fail("column " + std::to_string(i + 1) + " has no " + named + "'s name");
+    if (!known.insert(names[i]).second) reader.fail("there are two columns '" + names[i] + "'");
   }
   return names;
 }
@@ -95,13 +132,13 @@ std::vector<std::string> read_header(Reader& reader, const std::string& line, co
 double read_number(const Reader& reader, const std::string& cell, const std::string& column) {
   std::string plain = cell;
   if (reader.separator() != ',') std::replace(plain.begin(), plain.end(), ',', '.');  // of decimals
-  const std::optional<double> value = finite_number(plain);
-  if (!value) reader.fail("column '" + column + "' should be a finite number, not '" + cell + "'");
+  const std::optional<double> value = number_of_file(plain);
+  if (!value) reader.fail("column '" + column + "' should be " + kNumberOfFile + ", not '" + cell + "'");
   return *value;
 }
 
-std::vector<double> read_row(Reader& reader, const std::string& line, const std::vector<std::string>& names) {
-  const auto cells = split(line, reader.separator());
+std::vector<double> read_row(const Reader& reader, const std::vector<std::string>& names) {
+  const std::vector<std::string> cells = reader.cells();
   if (cells.size() != names.size()) {
     reader.fail("expected " + std::to_string(names.size()) + " numbers as the header has names, found " +
                 std::to_string(cells.size()));
@@ -122,26 +159,25 @@ std::string_view trim(std::string_view text) {
 std::vector<TextRow> read_texts(const std::string& path) {
   Reader reader(path);
   std::vector<TextRow> rows;
-  for (std::string line; reader.next(line);) {
-    if (!trim(line).empty()) rows.push_back({reader.number(), split(line, reader.separator())});
+  while (reader.next()) {
+    if (!reader.is_blank()) rows.push_back({reader.number(), reader.cells()});
   }
   return rows;
 }
 
 NumberTable read_numbers(const std::string& path, const std::string& named) {
   Reader reader(path);
-  std::string line;
-  if (!reader.next(line) || trim(line).empty()) reader.fail("expected a header of " + named + " names");
+  if (!reader.next() || reader.is_blank()) reader.fail("expected a header of " + named + " names");
   NumberTable table;
-  table.names = read_header(reader, line, named);
+  table.names = read_header(reader, named);
   bool ended = false;
-  while (reader.next(line)) {
-    if (trim(line).empty()) {
+  while (reader.next()) {
+    if (reader.is_blank()) {
       ended = true;  // files may end with empty lines
       continue;
     }
     if (ended) reader.fail("there is an empty line before this one");
-    table.rows.push_back(read_row(reader, line, table.names));
+    table.rows.push_back(read_row(reader, table.names));
   }
   if (table.rows.empty()) throw Failure(path + ": no rows of numbers follow the header");
   return table;

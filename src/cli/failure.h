@@ -2,13 +2,16 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "text.h"
 
 namespace cli {
 
 // A command cannot do what it was asked for; the text is the one line that the user gets.
 class Failure : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Failure(const std::string& text) : std::runtime_error(one_line(text)) {}
 };
 
 }  // namespace cli

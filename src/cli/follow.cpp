@@ -35,9 +35,19 @@ std::vector<std::string> force_names(const mimo::Env& env) {
   return names;
 }
 
+// A slip of the unit of time would be followed for years.
+void require_short(const Movement& movement) {
+  constexpr double kDay = 24 * 60 * 60;
+  const double seconds = movement.times.back() - movement.times.front();
+  if (seconds <= kDay) return;
+  throw Failure(movement.source + text(": the movement takes %.6g s, expected at most a day (%.0f s)", seconds, kDay));
+}
+
 Movement read(const FollowOptions& options, mimo::Env& env) {
-  if (has_ending(options.motion, ".bvh")) return read_skeleton(options.motion, options.skeleton, env);
-  return read_movement(options.motion, options.degrees, env);
+  Movement movement = has_ending(options.motion, ".bvh") ? read_skeleton(options.motion, options.skeleton, env)
+                                                         : read_movement(options.motion, options.degrees, env);
+  require_short(movement);
+  return movement;
 }
 
 // As the table of a movement calls them.
@@ -180,7 +190,7 @@ void Follow::report() const {
                                          {"beyond_limits", beyond},
                                          {"pose_errors", to_json(errors_, env_)},
                                          {"notes", movement_.notes}};
-    std::cout << json.dump(2) << "\n";
+    std::cout << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     return;
   }
   std::cout << text("%g s in %zu steps, from %zu rows of %s\n\nsenses over all steps\n", seconds, steps_,
@@ -197,7 +207,7 @@ void Follow::report() const {
   std::cout << text("\nlargest force or torque: %.4g at %s\n", largest[static_cast<std::size_t>(most)],
                     names_[static_cast<std::size_t>(most)].c_str());
   for (const std::string& joint : beyond) std::cout << "beyond its limits: " << joint << "\n";
-  for (const std::string& note : movement_.notes) std::cout << note << "\n";
+  for (const std::string& note : movement_.notes) std::cout << one_line(note) << "\n";
 }
 
 }  // namespace

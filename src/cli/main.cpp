@@ -1,7 +1,6 @@
 // mimo: the infant from the command line. Written against mimo.hpp only, like any user's program.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -10,6 +9,7 @@
 
 #include "commands.h"
 #include "failure.h"
+#include "text.h"
 
 namespace {
 
@@ -23,9 +23,9 @@ std::string command_name(const CLI::App& program) {
   return name;
 }
 
-int complain(const CLI::App& program, std::string message, int code) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::fprintf(stderr, "%s: %s\n", command_name(program).c_str(), message.c_str());
+// Messages quote what files hold.
+int complain(const CLI::App& program, const std::string& message, int code) {
+  std::fprintf(stderr, "%s: %s\n", command_name(program).c_str(), cli::one_line(message).c_str());
   return code;
 }
 

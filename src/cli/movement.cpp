@@ -9,6 +9,7 @@
 #include "facts.h"
 #include "failure.h"
 #include "joints.h"
+#include "text.h"
 
 namespace cli {
 namespace {
@@ -79,9 +80,9 @@ std::vector<double> column_of(const NumberTable& table, std::size_t number, doub
 
 void require_increasing(const std::string& path, const std::vector<double>& times) {
   for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) continue;
-    throw Failure(path + ": time does not increase in row " + std::to_string(i + 1) + ", " + std::to_string(times[i]) +
-                  " after " + std::to_string(times[i - 1]));
+    if (times[i] >= times[i - 1] + kLeastRowSeconds) continue;
+    throw Failure(path + ": time does not increase in row " + std::to_string(i + 1) +
+                  text(", %.9g after %.9g; expected a microsecond at least", times[i], times[i - 1]));
   }
 }
 

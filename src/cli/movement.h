@@ -10,6 +10,8 @@
 
 namespace cli {
 
+constexpr double kLeastRowSeconds = 1e-6;  // from row to row: what moves in less is a slip of the unit
+
 struct JointTrack {
   std::int32_t hinge;  // the joint whose angle that is, -1 where it is none
   std::vector<double> values;

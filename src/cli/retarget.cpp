@@ -115,6 +115,9 @@ std::map<std::string, std::size_t> Retarget::mapped_bodies(const std::string& ma
     const auto is_it = [&name = joint](const BvhJoint& one) { return one.name == name; };
     const auto found = std::find_if(bvh_.joints.begin(), bvh_.joints.end(), is_it);
     if (found == bvh_.joints.end()) throw Failure(map + ": " + path_ + " has no joint '" + joint + "'");
+    if (std::find_if(found + 1, bvh_.joints.end(), is_it) != bvh_.joints.end()) {
+      throw Failure(map + ": " + path_ + " has two joints '" + joint + "', expected one");
+    }
     if (find_body(body) < 0) {
       throw Failure(map + ": the infant has no body '" + body + "'; there are: " + body_names(env_));
     }
@@ -194,7 +197,8 @@ std::vector<Eigen::Vector3d> Retarget::upright_parts() const {
 }
 
 // The file's axis that points upwards, as it is given or as the skeleton stands. A skeleton whose rest pose is no
-// standing one would be bent by what its bones are turned there.
+// standing one would be bent by what its bones are turned there; one that leans, or of which no part tells, may mean
+// either.
 Eigen::Vector3d Retarget::upwards(const std::string& given) const {
   constexpr double kLeast = 0.5;  // 60 degrees from what is up
   const std::vector<Eigen::Vector3d> parts = upright_parts();
@@ -204,6 +208,10 @@ Eigen::Vector3d Retarget::upwards(const std::string& given) const {
   };
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   const bool by_y = stands(y), by_z = stands(z);
+  if (by_y && by_z && given.empty()) {
+    throw Failure(path_ +
+                  ": the joints that move bodies do not tell whether the file's y or its z points up; --up does");
+  }
   if (given != "z" && by_y) return y;
   if (given != "y" && by_z) return z;
   if (by_y || by_z) {

@@ -35,8 +35,11 @@ const std::vector<Usual> kTrunk = {
 };
 
 // What infants have to have told, and what hangs on what.
-const std::vector<std::pair<const char*, const char*>> kChains = {
-    {"upper_arm", "lower_arm"}, {"lower_arm", "hand"}, {"upper_leg", "lower_leg"}, {"lower_leg", "foot"}};
+const std::vector<std::pair<const char*, const char*>> kChains = {{"upper_arm", "lower_arm"},
+                                                                  {"lower_arm", "hand"},
+                                                                  {"upper_leg", "lower_leg"},
+                                                                  {"lower_leg", "foot"},
+                                                                  {"foot", "toes"}};
 const std::vector<const char*> kNeeded = {"upper_arm", "lower_arm", "upper_leg", "lower_leg"};
 
 bool is(char c, int (*kind)(int)) { return kind(static_cast<unsigned char>(c)) != 0; }
@@ -117,6 +120,28 @@ bool hangs_on(const std::vector<BvhJoint>& joints, std::size_t joint, std::size_
   return at >= 0;
 }
 
+std::size_t root_of(const std::vector<BvhJoint>& joints, std::size_t joint) {
+  while (joints[joint].parent >= 0) joint = static_cast<std::size_t>(joints[joint].parent);
+  return joint;
+}
+
+// Two that are called the same, or that belong to two persons of one file.
+void check_sole(const std::map<std::string, std::size_t>& bodies, const std::vector<BvhJoint>& joints,
+                const std::string& source, const std::string& remedy) {
+  const std::size_t hip = bodies.at("hip");
+  std::map<std::string_view, int> called;
+  for (const BvhJoint& joint : joints) ++called[joint.name];
+  for (const auto& [body, number] : bodies) {
+    const std::string& name = joints[number].name;
+    if (called[name] > 1)
+      throw Failure(source + ": " + std::to_string(called[name]) + " joints are called '" + name +
+                    "', expected one for " + body);
+    if (root_of(joints, number) == root_of(joints, hip)) continue;
+    throw Failure(source + ": joint '" + name + "' is called as " + body +
+                  " usually is, but hangs on another ROOT than '" + joints[hip].name + "'" + remedy);
+  }
+}
+
 }  // namespace
 
 std::map<std::string, std::size_t> usual_bodies(const std::vector<BvhJoint>& joints) {
@@ -157,10 +182,13 @@ void check_whole(const std::map<std::string, std::size_t>& bodies, const std::ve
     throw Failure(source + ": no joint has a usual name for " + missing.substr(2) + remedy +
                   ". Its joints are: " + names);
   }
+  check_sole(bodies, joints, source, remedy);
   for (const std::string side : {"left_", "right_"}) {
     for (const auto& [upper, lower] : kChains) {
       const auto found = bodies.find(side + lower);
-      if (found == bodies.end() || hangs_on(joints, found->second, bodies.at(side + upper))) continue;
+      if (found == bodies.end() || bodies.count(side + upper) == 0 ||
+          hangs_on(joints, found->second, bodies.at(side + upper)))
+        continue;
       throw Failure(source + ": joint '" + joints[found->second].name + "' is called as " + side + lower +
                     " usually is, but does not hang on '" + joints[bodies.at(side + upper)].name +
                     "', which is called as " + side + upper + " is" + remedy);

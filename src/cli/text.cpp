@@ -33,6 +33,20 @@ std::optional<double> finite_number(std::string_view text) {
   return value;
 }
 
+std::optional<double> number_of_file(std::string_view text) {
+  constexpr double kLargest = 1e12;
+  const std::optional<double> value = finite_number(text);
+  return value && std::abs(*value) <= kLargest ? value : std::nullopt;
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return text;
+}
+
 void Table::print(std::ostream& out) const {
   std::vector<std::size_t> widths;
   for (const auto& row : rows_) {

@@ -20,6 +20,13 @@ text(const char* format, ...);
 // A number written out, "+1" too, the same way whatever the locale; none where it is not finite or something follows.
 std::optional<double> finite_number(std::string_view text);
 
+// The same of files, where larger ones are a mistake, and sums and squares of them would end at infinity.
+std::optional<double> number_of_file(std::string_view text);
+constexpr char kNumberOfFile[] = "a number from -1e12 to 1e12";
+
+// Another sign in place of each that moves the cursor of a terminal, or colours what follows.
+std::string one_line(std::string text);
+
 // Rows of cells, printed in columns: the first `left` columns flush left, the others flush right.
 class Table {
  public:

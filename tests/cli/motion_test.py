@@ -2,6 +2,7 @@
 import csv
 import json
 import math
+import time
 import unittest
 
 from program import Case
@@ -201,7 +202,8 @@ class Motion(Case):
         rows = whole.replace("MOTION", prop).splitlines()
         rows[-2:] = [row + " 0 0 0" for row in rows[-2:]]
         for text in ("\ufeff" + whole, whole.replace("End Site", "End site"), whole.replace("End Site", "END SITE"),
-                     whole.replace("\n", "\r\n"), whole.replace("Frames: 2", "Frames: 1"), whole.replace("Frames: 2", "Frames: 3"),
+                     whole.replace("\n", "\r\n"), whole.replace("\n{\n", "{").replace("End Site\n{", "End Site{"),
+                     whole.replace("rotation", "ROTATION").replace("Xposition", "xPosition"), whole.replace("Frames: 2", "Frames: 1"), whole.replace("Frames: 2", "Frames: 3"),
                      "\n".join(rows)):
             self.assertAlmostEqual(self.bent_elbow(text), right, delta=1e-9)
         report = json.loads(self.mimo("replay", "--scene", "free", "--touch", "off", "--json", "--motion",
@@ -224,7 +226,8 @@ class Motion(Case):
         """R's write.csv quotes, countries with a decimal comma separate by semicolons, editors put a mark first."""
         for table in ('"time","left_elbow"\n0,-0.1\n0.04,-0.2\n', 'time,left_elbow\n"0","-0.1"\n"0.04","-0.2"\n',
                       "time;left_elbow\n0;-0,1\n0,04;-0,2\n", "time\tleft_elbow\n0\t-0,1\n0,04\t-0,2\n",
-                      "\ufefftime,left_elbow\n0,-0.1\n0.04,-0.2\n"):
+                      "\ufefftime,left_elbow\n0,-0.1\n0.04,-0.2\n", "time,left_elbow\r0,-0.1\r0.04,-0.2\r",
+                      ' "time" , "left_elbow" \r\n "0" ,-0.1\r\n0.04, "-0.2"\r\n'):
             rows = self.joints("--motion", self.write("m.csv", table))
             self.assertEqual([round(row["robot:left_elbow"], 12) for row in rows], [-0.1, -0.2])
         names = self.write("map.csv", '\ufeff"LeftUpLeg";"left_upper_leg"\n"LeftLeg";left_lower_leg\n')
@@ -237,7 +240,7 @@ class Motion(Case):
                               (whole.replace("Frames: 2", "Frames: 4"), "expected 4 frames, as 'Frames:' says, not '2'"),
                               (whole.replace("Frames: 2", "Frames: many"), "many"), ("time,left_elbow\n0,0\n", "HIERARCHY"),
                               (whole.replace("Xposition", "Wposition", 1), "Wposition"), ("", "the file ends"),
-                              (whole.replace("Frame Time: 0.05", "Frame Time: 0"), "frame time above 0"),
+                              (whole.replace("Frame Time: 0.05", "Frame Time: 0"), "frame time from 1e-6 to 3600 s, not '0'"),
                               (whole.replace("OFFSET 0 0 0", "OFFSET 0 nan 0", 1), "nan"),
                               ("HIERARCHY\nROOT a\n" + "{ OFFSET 0 0 0 CHANNELS 0 JOINT b\n" * 2000, "at most")):
             path = self.write("bad.bvh", text)
@@ -259,6 +262,77 @@ class Motion(Case):
         self.assertIn("--motion", self.mimo("replay", "run.h5", "--forces", "forces.csv", code=2))
         self.assertIn("required", self.mimo("replay", code=2))
         self.assertEqual([name for name in self.files() if name != "bad.csv"], [])
+
+    def refused(self, name, text, *arguments):
+        """Of `mimo replay --motion`: what it says, after the program's own name."""
+        path = self.write(name, text)
+        return self.mimo("replay", "--motion", path, "--scene", "free", *arguments, code=1).split(": ", 1)[1]
+
+    def test_cells_whose_quotes_do_not_close_are_refused(self):
+        head = "time,left_elbow\n0,0\n"
+        for table, message in (('time,"left_elbow\n0,0\n', "line 1: the quote before 'left_elbow' is not closed"),
+                               ('"time,left_elbow\n0,0\n', "line 1: the quote before 'time,left_elbow' is not closed"),
+                               (head + '1,"0.5\n', "line 3: the quote before '0.5' is not closed"),
+                               (head + '1,"0.5""\n', "line 3: the quote before '0.5\"\"' is not closed"),
+                               (head + '1,"0"5\n', "line 3: the quoted cell '0' is followed by '5'; expected the next cell"),
+                               (head + '"1" 2,0\n', "line 3: the quoted cell '1' is followed by '2,0'; expected the next cell"),
+                               (head + '1,0"5\n', "line 3: the cell '0\"5' has a quote within")):
+            self.assertIn("m.csv, " + message, self.refused("m.csv", table))
+        names = self.write("map.csv", 'LeftUpLeg,"left_upper_leg\n')
+        self.assertIn("map.csv, line 1: the quote before 'left_upper_leg' is not closed", self.refused("a.bvh", bvh({}), "--map", names))
+
+    def test_tables_with_many_columns_are_read_in_time(self):
+        """A hundred times as many columns must not take ten thousand times as long."""
+        def seconds(columns):
+            table = ",".join("c%d" % i for i in range(columns)) + "\n" + ",".join("0" * columns) + "\n"
+            before = time.monotonic()
+            self.assertIn("no column 'time'", self.refused("wide.csv", table))
+            return time.monotonic() - before
+        self.assertLess(seconds(200000), 100 * seconds(2000))
+
+    def test_numbers_that_are_slips_are_refused(self):
+        whole = bvh({}, {})
+        number = "a number from -1e12 to 1e12"
+        for name, text, message in (("a.bvh", whole.replace("OFFSET 0 10 0", "OFFSET 0 1e200 0"), number + ", not '1e200'"),
+                                    ("a.bvh", whole.replace("\n0 90 0", "\n0 1e300 0"), number + ", not '1e300'"),
+                                    ("a.bvh", whole.replace("Time: 0.05", "Time: 1e-300"), "from 1e-6 to 3600 s, not '1e-300'"),
+                                    ("a.bvh", whole.replace("Time: 0.05", "Time: 1e300"), "from 1e-6 to 3600 s, not '1e300'"),
+                                    ("m.csv", "time,left_elbow\n0,0\n1e300,1\n", "line 3: column 'time' should be " + number),
+                                    ("m.csv", "time,left_elbow\n0,0\n1e-9,1\n", "expected a microsecond at least"),
+                                    ("m.csv", "time,left_elbow\n0,0\n1e9,1\n", "takes 1e+09 s, expected at most a day (86400 s)")):
+            self.assertIn(message, self.refused(name, text))
+
+    def test_skeletons_of_two_meanings_are_refused(self):
+        whole = bvh({}, {})
+        for new, message in (("LeftArm", "2 joints are called 'LeftArm', expected one for left_upper_arm"),):
+            self.assertIn(message, self.refused("a.bvh", whole.replace("JOINT Spine", "JOINT " + new)))
+        names = self.write("map.csv", "LeftArm,left_upper_arm\n")
+        self.assertIn("a.bvh has two joints 'LeftArm'", self.refused("a.bvh", whole.replace("JOINT Spine", "JOINT LeftArm"), "--map", names))
+        # arms alone do not stand; nor does what leans by 45 degrees from y to z
+        arms = self.write("map.csv", "LeftArm,left_upper_arm\nLeftForeArm,left_lower_arm\n")
+        self.assertIn("whether the file's y or its z points up; --up does", self.refused("a.bvh", whole, "--map", arms))
+        self.joints("--motion", self.write("a.bvh", whole), "--map", arms, "--up", "y")
+        half = math.sqrt(0.5)
+        lean = [(name, parent, (x, half * y, half * y)) for name, parent, (x, y, z) in JOINTS]
+        self.assertIn("whether the file's y or its z points up; --up does", self.refused("a.bvh", bvh({}, joints=lean)))
+        # a second person, whose head is the only one
+        head = "ROOT Head\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION"
+        rows = whole.replace("JOINT Head", "JOINT Top").replace("MOTION", head).splitlines()
+        rows[-2:] = [row + " 0 0 0" for row in rows[-2:]]
+        self.assertIn("'Head' is called as head usually is, but hangs on another ROOT than 'Hips'", self.refused("a.bvh", "\n".join(rows)))
+        twice = whole.replace("6 Xposition Yposition", "6 Xposition Xposition")
+        self.assertIn("expected each position once, not 'Xposition", self.refused("a.bvh", twice))
+
+    def test_messages_are_one_line_whatever_files_hold(self):
+        message = self.refused("m.csv", "time,\x1b[31mnose\0\x7f\n0,0\n")
+        self.assertIn("column '?[31mnose??'; there are:", message)
+        self.assertEqual(message.count("\n"), 1)
+        joints = JOINTS + (("Tail\x1b[31m", "Hips", (0, 0, -10)),)
+        said = self.mimo("replay", "--scene", "free", "--touch", "off", "--motion", self.write("a.bvh", bvh({}, joints=joints)))
+        self.assertIn("joints that move no body: Tail?[31m", said)
+        (self.folder / "b.bvh").write_bytes(bvh({}, joints=joints).encode().replace(b"Tail", b"Qu\xe9"))
+        report = json.loads(self.mimo("replay", "--scene", "free", "--touch", "off", "--json", "--motion", "b.bvh"))
+        self.assertIn("joints that move no body: Qu\ufffd", report["notes"][0])
 
 
 if __name__ == "__main__":
