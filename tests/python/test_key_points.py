@@ -230,6 +230,10 @@ def test_the_command_writes_what_replay_follows(tmp_path, capsys):
         ("time,nose:x,nose:y,nose:z\n0,-inf,2,3\n", "line 2: column 'nose:x' is -inf"),
         ("time,nose:x,nose:y,nose:z,nose:w\n0,1,2,3,-1\n", "line 2: column 'nose:w' is -1"),
         (f"time,nose:x,nose:y,nose:z\n0,{'1' * 200000},2,3\n", "line 2: field larger than"),
+        ('time,nose:x,nose:y,"nose:z\n0,1,2,3\n', "unexpected end of data"),
+        ('time,nose:x,nose:y,nose:z\n0,1,"2"5,3\n', "line 2: ',' expected after '\"'"),
+        ("time,nose:x,nose:y,nose:z\n0,1,1_0,3\n", "line 2: column 'nose:y' should be a number, not '1_0'"),
+        ('time;"nose, x";nose:y;nose:z\n0;1;2;3\n', "no column 'nose, x:u'"),
     ],
 )
 def test_bad_tables(tmp_path, capsys, table, message):

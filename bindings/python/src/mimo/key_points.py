@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import json
+from collections import Counter
 from typing import Dict, List, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
@@ -146,9 +147,9 @@ def read_points(path: str) -> KeyPoints:
     header = [cell.strip() for cell in lines[0]] if lines else []
     if "time" not in header:
         raise ValueError(f"{path} has no column 'time'")
-    for number, name in enumerate(header):
-        if name in header[:number]:
-            raise ValueError(f"{path}, line 1: column {name!r} appears twice")
+    twice = [name for name, count in Counter(header).items() if count > 1]
+    if twice:
+        raise ValueError(f"{path}, line 1: column {twice[0]!r} appears twice")
     if len(header) == 1:
         raise ValueError(f"{path} has no key points, expected columns NAME:x, NAME:y, NAME:z or NAME:u, NAME:v")
     rows = [_row(path, number + 2, header, cells) for number, cells in enumerate(lines[1:]) if cells]
@@ -166,10 +167,10 @@ def read_points(path: str) -> KeyPoints:
 def _cells(path: str) -> List[List[str]]:
     """Cells between commas; between semicolons or tabs, as mimo replay takes them, with decimal commas as points."""
     with open(path, newline="", encoding="utf-8-sig") as file:
-        first = file.readline()
-        separator = next((one for one in ",;\t" if one in first), ",")
+        unquoted = "".join(file.readline().split('"')[::2])
+        separator = next((one for one in ",;\t" if one in unquoted), ",")
         file.seek(0)
-        reader = csv.reader(file, delimiter=separator)
+        reader = csv.reader(file, delimiter=separator, strict=True, skipinitialspace=True)
         try:
             lines = list(reader)
         except csv.Error as error:
@@ -185,7 +186,7 @@ def _row(path: str, line: int, header: List[str], cells: List[str]) -> List[floa
     row = []
     for name, cell in zip(header, cells):
         try:
-            row.append(float(cell) if cell.strip() else np.nan)
+            row.append(float(cell.replace("_", "?")) if cell.strip() else np.nan)  # 1_0 is a slip here, not 10
         except ValueError:
             raise ValueError(f"{path}, line {line}: column {name!r} should be a number, not {cell!r}") from None
         if np.isinf(row[-1]) or (name.endswith(":w") and row[-1] < 0):
