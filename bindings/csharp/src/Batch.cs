@@ -20,7 +20,8 @@ namespace Mimo
     /// entry for each world; null means all.</summary>
     public sealed partial class Batch : IDisposable
     {
-        private readonly BatchHandle handle;
+        private readonly BatchHandle owned;
+        private BatchHandle Handle => Ending.Pass(owned);
         private readonly Env first;
         private readonly Results results;
         private readonly byte[] wasReset, finalWritten;
@@ -63,16 +64,17 @@ namespace Mimo
             {
                 config.cohort = ages.Pointer;
                 config.cohort_count = ages.Length;
-                handle = Create(scene, options ?? new EnvOptions(), config);
+                owned = Create(scene, options ?? new EnvOptions(), config);
             }
+            Ending.Watch(owned);
             UIntPtr worldCount, threadCount;
-            MimoException.Check(Native.mimo_batch_size(handle, out worldCount, out threadCount));
+            MimoException.Check(Native.mimo_batch_size(Handle, out worldCount, out threadCount));
             Worlds = (int)worldCount;
             Threads = (int)threadCount;
-            Layout = new Layout(handle, (out IntPtr layout) => Native.mimo_batch_layout(handle, out layout));
+            Layout = new Layout(Handle, (out IntPtr layout) => Native.mimo_batch_layout(Handle, out layout));
             first = World(0);
             Blocks = new byte[worlds * Layout.BlockBytes];
-            blocks = handle.Kept.Keep(Blocks);
+            blocks = Handle.Kept.Keep(Blocks);
             FinalBlocks = autoreset == Autoreset.SameStep ? new byte[Blocks.Length] : null;
             results = new Results(Layout, worlds);
             wasReset = new byte[worlds];
@@ -82,7 +84,7 @@ namespace Mimo
 
         private BatchResultsStruct Places()
         {
-            var kept = handle.Kept;
+            var kept = Handle.Kept;
             var common = results.PlaceIn(kept);
             return new BatchResultsStruct
             {
@@ -112,8 +114,8 @@ namespace Mimo
         public Env World(int world)
         {
             IntPtr env;
-            MimoException.Check(Native.mimo_batch_world(handle, (UIntPtr)checked((uint)world), out env));
-            return new Env(new EnvHandle(env, handle), Layout);
+            MimoException.Check(Native.mimo_batch_world(Handle, (UIntPtr)checked((uint)world), out env));
+            return new Env(new EnvHandle(env, Handle), Layout);
         }
 
         /// <summary>Copies a field of one world's last observation into an array of its element type.</summary>
@@ -145,7 +147,7 @@ namespace Mimo
                     worlds = mask != null ? chosen.Length : seeds != null ? given.Length : growths.Length,
                     growth = growths.Pointer
                 };
-                MimoException.Check(Native.mimo_batch_reset(handle, ref config, Blocks, (UIntPtr)Blocks.Length));
+                MimoException.Check(Native.mimo_batch_reset(Handle, ref config, Blocks, (UIntPtr)Blocks.Length));
             }
             if (ages != null) Layout.Renew();
         }
@@ -155,7 +157,7 @@ namespace Mimo
         {
             int status;
             IntPtr message;
-            MimoException.Check(Native.mimo_batch_world_error(handle, (UIntPtr)checked((uint)world), out status, out message));
+            MimoException.Check(Native.mimo_batch_world_error(Handle, (UIntPtr)checked((uint)world), out status, out message));
             return Utf8.Of(message);
         }
 
@@ -163,20 +165,20 @@ namespace Mimo
         public void Observe(bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_observe(handle, chosen, CountOf(chosen), Blocks, (UIntPtr)Blocks.Length));
+            MimoException.Check(Native.mimo_batch_observe(Handle, chosen, CountOf(chosen), Blocks, (UIntPtr)Blocks.Length));
         }
 
         /// <summary>Reads a quantity of many ids in all worlds: worlds x Env.Width.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
-            MimoException.Check(Native.mimo_batch_get(handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
+            MimoException.Check(Native.mimo_batch_get(Handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
                 (UIntPtr)values.Length));
         }
 
         /// <summary>The same in single precision, for engines.</summary>
         public void Get(Quantity quantity, int[] ids, float[] values)
         {
-            MimoException.Check(Native.mimo_batch_get_float(handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
+            MimoException.Check(Native.mimo_batch_get_float(Handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
                 (UIntPtr)values.Length));
         }
 
@@ -184,7 +186,7 @@ namespace Mimo
         public void Set(Quantity quantity, int[] ids, double[] values, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_set(handle, (int)quantity, ids, Env.LengthOf(ids), chosen, CountOf(chosen), values,
+            MimoException.Check(Native.mimo_batch_set(Handle, (int)quantity, ids, Env.LengthOf(ids), chosen, CountOf(chosen), values,
                 (UIntPtr)values.Length));
         }
 
@@ -200,9 +202,9 @@ namespace Mimo
         public byte[] Save()
         {
             UIntPtr bytes;
-            MimoException.Check(Native.mimo_batch_state_size(handle, out bytes));
+            MimoException.Check(Native.mimo_batch_state_size(Handle, out bytes));
             var states = new byte[Worlds * (int)bytes];
-            MimoException.Check(Native.mimo_batch_state_save(handle, null, UIntPtr.Zero, states, (UIntPtr)states.Length));
+            MimoException.Check(Native.mimo_batch_state_save(Handle, null, UIntPtr.Zero, states, (UIntPtr)states.Length));
             return states;
         }
 
@@ -212,7 +214,7 @@ namespace Mimo
         {
             var chosen = BytesOf(mask);
             return LoadReport.Of((ref LoadReportStruct report) =>
-                Native.mimo_batch_state_load(handle, chosen, CountOf(chosen), states, (UIntPtr)states.Length, ref report));
+                Native.mimo_batch_state_load(Handle, chosen, CountOf(chosen), states, (UIntPtr)states.Length, ref report));
         }
 
         private static byte[] BytesOf(bool[] mask) { return mask?.Select(chosen => (byte)(chosen ? 1 : 0)).ToArray(); }
@@ -221,6 +223,6 @@ namespace Mimo
         private static UIntPtr CountOf(byte[] mask) { return (UIntPtr)(mask == null ? 0 : mask.Length); }
 
         /// <summary>Frees the batch and its worlds.</summary>
-        public void Dispose() { handle.Dispose(); }
+        public void Dispose() { owned.Dispose(); }
     }
 }

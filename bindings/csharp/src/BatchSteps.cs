@@ -9,7 +9,7 @@ namespace Mimo
         /// that of the first world that did not do what was asked; all others have made their step.</summary>
         public void Step(float[] actions)
         {
-            MimoException.Check(Native.mimo_batch_step(handle, actions, LengthOf(actions), Blocks, (UIntPtr)Blocks.Length, ref places));
+            MimoException.Check(Native.mimo_batch_step(Handle, actions, LengthOf(actions), Blocks, (UIntPtr)Blocks.Length, ref places));
         }
 
         /// <summary>Starts a step and returns at once. Until Receive the actions are not to be changed, blocks and rewards are
@@ -17,14 +17,14 @@ namespace Mimo
         public void Send(float[] actions)
         {
             var sent = new Pinned(actions);
-            var status = Native.mimo_batch_send(handle, sent.Pointer, sent.Length, blocks, (UIntPtr)Blocks.Length, ref places);
-            if (status == 0) handle.KeepSent(sent);
+            var status = Native.mimo_batch_send(Handle, sent.Pointer, sent.Length, blocks, (UIntPtr)Blocks.Length, ref places);
+            if (status == 0) Handle.KeepSent(sent);
             else sent.Dispose();
             MimoException.Check(status);
         }
 
         /// <summary>Waits for the step that was sent. Exceptions are as those of Step.</summary>
-        public void Receive() { MimoException.Check(Native.mimo_batch_receive(handle)); }
+        public void Receive() { MimoException.Check(Native.mimo_batch_receive(Handle)); }
 
         private static UIntPtr LengthOf(float[] actions) { return (UIntPtr)(actions == null ? 0 : actions.Length); }
 

@@ -5,7 +5,7 @@ namespace Mimo
     /// <summary>A simulated world. One thread at a time, any thread. Its arrays are made once: a step allocates nothing.</summary>
     public sealed partial class Env : IDisposable
     {
-        private readonly EnvHandle handle;
+        private readonly EnvHandle owned;
         private readonly Results results;
         private EnvResultsStruct places;
 
@@ -28,7 +28,7 @@ namespace Mimo
 
         internal Env(EnvHandle made, Layout layout)
         {
-            handle = made;
+            owned = made;
             Layout = layout;
             Block = new byte[layout.BlockBytes];
             results = new Results(layout);
@@ -94,7 +94,7 @@ namespace Mimo
             {
                 config.growth = growths.Pointer;
                 config.growth_count = growths.Length;
-                MimoException.Check(Native.mimo_env_reset(handle, ref config, Block, (UIntPtr)Block.Length));
+                MimoException.Check(Native.mimo_env_reset(Handle, ref config, Block, (UIntPtr)Block.Length));
             }
             if (growth != null) Layout.Renew();
         }
@@ -102,7 +102,7 @@ namespace Mimo
         /// <summary>Goes one step on; gives what the first agent got. Null leaves the controls as they are.</summary>
         public Step Step(float[] action)
         {
-            MimoException.Check(Native.mimo_env_step(handle, action, (UIntPtr)(action == null ? 0 : action.Length), Block,
+            MimoException.Check(Native.mimo_env_step(Handle, action, (UIntPtr)(action == null ? 0 : action.Length), Block,
                 (UIntPtr)Block.Length, ref places));
             return Layout.Agents > 0 ? StepOf(0) : new Step();
         }
@@ -112,11 +112,11 @@ namespace Mimo
         /// <summary>A step that another function of the library makes.</summary>
         internal Step Take(Move move)
         {
-            MimoException.Check(move(handle, Block, ref places));
+            MimoException.Check(move(Handle, Block, ref places));
             return Layout.Agents > 0 ? StepOf(0) : new Step();
         }
 
-        internal EnvHandle Handle => handle;
+        internal EnvHandle Handle => Ending.Pass(owned);
 
         /// <summary>What an agent got in the last step.</summary>
         public Step StepOf(int agent) { return results.Of(agent); }
@@ -124,7 +124,7 @@ namespace Mimo
         /// <summary>Observes the current state, without changing the trajectory.</summary>
         public void Observe()
         {
-            MimoException.Check(Native.mimo_env_observe(handle, Block, (UIntPtr)Block.Length));
+            MimoException.Check(Native.mimo_env_observe(Handle, Block, (UIntPtr)Block.Length));
         }
 
         /// <summary>Simulated seconds since reset.</summary>
@@ -133,12 +133,12 @@ namespace Mimo
             get
             {
                 double seconds;
-                MimoException.Check(Native.mimo_env_time(handle, out seconds));
+                MimoException.Check(Native.mimo_env_time(Handle, out seconds));
                 return seconds;
             }
         }
 
         /// <summary>Frees the world; one of a batch stays with the batch.</summary>
-        public void Dispose() { handle.Dispose(); }
+        public void Dispose() { owned.Dispose(); }
     }
 }

@@ -210,7 +210,7 @@ namespace Mimo
         public int Count(Kind kind)
         {
             UIntPtr count;
-            MimoException.Check(Native.mimo_env_count(handle, (int)kind, out count));
+            MimoException.Check(Native.mimo_env_count(Handle, (int)kind, out count));
             return (int)count;
         }
 
@@ -218,7 +218,7 @@ namespace Mimo
         public int Find(Kind kind, string name)
         {
             int id;
-            MimoException.Check(Native.mimo_env_find(handle, (int)kind, Utf8.Bytes(name), out id));
+            MimoException.Check(Native.mimo_env_find(Handle, (int)kind, Utf8.Bytes(name), out id));
             return id;
         }
 
@@ -226,7 +226,7 @@ namespace Mimo
         public int BodyOf(Kind kind, int id)
         {
             int body;
-            MimoException.Check(Native.mimo_env_body_of(handle, (int)kind, id, out body));
+            MimoException.Check(Native.mimo_env_body_of(Handle, (int)kind, id, out body));
             return body;
         }
 
@@ -234,7 +234,7 @@ namespace Mimo
         public string Name(Kind kind, int id)
         {
             IntPtr name;
-            MimoException.Check(Native.mimo_env_name(handle, (int)kind, id, out name));
+            MimoException.Check(Native.mimo_env_name(Handle, (int)kind, id, out name));
             return Utf8.Of(name);
         }
 
@@ -242,13 +242,13 @@ namespace Mimo
         /// kind.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
-            MimoException.Check(Native.mimo_env_get(handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_get(Handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
         }
 
         /// <summary>The same in single precision, for engines.</summary>
         public void Get(Quantity quantity, int[] ids, float[] values)
         {
-            MimoException.Check(Native.mimo_env_get_float(handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_get_float(Handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
         }
 
         /// <summary>Reads a quantity of all of its kind.</summary>
@@ -269,21 +269,21 @@ namespace Mimo
         /// <summary>Writes a quantity of many at once. Ids null: all of its kind.</summary>
         public void Set(Quantity quantity, int[] ids, params double[] values)
         {
-            MimoException.Check(Native.mimo_env_set(handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_set(Handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
         }
 
         /// <summary>How many values a quantity of these has together. Ids null: all of its kind.</summary>
         public int Width(Quantity quantity, int[] ids)
         {
             UIntPtr count;
-            MimoException.Check(Native.mimo_env_width(handle, (int)quantity, ids, LengthOf(ids), out count));
+            MimoException.Check(Native.mimo_env_width(Handle, (int)quantity, ids, LengthOf(ids), out count));
             return (int)count;
         }
 
         internal static UIntPtr LengthOf(int[] ids) { return ids == null ? UIntPtr.Zero : (UIntPtr)ids.Length; }
 
         /// <summary>Recomputes poses from the current joint positions. The trajectory stays as it was.</summary>
-        public void Update() { MimoException.Check(Native.mimo_env_update(handle)); }
+        public void Update() { MimoException.Check(Native.mimo_env_update(Handle)); }
 
         /// <summary>The contacts that the last physics step computed, with their forces.</summary>
         public Contact[] Contacts()
@@ -336,7 +336,7 @@ namespace Mimo
         /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
         public void Random(double[] values)
         {
-            MimoException.Check(Native.mimo_env_random(handle, values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_random(Handle, values, (UIntPtr)values.Length));
         }
     }
 }

@@ -136,7 +136,7 @@ namespace Mimo
             raw.axes = (int)axes;
             raw.segments = (uint)segments;
             raw.plane = plane;
-            MimoException.Check(Native.mimo_env_mesh(handle, geom, ref raw));
+            MimoException.Check(Native.mimo_env_mesh(Handle, geom, ref raw));
             int vertices = (int)raw.vertex_count, corners = (int)raw.index_count;
             var mesh = new GeomMesh
             {
@@ -152,7 +152,7 @@ namespace Mimo
                 raw.indices = indices.Pointer;
                 raw.vertex_capacity = raw.vertex_count;
                 raw.index_capacity = raw.index_count;
-                MimoException.Check(Native.mimo_env_mesh(handle, geom, ref raw));
+                MimoException.Check(Native.mimo_env_mesh(Handle, geom, ref raw));
             }
             return mesh;
         }
@@ -161,7 +161,7 @@ namespace Mimo
         public GeomAppearance Appearance(int geom)
         {
             var raw = new AppearanceStruct { struct_size = (uint)Structs.Size<AppearanceStruct>() };
-            MimoException.Check(Native.mimo_env_appearance(handle, geom, ref raw));
+            MimoException.Check(Native.mimo_env_appearance(Handle, geom, ref raw));
             return new GeomAppearance
             {
                 Visible = raw.visible != 0, Group = raw.group, Texture = raw.texture,
@@ -176,7 +176,7 @@ namespace Mimo
             get
             {
                 UIntPtr count;
-                MimoException.Check(Native.mimo_env_texture_count(handle, out count));
+                MimoException.Check(Native.mimo_env_texture_count(Handle, out count));
                 return (int)count;
             }
         }
@@ -185,7 +185,7 @@ namespace Mimo
         public GeomTexture Texture(int id)
         {
             var raw = new TextureStruct { struct_size = (uint)Structs.Size<TextureStruct>() };
-            MimoException.Check(Native.mimo_env_texture(handle, id, ref raw));
+            MimoException.Check(Native.mimo_env_texture(Handle, id, ref raw));
             var texture = new GeomTexture
             {
                 Type = (TextureType)raw.type, Width = (int)raw.width, Height = (int)raw.height,
@@ -195,7 +195,7 @@ namespace Mimo
             {
                 raw.pixels = pixels.Pointer;
                 raw.pixel_bytes = pixels.Length;
-                MimoException.Check(Native.mimo_env_texture(handle, id, ref raw));
+                MimoException.Check(Native.mimo_env_texture(Handle, id, ref raw));
             }
             return texture;
         }
@@ -204,7 +204,7 @@ namespace Mimo
         public WorldLight Light(int id, Axes axes = Axes.Mimo)
         {
             var raw = new LightStruct { struct_size = (uint)Structs.Size<LightStruct>(), axes = (int)axes };
-            MimoException.Check(Native.mimo_env_light(handle, id, ref raw));
+            MimoException.Check(Native.mimo_env_light(Handle, id, ref raw));
             return new WorldLight
             {
                 Active = raw.active != 0, Directional = raw.directional != 0, CastsShadow = raw.casts_shadow != 0,
@@ -218,7 +218,7 @@ namespace Mimo
         /// the frame. Allocates nothing.</summary>
         public void Poses(Kind kind, Axes axes, float[] poses)
         {
-            MimoException.Check(Native.mimo_env_poses(handle, (int)kind, (int)axes, poses, (UIntPtr)poses.Length));
+            MimoException.Check(Native.mimo_env_poses(Handle, (int)kind, (int)axes, poses, (UIntPtr)poses.Length));
         }
     }
 }

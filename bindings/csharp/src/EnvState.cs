@@ -9,7 +9,7 @@ namespace Mimo
         public byte[] Save()
         {
             var state = new byte[StateBytes];
-            MimoException.Check(Native.mimo_env_state_save(handle, state, (UIntPtr)state.Length));
+            MimoException.Check(Native.mimo_env_state_save(Handle, state, (UIntPtr)state.Length));
             return state;
         }
 
@@ -18,7 +18,7 @@ namespace Mimo
             get
             {
                 UIntPtr bytes;
-                MimoException.Check(Native.mimo_env_state_size(handle, out bytes));
+                MimoException.Check(Native.mimo_env_state_size(Handle, out bytes));
                 return (int)bytes;
             }
         }
@@ -28,16 +28,16 @@ namespace Mimo
         public LoadReport Load(byte[] state)
         {
             return LoadReport.Of((ref LoadReportStruct report) =>
-                Native.mimo_env_state_load(handle, state, (UIntPtr)state.Length, ref report));
+                Native.mimo_env_state_load(Handle, state, (UIntPtr)state.Length, ref report));
         }
 
         /// <summary>Another world of the same scene and options, in the same state. The model is shared.</summary>
         public Env Clone()
         {
             EnvHandle clone;
-            MimoException.Check(Native.mimo_env_clone(handle, out clone));
-            clone.Log = handle.Log?.Share();
-            clone.Task = handle.Task?.Share();
+            MimoException.Check(Native.mimo_env_clone(Handle, out clone));
+            clone.Log = Handle.Log?.Share();
+            clone.Task = Handle.Task?.Share();
             return new Env(clone);
         }
 

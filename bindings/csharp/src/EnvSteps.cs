@@ -48,7 +48,7 @@ namespace Mimo
             get
             {
                 IntPtr name;
-                MimoException.Check(Native.mimo_env_task(handle, out name));
+                MimoException.Check(Native.mimo_env_task(Handle, out name));
                 return Utf8.Of(name);
             }
         }
@@ -57,7 +57,7 @@ namespace Mimo
         public AgentInfo Agent(int agent = 0)
         {
             var raw = new AgentInfoStruct { struct_size = (uint)Structs.Size<AgentInfoStruct>() };
-            MimoException.Check(Native.mimo_env_agent(handle, (UIntPtr)checked((uint)agent), ref raw));
+            MimoException.Check(Native.mimo_env_agent(Handle, (UIntPtr)checked((uint)agent), ref raw));
             return new AgentInfo
             {
                 Name = Utf8.Of(raw.name), ActionOffset = (int)raw.action_offset, ActionCount = (int)raw.action_count,
@@ -71,7 +71,7 @@ namespace Mimo
             get
             {
                 uint steps;
-                MimoException.Check(Native.mimo_env_frame_skip(handle, out steps));
+                MimoException.Check(Native.mimo_env_frame_skip(Handle, out steps));
                 return (int)steps;
             }
         }
@@ -82,7 +82,7 @@ namespace Mimo
             get
             {
                 double seconds;
-                MimoException.Check(Native.mimo_env_timestep(handle, out seconds));
+                MimoException.Check(Native.mimo_env_timestep(Handle, out seconds));
                 return seconds;
             }
         }
@@ -90,7 +90,7 @@ namespace Mimo
         /// <summary>Bare physics: so many physics steps with the controls as they are, without senses or task.</summary>
         public void StepPhysics(int count = 1)
         {
-            MimoException.Check(Native.mimo_env_physics_step(handle, (UIntPtr)checked((uint)count)));
+            MimoException.Check(Native.mimo_env_physics_step(Handle, (UIntPtr)checked((uint)count)));
         }
 
         /// <summary>One step of a movement that is known: FrameSkip x positions of all joints, at the end of each physics step.
@@ -108,7 +108,7 @@ namespace Mimo
                     positions = from.AddrOfPinnedObject(), position_count = (UIntPtr)positions.Length,
                     forces = to.AddrOfPinnedObject(), force_count = (UIntPtr)forces.Length
                 };
-                MimoException.Check(Native.mimo_env_follow(handle, ref movement, Block, (UIntPtr)Block.Length));
+                MimoException.Check(Native.mimo_env_follow(Handle, ref movement, Block, (UIntPtr)Block.Length));
             }
             finally
             {
@@ -122,7 +122,7 @@ namespace Mimo
         /// any it ends. The rate is Field.SampleRate of the ears.</summary>
         public void Play(string body, float[] samples, double rate)
         {
-            MimoException.Check(Native.mimo_env_play(handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+            MimoException.Check(Native.mimo_env_play(Handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
         }
 
         /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvOptions.Timing.</summary>
@@ -131,7 +131,7 @@ namespace Mimo
             get
             {
                 var raw = new TimingStruct { struct_size = (uint)Structs.Size<TimingStruct>() };
-                MimoException.Check(Native.mimo_env_timing(handle, ref raw));
+                MimoException.Check(Native.mimo_env_timing(Handle, ref raw));
                 return new Timing
                 {
                     Steps = (long)raw.steps, Total = raw.total, Physics = raw.physics, Touch = raw.touch, Vision = raw.vision,
@@ -141,6 +141,6 @@ namespace Mimo
         }
 
         /// <summary>Starts counting anew.</summary>
-        public void ResetTiming() { MimoException.Check(Native.mimo_env_timing_reset(handle)); }
+        public void ResetTiming() { MimoException.Check(Native.mimo_env_timing_reset(Handle)); }
     }
 }

@@ -59,6 +59,7 @@ namespace Mimo
         /// <summary>To be called on the thread of the call, at once: the message is the thread's last.</summary>
         internal static void Check(int status)
         {
+            Ending.Hold();
             if (status != 0) throw new MimoException(status);
         }
     }

@@ -69,8 +69,9 @@ namespace Mimo
 
     /// <summary>Owns a mimo_batch and a share of what its log callback and its task need, and holds the arrays in place that its threads
     /// use between two calls.</summary>
-    internal sealed class BatchHandle : SafeHandle
+    internal sealed class BatchHandle : SafeHandle, Ending.IEnds
     {
+        private volatile bool isGone;
         internal Logging Log;
         internal Tasking Task;
         internal readonly PinnedParts Kept = new PinnedParts();
@@ -87,8 +88,11 @@ namespace Mimo
             sent?.Dispose();
             Log?.Release();
             Task?.Release();
+            isGone = true;
             return true;
         }
+
+        public bool IsGone => isGone;
 
         /// <summary>The actions of a step that was sent stay until the next is: the one before was received by then.</summary>
         internal void KeepSent(Pinned actions)
@@ -116,8 +120,10 @@ namespace Mimo
     }
 
     /// <summary>Owns a mimo_recorder.</summary>
-    internal sealed class RecorderHandle : SafeHandle
+    internal sealed class RecorderHandle : SafeHandle, Ending.IEnds
     {
+        private volatile bool isGone;
+
         internal RecorderHandle() : base(IntPtr.Zero, true) { }
 
         // Alive as long as this is: it would be closed by its world otherwise, on the thread of the collector.
@@ -128,8 +134,11 @@ namespace Mimo
         protected override bool ReleaseHandle()
         {
             Native.mimo_recorder_close(handle);
+            isGone = true;
             return true;
         }
+
+        public bool IsGone => isGone;
     }
 
     /// <summary>Owns a mimo_recording.</summary>

@@ -62,11 +62,15 @@ namespace Mimo
         {
             try
             {
-                ((Action<LogRecord>)GCHandle.FromIntPtr(user).Target)(LogRecord.Of(ref record));
+                if (Ending.Enter()) ((Action<LogRecord>)GCHandle.FromIntPtr(user).Target)(LogRecord.Of(ref record));
             }
             catch (Exception)
             {
                 // An exception must not unwind through the library's frames.
+            }
+            finally
+            {
+                Ending.Leave();
             }
         }
     }

@@ -7,12 +7,13 @@ namespace Mimo
     /// <summary>A room, objects and infants. Worlds that were made of it live on without it.</summary>
     public sealed class MimoScene : IDisposable
     {
-        internal readonly SceneHandle Handle;
+        private readonly SceneHandle owned;
+        internal SceneHandle Handle => Ending.Pass(owned);
 
         private MimoScene(SceneOptions options, string name = null, string file = null, string xml = null)
         {
             Library.Require();
-            Handle = (options ?? new SceneOptions()).Make(name, file, xml);
+            owned = (options ?? new SceneOptions()).Make(name, file, xml);
         }
 
         /// <summary>An empty world.</summary>
@@ -307,6 +308,6 @@ namespace Mimo
         }
 
         /// <summary>Frees the scene.</summary>
-        public void Dispose() { Handle.Dispose(); }
+        public void Dispose() { owned.Dispose(); }
     }
 }

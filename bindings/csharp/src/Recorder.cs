@@ -25,7 +25,8 @@ namespace Mimo
     /// <summary>Records all steps of a world into an HDF5 file until it is closed, or the world is.</summary>
     public sealed class Recorder : IDisposable
     {
-        private readonly RecorderHandle handle;
+        private readonly RecorderHandle owned;
+        private RecorderHandle Handle => Ending.Pass(owned);
 
         /// <summary>Records a world from now on. A file of that name is replaced.</summary>
         public Recorder(Env env, string path, RecorderOptions options = null)
@@ -44,18 +45,19 @@ namespace Mimo
                 config.configuration = configuration.Pointer;
                 config.seed = options.Seed;
                 config.hdf5 = hdf5.Pointer;
-                MimoException.Check(Native.mimo_recorder_open(env.Handle, Utf8.Bytes(path), ref config, out handle));
-                handle.World = env.Handle;
+                MimoException.Check(Native.mimo_recorder_open(env.Handle, Utf8.Bytes(path), ref config, out owned));
+                owned.World = env.Handle;
+                Ending.Watch(owned);
             }
         }
 
         /// <summary>Puts everything on its way to the disk now.</summary>
-        public void Flush() { MimoException.Check(Native.mimo_recorder_flush(handle)); }
+        public void Flush() { MimoException.Check(Native.mimo_recorder_flush(Handle)); }
 
         /// <summary>Keeps the last state and closes the file; throws what could not be written.</summary>
-        public void Close() { MimoException.Check(Native.mimo_recorder_close(handle)); }
+        public void Close() { MimoException.Check(Native.mimo_recorder_close(Handle)); }
 
         /// <summary>Closes without a word of what could not be written.</summary>
-        public void Dispose() { handle.Dispose(); }
+        public void Dispose() { owned.Dispose(); }
     }
 }

@@ -48,13 +48,14 @@ namespace Mimo
     /// <summary>A recording that is read, and played again in a world like the one that was recorded.</summary>
     public sealed class Recording : IDisposable
     {
-        private readonly RecordingHandle handle;
+        private readonly RecordingHandle owned;
+        private RecordingHandle Handle => Ending.Pass(owned);
         private readonly bool grows; // infants do
 
         /// <summary>Opens a recording; hdf5 is the path of the HDF5 library, null: the system's.</summary>
         public Recording(string path, string hdf5 = null)
         {
-            MimoException.Check(Native.mimo_recording_open(Utf8.Bytes(path), Utf8.Bytes(hdf5), out handle));
+            MimoException.Check(Native.mimo_recording_open(Utf8.Bytes(path), Utf8.Bytes(hdf5), out owned));
             grows = Info.Bodies > 1;
         }
 
@@ -64,7 +65,7 @@ namespace Mimo
             get
             {
                 var raw = new RecordingInfoStruct { struct_size = (uint)Structs.Size<RecordingInfoStruct>() };
-                MimoException.Check(Native.mimo_recording_describe(handle, ref raw));
+                MimoException.Check(Native.mimo_recording_describe(Handle, ref raw));
                 return new RecordingInfo
                 {
                     FormatVersion = (int)raw.format_version, SameBuild = raw.same_build != 0, Steps = (int)raw.steps,
@@ -79,7 +80,7 @@ namespace Mimo
         public int Rows(string dataset)
         {
             UIntPtr rows, bytes;
-            MimoException.Check(Native.mimo_recording_size(handle, Utf8.Bytes(dataset), out rows, out bytes));
+            MimoException.Check(Native.mimo_recording_size(Handle, Utf8.Bytes(dataset), out rows, out bytes));
             return (int)rows;
         }
 
@@ -89,12 +90,12 @@ namespace Mimo
         {
             UIntPtr there, bytes;
             var name = Utf8.Bytes(dataset);
-            MimoException.Check(Native.mimo_recording_size(handle, name, out there, out bytes));
+            MimoException.Check(Native.mimo_recording_size(Handle, name, out there, out bytes));
             var values = new T[(int)((long)bytes * Math.Max(0, Math.Min(rows, (int)there)) / Marshal.SizeOf<T>())];
             using (var place = new Pinned(values))
             {
                 var room = (UIntPtr)((long)values.Length * Marshal.SizeOf<T>());
-                MimoException.Check(Native.mimo_recording_read(handle, name, (UIntPtr)checked((uint)first),
+                MimoException.Check(Native.mimo_recording_read(Handle, name, (UIntPtr)checked((uint)first),
                     (UIntPtr)checked((uint)rows), place.Pointer, room));
             }
             return values;
@@ -105,7 +106,7 @@ namespace Mimo
         public int Seek(Env env, int step = 0, bool compareFields = true)
         {
             UIntPtr at;
-            MimoException.Check(Native.mimo_recording_seek(handle, env.Handle, (UIntPtr)checked((uint)step),
+            MimoException.Check(Native.mimo_recording_seek(Handle, env.Handle, (UIntPtr)checked((uint)step),
                 compareFields ? 1u : 0u, out at));
             if (grows) env.Layout.Renew();
             return (int)at;
@@ -115,7 +116,7 @@ namespace Mimo
         public Step Step(Env env)
         {
             var step = env.Take((EnvHandle world, byte[] block, ref EnvResultsStruct results) =>
-                Native.mimo_recording_step(handle, world, block, (UIntPtr)block.Length, ref results));
+                Native.mimo_recording_step(Handle, world, block, (UIntPtr)block.Length, ref results));
             if (grows) env.Layout.Renew();
             return step;
         }
@@ -133,7 +134,7 @@ namespace Mimo
             get
             {
                 var raw = new ReplayReportStruct { struct_size = (uint)Structs.Size<ReplayReportStruct>() };
-                MimoException.Check(Native.mimo_recording_report(handle, ref raw));
+                MimoException.Check(Native.mimo_recording_report(Handle, ref raw));
                 return new ReplayReport
                 {
                     Identical = raw.identical != 0, Next = (int)raw.next, Steps = (int)raw.steps,
@@ -144,6 +145,6 @@ namespace Mimo
         }
 
         /// <summary>Closes the file.</summary>
-        public void Dispose() { handle.Dispose(); }
+        public void Dispose() { owned.Dispose(); }
     }
 }

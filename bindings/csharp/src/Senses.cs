@@ -23,7 +23,8 @@ namespace Mimo
     /// as its plug-in for Unity has them; the model outlives the senses.</summary>
     public sealed class Senses : IDisposable
     {
-        private readonly SensesHandle handle;
+        private readonly SensesHandle owned;
+        private SensesHandle Handle => Ending.Pass(owned);
 
         /// <summary>The last observation.</summary>
         public byte[] Block { get; }
@@ -35,8 +36,8 @@ namespace Mimo
         /// (with the body "scene"), their skin, the limits of their senses and the cameras.</summary>
         public Senses(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options = null)
         {
-            handle = Attach(scene, model, mujocoVersion, options ?? new SensesOptions());
-            Layout = new Layout(handle, (out IntPtr layout) => Native.mimo_senses_layout(handle, out layout));
+            owned = Attach(scene, model, mujocoVersion, options ?? new SensesOptions());
+            Layout = new Layout(Handle, (out IntPtr layout) => Native.mimo_senses_layout(Handle, out layout));
             Block = new byte[Layout.BlockBytes];
         }
 
@@ -69,11 +70,11 @@ namespace Mimo
         public void Reset(IntPtr data, ulong? seed = null)
         {
             var config = ResetConfigStruct.Of(seed);
-            MimoException.Check(Native.mimo_senses_reset(handle, data, ref config));
+            MimoException.Check(Native.mimo_senses_reset(Handle, data, ref config));
         }
 
         /// <summary>One step later, once after each step of the host: senses with a delay take in what the mjData hold.</summary>
-        public void Advance(IntPtr data) { MimoException.Check(Native.mimo_senses_advance(handle, data)); }
+        public void Advance(IntPtr data) { MimoException.Check(Native.mimo_senses_advance(Handle, data)); }
 
         /// <summary>Dynamic and static drive of the spindles of both muscles of each motor, Hz, 4 numbers a motor, until
         /// an episode starts. Null: all motors that have spindles.</summary>
@@ -81,28 +82,28 @@ namespace Mimo
         {
             var count = (UIntPtr)(actuators == null ? 0 : actuators.Length);
             MimoException.Check(
-                Native.mimo_senses_drive_spindles(handle, actuators, count, rates, (UIntPtr)rates.Length));
+                Native.mimo_senses_drive_spindles(Handle, actuators, count, rates, (UIntPtr)rates.Length));
         }
 
         /// <summary>Lets a body play samples, Pa at 1 m, from the next Advance on: see Env.Play.</summary>
         public void Play(string body, float[] samples, double rate)
         {
-            MimoException.Check(Native.mimo_senses_play(handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+            MimoException.Check(Native.mimo_senses_play(Handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
         }
 
         /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
         public void Observe(IntPtr data)
         {
-            MimoException.Check(Native.mimo_senses_observe(handle, data, Block, (UIntPtr)Block.Length));
+            MimoException.Check(Native.mimo_senses_observe(Handle, data, Block, (UIntPtr)Block.Length));
         }
 
         /// <summary>What the senses remember, as bytes.</summary>
         public byte[] Save()
         {
             UIntPtr bytes;
-            MimoException.Check(Native.mimo_senses_state_size(handle, out bytes));
+            MimoException.Check(Native.mimo_senses_state_size(Handle, out bytes));
             var state = new byte[(int)bytes];
-            MimoException.Check(Native.mimo_senses_state_save(handle, state, bytes));
+            MimoException.Check(Native.mimo_senses_state_save(Handle, state, bytes));
             return state;
         }
 
@@ -110,10 +111,10 @@ namespace Mimo
         public LoadReport Load(byte[] state)
         {
             return LoadReport.Of((ref LoadReportStruct report) =>
-                Native.mimo_senses_state_load(handle, state, (UIntPtr)state.Length, ref report));
+                Native.mimo_senses_state_load(Handle, state, (UIntPtr)state.Length, ref report));
         }
 
         /// <summary>Detaches the senses.</summary>
-        public void Dispose() { handle.Dispose(); }
+        public void Dispose() { owned.Dispose(); }
     }
 }

@@ -123,6 +123,7 @@ namespace Mimo
         {
             try
             {
+                if (!Ending.Enter()) return Fail(new InvalidOperationException("the program ends"));
                 var tasking = (Tasking)GCHandle.FromIntPtr(user).Target;
                 var seat = tasking.SeatOf(world);
                 var moment = seat.Moments[(int)told.agent];
@@ -135,6 +136,10 @@ namespace Mimo
             {
                 return Fail(error);
             }
+            finally
+            {
+                Ending.Leave();
+            }
         }
 
         [MonoPInvokeCallback(typeof(Native.TaskEvaluateFunction))]
@@ -142,6 +147,7 @@ namespace Mimo
         {
             try
             {
+                if (!Ending.Enter()) return Fail(new InvalidOperationException("the program ends"));
                 var tasking = (Tasking)GCHandle.FromIntPtr(user).Target;
                 var seat = tasking.SeatOf(world);
                 TaskMoment moment = seat.Moments[(int)told.agent];
@@ -156,6 +162,10 @@ namespace Mimo
             catch (Exception error)
             {
                 return Fail(error);
+            }
+            finally
+            {
+                Ending.Leave();
             }
         }
 
